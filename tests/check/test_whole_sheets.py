@@ -202,7 +202,7 @@ def test_a_line_from_a_name_of_a_force_leads_to_its_vector() -> None:
     sketch = ReadDrawing(strokes=strokes, words=words, ways=[1, 1, 0, 0])
     assert [(w.text, w.place) for w in led_to_vectors(sketch, (), known)[2:]] == [("F_21", 16 + 0j)]
     dotted = led_to_vectors(sketch, [16 + 0j], known)  # then it stands nowhere else
-    assert [(w.text, w.place) for w in dotted] == [("G_2", 16 + 2j), ("F_21", 16 + 0j)]
+    assert [(w.text, w.place, w.led) for w in dotted] == [("G_2", 16 + 2j, False), ("F_21", 16 + 0j, True)]
 
 
 def test_a_row_of_names_written_in_pieces_is_one_word() -> None:

@@ -12,19 +12,22 @@ from typing import TypeVar
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import loads_of
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.chains import MOST_LINES, SURELY_MM, WIDE, back_and_forth
+from planes.check.reading.chains import MOST_LINES, SURELY_MM, alongside
+from planes.check.reading.construction_lines import ends_of
 from planes.check.reading.lone_vectors import arrows_of
-from planes.check.reading.strokes import SHORT_MM, ReadDrawing, lies_on
+from planes.check.reading.parts import NEAR_WORD_MM
+from planes.check.reading.strokes import SHORT_MM, ReadDrawing
 from planes.check.reading.weighed import FARTHEST_MM, is_right
-from planes.check.reading.words_near import Candidates
+from planes.check.reading.words_near import LEADER_MM, Candidates, headless, put
 from planes.check.reading.written import Stroke
 from planes.words.names import POLE, kind_of
 
 REACH_MM = 1.5  # a hand's mark is no farther from where it should be; grading tells whether it is near enough
-UPON_MM = 1.0  # of two vectors upon each other no distance tells which name is whose
 DRAWN_MM = 0.3  # nobody draws a shorter vector
 SHARE = 0.015  # of a vector's length, by which it may be off besides
+UNLIKE = math.log(2)  # of lengths
 EXCHANGED_MM, VECTORS_MM = 6.0, 3.0  # two words so much nearer to each other's marks, or vectors, are exchanged
+UPON_MM = 1.0  # of two vectors upon each other no distance tells which name is whose
 
 
 def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates, poles: Iterable[complex]) -> ReadPaper:
@@ -35,12 +38,16 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
     tips = [z for z, _ in sketch.rounds] if scheme else [z for arrow in arrows for z in arrow]
     names = bench.names
     words = [(n, w) for w in sketch.words if (n := names.find(w.text)) in truth]
+    plain = [(a, b) for a, b in headless(sketch) if all(abs(a - z) > SHORT_MM for z in tips)]  # none begins at a mark
+    words += [(n, there) for n, w in words for a, b in plain if w.distance(a) < LEADER_MM for there in put([w], b)]
 
     def far_from(name: str, z: complex) -> float:
         far = min(w.distance(z) for n, w in words if n == name)
         return far if far <= FARTHEST_MM else math.inf
 
-    for pole in poles if tips else ():
+    starts = [z for z, _ in arrows]
+    most = sorted(starts, key=lambda z: -sum(abs(z - w) < SHORT_MM for w in starts))[:1]  # most vectors begin there
+    for pole in (*poles, *most) if tips else ():
         hidden = unshown(sketch, bench, pole)
         shown = {n: z for n, z in truth.items() if n not in hidden}
         places = {n: _nearest(pole + z, [pole, *tips]) for n, z in shown.items()}
@@ -56,10 +63,15 @@ def marks_as_planned(sketch: ReadDrawing, bench: PreparedPlan, near: Candidates,
 
 def unshown(sketch: ReadDrawing, bench: PreparedPlan, pole: complex) -> set[str]:
     """Marks that may be anywhere along a vector that runs on past its end, and at no other's end."""
-    lines, ends = sketch.endless or (), [w for stroke in sketch.strokes for w in stroke]
-    places = {n: pole + z for n, z in bench.true_marks.items()}
-    along = (n for n, z in places.items() if any(lies_on(z, line, REACH_MM, REACH_MM) for line in lines))
-    return {n for n in along if all(abs(w - places[n]) > REACH_MM for w in ends)}
+    lines = sketch.endless or ()
+    along = {n: pole + z for n, z in bench.true_marks.items() if any(_along(pole + z, line) for line in lines)}
+    return {n for n, z in along.items() if all(abs(w - z) > REACH_MM for stroke in sketch.strokes for w in stroke)}
+
+
+def _along(z: complex, line: Stroke) -> bool:
+    """Whether a place is on a vector that runs on past its end."""
+    local = (z - line[0]) / (line[1] - line[0]) * abs(line[1] - line[0])
+    return abs(local.imag) < REACH_MM and REACH_MM < local.real < abs(line[1] - line[0]) + REACH_MM
 
 
 def _nearest(z: complex, places: Sequence[complex]) -> complex:
@@ -69,45 +81,80 @@ def _nearest(z: complex, places: Sequence[complex]) -> complex:
 def vectors_named(
     sketch: ReadDrawing, bench: PreparedPlan, sides: Mapping[str, complex], beside: Iterable[complex]
 ) -> ReadPaper:
-    """Given vectors of a force plan by their arrowheads, their likeness and names, with others ``beside`` them; none
-    where one is not drawn, or an arrow is over."""
+    """Given vectors of a force plan by their likeness and names, with others ``beside`` them; none where one is not
+    drawn, or an arrow is over."""
     nothing, arrows, spelt = ReadPaper(sketch.file, whole=False), arrows_of(sketch), bench.naming.names(sides)
-    words, loads = [(spelt.find(w.text), w) for w in sketch.words], loads_of(bench.plans, bench.asked.plan)
-    written = {n for n, _ in words}
+    words = [(spelt.find(w.text), w) for w in sketch.words]
 
     def word(name: str, stroke: Stroke) -> float:
         own = [w for n, w in words if n == name]
         far = min((w.beside(stroke) for w in own if w.runs(stroke, sketch.words)), default=math.inf if own else 0.0)
         return far if far <= FARTHEST_MM else math.inf
 
-    def nearer(one: str, two: str) -> float:
-        return SURELY_MM if back_and_forth(*rows[one], *rows[two], WIDE) else VECTORS_MM
-
-    def upon(one: str, two: str) -> bool:
-        (a, b), (c, d) = rows[one], rows[two]
-        return max(abs(a - d), abs(b - c)) < min(UPON_MM, abs(b - a) / 2)
-
+    free = [s for s in (*sketch.strokes, *sketch.short) if not arrows or abs(s[1] - s[0]) < 2 * REACH_MM]
+    if not arrows and (len(free) > MOST_LINES or not _ring(free)):
+        return nothing
+    bare = [way for s in free for way in (s, s[::-1])]
     rows: dict[str, Stroke] = {}
+    undrawn, known_before, written = set[str](), loads_of(bench.plans, bench.asked.plan), {n for n, _ in words}
     for name, true in sorted(sides.items(), key=lambda side: (side[0] not in written, -abs(side[1]))):
-        like = [s for s in arrows if alike(s[1] - s[0], true) and s not in rows.values()]
+        like = [s for s in (*arrows, *bare) if _alike(s, true)]
+        like = [s for s in like if not {s, s[::-1] if s in bare else s} & {*rows.values()}] or [
+            s for s in like if 0 < word(name, s) <= NEAR_WORD_MM
+        ]
         if like:
             rows[name] = min(like, key=lambda s: (round(min(word(name, s), 1e3)), abs(s[1] - s[0] - true)))
-        elif abs(true) > SHORT_MM and (name in written or name in loads):  # an inner reaction need not be drawn
+        elif abs(true) > SHORT_MM and (name in written or name in known_before):
             return nothing
-    known = [way for t in (*sides.values(), *beside) for way in (t, -t)]
+        elif abs(true) > SHORT_MM or abs(true) < DRAWN_MM:
+            undrawn.add(name)  # an inner reaction need not be drawn
+    known = [*sides.values(), *beside]
+    over = any(not _alike(s, t) and not _alike(s[::-1], t) for s in arrows or free for t in [_like(s, known)])
     numbered = {n for n, w in words if n and w.ends}  # which way they go is told
-    over = any(not any(alike(b - a, t) for t in known) for a, b in arrows)
-    over = over or any(upon(one, two) for one, two in combinations(rows, 2) if not {one, two} & numbered)
+    over = over or any(_upon(rows[one], rows[two]) for one, two in combinations(rows, 2) if not {one, two} & numbered)
+
+    def nearer(one: str, two: str) -> float:
+        third = sum(alongside(*rows[one], *arrow) for arrow in arrows)  # with one words stand where there is room
+        if third == 2 and alongside(*rows[one], *rows[two]):
+            return SURELY_MM
+        a, b = (max(abs(sides[n]), DRAWN_MM) for n in (one, two))
+        unlike = abs(math.log(a / b)) > UNLIKE  # nobody takes one for the other
+        return EXCHANGED_MM if unlike else VECTORS_MM
+
     if over or not named(rows, rows, word, nearer):
         return nothing
     spots = [ReadMark(n, z, sketch.error_mm) for name, (a, b) in rows.items() for n, z in ((POLE, a), (name, b))]
-    left = {n for n, true in sides.items() if n not in rows and abs(true) > DRAWN_MM}
-    return ReadPaper(sketch.file, spots, whole=not left)
+    either = not arrows and not written & sides.keys() and len(sides) == 2  # there and back
+    untold = [*rows][:1] if either else []
+    return ReadPaper(sketch.file, spots, whole=len(rows) + len(undrawn) == len(sides), untold=untold)
+
+
+def _ring(strokes: Sequence[Stroke]) -> bool:
+    """Whether every stroke begins and ends where others do."""
+    ends = ends_of(strokes)
+    return all(any(abs(z - w) < REACH_MM for j, w in ends if j != k) for k, z in ends)
+
+
+def _alike(stroke: Stroke, true: complex) -> bool:
+    """Whether a stroke may be a vector."""
+    return alike(stroke[1] - stroke[0], true)
 
 
 def alike(v: complex, true: complex) -> bool:
     """Whether what is drawn may be a vector."""
     return abs(v - true) <= min(REACH_MM + SHARE * abs(true), 0.5 * abs(true) + 0.1)
+
+
+def _upon(one: Stroke, two: Stroke) -> bool:
+    """Whether two vectors lie upon each other, there and back."""
+    off, long = max(abs(one[0] - two[1]), abs(one[1] - two[0])), min(abs(b - a) for a, b in (one, two))
+    return off < min(UPON_MM, long / 2)
+
+
+def _like(stroke: Stroke, known: Sequence[complex]) -> complex:
+    """The vector a stroke is most like, drawn either way."""
+    v = stroke[1] - stroke[0]
+    return min(known, key=lambda t: min(abs(v - t), abs(v + t)))
 
 
 Place = TypeVar("Place", complex, Stroke)

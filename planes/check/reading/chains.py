@@ -24,6 +24,7 @@ TIP = 8.0  # of two vectors upon each other a name belongs to the one whose tip 
 MIDDLE = 0.21  # unless it stands so near the middle of both, in lengths
 LONGEST = 26  # vectors in a polygon
 MOST_LINES = 4 * LONGEST
+ENOUGH = 0.4  # of how well a polygon may fit, for no line of it to be split
 WHOLE = 0.5  # how much a polygon that leaves no line over is to be preferred
 MOST_TRAILS, MOST_SEEN = 400, 20000
 
@@ -52,13 +53,19 @@ def force_chain(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: R
     tells and a line is left over, or a vector is none of the plan's."""
     truth, best = true_vectors(bench), None  # how well it fits, its rows, whether it is whole, and passes every line
     pole = _pole(sketch.words, nodes)
-    edges = _reached(_edges(sketch, nodes), pole)
-    words = beside(sketch.words, nodes, edges[:MOST_LINES], bench.naming.names(truth))
-    for start, trail in _trails(edges, pole) if len(edges) <= MOST_LINES else ():
-        rows = _rows(start, trail, nodes, words, truth, sketch)
-        closed = trail[-1][1] == start and len(trail) == len(edges)
-        if rows and (best is None or rows[0] + WHOLE * closed > best[0]):
-            best = rows[0] + WHOLE * closed, rows[1], closed, len(trail) == len(edges)
+    for split in (False, True):
+        few = not split or len(sketch.strokes) <= MOST_LINES
+        edges = _reached(_edges(sketch, nodes, split), pole) if few else []
+        if not edges or len(edges) > MOST_LINES:
+            continue
+        words = beside(sketch.words, nodes, edges, bench.naming.names(truth))
+        for start, trail in _trails(edges, pole):
+            rows = _rows(start, trail, nodes, words, truth, sketch)
+            closed = trail[-1][1] == start and len(trail) == len(edges)
+            if rows and (best is None or rows[0] + WHOLE * closed > best[0]):
+                best = rows[0] + WHOLE * closed, rows[1], closed, len(trail) == len(edges)
+        if best and (best[2] or best[0] > ENOUGH * len(truth)) and not nodes.passed:
+            break
     if best and not any(sketch.ways) and not (best[3] and all(row.name in truth for row in best[1][1:])):
         paper.reason = asking("check_force_unsure")
     elif best:
@@ -72,15 +79,22 @@ def true_vectors(bench: PreparedPlan) -> dict[str, complex]:
     return {s.name: places[s.end] - places[s.start] for s in sides_of(bench.plans, bench.asked.plan)}
 
 
-def _edges(sketch: ReadDrawing, nodes: Nodes) -> list[Edge]:
-    """Nodes joined by strokes."""
+def _edges(sketch: ReadDrawing, nodes: Nodes, split: bool) -> list[Edge]:
+    """Nodes joined by strokes; if ``split``, a stroke through a node is two."""
     edges: list[Edge] = []
     for k in vectors_of(sketch, True) or range(len(sketch.strokes)):
         a, b = sketch.strokes[k]
         i, j = nodes.ends[k, 0], nodes.ends[k, 1]
         if (way := sketch.way(k)) < 0:
             (a, b), (i, j) = (b, a), (j, i)
-        edges += [Edge(i, j, (a, b), way != 0)] if i != j else []
+        u = (b - a) / abs(b - a)
+        inside = list[tuple[float, int]]()
+        for n in {*range(nodes.corners), *nodes.passed} if split else ():
+            local = (nodes.places[n] - a) * u.conjugate()
+            if n not in (i, j) and abs(local.imag) < 0.5 and 1 < local.real < abs(b - a) - 1:
+                inside.append((local.real, n))
+        path = [(i, a), *((n, nodes.places[n]) for _, n in sorted(inside)), (j, b)]
+        edges += [Edge(one, two, (z, w), way != 0) for (one, z), (two, w) in pairwise(path) if one != two]
     return edges
 
 
@@ -130,6 +144,11 @@ def back_and_forth(a: complex, b: complex, c: complex, d: complex, share: float 
     return max(abs(a - d), abs(b - c)) < share * abs(b - a)
 
 
+def alongside(a: complex, b: complex, c: complex, d: complex) -> bool:
+    """Whether one vector lies beside another, whichever way it goes."""
+    return back_and_forth(a, b, c, d, WIDE) or back_and_forth(a, b, d, c, WIDE)
+
+
 def _pole(words: Sequence[Words], nodes: Nodes) -> int | None:
     names = Naming().names(())
     for word in words:
@@ -176,19 +195,21 @@ def _rows(
     names = named_best(costs)
     if not any(names):
         return None
-    _by_words(names, trail, ends, words)
+    _by_words(names, trail, ends, words, sketch)
     score = sum(TOO_FAR - cost[n] for n, cost in zip(names, costs, strict=True) if n)
     start = ReadMark(POLE, ends[0], sketch.error_mm)
     rows = [ReadMark(n or f"?{i}", z, sketch.error_mm) for i, (n, z) in enumerate(zip(names, ends[1:], strict=True))]
     return (score - 3 * names.count(None)) / TOO_FAR, [start, *rows]
 
 
-def _by_words(names: list[str | None], trail: Trail, ends: Sequence[complex], words: Beside) -> None:
-    """Of two vectors there and back each is what stands nearer to it, were it reversed."""
+def _by_words(
+    names: list[str | None], trail: Trail, ends: Sequence[complex], words: Beside, sketch: ReadDrawing
+) -> None:
+    """Of two vectors there and back, and no third beside them, each is what stands nearer to it, were it reversed."""
     for i, j in combinations(range(len(trail)), 2):
         near = [words.get(n or "", {}) for n in (names[i], names[j])]
         a, b, c, d = *ends[i : i + 2], *ends[j : j + 2]
-        if back_and_forth(a, b, c, d, WIDE):
+        if all(near) and back_and_forth(a, b, c, d, WIDE) and sum(alongside(a, b, *s) for s in sketch.strokes) == 2:
             as_named = near[0].get(trail[i], FAR_WORD) + near[1].get(trail[j], FAR_WORD)
             if near[1].get(trail[i], FAR_WORD) + near[0].get(trail[j], FAR_WORD) < as_named - SURELY_MM:
                 names[i], names[j] = names[j], names[i]

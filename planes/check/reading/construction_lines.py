@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, headed, lies_on
+from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, headed
 from planes.check.reading.written import Stroke
 
 UPON_MM = 0.1  # a vector is drawn upon its line
@@ -12,18 +12,18 @@ ALONG_MM = 0.9  # a stroke no farther off runs along a way
 NAMED_MM = 6.0  # a word is nearer to the end it names
 MISREAD = 0.05  # for which share of a drawing's marks another place is taken
 CONFUSED = 0.0005  # for which share of the marks of such lines, without heads, another place is taken
-LOOSE = 0.9  # the same of lines that run past each other
+LOOSE = 0.9  # the same of lines that run past each other, or of which three and more lie upon each other
 PAST_MM, PAST = 20.0, 2  # how far lines run past where they meet; so many ends tell that they do
 
 
 def doubt_of(sketch: ReadDrawing) -> float:
     """For which share of the marks of a drawing of lines another place is taken: hardly any where arrowheads tell; of
-    those without heads that end beyond where they meet, so many that a mark by itself tells of none."""
+    those without heads that end beyond where they meet, or lie in rows, so many that a mark by itself tells of none."""
     if any(sketch.ways):
         return 0.0
     ends = [(k, z) for k in vectors_of(sketch) or range(len(sketch.strokes)) for z in sketch.strokes[k]]
     met = meeting(sketch.strokes, ends, FARTHEST_MM) >= MEETING
-    if len(ends) < CROSSINGS and past(sketch.strokes, ends) >= PAST:
+    if len(ends) < CROSSINGS and (_in_rows(sketch.strokes) or past(sketch.strokes, ends) >= PAST):
         return LOOSE
     return CONFUSED if met else MISREAD
 
@@ -62,6 +62,12 @@ def crossed(strokes: Sequence[Stroke], k: int, z: complex) -> Iterator[float]:
         at = (p + (q - p) * p.imag / (p.imag - q.imag)).real if p.imag != q.imag else p.real
         if SNAPPED_MM < at < length - SNAPPED_MM:
             yield at
+
+
+def _in_rows(strokes: Sequence[Stroke]) -> bool:
+    """Whether three strokes and more lie upon a longer one, so that nothing tells which of them are vectors."""
+    few = len(strokes) < CROSSINGS
+    return few and any(sum(upon(one, line) for one in strokes if one is not line) > 2 for line in strokes)
 
 
 def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
@@ -119,8 +125,11 @@ def _along(one: Stroke, line: Stroke) -> bool:
 
 def upon(one: Stroke, line: Stroke) -> bool:
     """Whether a stroke lies upon a longer one."""
-    shorter = abs(one[1] - one[0]) < abs(line[1] - line[0]) - SNAPPED_MM
-    return shorter and all(lies_on(z, line, UPON_MM, SNAPPED_MM) for z in one)
+    a, b = line
+    local = [(z - a) / (b - a) * abs(b - a) for z in one]
+    return abs(one[1] - one[0]) < abs(b - a) - SNAPPED_MM and all(
+        abs(z.imag) < UPON_MM and -SNAPPED_MM < z.real < abs(b - a) + SNAPPED_MM for z in local
+    )
 
 
 def _met(strokes: Sequence[Stroke], z: complex, but: Sequence[int], near: float = SNAPPED_MM) -> bool:

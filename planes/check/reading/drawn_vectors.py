@@ -55,16 +55,24 @@ def vectors_drawn(sketch: ReadDrawing, paper: ReadPaper, bench: PreparedPlan) ->
 
 def _from_end_to_end(joined: Sequence[Line], way: Stroke, near: float) -> DrawnVector | None:
     """How a vector is drawn that reaches from its one end to the other, by one of the lines that are ``joined`` to
-    marks; None if nothing does."""
+    marks or by several of which the last has its head at its end; None if nothing does."""
     tied = [line for line, headed in joined if headed]
     if any(_off(line, way) < near for line in tied):
         return DrawnVector("end")
     if any(_off(line, way[::-1]) < near for line in tied):
         return DrawnVector("start")
-    bare = any(min(_off(line, way), _off(line, way[::-1])) < near for line, _ in joined)
-    return DrawnVector("none") if bare else None
+    if any(min(_off(line, way), _off(line, way[::-1])) < near for line, _ in joined):
+        return DrawnVector("none")
+    last = any(abs(line[1] - way[1]) < near and _upon(line, [way], near) for line in tied)
+    return DrawnVector("end") if last and _upon(way, tied, near) else None
 
 
 def _off(line: Stroke, way: Stroke) -> float:
     """How far a line's ends are from where they should be."""
     return max(abs(z - w) for z, w in zip(line, way, strict=True))
+
+
+def _upon(line: Stroke, others: Sequence[Stroke], near: float) -> bool:
+    """Whether others run along all of a line."""
+    length = abs(line[1] - line[0])
+    return covered(others, *line) * length > length - near

@@ -18,6 +18,9 @@ from planes.words.names import POLE, at, end_of
 SHARE = 0.1  # a vector off by more of its length is not the true one
 REVERSED = 0.25  # how unlike a vector is its opposite
 NAMED = 2.0  # what unlikeness counts for where names are written: they stand beside their own arrows
+ALIKE, LEAST = 1.03, 0.2  # sizes worth trying differ by so much; the smallest, to what is stated
+OTHER = 3.0  # what it costs for the size to be other than it seems
+LED = 4.0  # how much farther another vector is from a name with a line to its own
 HEADLESS_MM = 2.0  # a shorter vector may be drawn without a head
 
 Costs = list[dict[str, float]]
@@ -43,12 +46,23 @@ def arrows_of(sketch: ReadDrawing) -> list[Stroke]:
 def _named(
     arrows: Sequence[Sequence[Stroke]], sketch: ReadDrawing, bench: PreparedPlan, known: Mapping[str, complex]
 ) -> list[tuple[str | None, Stroke]]:
-    """Each arrow's name and way, of those it may go."""
-    ways = [_costs(strokes, sketch, bench, known) for strokes in arrows]
-    costs = [{n: min(row[n] for row in rows if n in row) for n in set[str]().union(*rows)} for rows in ways]
+    """Each arrow's name and way, of those it may go, at the size that explains all best: it is the drawer's choice."""
+    lengths = [abs(t) for t in known.values() if abs(t) > HEADLESS_MM]
+    sizes: list[float] = []
+    for ratio in sorted(abs(b - a) / t for (a, b), *_ in arrows for t in lengths) if not bench.asked.mu else ():
+        if LEAST < ratio < 1 / LEAST and (not sizes or ratio > ALIKE * sizes[-1]):
+            sizes.append(ratio)
+    best: tuple[float, list[str | None], list[Costs]] = math.inf, [], []
+    for size in (1.0, *sizes):
+        ways = [_costs(strokes, sketch, bench, {n: t * size for n, t in known.items()}) for strokes in arrows]
+        costs = [{n: min(row[n] for row in rows if n in row) for n in set[str]().union(*rows)} for rows in ways]
+        names = named_best(costs)
+        price = sum(row[n] if n else TOO_FAR for n, row in zip(names, costs, strict=True)) + OTHER * (size != 1.0)
+        if price < best[0]:
+            best = price, names, ways
     return [
         (name, min(zip(rows, strokes, strict=True), key=lambda way: way[0].get(name or "", math.inf))[1])
-        for name, rows, strokes in zip(named_best(costs), ways, arrows, strict=True)
+        for name, rows, strokes in zip(*best[1:], arrows, strict=True)
     ]
 
 
@@ -68,7 +82,7 @@ def _costs(arrows: Sequence[Stroke], sketch: ReadDrawing, bench: PreparedPlan, k
     for a, b in arrows:
         near = {n: NO_WORD if n not in written else FAR_WORD for n in known}
         for name, word in words:
-            far = word.beside((a, b))
+            far = word.beside((a, b)) * (LED if word.led else 1)
             if name in near and far <= NEAR_MM and word.runs((a, b), sketch.words):
                 near[name] = min(near[name], far)
         fits = (n for n, t in known.items() if abs(b - a) >= HEADLESS_MM or abs(t) < HEADLESS_MM)  # or has no head

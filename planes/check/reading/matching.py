@@ -4,8 +4,7 @@ A mark without a word is looked for where its step leads from the person's own e
 mistake of the catalogue; what is nowhere stays unread.
 """
 
-import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, pairwise
 
@@ -20,7 +19,7 @@ from planes.check.reading.construction_lines import covered, vectors_alone, vect
 from planes.check.reading.lone_vectors import HEADLESS_MM, lone_vectors, others
 from planes.check.reading.running_on import cut_off
 from planes.check.reading.strokes import LOOSE_MM, Nodes, ReadDrawing, headed, hinged
-from planes.check.reading.weighed import is_right, vague, worth
+from planes.check.reading.weighed import is_right, told_apart, vague, worth
 from planes.check.reading.words_near import Candidates, by_words, led, led_to_vectors, sized, start_of
 from planes.check.reading.written import Words
 from planes.words import Phrase
@@ -28,7 +27,7 @@ from planes.words.names import POLE, at, kind_of, label_of
 
 APART_MM = 0.7  # two marks nearer than this are one place
 WORDED = 0.6  # the share of marks with words from which on one without was not drawn
-MISTAKEN, AWAY, NO_TIP, USED = 1.5, 3.0, 2.0, 4.0  # how strange places of a mark are, in mm from its word: see below
+USED = 4.0  # how strange it is, in mm from its word, for a mark to be where another one is
 DENSE = 80  # so many ends near one word leave nothing to choose by
 LOOSE = 0.2  # of how far joined ends are apart, the error of where they are
 DOT_MM = 0.8  # a line from a name ends in no larger dot
@@ -60,7 +59,7 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         sides, beside = true_vectors(bench), others(bench)
         known = bench.naming.names({**beside, **sides})
         sketch.words = led_to_vectors(sketch, dots, known) if headed(sketch) else sketch.words
-        named_paper = vectors_named(sketch, bench, sides, beside.values())
+        named_paper = vectors_named(vectors_alone(sketch, vectors), bench, sides, beside.values())
         return named_paper if is_right(bench, named_paper) else _polygon(sketch, nodes, bench, paper)
     sketch = _joined(sketch, nodes)
     if nodes.crowded and (len(near) < 2 or max(map(len, near.values())) > DENSE):
@@ -113,6 +112,7 @@ def _polygon(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, paper: Read
     if paper.spots and vague(sketch, bench, paper):
         paper.spots = []
         paper.reason = asking("check_force_unsure")
+    paper = told_apart(sketch, bench, paper)
     over = (one.name for one, two in pairwise(paper.spots) if two.name.startswith(NAMELESS))  # it may run on as that
     paper.untold += [n for n in over if n != POLE and not n.startswith(NAMELESS)]
     return paper
@@ -123,9 +123,16 @@ def _marks(
 ) -> dict[str, complex]:
     """Every mark in order of drawing, looked for where its word stands and where its step may lead."""
     worded = len(near) >= WORDED * (len(bench.marks) + 1)
-    desk = _MarkSearch(bench, sketch, nodes, origin, _tips(sketch, nodes), worded)
-    desk.look_for(bench.marks, near)
-    desk.look_for((m for m in bench.marks if label_of(m) in near and desk.met(label_of(m))), near)
+    near = {n: dict(nodes_near) for n, nodes_near in near.items()}
+    for _ in range(len(bench.marks)):
+        desk = _MarkSearch(bench, sketch, nodes, origin, _tips(sketch, nodes), worded)
+        for mark in bench.marks:
+            if (place := desk.place(mark, near.get(label_of(mark)))) is not None:
+                desk.found[label_of(mark)] = place
+        better = desk.exchange()
+        if better is None:
+            break
+        del near[better[0]][better[1]]
     return desk.found
 
 
@@ -147,55 +154,72 @@ class _MarkSearch:
     tips: set[int] | None
     worded: bool  # whether nearly every mark has its word, so that one without was most likely not drawn
     found: dict[str, complex] = field(default_factory=dict)
+    costs: dict[str, dict[int, float]] = field(default_factory=dict)  # of every node near its word, by mark
+    odd: dict[str, set[int]] = field(default_factory=dict)  # those of them where another mark is, and should not be
 
-    def look_for(self, marks: Iterable[str], near: Candidates) -> None:
-        """Put marks where they are, those there before known."""
-        for name, mark in ((label_of(m), m) for m in marks):
-            self.found.pop(name, None)
-            if (place := self.place(mark, near.get(name))) is not None:
-                self.found[name] = place
+    def used(self, name: str) -> list[complex]:
+        """Where marks are already, but for those whose names stand in a row with this one: they are in one place."""
+        row = {w.place for w in self.sketch.words if self.bench.names.find(w.text) == name}
+        beside = {self.bench.names.find(w.text) for w in self.sketch.words if w.place in row}
+        return [self.origin, *(z for n, z in self.found.items() if n not in beside)]
 
-    def met(self, name: str) -> bool:
-        """Whether another mark is where one is."""
-        own = self.found.get(name, math.inf)
-        return sum(abs(z - own) < APART_MM for z in self.found.values()) > 1
+    def exchange(self) -> tuple[str, int] | None:
+        """Of two marks at one node (it fits only one), the one that has another place nearly as good, and the node."""
+        taken: dict[int, str] = {}
+        for name, costs in self.costs.items():
+            node = min(costs, key=lambda i: costs[i])
+            if node in taken and node in self.odd.get(name, ()):
+                one, two = self._regret(taken[node], node), self._regret(name, node) + USED
+                if one < two:
+                    return taken[node], node
+            taken.setdefault(node, name)
+        return None
+
+    def _regret(self, name: str, node: int) -> float:
+        """What it costs a mark to go elsewhere."""
+        costs = self.costs[name]
+        return min((c for i, c in costs.items() if i != node), default=1e9) - costs[node]
 
     def place(self, mark: str, near: Mapping[int, float] | None) -> complex | None:
         """Where a mark is: by its word, else where it should be, or where a mistake would put it."""
-        plan, error = self.bench.asked.plan, self.sketch.error_mm
+        name, plan, error = label_of(mark), self.bench.asked.plan, self.sketch.error_mm
         taken = {at(plan, n): ReadMark(n, z - self.origin, error) for n, z in self.found.items()}
         hand = Hand(self.bench.program, self.bench.given, self.bench.asked.skill, taken)
         miss = hand.miss(hand.things[mark], hand.number(mark))
         reach = min(max(miss.reach(3.0), 1.2), 8.0)
         guesses = [(self.origin + z, share * reach) for z, share in _guesses(self.bench, hand, mark)]
-        used = [self.origin, *self.found.values()]
+        used = self.used(name)
         if near:
-            costs = {i: far + self._odd(i, guesses, used) for i, far in near.items()}
+            odd = self.odd[name] = {i for i in near if self._strange(i, guesses, used)}
+            costs = self.costs[name] = {i: far + self._odd(i, guesses) + USED * (i in odd) for i, far in near.items()}
             return self.nodes.places[min(costs, key=lambda i: costs[i])]
         step = self.bench.program.makers[mark]
         before = (getattr(step, k, "") for k in ("start", "other", "end"))
         starts = [self.origin, *(taken[n].place + self.origin for n in before if n in taken)]
         for guess, far in guesses[:1] if self.worded else guesses:
-            together = not self.worded and guess == guesses[0][0] and any(abs(u - guess) < far for u in used)
             for i in self.nodes.within(guess, far):
                 z = self.nodes.places[i]
+                together = not self.worded and guess == guesses[0][0] and any(abs(u - guess) < far for u in used)
                 drawn = any(covered(self.sketch.strokes, s, z) >= ALONG for s in starts)
-                if drawn and (together or self._fresh(i, used)):
+                if drawn and (self._fresh(i, used) or together):
                     return z
         return None
 
     def _fresh(self, node: int, used: Sequence[complex]) -> bool:
         return all(abs(self.nodes.places[node] - u) > APART_MM for u in used)
 
-    def _odd(self, node: int, guesses: list[tuple[complex, float]], used: Sequence[complex]) -> float:
-        """How strange it would be, in mm of distance from its word, for a mark to be at a node: where no step leads or
-        but a mistake, where no head is, or where another mark is and the two should not be together."""
-        fits = [abs(self.nodes.places[node] - guess) <= far for guess, far in guesses]
-        odd = 0.0 if fits[0] else MISTAKEN if any(fits) else AWAY
+    def _odd(self, node: int, guesses: list[tuple[complex, float]]) -> float:
+        """How strange it would be, in mm of distance from its word, for a mark to be at a node."""
+        z = self.nodes.places[node]
+        fits = [abs(z - guess) <= far for guess, far in guesses]
+        odd = 0.0 if fits[0] else 1.5 if any(fits) else 3.0
+        return odd + (2.0 if self.tips is not None and node not in self.tips else 0.0)
+
+    def _strange(self, node: int, guesses: list[tuple[complex, float]], used: Sequence[complex]) -> bool:
+        """Whether another mark is at a node already, where the two should not be together."""
         place, reach = guesses[0]
-        together = fits[0] and any(abs(u - place) < reach for u in used)
-        no_tip = self.tips is not None and node not in self.tips
-        return odd + NO_TIP * no_tip + USED * (not self._fresh(node, used) and not together)
+        together = any(abs(u - place) < reach for u in used) and abs(self.nodes.places[node] - place) <= reach
+        return not self._fresh(node, used) and not together
 
 
 def _guesses(bench: PreparedPlan, hand: Hand, mark: str) -> Iterator[tuple[complex, float]]:
@@ -217,11 +241,10 @@ def scaled(
     if pole is None or place is None or name is None or place == pole:
         return sketch, None
     factor = abs(bench.true_marks[name]) / abs(place - pole)
-
-    def put(z: complex) -> complex:
-        return (z - pole) * factor
-
-    words = [replace(w, place=put(w.place), height=w.height * factor, width=w.width * factor) for w in sketch.words]
-    words += [Words(n, put(z), 0.1, 0.1) for n, z in {POLE: pole, **marks}.items()]
-    strokes, passed = [(put(a), put(b)) for a, b in sketch.strokes], [*map(put, sketch.passed)]
+    words = [
+        Words(w.text, (w.place - pole) * factor, w.height * factor, w.width * factor, w.along) for w in sketch.words
+    ]
+    words += [Words(n, (z - pole) * factor, 0.1, 0.1) for n, z in {POLE: pole, **marks}.items()]
+    strokes = [((a - pole) * factor, (b - pole) * factor) for a, b in sketch.strokes]
+    passed = [(z - pole) * factor for z in sketch.passed]
     return ReadDrawing(sketch.file, strokes, words, sketch.error_mm, sketch.ways, passed=passed), name

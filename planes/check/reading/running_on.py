@@ -21,7 +21,7 @@ from planes.check.reading.construction_lines import (
     vectors_of,
 )
 from planes.check.reading.lone_vectors import others
-from planes.check.reading.strokes import CROSSINGS, SNAPPED_MM, ReadDrawing, crossings, lies_on
+from planes.check.reading.strokes import CROSSINGS, SNAPPED_MM, ReadDrawing, crossings
 from planes.check.reading.written import Stroke
 from planes.words.names import POLE, kind_of
 
@@ -68,15 +68,21 @@ def _pole(sketch: ReadDrawing, bench: PreparedPlan) -> complex:
     words = [w for w in sketch.words if bench.names.find(w.text) == POLE]
 
     def through(z: complex) -> int:
-        return sum(lies_on(z, s, SNAPPED_MM, SNAPPED_MM) for s in sketch.strokes)
+        return sum(_on(z, s, SNAPPED_MM) for s in sketch.strokes)
 
     places = [*crossings(sketch.strokes), *(z for stroke in sketch.strokes for z in stroke)]
     return max(places, key=lambda z: (through(z), -min((w.distance(z) for w in words), default=0.0)))
 
 
+def _on(z: complex, stroke: Stroke, reach: float) -> bool:
+    """Whether a place is on a stroke, or no farther from it than ``reach``."""
+    local = (z - stroke[0]) / (stroke[1] - stroke[0]) * abs(stroke[1] - stroke[0])
+    return abs(local.imag) < reach and -reach < local.real < abs(stroke[1] - stroke[0]) + reach
+
+
 def _holds(stroke: Stroke, pair: Stroke) -> bool:
     """Whether a stroke may be a vector that runs on."""
-    return _off(stroke, pair) < PAST_MM and all(lies_on(z, stroke, REACH_MM, REACH_MM) for z in pair)
+    return _off(stroke, pair) < PAST_MM and all(_on(z, stroke, REACH_MM) for z in pair)
 
 
 def _off(one: Stroke, two: Stroke) -> float:
@@ -89,7 +95,8 @@ def _like(ways: Sequence[Stroke], known: Sequence[complex]) -> Stroke:
 
     def unlike(way: Stroke) -> float:
         v = way[1] - way[0]
-        return min((abs(w - t) for t in known for w in (v, -v) if alike(w, t)), default=math.inf)
+        off = (min(abs(v - t), abs(v + t)) for t in known if alike(v, t) or alike(-v, t))
+        return min(off, default=math.inf)
 
     return min(ways, key=unlike)
 
@@ -109,7 +116,7 @@ def _ends(sketch: ReadDrawing, k: int, j: int) -> list[complex]:
     ends = [w for stroke in strokes for w in stroke]
     u = (other - z) / abs(other - z)
     aslant = (s for s in strokes if abs((v := (s[1] - s[0]) / u).imag) > ASKEW * abs(v))
-    if any(abs(w - z) < SNAPPED_MM for w in ends) or any(lies_on(z, s, SNAPPED_MM, SNAPPED_MM) for s in aslant):
+    if any(abs(w - z) < SNAPPED_MM for w in ends) or any(_on(z, s, SNAPPED_MM) for s in aslant):
         return [z]
     upon = (local.real for w in ends if abs((local := (w - z) / u).imag) < UPON_MM)
     before = [at for at in (*crossed(sketch.strokes, k, z), *upon) if SNAPPED_MM < at < PAST_MM]

@@ -85,13 +85,6 @@ def goes_on(a: complex, b: complex, c: complex, within: float = STRAIGHT) -> boo
     return a != b != c and abs(cmath.phase((c - b) / (b - a))) < within
 
 
-def lies_on(z: complex, stroke: Stroke, aside: float, past: float) -> bool:
-    """Whether a place is on a stroke: less than ``aside`` from its line, and less than ``past`` beyond its ends."""
-    a, b = stroke
-    local, length = (z - a) / (b - a) * abs(b - a), abs(b - a)
-    return abs(local.imag) < aside and -past < local.real < length + past
-
-
 def headed(sketch: ReadDrawing) -> list[int]:
     """The strokes with arrowheads, where so many have one that a vector is told from a construction line by it."""
     heads = [k for k, way in enumerate(sketch.ways) if way]
@@ -125,8 +118,8 @@ def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
 class Nodes:
     """Places where strokes end or cross, those nearer than ``near`` (mm) taken for one.
 
-    Ends of vectors come first, and they alone are corners, if these are known; they alone move nodes. Vertices lines go
-    straight on through come late.
+    Ends of vectors come first; of other lines only those that meet something are corners. Nothing but an end of its own
+    kind moves a node. Vertices lines go straight on through come late.
     """
 
     def __init__(
@@ -147,15 +140,27 @@ class Nodes:
         plain = sorted({*range(len(strokes))} - {*vectors}) if vectors else []
         for k in vectors or range(len(strokes)):
             self._stroke(k, strokes[k])
-        self.corners = len(self.places)
+        free = [k for k in plain if not all(self._met(strokes, k, j) for j in (0, 1))]
         for k in plain:
+            if k not in free:
+                self._stroke(k, strokes[k], fixed=True)
+        self.corners = len(self.places)
+        for k in free:
             self._stroke(k, strokes[k], fixed=True)
-        for z in (*passed, *(crossings(strokes) if len(strokes) <= CROSSINGS else ())):
-            self._add(z, fixed=True)
+        self.passed = {self._add(z, fixed=True) for z in passed}
+        if len(strokes) <= CROSSINGS:
+            for z in crossings(strokes):
+                self._add(z, fixed=True)
 
     def _stroke(self, k: int, stroke: Stroke, fixed: bool = False) -> None:
         self.ends[k, 0] = self._add(stroke[0], fixed=fixed)
         self.ends[k, 1] = self._add(stroke[1], but=self.ends[k, 0], fixed=fixed)  # a stroke has two ends
+
+    def _met(self, strokes: Sequence[Stroke], k: int, j: int) -> bool:
+        """Whether an end of a stroke meets an end of another one."""
+        z = strokes[k][j]
+        others = (w for i, other in enumerate(strokes) if i != k for w in other)
+        return bool(self.within(z, self.near)) or any(abs(z - w) <= self.near for w in others)
 
     def _add(self, z: complex, but: int = -1, fixed: bool = False) -> int:
         node = next((i for i in self.within(z, self.near) if i != but), None)

@@ -1,12 +1,13 @@
 """How well what was read of a drawing agrees with its plan; which of two readings is the better."""
 
 from dataclasses import replace
+from itertools import combinations, pairwise
 
 from planes.check.grading.grading import Grading, grade
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.readable import readable
-from planes.check.reading.chains import true_vectors
+from planes.check.reading.chains import SURELY_MM, WIDE, ahead_of, back_and_forth, true_vectors
 from planes.check.reading.construction_lines import apart
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import ReadDrawing
@@ -29,6 +30,37 @@ def is_right(bench: PreparedPlan, paper: ReadPaper) -> bool:
     """Whether a paper is right."""
     grading = _graded(bench, paper)
     return grading is not None and not grading.fault and readable(grading) is None
+
+
+def told_apart(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
+    """Of two vectors there and back that the words do not tell apart, each by the name it has if all is right, then by
+    the one that a mistake explains; which of the two may be so is told, unless they stand in the plan's order."""
+    order = list(true_vectors(bench))
+    names = bench.naming.names(order)
+    words = [(names.find(w.text), w) for w in sketch.words]
+    strokes = {k: (one.place, two.place) for k, (one, two) in enumerate(pairwise(paper.spots), 1) if two.name != POLE}
+
+    def word(name: str, k: int) -> float:
+        return min((w.beside(strokes[k]) for n, w in words if n == name), default=FARTHEST_MM)
+
+    def ahead(k: int) -> float:
+        return max((ahead_of(w, strokes[k]) for n, w in words if n == paper.spots[k].name), default=0.0)
+
+    for i, j in combinations(strokes, 2):
+        one, two = paper.spots[i].name, paper.spots[j].name
+        doubt = abs(word(one, i) + word(two, j) - word(one, j) - word(two, i)) < SURELY_MM
+        if not doubt or not back_and_forth(*strokes[i], *strokes[j], WIDE):
+            continue
+        spots = list(paper.spots)
+        spots[i], spots[j] = replace(spots[i], name=two), replace(spots[j], name=one)
+        other, right = replace(paper, spots=spots), is_right(bench, paper)
+        in_order = {one, two} <= {*order} and order.index(two) < order.index(one)
+        silent = not ahead(i) and not ahead(j)
+        if not right and (silent or in_order) and is_right(bench, other):
+            paper = replace(other, untold=[] if silent and in_order else [one, two])
+        elif not right and not is_right(bench, other) and worth(bench, other) > worth(bench, paper):
+            paper = other
+    return paper
 
 
 def vague(sketch: ReadDrawing, bench: PreparedPlan, paper: ReadPaper) -> bool:

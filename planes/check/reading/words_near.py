@@ -11,7 +11,7 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.chains import NEAR_MM, true_vectors
 from planes.check.reading.construction_lines import upon
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, headed, lies_on
+from planes.check.reading.strokes import CROSSINGS, Nodes, ReadDrawing, headed
 from planes.check.reading.written import Stroke, Words
 from planes.words.names import POLE, kind_of
 from planes.words.naming import Names
@@ -20,6 +20,7 @@ LEADER_MM = 2.5  # a line from a word ends so near it
 INDEX = 0.3  # how far an index reaches below its letter, in heights of the letter
 SHY_MM = 1.0  # and so near what it names: it stops at the sign or the arrow that stands there
 ON_MM = 0.3
+BUSY_MM = 4.0
 HIT_MM = 2.5  # a mark is where the plan leads
 NEAR_POINT_MM = 1.5  # a point of a scheme is where it should be
 LEAST_MM = 4.0  # shorter vectors tell little about the scale
@@ -46,10 +47,14 @@ def by_words(words: Iterable[Words], nodes: Nodes, names: Names) -> Candidates:
 
 def led(sketch: ReadDrawing, nodes: Nodes) -> Iterator[Words]:
     """Words with a line from them to what they name, as if they stood there."""
+    places = nodes.places[: nodes.corners]
     for k, stroke in enumerate(sketch.strokes if len(sketch.strokes) <= CROSSINGS else ()):
         for j in (0, 1):
             z, at_node = stroke[j], next((i for i in nodes.within(stroke[1 - j], SHY_MM) if i < nodes.corners), None)
             if nodes.weights[nodes.ends[k, j]] > 1 or at_node is None or sketch.way(k):
+                continue
+            through = abs(stroke[1 - j] - places[at_node]) < ON_MM  # a line drawn on; one that stops short points there
+            if through and any(_on(w, *stroke, LEADER_MM / 2) for i, w in enumerate(places) if i != at_node):
                 continue
             yield from put(begun(sketch.words, z), nodes.places[at_node])
 
@@ -84,12 +89,18 @@ def led_to_vectors(sketch: ReadDrawing, dots: Sequence[complex], known: Names) -
     own = {min((b for _, b in plain), key=lambda b: abs(b - z)) for z in dots if plain}  # a dot is of one line
     for a, b in plain:
         clear = abs(b - a) > LEADER_MM and all(abs(a - z) > SHY_MM for z in ends)
-        if clear and any(lies_on(b, s, ON_MM, ON_MM) for s in vectors) and not any(upon(s, (a, b)) for s in vectors):
+        if clear and any(_on(b, *s, -ON_MM) for s in vectors) and not any(upon(s, (a, b)) for s in vectors):
             dotted = b in own and any(abs(b - z) < ON_MM for z in dots)
             named = begun(words, a)
-            led_words += put(named, b)
+            led_words += [replace(w, led=dotted) for w in put(named, b)]
             gone += named if dotted else ()
     return [*(w for w in sketch.words if w not in gone), *led_words]
+
+
+def _on(z: complex, a: complex, b: complex, within: float) -> bool:
+    """Whether a place is on the line from a to b, ``within`` mm from its ends at the least."""
+    local = (z - a) / (b - a) * abs(b - a)
+    return abs(local.imag) < ON_MM and within < local.real < abs(b - a) - within
 
 
 def start_of(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex | None:
@@ -97,7 +108,11 @@ def start_of(sketch: ReadDrawing, nodes: Nodes, bench: PreparedPlan, near: Candi
     if kind_of(bench.asked.plan) == "position":
         return _origin_of(nodes, bench, near)
     starts = Counter(nodes.ends[k, 0 if sketch.ways[k] > 0 else 1] for k in headed(sketch))
-    pole = _pole_of(nodes, bench, near)
+    beside = dict(near.get(POLE, {}))
+    for node, count in starts.most_common(1):
+        if beside and count > 1:  # where most begin is as good as where the word p is, or not far from it
+            beside[node] = min(beside.values()) if node in beside else BUSY_MM
+    pole = _pole_of(nodes, bench, near | {POLE: beside})
     if pole is None:
         return None
     return nodes.places[max(nodes.within(pole, HIT_MM), key=lambda i: starts[i])]  # where most vectors begin
@@ -122,7 +137,6 @@ def _origin_of(nodes: Nodes, bench: PreparedPlan, near: Candidates) -> complex |
     """The origin of a scheme's axes: so that the frame's points, then most others, stand beside their words."""
     truth = bench.true_marks
     places = [(nodes.places[i] - truth[n], far) for n, held in near.items() if n in truth for i, far in held.items()]
-
     fixed = bench.naming.names(bench.plans.mechanism.frame.points)
 
     def worth(origin: complex, far: float) -> float:
