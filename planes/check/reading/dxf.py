@@ -166,18 +166,20 @@ def _boundary(entity: Any, path: Any, scale: float) -> list[complex]:
 
 
 def _text(drawing: ReadDrawing, entity: Any, scale: float) -> None:
-    """A line of text: where its lower left corner is depends on how it is aligned; one fitted between two places begins
-    at the first."""
+    """A line of text: where its lower left corner is depends on how it is aligned."""
     along = cmath.rect(1, math.radians(entity.dxf.get("rotation", 0.0)))
     across, up = entity.dxf.get("halign", 0), entity.dxf.get("valign", 0)
+    fitted = entity.dxf.get("align_point") if across in (3, 5) else None
     placed = entity.dxf.get("align_point") if (across or up) and across not in (3, 5) else None
+    at = entity.ocs().to_wcs(placed if placed is not None else entity.dxf.insert)
     height, text = entity.dxf.height * scale, entity.plain_text()
-    width, corner = height * breadth(text), 0j
-    if placed is not None:
-        back = {1: 0.5, 2: 1.0, 4: 0.5}.get(across, 0.0)
-        corner = complex(width * back, height * {2: 0.5, 3: 1.0}.get(up, 0.5 if across == 4 else 0.0))
-    at = _z(entity.ocs().to_wcs(entity.dxf.insert if placed is None else placed), scale)
-    drawing.write(Words(text, at - along * corner, height, width, along))
+    width = height * breadth(text)
+    if fitted is not None:  # between two places
+        span = _z(fitted, scale) - _z(entity.dxf.insert, scale)
+        width, along = abs(span) or width, span / abs(span) if span else along
+    back = {1: 0.5, 2: 1.0, 4: 0.5}.get(across, 0.0) if placed is not None else 0.0
+    down = {2: 0.5, 3: 1.0}.get(up, 0.5 if across == 4 else 0.0) if placed is not None else 0.0
+    drawing.write(Words(text, _z(at, scale) - along * complex(width * back, height * down), height, width, along))
 
 
 def _z(p: Any, scale: float) -> complex:

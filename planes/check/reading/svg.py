@@ -22,7 +22,6 @@ from planes.words.errors import PlanesError
 LARGEST = 12 * MB
 LETTERS = 50  # of a shape's own description that take as long to read as one element
 LETTERS_OF_CSS = 10  # the same, where they were not read before
-CAPITAL = 0.73  # of the size of letters, how high a capital is
 DEEPEST = 60  # groups within groups
 DRAWN = ("text", "circle", "line", "polyline", "polygon", "path")
 NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads
@@ -146,11 +145,24 @@ class _Reader:
         text = re.sub(r"[ \t\r\n]+", " ", "".join(e.itertext())).strip()
         first = next((c for c in e.iter() if c.get("x")), e)
         m = m.transform(transform_of(first.get("transform") or "")) if first is not e else m
+        pieces = [c for c in e.iter() if c.get("x") and (c.text or "").strip()] or [first]
+        if pieces != [first] and "".join("".join(c.text or "" for c in pieces).split()) == text.replace(" ", ""):
+            boxes = [_box(c, c.text or "", _size(looks_of(c, self.rules), looks)) for c in pieces]
+        else:
+            boxes = [_box(first, text, _size(looks_of(first, self.rules), looks))]
         right, down = complex(m.xx, m.xy), complex(m.yx, m.yy)
-        sizes = (numbers(said.get("font-size")) for said in (looks_of(first, self.rules), looks))
-        size = CAPITAL * next((some[0] for some in sizes if some), 12.0)
-        width = (number(first, "textLength") or size * breadth(text)) * abs(right)
-        along = right / abs(right) if abs(right) else 1 + 0j
+        height, along = boxes[0][2] * abs(down), right / abs(right) if abs(right) else 1 + 0j
+        width = max(z.real + w - boxes[0][0].real for z, w, _ in boxes) * abs(right)
         back = {"middle": 0.5, "end": 1.0}.get(looks.get("text-anchor", ""), 0.0) * width
-        place = _at(m, complex(number(first, "x"), number(first, "y"))) - along * back
-        self.sketch.write(Words(text, place, size * abs(down), width, along))
+        self.sketch.write(Words(text, _at(m, boxes[0][0]) - along * back, height, width, along))
+
+
+def _size(*said: Looks) -> float:
+    """The size of letters, said by the first that says it."""
+    return next((n[0] for looks in said if (n := numbers(looks.get("font-size")))), 12.0)
+
+
+def _box(e: ElementTree.Element, text: str, size: float) -> tuple[complex, float, float]:
+    """Where a piece of text begins, its width and its height."""
+    width = number(e, "textLength") or 0.73 * size * breadth(text)
+    return complex(number(e, "x"), number(e, "y")), width, 0.73 * size
