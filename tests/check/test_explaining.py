@@ -41,6 +41,7 @@ def explained(bench: confusion.PreparedPlan, spoilt: Spoilt = Spoilt(), turn: co
     return Explanation(PlanLines(bench), ink_of(bench, spoilt, turn), 0j)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("bench", [SIX, ACCELERATION, FORCE], ids=["velocity", "acceleration", "force"])
 def test_the_right_plan_is_the_likeliest_and_its_marks_are_where_they_were_put(bench: confusion.PreparedPlan) -> None:
     seen, put = explained(bench), places(bench, Spoilt(), random.Random(1))
@@ -50,6 +51,7 @@ def test_the_right_plan_is_the_likeliest_and_its_marks_are_where_they_were_put(b
         assert len(off) == len(bench.marks) and sorted(off.values())[len(off) // 2] < 0.3
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(
     ("bench", "mark", "moved"),
     [(SIX, "b", 17 + 0j), (SIX, "c", 9 - 9j), (ACCELERATION, "n_CB", 8 + 8j), (FORCE, "P_3", -12j)],

@@ -131,6 +131,7 @@ def test_a_law_is_told_whole(law: str) -> None:
         assert again.value("M_1") == pytest.approx(true.value("M_1"), rel=1e-4)
 
 
+@pytest.mark.few(14)
 @pytest.mark.parametrize("path", LAWFUL, ids=lambda f: f.stem)
 def test_samples_with_laws_are_solved_from_their_english_tasks(path: Path) -> None:
     one = desk(path.read_text("utf-8"), "en")

@@ -67,6 +67,7 @@ def test_what_is_heard_is_what_is_seen_and_no_answer(page: Any) -> None:
     assert "ω" not in page.get_attribute("#scheme", "aria-label")
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("size", [(320, 640), (390, 844), (640, 450), (1920, 1080)])
 def test_nothing_runs_off_any_screen(page: Any, size: tuple[int, int]) -> None:
     page.set_viewport_size({"width": size[0], "height": size[1]})

@@ -259,6 +259,7 @@ def test_a_scale_is_chosen_by_how_large_the_plan_is(desk: Any) -> None:
     assert desk.evaluate(SOLVE) == [True, False, []]  # the first answer counts
 
 
+@pytest.mark.slow
 def test_no_question_tells_its_scale(desk: Any) -> None:
     """While a scale is to be chosen, it is read nowhere, nor is the plan drawn on."""
     told = desk.evaluate("""() => {
@@ -328,6 +329,7 @@ MARKED: dict[str, list[pytest.MarkDecorator]] = {"bntu-4": [], "excavator": [pyt
 """One lays off no length first, of one a link stands still."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "path",
     [pytest.param(p, marks=MARKED.get(p.stem, [pytest.mark.long])) for p in SCENES],

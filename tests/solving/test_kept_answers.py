@@ -93,7 +93,7 @@ def now_told(name: str) -> dict[str, Any]:
     return json.loads(json.dumps(told(SAMPLES / f"{name}.yaml"), ensure_ascii=False, default=str))
 
 
-@pytest.mark.few(16, slow=200)
+@pytest.mark.few(12, slow=200)
 @pytest.mark.parametrize("name", SCENES)
 def test_what_is_told_of_a_sample_is_what_was_kept(name: str) -> None:
     now, path = now_told(name), KEPT / f"{name.replace('/', '-')}.json"

@@ -92,6 +92,7 @@ def same(kept: Any, now: Any) -> bool:
     return all(abs(x - now[1][k][0]) <= ALIKE * size for k, (x, size) in kept[1].items())
 
 
+@pytest.mark.few(34)
 @pytest.mark.parametrize("start", range(0, SPOILED + SNAPPED + ANY + STILL * (len(KINDS) + 1), TOGETHER))
 def test_a_scene_has_the_outcome_that_was_kept(start: int) -> None:
     kept = json.loads(KEPT.read_text("utf-8"))

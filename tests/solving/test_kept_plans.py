@@ -89,7 +89,7 @@ def moved(kept: dict[str, list[float]], now: dict[str, list[float]]) -> list[str
     return wrong
 
 
-@pytest.mark.few(90)
+@pytest.mark.few(60)
 @pytest.mark.parametrize("name", SCENES)
 def test_every_plan_is_what_was_kept(name: str) -> None:
     now = json.loads(json.dumps(drawn(SAMPLES / f"{name}.yaml"), ensure_ascii=False))
