@@ -18,7 +18,7 @@ from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.sign_faults import SignFault
 from planes.check.grading.signs import plan_scaled
-from planes.geometry.arrays import Booleans, Complexes
+from planes.geometry.arrays import Array, Booleans, Complexes
 from planes.words.names import POLE
 
 
@@ -158,21 +158,28 @@ class Explanation:
     def untold(self) -> list[str]:
         """Marks, or sides of a force polygon, that lie elsewhere in a drawing which may well be it: in the other of the
         two in doubt; else far off in one which the ink tells as well, however seldom its mistake is made."""
-        right, wrong, blamed = self.right, self.wrong, ""
-        if self.best is right and self.doubt < w.ASKED:
-            rivals = [one for one in self.laid if one.places and right.evidence - one.evidence < w.TELLING]
-            apart_mm = w.FAR_OFF_MM
-        else:
-            rivals = [wrong] if wrong else []
-            blamed, apart_mm = wrong.hypothesis.mark if wrong else "", w.MOVED_MM
-        if not right.places or not rivals:
+        wrong = self.wrong
+        if not self.right.places:
             return []
-        ways = numpy.array([self._drawn(one) for one in rivals]) - self._drawn(right)
-        off: list[bool] = (abs(ways).max(axis=0) > apart_mm).tolist()
+        if self.best is self.right and self.doubt < w.ASKED:
+            rivals, blamed, apart_mm = self._as_well_told(), "", w.FAR_OFF_MM
+        else:
+            rivals, blamed, apart_mm = ([wrong], wrong.hypothesis.mark, w.MOVED_MM) if wrong else ([], "", w.MOVED_MM)
+        off = numpy.array([self._off_mm(one) > apart_mm for one in (self.right, *rivals)])
         ends, names = self.plan.labels, self.plan.labels
         if self.plan.sides:
             ends, names = [side.end for side in self.plan.sides], [side.name for side in self.plan.sides]
-        return [name for name, end, far in zip(names, ends, off, strict=True) if far or end == blamed]
+        return [name for name, end, far in zip(names, ends, off.T, strict=True) if far.any() or end == blamed]
+
+    def _as_well_told(self) -> list[Laid]:
+        """Drawings that the ink tells as well as the best with all in its place, whatever mistake leads there."""
+        laid = [one for one in self.laid if one.places]
+        here = max(one.evidence for one in laid if (self._off_mm(one) <= w.FAR_OFF_MM).all())
+        return [one for one in laid if here - one.evidence < w.TELLING]
+
+    def _off_mm(self, one: Laid) -> Array:
+        """How far each mark, or each side of a force polygon, lies from that of the right plan."""
+        return numpy.asarray(abs(self._drawn(one) - self._drawn(self.right)))
 
     def _drawn(self, one: Laid) -> Complexes:
         """The marks of a drawing from the pole; of a force polygon its sides, in whatever order they are laid."""
