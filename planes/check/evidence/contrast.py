@@ -12,7 +12,7 @@ from functools import cache
 
 import numpy
 
-from planes.check.vision.image.opencv import cv, pieces
+from planes.check.vision.image.opencv import cv, pieces, shrunk
 from planes.geometry.arrays import Array, Booleans, Greys, Indices
 
 PX_PER_MM = 3.0  # of the smaller picture on which lines are felt
@@ -71,7 +71,7 @@ class FeltLines:
     def __init__(self, dark: Greys, scale: float, print_mm: float = 0.0) -> None:
         """Lines felt on a picture; if those below what is printed on its top are lighter, they tell what is usual."""
         cv2, factor = cv(), PX_PER_MM / scale
-        small = cv2.resize(dark, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA).astype(numpy.int16) * FINE
+        small = shrunk(dark, factor).astype(numpy.int16) * FINE
         self.most: Array = numpy.zeros_like(small)
         self.darkest = self.most
         self.along = list[Array]()

@@ -115,7 +115,7 @@ class PreparedPlan:
         things = {**before, **givens}
         try:
             draw_steps(self.program.steps[first:], things, tool, swaps)
-        except PlanesError:
+        except (PlanesError, ZeroDivisionError):
             return None
         return things
 

@@ -30,7 +30,7 @@ def shows_paper(grey: Greys) -> bool:
     if not h * w:
         return True
     small = small[: h * SQUARE_PX, : w * SQUARE_PX]
-    _, parts = pieces(_slow(small))
+    _, parts = pieces(_slow(small), neighbours=4)
     even = max(parts[1:, 4].sum() / EVEN, parts[1:, 4].max(initial=0) / TOGETHER)
     return bool(even >= h * w) and float(_rough(small).mean()) < SHARE
 

@@ -37,8 +37,8 @@ def sampled(grey: Greys, places: Complexes) -> Array:
     return greys
 
 
-def pieces(places: Any) -> tuple[Indices, Indices]:
-    """Places that hang together: the number of each one's piece (0: none), and of each piece its left and upper edge,
-    width, height and area."""
-    _, labels, stats, _ = cv().connectedComponentsWithStats(places.astype(numpy.uint8), connectivity=8)
+def pieces(places: Any, neighbours: int = 8) -> tuple[Indices, Indices]:
+    """Places that hang together, by their corners too unless only four ``neighbours`` count: the number of each one's
+    piece (0: none), and of each piece its left and upper edge, width, height and area."""
+    _, labels, stats, _ = cv().connectedComponentsWithStats(places.astype(numpy.uint8), connectivity=neighbours)
     return labels, stats
