@@ -30,7 +30,8 @@ APART = {
 }
 """Commands with a module of their own; the others are together in ``commands``."""
 SHORT = ("crank-slider", "note", "sheet")
-"""Commands that make one document and end: they hardly leave rings of objects, and to look for them takes a tenth."""
+"""Commands that make one document and end. The search for reference cycles took 0.6 of 5 s in the crank-slider's
+report, a twentieth of a note or a sheet; without it the report's peak is 240 MB, not 150."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -63,7 +64,7 @@ def _run(args: argparse.Namespace) -> int:
     from planes.words.waiting import waiting
 
     module = import_module(f"planes.cli.{APART.get(args.command, 'commands')}")
-    with waiting(), _uncollected(args.command in SHORT):
+    with waiting(), _without_collector(args.command in SHORT):
         status = int(getattr(module, args.command.replace("-", "_"))(args))
     if sys.stdout:
         sys.stdout.flush()
@@ -75,8 +76,8 @@ def _run(args: argparse.Namespace) -> int:
 
 
 @contextmanager
-def _uncollected(short: bool) -> Iterator[None]:
-    """Nobody looks for rings of objects while a short command runs."""
+def _without_collector(short: bool) -> Iterator[None]:
+    """The cyclic garbage collector is off while a short command runs."""
     collecting = gc.isenabled()
     if short:
         gc.disable()

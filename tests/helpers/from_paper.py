@@ -216,7 +216,7 @@ def restated(scene: Scene, paper: Paper) -> Statement:
     return replace(stated, vectors=vectors, parameters={**stated.parameters, **parameters})
 
 
-def refounded(scene: Scene, paper: Paper) -> Statement:
+def restated_statics(scene: Scene, paper: Paper) -> Statement:
     """Bodies in equilibrium by a paper: places, sizes and directions of loads, the pole of a string polygon."""
     stated = scene.statement
     assert stated and stated.statics
@@ -253,7 +253,7 @@ def rebuilt(scene: Scene, text: str, naming: Naming) -> tuple[Scene, list[str]]:
     """The scene of a paper, and the names of the numbers that are not told there."""
     paper = Paper(text, naming)
     if scene.statement and scene.statement.statics:
-        return replace(scene, statement=refounded(scene, paper)), paper.missed
+        return replace(scene, statement=restated_statics(scene, paper)), paper.missed
     if scene.statement:
         return replace(scene, statement=restated(scene, paper)), paper.missed
     of = Rebuilt(scene, paper)

@@ -1,7 +1,7 @@
 """What a sheet shows of a plan, by the likeliest of all drawings of it: its marks with their errors, and the odds."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
@@ -156,26 +156,27 @@ class Explanation:
         return [n for n in hidden if self.scorer.words.by(n, self.pole + self.best.places[n]) > w.LIKELY]
 
     def untold(self) -> list[str]:
-        """Marks, or sides of a force polygon, that lie elsewhere in a drawing which may well be it: in the other of the
-        two in doubt; else far off in one which the ink tells as well, however seldom its mistake is made."""
-        wrong = self.wrong
+        """Marks, or sides of a force polygon, that lie elsewhere in the other drawing where the two are in doubt; else
+        those far off in one that fits the ink as well: how seldom its mistake is made is no evidence."""
         if not self.right.places:
             return []
-        if self.best is self.right and self.doubt < w.ASKED:
-            rivals, blamed, apart_mm = self._as_well_told(), "", w.FAR_OFF_MM
-        else:
-            rivals, blamed, apart_mm = ([wrong], wrong.hypothesis.mark, w.MOVED_MM) if wrong else ([], "", w.MOVED_MM)
-        off = numpy.array([self._off_mm(one) > apart_mm for one in (self.right, *rivals)])
+        if self.wrong and (self.best is self.wrong or self.doubt >= w.ASKED):
+            return self._elsewhere([self.wrong], w.MOVED_MM, self.wrong.hypothesis.mark)
+        return self._elsewhere(self._rivals(), w.FAR_OFF_MM)
+
+    def _rivals(self) -> list[Laid]:
+        """Drawings that fit the ink as well as the best of those with every mark in its place."""
+        laid = [one for one in self.laid if one.places]
+        here = max(one.evidence for one in laid if (self._off_mm(one) <= w.FAR_OFF_MM).all())
+        return [one for one in laid if here - one.evidence < w.TELLING]
+
+    def _elsewhere(self, drawings: Sequence[Laid], apart_mm: float, blamed: str = "") -> list[str]:
+        """Names of what lies farther than that from the right plan in any of the drawings, and of what is blamed."""
+        off = numpy.array([self._off_mm(one) > apart_mm for one in (self.right, *drawings)])
         ends, names = self.plan.labels, self.plan.labels
         if self.plan.sides:
             ends, names = [side.end for side in self.plan.sides], [side.name for side in self.plan.sides]
         return [name for name, end, far in zip(names, ends, off.T, strict=True) if far.any() or end == blamed]
-
-    def _as_well_told(self) -> list[Laid]:
-        """Drawings that the ink tells as well as the best with all in its place, whatever mistake leads there."""
-        laid = [one for one in self.laid if one.places]
-        here = max(one.evidence for one in laid if (self._off_mm(one) <= w.FAR_OFF_MM).all())
-        return [one for one in laid if here - one.evidence < w.TELLING]
 
     def _off_mm(self, one: Laid) -> Array:
         """How far each mark, or each side of a force polygon, lies from that of the right plan."""

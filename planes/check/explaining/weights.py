@@ -32,7 +32,7 @@ MOVED_MM = 1.5  # what a mistake moves at the least
 LETTERS = 1.2  # of what it costs that names stand elsewhere
 ODDS = (0.0, 0.8)  # of a mistake: at equal scores, and by which a score counts, as logarithms
 TELLING, FAR_OFF_MM = 0.5, 4.0  # by how much more a mark's place is told than another so far off, or it is not told;
-# of 45 right blanks by other means it takes one from right to as seen, two wrong ones called right had -2.2 and 0.4
+# of 45 right blanks by other means at most one is as seen for it; two wrong ones had been called right
 NO_DOUBT, ASKED = 0.02, 0.05  # less doubt is none; with more a drawing may as well be the other
 LEAST_COVER = 0.75  # the share of the likeliest drawing's lines that must be there, or no such plan is seen
 READ_MM, ASTRAY, SIGMAS, POLE_MM, UNSEEN_MM = (
