@@ -59,5 +59,10 @@ def pytest_collection_finish() -> None:
     gc.set_threshold(100_000, 50, 100)
 
 
+def pytest_sessionfinish() -> None:
+    """In the end pytest has all garbage collected five times over: little is left to go through."""
+    gc.freeze()
+
+
 def _evenly(count: int, some: int) -> set[int]:
     return {round((k + 0.5) * (count - 1) / some) for k in range(some)} if some < count else set(range(count))

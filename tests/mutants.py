@@ -52,6 +52,8 @@ NEAR = (
     "diagrams",
     "course",
     "cli",
+    "check",
+    "words",
 )
 LIBRARIES = ("numpy", "shapely", "hypothesis", "yaml", "fontTools.ttLib", "flint", "mpmath", "matplotlib.font_manager")
 FIRST = 40  # tests that are tried before the files of all others are read

@@ -111,10 +111,11 @@ export class Live {
     return found.filter(z => z.kind);
   }
   get zone() { return this.zones.find(z => z.from <= this.drive && this.drive <= z.to); }
-  nearest() { // the nearest place of a turn that works
+  nearest() { // the nearest place of a turn that works, once the turn has been looked at
     const { from, to } = this.data.drive, step = (to - from) / TURN;
     const bad = (/** @type {number} */ v) => this.zones.some(z => z.kind === "bad" && z.from <= v && v <= z.to);
-    for (let k = 0, q = Math.round((this.drive - from) / step); k < TURN; k++) for (const side of [k, -k]) {
+    const q = Math.round((this.drive - from) / step);
+    for (let k = 0; k < TURN && bad(from + q * step); k++) for (const side of [k, -k]) {
       const v = from + (q + side) * step;
       if (v >= from && v < to && !bad(v)) return v;
     }

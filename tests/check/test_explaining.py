@@ -51,7 +51,7 @@ def test_the_right_plan_is_the_likeliest_and_its_marks_are_where_they_were_put(b
         assert len(off) == len(bench.marks) and sorted(off.values())[len(off) // 2] < 0.3
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(
     ("bench", "mark", "moved"),
     [(SIX, "b", 17 + 0j), (SIX, "c", 9 - 9j), (ACCELERATION, "n_CB", 8 + 8j), (FORCE, "P_3", -12j)],

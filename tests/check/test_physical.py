@@ -49,6 +49,7 @@ def test_graphite_stays_on_the_heights_of_the_grain() -> None:
     assert spreads[0] > 2 * spreads[2]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("quarter", [0, 1])
 def test_a_place_is_seen_where_the_camera_says(quarter: int) -> None:
     """A dot on a tilted sheet behind a bent lens is at the pixel its place is said to have."""

@@ -112,7 +112,8 @@ def test_the_code_is_read_from_a_scan_and_is_no_ink() -> None:
     assert mark_on(flat.grey) is None  # half a code is none
 
 
-@pytest.mark.parametrize("told", [True, pytest.param(False, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("told", [True, False])
 def test_a_blank_tells_where_its_own_pole_is(told: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A version that put the pole elsewhere, and whose scene had another scale, printed it: it is read all the same.
 

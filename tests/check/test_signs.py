@@ -69,7 +69,7 @@ def changed(mark: Arrow, way: str) -> list[Arrow]:
     return [replace(mark, start=mark.start + off)] if way == "late" else []
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("way", ["missing", "short", "long", "aside", "late"])
 @pytest.mark.parametrize(("plan", "suffix"), [("velocity", ".svg"), ("acceleration", ".dxf"), ("velocity", ".pdf")])
 def test_a_vector_that_misses_its_marks_or_is_not_drawn(plan: str, way: str, suffix: str, tmp_path: Path) -> None:

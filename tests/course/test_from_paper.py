@@ -91,6 +91,7 @@ def test_stated_vectors_are_found_from_their_task(path: Path) -> None:
     same(one.scene, words(one.task()), "ru")
 
 
+@pytest.mark.few(12)
 @pytest.mark.parametrize("path", STATICS, ids=lambda f: f.stem)
 def test_bodies_are_held_as_their_task_says(path: Path) -> None:
     lang = langs("course")[STATICS.index(path) % 4]
@@ -131,7 +132,7 @@ def test_a_law_is_told_whole(law: str) -> None:
         assert again.value("M_1") == pytest.approx(true.value("M_1"), rel=1e-4)
 
 
-@pytest.mark.few(14)
+@pytest.mark.few(7)
 @pytest.mark.parametrize("path", LAWFUL, ids=lambda f: f.stem)
 def test_samples_with_laws_are_solved_from_their_english_tasks(path: Path) -> None:
     one = desk(path.read_text("utf-8"), "en")

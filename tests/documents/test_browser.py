@@ -146,6 +146,7 @@ def test_a_number_that_is_typed_changes_everything(page: Any) -> None:
     assert "l_BC" in page.inner_text("#zone") and not re.search("NaN|undefined", page.inner_text("main"))
     page.fill('#knobs input[type=text][data-given="l_BC"]', "-1")
     assert page.evaluate("live.given.l_BC") == 0.05
+    until(page, "live.zones.some(z => z.kind === 'bad' && z.from <= live.drive && live.drive <= z.to)")  # looked at
     page.click("#home")
     until(page, "live.at_home && document.getElementById('zone').className === ''")
 

@@ -46,6 +46,7 @@ def test_the_chapter_is_there_by_choice_alone(tmp_path: Path, capsys: Any) -> No
     assert sizes[0] < sizes[1] < 1.1 * sizes[0]
 
 
+@pytest.mark.slow
 def test_a_centre_that_is_not_to_be_seen_is_told_of(browser: Any, tmp_path: Path) -> None:
     with lesson_opened(browser, with_centres(tmp_path, SLIDER, "en")) as page:
         page.evaluate("go(data.frames.findIndex(f => f.makes[0] === 'position:P_20'))")

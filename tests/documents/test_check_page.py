@@ -98,7 +98,7 @@ def test_the_page_judges_as_the_program_does(
     assert errors == []
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("sample", "plan", "mistake"), CASES)
 def test_moved_marks_are_judged_anew_and_their_table_is_judged_alike(
     browser: Any, tmp_path: Path, sample: str, plan: str, mistake: Mistake | None

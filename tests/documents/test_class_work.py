@@ -424,6 +424,7 @@ def test_a_course_that_was_not_made_is_refused(tmp_path: Path, capsys: pytest.Ca
     assert "make it first: planes course" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_vector_astray_is_the_one_it_is_nearest_to(tmp_path: Path) -> None:
     """The end of e and of S5 is drawn twice, once 9 mm off; it is not taken for a mark 80 mm away."""
     assert main(["blank", str(TWELVE), "--variant", "Г", "--plan", "velocity", "-o", str(tmp_path / "b.pdf")]) == 0

@@ -68,6 +68,7 @@ def test_a_vector_by_keys_alone(desk: Any) -> None:
     assert desk.evaluate("practice.good === practice.asked - 1")
 
 
+@pytest.mark.slow
 def test_two_lines_and_their_crossing(desk: Any) -> None:
     desk.evaluate(UPTO, "velocity:c")
     desk.click("#tool-line")
@@ -133,6 +134,7 @@ def test_a_vector_drawn_with_a_pen_or_a_finger(desk: Any, kind: str) -> None:
     assert "✓" in said(desk)
 
 
+@pytest.mark.slow
 def test_the_compass_meets_the_other_crossing(desk: Any) -> None:
     desk.evaluate(UPTO, "position:C")
     for centre, other in (("B", "C"), ("D", "C")):
@@ -204,6 +206,7 @@ def test_a_mark_must_be_nearer_to_its_place_than_to_a_mistake(desk: Any) -> None
     assert any(fits < wide for fits, wide, _ in found) and any(fits == wide for fits, wide, _ in found)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_told_apart_is_named_with_the_other(desk: Any) -> None:
     desk.evaluate(UPTO, "acceleration:k_HL")
     told = desk.evaluate("""() => { const [x, y] = live.at('acceleration:k_HL'), s = live.at(desk.from);
@@ -284,6 +287,7 @@ def test_no_question_tells_its_scale(desk: Any) -> None:
     assert desk.evaluate(f"practice.begin(0); handout(); {shown}") == [False, True, True]
 
 
+@pytest.mark.slow
 def test_the_next_links_and_the_first_equation_are_chosen_with_a_reason(desk: Any) -> None:
     desk.evaluate("window.plainly = t => plain(t)")
     assert not desk.evaluate("$('chapter').checkVisibility()")  # it lists the plans of forces in their order

@@ -6,6 +6,8 @@ import math
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from planes.lesson.formulas import LANGS
 from planes.lesson.standing import still_said
 from planes.lesson.told import Told
@@ -32,6 +34,7 @@ def test_a_point_stands_still_in_its_dead_points_alone(browser: Any, tmp_path: P
         assert told[outer] and told[inner]
 
 
+@pytest.mark.slow
 def test_the_special_point_is_the_instantaneous_centre_of_its_link(browser: Any, tmp_path: Path) -> None:
     told = Told.of(load(str(STEPHENSON)))
     frame = next(f for f in told.frames if f.makes == ("velocity:s",))

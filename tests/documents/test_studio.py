@@ -99,6 +99,7 @@ def drawn_slider_crank(page: Any) -> None:
     hand.rest()
 
 
+@pytest.mark.slow
 def test_a_hinge_dragged_on_the_canvas_changes_the_line_that_places_it(browser: Any, address: str) -> None:
     page = opened(browser, address)
     page.evaluate(f"bench.open({SIX.read_text('utf-8')!r}, 'own')")
@@ -115,6 +116,7 @@ def test_a_hinge_dragged_on_the_canvas_changes_the_line_that_places_it(browser: 
     until(page, "/c_1: 0.27/.test(bench.text)")
 
 
+@pytest.mark.slow
 def test_an_open_assembly_is_chosen_by_its_picture(browser: Any, address: str) -> None:
     page = opened(browser, address)
     text = SIX.read_text("utf-8").replace("assembly: {C: right}", "assembly: {}")
@@ -232,6 +234,7 @@ def test_another_browser_shows_the_same() -> None:
         assert not [e for e in window.errors if "127.0.0.1" not in e]
 
 
+@pytest.mark.slow
 def test_a_picture_beneath_is_sized_by_a_length_on_it(browser: Any, address: str) -> None:
     """A person drags along a length he knows and types it; its first point stays where it is."""
     page = opened(browser, address)

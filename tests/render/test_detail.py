@@ -27,7 +27,7 @@ POINT_MM = 1.3  # what is longer is enlarged less than twenty times
 CROWDED = {"assignment-12": None, "kind-5-rpp": None, "crank-slider": None, "kind-3-rpr": 2, "kind-4-prp": 2}
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(0)
 @pytest.mark.parametrize(("name", "number"), list(CROWDED.items()))
 def test_every_short_vector_is_drawn_again_larger(name, number):
     found = sheet(name, number=number)
