@@ -68,6 +68,8 @@ BOUNDS: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.LtE: ast.Lt,
     ast.GtE: ast.Gt,
 }
+OTHERS: dict[type[ast.cmpop], type[ast.cmpop]] = {ast.Eq: ast.NotEq, ast.NotEq: ast.Eq}  # of words, which have no order
+UNORDERED = ("values", "marks", "directions")  # what a step reads is a set
 
 
 @dataclass(frozen=True)
@@ -88,7 +90,7 @@ class Mutant:
 
 
 def changes(node: ast.AST) -> Iterator[tuple[str, ast.expr]]:
-    """What can be done to a node."""
+    """What can be done to a node that may change a number or a structure."""
     if isinstance(node, ast.BinOp):
         if swapped := SIGNS.get(type(node.op)):
             yield "sign", ast.BinOp(node.left, swapped(), node.right)
@@ -98,8 +100,12 @@ def changes(node: ast.AST) -> Iterator[tuple[str, ast.expr]]:
             yield "dropped", node.left
     elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
         yield "sign", node.operand
-    elif isinstance(node, ast.Compare) and len(node.ops) == 1 and (other := BOUNDS.get(type(node.ops[0]))):
-        yield "bound", ast.Compare(node.left, [other()], node.comparators)
+    elif isinstance(node, ast.Compare) and len(node.ops) == 1:
+        words = any(
+            isinstance(one, ast.Constant) and isinstance(one.value, str) for one in (node.left, *node.comparators)
+        )
+        if other := (OTHERS if words else BOUNDS).get(type(node.ops[0])):
+            yield "bound", ast.Compare(node.left, [other()], node.comparators)
     elif isinstance(node, ast.Constant) and isinstance(node.value, float) and 0 < abs(node.value) < 1e-3:
         yield "bound", ast.Constant(node.value * 1e7)
     elif isinstance(node, ast.BoolOp):
@@ -107,7 +113,7 @@ def changes(node: ast.AST) -> Iterator[tuple[str, ast.expr]]:
     elif isinstance(node, ast.Call) and len(node.args) > 1:
         one, two, *more = node.args
         plain = all(isinstance(a, (ast.Name, ast.Attribute, ast.Subscript)) for a in (one, two))
-        if plain and ast.dump(one) != ast.dump(two):
+        if plain and ast.dump(one) != ast.dump(two) and ast.unparse(node.func) not in UNORDERED:
             yield "order", ast.Call(node.func, [two, one, *more], node.keywords)
 
 
@@ -119,7 +125,7 @@ def mutants(path: Path) -> Iterator[Mutant]:
         starts.append(starts[-1] + len(line))
     tree = ast.parse(text)
     lines = lines_of(tree)
-    for node in ast.walk(tree):
+    for node in filter(lines.__contains__, ast.walk(tree)):
         for kind, made in changes(node):
             assert isinstance(node, ast.expr) and node.end_lineno and node.end_col_offset is not None
             start, end = starts[node.lineno - 1] + node.col_offset, starts[node.end_lineno - 1] + node.end_col_offset
@@ -130,7 +136,8 @@ def mutants(path: Path) -> Iterator[Mutant]:
 
 
 def lines_of(tree: ast.Module) -> dict[ast.AST, range]:
-    """The lines of the statement, or of the head of the block, each node stands in."""
+    """The lines of the statement, or of the head of the block, each node stands in; but what counts from the end, or
+    only makes a name."""
     found: dict[ast.AST, range] = {}
 
     def look(node: ast.AST, lines: range) -> None:
@@ -139,7 +146,9 @@ def lines_of(tree: ast.Module) -> dict[ast.AST, range]:
             last = body[0].lineno - 1 if body else node.end_lineno
             lines = range(node.lineno, max(last or 0, node.lineno) + 1)
         found[node] = lines
-        for inner in ast.iter_child_nodes(node):
+        last = isinstance(node, ast.Subscript) and isinstance(node.slice, ast.UnaryOp)
+        inside = [node.value] if last else ast.iter_child_nodes(node)
+        for inner in () if isinstance(node, ast.JoinedStr) else inside:
             look(inner, lines)
 
     look(tree, range(0))

@@ -11,8 +11,9 @@ from planes.check.grading.prepared_plan import Asked, marks_of, prepare
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.data import lesson_data
 from planes.plans import Plans, plans_of
-from planes.scene import loads
-from planes.words.names import label_of
+from planes.plans.statements.of_scene import scene_plans
+from planes.scene import load, loads
+from planes.words.names import kind_of, label_of, links_of
 from tests.helpers import ROOT
 
 RRP = (ROOT / "samples" / "kind-2-rrp.yaml").read_text(encoding="utf-8")
@@ -111,3 +112,11 @@ def test_only_vectors_of_points_of_the_frame_have_its_number() -> None:
     """The block of the press has a place on the frame's guide, and one on the guide of plate 2."""
     press = (ROOT / "samples" / "class-four" / "press.yaml").read_text(encoding="utf-8")
     assert plans_from(press).lettering["grounded"] == ["v_G0", "v_GG0", "a_G0", "a_GG0"]
+
+
+@pytest.mark.parametrize("name", ["carriage", "excavator", "hinge-motor"])
+def test_a_moment_equation_belongs_to_one_force_plan(name: str) -> None:
+    """Where one link of a group has a force plan of its own as well."""
+    plans = scene_plans(load(ROOT / "samples" / f"{name}.yaml"))
+    each = [m.unknown for plan in plans.drawn if kind_of(plan) == "force" for m in plans.on(links_of(plan))]
+    assert len(each) == len({*each})

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
+import yaml
 
 from planes.documents.sheets import sheet_of
 from planes.lesson.told import Told
-from planes.scene import load
+from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT
@@ -34,6 +36,15 @@ def test_a_sample_has_its_expected_numbers(sample: object) -> None:
         assert complex(*again["vectors"][name]) == pytest.approx(complex(*xy), abs=DIGITS * most)
     for name, value in told["values"].items():
         assert abs(position.of("values")[name].number - value) <= DIGITS * max(most, abs(value)), name
+
+
+@pytest.mark.parametrize("sample", SAMPLES, ids=lambda f: f.stem)
+def test_a_sample_moved_far_aside_has_the_same_vectors(sample: Path) -> None:
+    scene = yaml.safe_load(sample.read_text("utf-8"))
+    scene["points"] = {n: [f"({x}) + 40", f"({y}) - 25"] for n, (x, y) in scene["points"].items()}
+    here, there = (solve(one).positions[0].of("vectors") for one in (load(sample), loads(yaml.safe_dump(scene))))
+    most = max(abs(one.vector) for one in here.values())
+    assert {n: there[n].vector for n in here} == pytest.approx({n: v.vector for n, v in here.items()}, abs=1e-12 * most)
 
 
 @pytest.mark.slow

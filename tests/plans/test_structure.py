@@ -40,6 +40,20 @@ drive: {link: 1, phi: 70}
 """
 
 
+LOOSE_CHAIN = """\
+planes: 1
+frame: {points: {O: [0, 0], P: [1, 0], Q: [1.2, 0.3]}}
+links:
+  1: {points: {O: 0, A: 0.1}}
+  2: {points: {A: 0, B: 0.3}}
+  3: {points: {B: 0, C: 0.3}}
+  4: {points: {C: 0, D: 0.3}}
+  5: {points: {D: 0, P: 0.2, Q: [0.4, 0.1]}}
+drive: {link: 1, phi: 40}
+"""
+"""W = 1, link 5 held twice, links 2, 3 and 4 loose: as many links and pairs as a closed contour has."""
+
+
 def structure(text: str) -> Structure:
     scene = loads(text)
     assert scene.mechanism
@@ -409,3 +423,12 @@ def test_two_rods_in_one_hinge_of_the_base_are_no_contour() -> None:
 def test_a_reaction_of_the_other_link_is_reversed_whichever_comes_first(one: str, two: str) -> None:
     assert Quantity(one, (), "reactions", two).reversed and not Quantity(one, (), "reactions", one).reversed
     assert not Quantity(one, (), "loads", two).reversed
+
+
+def test_a_loose_chain_beside_a_link_held_twice_is_no_contour() -> None:
+    assert "links 5 have 1 pair(s) too many (W = -1)" in refusal(LOOSE_CHAIN)
+
+
+def test_a_link_that_nothing_holds_has_no_pairs() -> None:
+    alone = refusal(LOOSE_CHAIN[: LOOSE_CHAIN.index("  1:")] + "  1: {points: {A: 0}}\ndrive: {link: 1, phi: 40}\n")
+    assert "W = 3·1 - 2·0 = 3" in alone and "(pairs: none)" in alone

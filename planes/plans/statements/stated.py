@@ -136,7 +136,7 @@ class StatedPlansBuilder:
             drawn = Equation(plan, chains, total, side)
         except EquationError as error:
             raise self.error(equation, error.phrase) from None
-        if other and other is not equation:
+        if other:
             equation = replace(equation, text=f"{equation.text}, {other.text}")
         for term in terms:
             self.solved.setdefault(str(name_in_words(term.end)), equation)
