@@ -34,7 +34,7 @@ export function letters(parent, names, x, y, size, plan, joint = ", ", as = name
     back = shift;
   };
   names.forEach((name, i) => {
-    if (i) put(joint, 0);
+    if (i) put(name[0] === "(" ? " " : joint, 0);
     for (const [text, kind] of lettered(name, plan)) put(text,
       kind === "sub" ? 0.3 * size : kind === "sup" ? -0.42 * size : 0, kind);
   });
@@ -190,10 +190,10 @@ export class Figure { // millimetres y up -> pixels y down
       return found;
     }, plan, undefined, as);
   }
-  /** @type {(a: Spot, b: Spot, names: string[], plan: string) => any} */
-  along(a, b, names, plan) { // beside a vector
+  /** @type {(a: Spot, b: Spot, names: string[], plan: string, ends?: string) => any} */
+  along(a, b, names, plan, ends) { // beside a vector; after its names, which ends it runs between
     const n = distance(a, b) || 1, ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
-    return this.put(names, (half, tall) => {
+    return this.put(ends ? [...names, ends] : names, (half, tall) => {
       const found = [], off = Math.abs(uy) * half + Math.abs(ux) * tall + 5;
       for (const t of [0.5, 0.35, 0.65, 0.2, 0.8, 0.95, 0.08]) for (const side of [1, -1]) for (const far of [0, 10, 22,
         36, 54, 74, 96]) {
@@ -201,7 +201,7 @@ export class Figure { // millimetres y up -> pixels y down
           far * 0.05 + Math.abs(t - 0.5)]);
       }
       return found;
-    }, plan, " = ");
+    }, plan, " = ", names.join(" "));
   }
   /** @type {(marks: string[], reach: number) => { q: Spot, names: string[] }[]} */
   groups(marks, reach) { // marks that fall together share a label

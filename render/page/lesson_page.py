@@ -11,7 +11,7 @@ from planes.words.records import Json
 from render.page import packer, web_page
 from render.paper.letters import NAME, written
 
-SHARED = {key: key for key in ("scheme", "space_diagram", "formula", "shifted", "nearest")} | {
+SHARED = {key: key for key in ("scheme", "space_diagram", "formula", "nearest")} | {
     key: f"lesson_{key}"
     for key in ("ccw", "cw", "still", "zone_bad", "still_velocity", "still_acceleration", "still_special")
 }

@@ -6,8 +6,10 @@ import { live, state } from "./page.js";
 import { end, svg } from "./svg.js";
 import { say } from "./words.js";
 
+const SAME_PX = 2;
+
 export class Plan extends Lensed {
-  places = /** @type {Ends[]} */ ([]);
+  places = /** @type {Ends[]} */ ([]); // of forces
   drawn = /** @type {Shown[]} */ ([]);
   /** @type {(key: string) => Box} */
   frame(key) { // the plan in its own position fills the panel; one that grows is followed, up to three times
@@ -31,16 +33,17 @@ export class Plan extends Lensed {
     for (const m of made) this.trace(this.data.traces[m], m);
     const names = /** @type {any[]} */ ([]);
     this.places = [];
-    this.shifted = false;
     this.drawn = [];
     const upto = frame ? this.data.frames.indexOf(frame) - (hidden ? 1 : 0) : this.data.frames.length;
-    const begun = (/** @type {Segment} */ s) => !force ||
-      s.names.some((/** @type {string} */ n) => born(n, key) <= upto);
-    for (const s of this.data.segments) if (s.plan === key && begun(s)) this.segment(s, there, lit, force, names);
+    const begun = (/** @type {Segment} */ s) => s.plan === key &&
+      (!force || s.names.some((/** @type {string} */ n) => born(n, key) <= upto));
+    const segments = this.data.segments.filter(begun);
+    for (const s of segments) if (!force || !s.sum) this.segment(s, there, lit, force, names);
+    const numbers = this.numbered();
+    for (const s of segments) if (force && s.sum) this.segment(s, there, lit, force, names);
     const drawn = this.data.scheme.drawn, lettered = drawn && drawn.members.length && key === "cremona";
     if (drawn) this.strokesOf(drawn, key, there);
     if (lever) this.lever(there);
-    if (this.shifted) this.remark();
     const pole = there(`${key}:p`);
     if (pole) svg("circle", { cx: pole[0], cy: pole[1], r: 3, class: "pole" }, this.node);
     for (const m of frame && !hidden ? frame.makes : []) {
@@ -49,16 +52,15 @@ export class Plan extends Lensed {
     }
     if (lever && frame && frame.moments !== null) this.forces(this.data.moments[frame.moments], frame.terms);
     if (pole && !lettered && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
-    if (force) for (const [a, b, n] of names) if (!lettered || !drawn.members.includes(n[0])) this.along(a, b, n, key);
+    if (!lettered) numbers.forEach((q, k) => this.beside(q, [String(k + 1)], key));
+    const number = (/** @type {Spot} */ q) => 1 + numbers.findIndex(o => distance(o, q) < SAME_PX);
+    if (force) for (const [a, b, n] of names) if (!lettered || !drawn.members.includes(n[0]))
+      this.along(a, b, n, key, number(a) && number(b) && !lettered ? `(${number(a)}–${number(b)})` : "");
     if (!force || lettered) for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q,
       this.fixed(g.names, key), key);
     this.settle();
     if (!hidden && !state.spin) this.lenses(key, this.drawn);
     end();
-  }
-  remark() {
-    const how = { class: "bar-text", x: this.w - 8, y: this.h - 8, "text-anchor": "end" };
-    svg("text", how, this.node, say("shifted"));
   }
   /** @type {(names: string[], key: string) => string[]} */
   fixed(names, key) { // fixed points of the scheme end at the pole
@@ -72,22 +74,29 @@ export class Plan extends Lensed {
     const on = s.names.some(n => lit.has(n));
     const kind = (whole ? "result" : "part") + (on ? " lit" : "");
     this.drawn.push({ a, b, kind, names: s.names });
-    if (force) [a, b] = this.aside(a, b);
+    if (force) [a, b] = s.sum ? this.aside(a, b) : this.held(a, b);
     this.arrow(a, b, kind, s.names.join(" "));
     if (force && distance(a, b) > 1) names.push([a, b, s.names]);
   }
   /** @type {(a: Spot, b: Spot) => Ends} */
-  aside(a, b) { // a force that would lie upon another one of the same line is drawn beside it
-    const n = distance(a, b);
+  held(a, b) { // a force stands where its polygon has it, head to tail
+    if (distance(a, b) > 1) this.places.push([a, b]);
+    return [a, b];
+  }
+  /** @type {() => Spot[]} */
+  numbered() { // the ends of forces that lie upon each other, along the polygon
+    const lying = this.places.filter(p => this.places.some(o => o !== p && upon(p[0], p[1], o)));
+    return lying.flat().filter((q, k, all) => all.findIndex(o => distance(o, q) < SAME_PX) === k);
+  }
+  /** @type {(a: Spot, b: Spot) => Ends} */
+  aside(a, b) { // a sum of forces stands beside what it lies upon, with ticks to its ends
+    const n = distance(a, b), x = (b[1] - a[1]) / n, y = (a[0] - b[0]) / n;
     if (n < 1) return [a, b];
-    let x = (b[1] - a[1]) / n, y = (a[0] - b[0]) / n;
-    if (x < -1e-6 || (Math.abs(x) <= 1e-6 && y < 0)) [x, y] = [-x, -y];
     for (const k of [0, 1, -1, 2, -2, 3, -3]) {
-      const d = k * (this.size ? 4 : 6), p = [a[0] + x * d, a[1] + y * d], q = [b[0] + x * d, b[1] + y * d];
+      const d = k * (this.size ? 4 : 8), p = [a[0] + x * d, a[1] + y * d], q = [b[0] + x * d, b[1] + y * d];
       if (this.places.some(o => upon(p, q, o))) continue;
-      this.places.push([p, q]);
-      if (k) this.shifted = true;
-      return [p, q];
+      for (const [from, to] of k ? [[a, p], [b, q]] : []) this.line(from, to, "trace", "", false);
+      return this.held(p, q);
     }
     return [a, b];
   }

@@ -40,7 +40,7 @@ interface Frame {
   why: Said; moments: number; turns: Turns; values: string[]; tools: Tool[]; rows: Row[]; tells: string[];
   chapter: string; still: Said;
 }
-interface Segment { plan: string; start: string; end: string; names: string[]; corner: boolean; }
+interface Segment { plan: string; start: string; end: string; names: string[]; corner: boolean; sum?: boolean; }
 interface Trace { lines?: string[]; arcs?: string[]; }
 interface Link {
   name: string; points: string[]; hinges: string[]; slides: string; round: { centre: string; link: string };
