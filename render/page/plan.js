@@ -4,7 +4,6 @@ import { distance, union } from "./geometry.js";
 import { Lensed } from "./lens.js";
 import { live, state } from "./page.js";
 import { end, svg } from "./svg.js";
-import { say } from "./words.js";
 
 const SAME_PX = 2;
 
