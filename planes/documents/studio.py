@@ -10,11 +10,12 @@ from pathlib import Path
 
 from planes.scene.files import keep, sayable
 from planes.studio.gallery import shelf
+from planes.studio.links import pressed
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.records import Json
-from render.page.lesson_page import pressed
 from render.page.studio_page import answered, files_of
+from render.page.web_page import written
 
 RUNTIME = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
 """The files of the npm package that a browser asks for."""
@@ -39,7 +40,7 @@ def write_studio(folder: str, lang: Lang, runtime: str = "", scenes: Iterable[st
     for one in gallery:
         answer = answered({"ask": "lesson", "text": one["text"], "lang": lang})
         if "data" in answer:
-            parts[f"lessons/{one['name']}.txt"] = pressed(answer).encode()
+            parts[f"lessons/{one['name']}.txt"] = pressed(written(answer)).encode()
     if runtime:
         parts["planes.zip"] = engine()
     with sayable(folder):

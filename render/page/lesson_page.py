@@ -1,7 +1,6 @@
 """The lesson as one self-contained page: the exported drawings, a painter of lines between marks, no network."""
 
 import html
-import json
 from collections.abc import Iterator
 
 from planes.lesson.formulas import in_both
@@ -56,15 +55,10 @@ def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], pa
     parts = {**parts, "title": html.escape(title), "noscript": NOSCRIPT}
     body = web_page.filled(web_page.part(f"{name}.html"), parts)
     sheets = {"lesson": ("practice.css", "lesson.css"), "essay": ("lesson.css", "essay.css")}
-    held = {"packed": pressed([page_words, data]), "letters": data and pressed(letters_of(data))}
+    held = {"brought": [page_words, data], "letters": data and letters_of(data)}
     return web_page.page(
         title, lang, web_page.part(*sheets[name]), body, code=packer.packed(*modules), data=held, small=True
     )
-
-
-def pressed(thing: object) -> str:
-    """JSON packed and written in letters."""
-    return web_page.pressed(json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False))
 
 
 def _names(thing: object, key: str = "") -> Iterator[str]:

@@ -1,10 +1,7 @@
 // Names as a sheet has them: letters, and what stands low or high beside them.
 import { safe } from "./dom.js";
-import { inflated } from "./inflate.js";
 
-const held_letters = JSON.parse(document.getElementById("letters").textContent);
-const LETTERS = typeof held_letters === "string" ? JSON.parse(inflated(held_letters)) :
-  held_letters ?? parent.planes.lesson.letters;
+const LETTERS = JSON.parse(document.getElementById("letters").textContent) ?? parent.planes.lesson.letters;
 
 /** @type {(mark: string) => string} */
 export function labelOf(mark) { return mark.slice(mark.lastIndexOf(":") + 1); }

@@ -1,11 +1,10 @@
 // What the page brings along and where it stands: words, data, the program at work, the frame and the language in hand.
 // A page within the studio brings words alone: the data are those of the scene in hand.
 import { $ } from "./dom.js";
-import { inflated } from "./inflate.js";
 import { LOOKS, Live } from "./live.js";
 
 /** @type {[Record<string, Said>, LessonData]} */
-export const [brought, own] = JSON.parse(inflated(JSON.parse($("packed").textContent)));
+export const [brought, own] = JSON.parse($("brought").textContent);
 export const words = brought, data = own ?? parent.planes.lesson.data;
 export const live = new Live(data, LOOKS); // the whole turn is looked at once the first picture is there
 export const state = {

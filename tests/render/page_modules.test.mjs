@@ -91,7 +91,7 @@ test("a number is read as people type it, in SI", async () => {
 
 test("a link holds a scene, and gives it back to the last letter", async () => {
   const { pressed, unpressed } = await of("share");
-  for (const text of [told.held.packed.slice(0, 3000), "planes: 1\n# Пример ё\n", ""]) {
+  for (const text of [told.held.brought.slice(0, 3000), "planes: 1\n# Пример ё\n", ""]) {
     const link = await pressed(text);
     assert.match(link, /^[\w-]*$/);
     assert.equal(await unpressed(link), text);

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import base64
 import json
-import re
-import zlib
 from functools import cache
 from typing import Any
 
@@ -19,6 +16,7 @@ from planes.words.naming import Naming
 from render.page.lesson_page import page
 from render.paper.letters import pieces, sentence
 from tests.helpers import ROOT
+from tests.helpers.lessons import brought
 
 RRP = (ROOT / "samples" / "kind-2-rrp.yaml").read_text(encoding="utf-8").replace("frame:\n", "frame:\n  number: 6\n")
 ROD = "{points: {B: 0, C: l_BC"
@@ -40,9 +38,7 @@ def naming(text: str) -> Naming:
 @cache
 def written(text: str) -> dict[str, Any]:
     """The letters a lesson's page brings along."""
-    found = re.search(r'id="letters">"(.*?)"</script>', page(lesson_data(scene_of(text)), "ru"), re.DOTALL)
-    assert found
-    return json.loads(zlib.decompress(base64.b64decode(found[1]), -zlib.MAX_WBITS))  # type: ignore[no-any-return]
+    return json.loads(brought(page(lesson_data(scene_of(text)), "ru"))["letters"])  # type: ignore[no-any-return]
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import random
-import re
 import shutil
 import subprocess
 from functools import partial
@@ -27,11 +26,11 @@ from planes.words.units import number
 from render.page import packer
 from render.page.lesson_page import page
 from tests.helpers import ROOT
+from tests.helpers.lessons import brought
 from tests.lessons_run import DrawnByEngine, numbers
 
 SCENE = ROOT / "samples" / "six-link.yaml"
 TESTS = Path(__file__).with_name("page_modules.test.mjs")
-HELD = re.compile(r'<script type="application/json" id="(\w+)">(.*?)</script>', re.DOTALL)
 NUMBERS = [0.0, -0.0, 1.0, 0.125, -12.345, 99999.5, 1234567.0, 12345678.9, 1e-5, 0.00012345, 2.5e-7, -3.14159, 2.00005]
 
 
@@ -71,7 +70,7 @@ def test_modules_of_the_pages_reckon_as_python_does(tmp_path: Path) -> None:
         pytest.skip("no node here: apt-get install nodejs")
     data = lesson_data(load(str(SCENE)))
     told = {
-        "held": dict(HELD.findall(page(data, "en"))),
+        "held": brought(page(data, "en")),
         "drawn": drawn(data, random.Random(5)),
         "said": said(data),
         "numbers": NUMBERS,
