@@ -78,6 +78,37 @@ def test_turned_by_any_angle(case: Case, angle: float) -> None:
     same(want, draw(scene))
 
 
+def shifted(place_of: dict[str, Any], guides: dict[str, dict[str, Any]], by: complex) -> None:
+    """Points and guides moved within the axes they are given in."""
+    for name, z in place_of.items():
+        w = place(z) + by
+        place_of[name] = [w.real, w.imag]
+    for spec in guides.values():
+        if "through" not in spec:
+            z, own = (complex(spec.pop("x")), 90) if "x" in spec else (1j * spec.pop("y"), 0)
+            spec |= {"through": [z.real, z.imag], "angle": own}
+        if not isinstance(spec["through"], str):
+            w = place(spec["through"]) + by
+            spec["through"] = [w.real, w.imag]
+
+
+@FEW
+@given(RUBBED, st.integers(0, 99))
+def test_moved_far_aside_with_other_own_axes(case: Case, seed: int) -> None:
+    """Where the frame lies, and where a link's own axes begin, is nobody's affair: all but the places stays."""
+    assume(not standing(case))
+    scene, rng, far = copy.deepcopy(case.scene), random.Random(seed), 12 - 7j
+    shifted(scene["frame"].get("points", {}), scene["frame"].get("guides", {}), far)
+    for link in scene["links"].values():
+        shifted(link["points"], link.get("guides", {}), complex(rng.uniform(-1, 1), rng.uniform(-1, 1)))
+    for spec in scene["assembly"].values():
+        if isinstance(spec, dict):
+            w = place(spec["near"]) + far
+            spec["near"] = [w.real, w.imag]
+    base = named(draw(case.scene))
+    same({n: replace(x, value=x.value + far) if x.sort == "r" else x for n, x in base.items()}, draw(scene), 1e-9)
+
+
 def mirror(z: Any) -> Any:
     w = place(z).conjugate()
     return [w.real, w.imag]

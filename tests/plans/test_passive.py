@@ -73,6 +73,25 @@ def test_a_double_parallelogram_goes_round_in_a_circle(phi: float) -> None:
         assert found.v[point] == pytest.approx(10j * arm, abs=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("plain", "moved"),
+    [
+        (parallelogram(), parallelogram().replace("{E: 0, C: 0.1}", "{E: 0.25, C: 0.35}")),
+        (parallelogram(), parallelogram().replace("{D: 0, B: 0.1}", "{D: -0.4, B: -0.3}")),
+        (trammel(), trammel().replace("{C: 0, A: 0.1, B: -0.1}", "{C: 0.2, A: 0.3, B: 0.1}")),
+    ],
+)
+def test_own_axes_of_a_passive_link_may_begin_anywhere(plain: str, moved: str) -> None:
+    assert plain != moved
+    one, two = (solve(loads(text)) for text in (plain, moved))
+    assert dict(two.omega) == pytest.approx(dict(one.omega)) and dict(two.v) == pytest.approx(dict(one.v))
+
+
+def test_a_passive_slider_turned_to_its_guide_stands_turned() -> None:
+    found = solve(loads(trammel().replace("{B: 0}, slides: y-y", "{B: 0}, slides: {guide: y-y, angle: 30}")))
+    assert found.plans.structure.passive == ("4",) and found.value("phi_4") == pytest.approx(120)
+
+
 @pytest.mark.parametrize("scene", [trammel(far=-0.1001), trammel(far=-0.1 - 1e-7), parallelogram(crank=0.1002)])
 def test_what_is_held_too_often_by_a_little_is_refused(scene: str) -> None:
     with pytest.raises(StructureError, match="W = 3·4 - 2·6 = 0"):

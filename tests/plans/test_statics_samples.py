@@ -47,6 +47,14 @@ def test_a_sample_moved_far_aside_has_the_same_vectors(sample: Path) -> None:
     assert {n: there[n].vector for n in here} == pytest.approx({n: v.vector for n, v in here.items()}, abs=1e-12 * most)
 
 
+@pytest.mark.parametrize("sample", SAMPLES, ids=lambda f: f.stem)
+def test_strings_and_rays_run_between_marks_that_are_drawn(sample: Path) -> None:
+    (position,) = solve(load(sample)).positions
+    figure = position.plans.figure
+    assert figure and {z for line in figure.strokes for z in (line.start, line.end)} <= {*position.drawing.things}
+    assert {*figure.poles, *figure.said} <= {*position.drawing.things}
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("sample", SAMPLES, ids=lambda f: f.stem)
 def test_a_sample_has_a_sheet_and_a_lesson(sample: object) -> None:
