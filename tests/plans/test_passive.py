@@ -85,6 +85,7 @@ def test_own_axes_of_a_passive_link_may_begin_anywhere(plain: str, moved: str) -
     assert plain != moved
     one, two = (solve(loads(text)) for text in (plain, moved))
     assert dict(two.omega) == pytest.approx(dict(one.omega)) and dict(two.v) == pytest.approx(dict(one.v))
+    assert one.plans.structure.passive == two.plans.structure.passive
 
 
 def test_a_passive_slider_turned_to_its_guide_stands_turned() -> None:

@@ -8,7 +8,7 @@ from itertools import combinations_with_replacement
 import pytest
 
 from planes.words.errors import PlanesError
-from tests.helpers.comparing import against, balanced, draw, standing
+from tests.helpers.comparing import against, balanced, checked, draw, standing
 from tests.helpers.mechanisms import KINDS, make
 from tests.plans.test_against_oracle import examine
 
@@ -69,6 +69,24 @@ def test_after_and_before_dyads() -> None:
 def test_a_special_point_is_not_taken_for_a_point_of_a_guide_under_a_slider(kind: str, seed: int) -> None:
     """Both would be called by the letter of a hinge, S, and the name of the basic link."""
     examine(make(random.Random(f"after {kind} {seed}"), ["RR-RR-PR", kind]))
+
+
+def test_a_link_that_slides_at_both_ends_on_a_driver_of_one_point() -> None:
+    """What its turning carries over is laid off from the pivot: by nothing but ω and ε."""
+    text = """\
+planes: 1
+frame: {points: {O: [0, 0], D: [-0.3, 0.4], E: [0.6, 0.5]}}
+links:
+  1: {points: {O: 0}, guides: {g: {through: [0.1, 0.05], angle: 20}}}
+  5: {points: {F: 0}, slides: g, guides: {h: {through: F, angle: 80}}, mass: 2}
+  2: {points: {B: [0, 0], C: [0.3, 0]}, slides: {guide: h, angle: 15, offset: 0.02}, mass: 1, inertia: 0.1}
+  3: {points: {D: 0, B: 0.35}}
+  4: {points: {E: 0, C: 0.4}}
+assembly: {B: left}
+drive: {link: 1, phi: -75, omega: 10, epsilon: 5}
+"""
+    drawn, wrong = checked(text)
+    assert max(wrong.values()) * drawn.sharpest <= 1e-11
 
 
 def test_two_leads_that_slide_at_both_ends_are_one_sentence() -> None:
