@@ -1,4 +1,6 @@
-"""A document as a Word file, for a department's own template: headings, text, tables, figures, formulas as pictures."""
+"""A document as a Word file, as ГОСТ 7.32-2017, 6.1 to 6.8, has it: margins, headings, contents, numbered pages;
+formulas are Word's own equations.
+"""
 
 import io
 from collections.abc import Sequence
@@ -6,18 +8,24 @@ from collections.abc import Sequence
 from docx import Document
 from docx.document import Document as WordFile
 from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as Side
-from docx.shared import Mm, Pt
+from docx.enum.text import WD_TAB_ALIGNMENT as Tab
+from docx.oxml import OxmlElement
+from docx.oxml.ns import qn
+from docx.shared import Mm, Pt, RGBColor
+from docx.styles.style import ParagraphStyle
 from docx.text.paragraph import Paragraph as Words
 
 from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
-from render.charts.strokes import formula
 from render.paper.letters import pieces
 from render.report.figures import Shown, Studio, raster
 from render.report.html import is_number
+from render.report.omml import equation
 
-WIDTH, HEIGHT = 480.0, 540.0  # of a figure, points
-LETTER = 13
+COLUMN_MM = 165.0  # of text, between margins of 30 and 15 mm
+WIDTH, HEIGHT = COLUMN_MM * 72 / 25.4, 540.0  # of a figure, points
+LETTER, SMALL = 14, 12  # of text, and of tables
+INDENT_MM = 12.5
 
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
@@ -25,14 +33,33 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     paper = Document()
     page = paper.sections[0]
     page.page_width, page.page_height = Mm(210), Mm(297)
-    page.left_margin, page.right_margin, page.top_margin, page.bottom_margin = Mm(25), Mm(10), Mm(20), Mm(20)
-    style = paper.styles["Normal"]
-    style.font.name, style.font.size = "Times New Roman", Pt(LETTER)
+    page.left_margin, page.right_margin, page.top_margin, page.bottom_margin = Mm(30), Mm(15), Mm(20), Mm(20)
+    for name in ("Normal", "Title", "Heading 1", "Heading 2", "Heading 3", "Intense Quote"):
+        lettered(paper.styles[name], name.startswith("Heading"))
     writer = _Writer(paper, naming)
+    writer.field(page.footer.paragraphs[0], "PAGE").alignment = Side.CENTER
     for block in blocks:
         writer.put(block)
+        if isinstance(block, Heading) and not block.level:
+            chapters = [one.text for one in blocks if isinstance(one, Heading) and one.level]
+            writer.field(writer.line(), r"TOC \o 1-2 \h \z", "\n".join(chapters))
     paper.save(data := io.BytesIO())
     return data.getvalue()
+
+
+def lettered(style: ParagraphStyle, heading: bool) -> None:
+    """A style in the document's own letters: black, one and a half lines, a heading in bold."""
+    style.font.name, style.font.size, style.font.color.rgb = "Times New Roman", Pt(LETTER), RGBColor(0, 0, 0)
+    fonts = style.element.rPr.rFonts
+    for key in [key for key in fonts.attrib if key.endswith("Theme")]:
+        del fonts.attrib[key]
+    fonts.set(qn("w:cs"), "Times New Roman")
+    shape = style.paragraph_format
+    for line in style.element.iterdescendants(qn("w:bottom")):  # beneath what is set apart
+        line.set(qn("w:color"), "000000")
+    shape.line_spacing, shape.space_before, shape.space_after = 1.5, Pt(12 * heading), Pt(6 * heading)
+    shape.first_line_indent = Mm(0 if style.name == "Title" else INDENT_MM)
+    style.font.bold, shape.keep_with_next = heading or style.name == "Title", heading
 
 
 class _Writer:
@@ -43,7 +70,8 @@ class _Writer:
         """One block at the end of the paper."""
         match block:
             case Heading(text, level):
-                self.runs(self.paper.add_heading("" if level else text, level), text if level else "")
+                title = self.paper.add_heading("" if level else text, level)
+                self.runs(title, text if level else "").alignment = Side.LEFT if level else Side.CENTER
             case Paragraph():
                 style = "Intense Quote" if block.mistake else None
                 count = f"{block.number}. " if block.number else ""
@@ -51,9 +79,11 @@ class _Writer:
                 if block.why:
                     self.runs(self.paper.add_paragraph(), block.why, block.plan, italic=True)
             case Formula(tex, number):
-                line = self.picture(formula(tex, LETTER))
-                if number:
-                    line.add_run(f"  ({number})")
+                line = self.line("\t")
+                for place, side in ((COLUMN_MM / 2, Tab.CENTER), (COLUMN_MM, Tab.RIGHT)):
+                    line.paragraph_format.tab_stops.add_tab_stop(Mm(place), side)
+                line._p.append(equation(tex))
+                line.add_run(f"\t({number})" if number else "")
             case DocumentTable(caption, rows):
                 self.table(caption, rows)
             case Figure():
@@ -61,7 +91,22 @@ class _Writer:
                 for picture in pictures:
                     self.picture(picture).alignment = Side.CENTER
                 if pictures and caption:
-                    self.runs(self.paper.add_paragraph(), caption).alignment = Side.CENTER
+                    self.runs(self.line(), caption).alignment = Side.CENTER
+
+    def line(self, text: str = "") -> Words:
+        """A paragraph that begins where the column does."""
+        paragraph = self.paper.add_paragraph(text)
+        paragraph.paragraph_format.first_line_indent = Mm(0)
+        return paragraph
+
+    def field(self, paragraph: Words, code: str, shown: str = "") -> Words:
+        """What Word reckons itself, and what is there until it does."""
+        made = OxmlElement("w:fldSimple")
+        made.set(qn("w:instr"), code)
+        run = paragraph.add_run(shown)
+        made.append(run._r)
+        paragraph._p.append(made)
+        return paragraph
 
     def runs(self, paragraph: Words, text: str, plan: str = "", italic: bool = False) -> Words:
         """Text at the end of a paragraph."""
@@ -74,15 +119,20 @@ class _Writer:
 
     def table(self, caption: str, rows: tuple[tuple[str, ...], ...]) -> None:
         """A table with its caption above."""
-        self.runs(self.paper.add_paragraph(), caption)
+        self.runs(self.line(), caption).paragraph_format.keep_with_next = True
         table = self.paper.add_table(rows=0, cols=len(rows[0]), style="Table Grid")
         for row in rows:
             for cell, text in zip(table.add_row().cells, row, strict=True):
-                self.runs(cell.paragraphs[0], text).alignment = Side.RIGHT if is_number(text) else Side.LEFT
-        self.paper.add_paragraph()
+                line = self.runs(cell.paragraphs[0], text)
+                line.alignment = Side.RIGHT if is_number(text) else Side.LEFT
+                line.paragraph_format.first_line_indent, line.paragraph_format.line_spacing = Mm(0), 1.0
+                for run in line.runs:
+                    run.font.size = Pt(SMALL)
+        self.line()
 
     def picture(self, picture: Shown) -> Words:
         """A paragraph that holds a picture, made smaller if it is larger than the column."""
         scale = min(1.0, WIDTH / picture.width, HEIGHT / picture.height)
-        self.paper.add_picture(io.BytesIO(raster(picture)), width=Pt(picture.width * scale))
-        return self.paper.paragraphs[-1]
+        paragraph = self.line()
+        paragraph.add_run().add_picture(io.BytesIO(raster(picture)), width=Pt(picture.width * scale))
+        return paragraph

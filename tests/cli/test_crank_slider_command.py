@@ -170,7 +170,11 @@ def test_a_report_is_a_word_document_too(tmp_path):
     page = write(tmp_path, text[: text.index("  # коленчатый вал на опорах")], ".html", "en").decode()
     assert heads == re.findall(r"<h[23][^>]*>([^<]*)</h[23]>", page)
     assert len(paper.tables) == page.count("<table>")
-    assert len(paper.inline_shapes) >= page.count('<div class="formula">') + page.count("<figure>")
+    assert len(paper.inline_shapes) >= page.count("<figure>")
+    equations = [*paper.element.body.iter("{http://schemas.openxmlformats.org/officeDocument/2006/math}oMath")]
+    assert len(equations) == page.count('<div class="formula">')
+    letters = "".join(node.text for one in equations for node in one.iter() if node.text)
+    assert not re.search(r"[\\\\{}$&]", letters)  # nothing is left as TeX has it
 
 
 @pytest.mark.parametrize("lang, words", [("ru", "числ"), ("en", "number")])

@@ -1,0 +1,41 @@
+"""Formulas as equations of Word: fractions, roots, powers and brackets are things; numbers and units hold together."""
+
+from __future__ import annotations
+
+import pytest
+
+pytest.importorskip("docx", reason="python-docx is not installed")
+pytest.importorskip("latex2mathml", reason="latex2mathml is not installed")
+
+from render.report.omml import equation
+
+
+def told(tex: str) -> str:
+    """An equation by the names of its things: ``f(num(…)den(…))``, texts as they are."""
+
+    def one(node: object) -> str:
+        name = node.tag.rpartition("}")[2]  # type: ignore[attr-defined]
+        inner = "".join(map(one, node))  # type: ignore[call-overload]
+        if name in ("t", "oMath", "r"):
+            return (node.text or "") + inner  # type: ignore[attr-defined]
+        return "" if name.endswith("Pr") else f"{name}({inner})"
+
+    return one(equation(tex))
+
+
+@pytest.mark.parametrize(
+    ("tex", "expected"),
+    [
+        (r"\dfrac{a}{b}", "f(num(a)den(b))"),
+        (r"F_{21}^{t}", "sSubSup(e(F)sub(21)sup(t))"),
+        (r"0{,}21^2", "sSup(e(0,21)sup(2))"),
+        (r"(-5{,}0)^2", "sSup(e(d(e(−5,0)))sup(2))"),
+        (r"|\cos\varphi|", "d(e(cosφ))"),
+        (r"\sqrt{x+1}", "rad(deg()e(x+1))"),
+        (r"1{,}5\,\mathrm{кг}", "1,5 кг"),
+        (r"x,\quady", "x, y"),
+        (r"(x", "(x"),
+    ],
+)
+def test_a_formula_is_made_of_what_it_is(tex: str, expected: str) -> None:
+    assert told(tex) == expected
