@@ -58,6 +58,8 @@ class SheetInk:
     """The ink of one sheet. ``dark``: 0 of paper, 1 of a plain line, ``PX_PER_MM`` pixels to a millimetre; its lower
     left corner is at ``corner``, its upper edge ``high_mm`` above."""
 
+    reach_mm = 0.0  # how far apart its lines lie, where that is known to be all of one drawing
+
     def __init__(self, dark: Array, corner: complex, high_mm: float, source: Ink | None = None) -> None:
         self.source = source  # the ink it was made from, with its letters
         self.top = corner.imag + high_mm
@@ -136,6 +138,10 @@ class SheetInk:
         felt = numpy.clip((there - behind - LEAST_HEAD) * HEAD_GAIN, *HEAD_RANGE)
         return numpy.where(length > SHORTEST_MM, felt, 0.0)
 
+    def point(self, z: Complexes) -> Array:
+        """How much speaks for a point's being at places: on a picture nothing."""
+        return numpy.zeros(z.shape)
+
     def _beside(self, b: Complexes, way: Complexes, mm: tuple[float, float]) -> Array:
         """How dark it is beside lines, so far back from their ends."""
         back, off = numpy.meshgrid(numpy.arange(*mm, BESIDE_STEP_MM), ASIDE_MM)
@@ -155,7 +161,7 @@ class SheetInk:
         return words_beside(self.source, lines, names)
 
     def unexplained(
-        self, a: Complexes, b: Complexes, box: Box, pole: complex, loose_mm: float, signs: Complexes, reach: Array
+        self, a: Complexes, b: Complexes, box: Box, pole: complex, loose_mm: Array, signs: Complexes, reach: Array
     ) -> Array:
         """mm of ink in a box that no line of each row explains (``loose_mm`` aside at the most), nor any sign, by its
         middle and how far it reaches; of what only carries a line on, a share."""
@@ -163,21 +169,27 @@ class SheetInk:
         z, ways, mm = self.points[kept], self.ways[kept], self.mm[kept]
         rows = numpy.round(numpy.stack([a, b], axis=-1), 2).reshape(-1, 2)
         lines, which = numpy.unique(rows, axis=0, return_inverse=True)
+        loose = numpy.zeros(len(lines))
+        numpy.maximum.at(loose, which.ravel(), numpy.broadcast_to(loose_mm, a.shape).ravel())
         own, near = numpy.zeros((2, len(lines), len(z)), bool)
         for k, (start, end) in enumerate(lines):
             length = abs(end - start)
             if SHORT_MM < length < math.inf:
                 u = (end - start).conjugate() / length
                 q = (z - start) * u
-                beside = (abs(q.imag) < BESIDE_MM + loose_mm + SLOPE * length) & (abs((ways * u).imag) < TURNED)
+                beside = (abs(q.imag) < BESIDE_MM + loose[k] + SLOPE * length) & (abs((ways * u).imag) < TURNED)
                 own[k] = beside & (q.real > -1) & (q.real < length + 1)
                 near[k] = beside & (q.real > -BEFORE_MM) & (q.real < length + BEYOND_MM)
         left = numpy.zeros(len(a))
         for n, ks in enumerate(which.reshape(a.shape)):
             sign = (abs(z[:, None] - signs[n]) < reach).any(axis=1)
             mine, running = own[ks].any(axis=0) | sign, near[ks].any(axis=0) | sign
-            left[n] = mm[~running].sum() + LESS * mm[running & ~mine].sum()
+            left[n] = self._left(mm, mine, running, kept)
         return left
+
+    def _left(self, mm: Array, mine: Booleans, running: Booleans, kept: Booleans) -> float:
+        """How much of some ink is left by lines it is ``mine`` of, and some it only carries on."""
+        return float(mm[~running].sum() + LESS * mm[running & ~mine].sum())
 
 
 def _filter(angle: float) -> Array:
