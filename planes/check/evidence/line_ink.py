@@ -76,17 +76,17 @@ class LineInk(SheetInk):
         """Pieces of the lines by their middles, with their ways and how long they are; of lines without heads, where
         vectors have them, nothing is to be explained."""
         counts = numpy.ceil(length * PX_PER_MM).astype(int).clip(1)
-        of = numpy.repeat(numpy.arange(len(length)), counts)
+        line_of = numpy.repeat(numpy.arange(len(length)), counts)
         at = numpy.concatenate([(numpy.arange(n) + 0.5) / n for n in counts.tolist()])
         mm = numpy.where(self.headed & (self.way == 0), 0.0, length / counts)
-        self.of = of
-        return self.lines[of, 0] + at * (length * self.u)[of], self.u[of], mm[of]
+        self.line_of = line_of
+        return self.lines[line_of, 0] + at * (length * self.u)[line_of], self.u[line_of], mm[line_of]
 
     def _left(self, mm: Array, mine: Booleans, running: Booleans, kept: Booleans) -> float:
         """A vector is explained from end to end or not at all."""
         if not self.headed:
             return super()._left(mm, mine, running, kept)
-        every, own = (numpy.bincount(self.of[kept], held, len(self.lines)) for held in (mm, mm * mine))
+        every, own = (numpy.bincount(self.line_of[kept], held, len(self.lines)) for held in (mm, mm * mine))
         return float(every[own < WHOLE * every].clip(max=STRANGE_MM).sum())
 
     def head(self, a: Complexes, b: Complexes) -> Array:

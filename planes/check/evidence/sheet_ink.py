@@ -161,7 +161,7 @@ class SheetInk:
         return words_beside(self.source, lines, names)
 
     def unexplained(
-        self, a: Complexes, b: Complexes, box: Box, pole: complex, loose_mm: Array, signs: Complexes, reach: Array
+        self, a: Complexes, b: Complexes, box: Box, pole: complex, loose_mm: float, signs: Complexes, reach: Array
     ) -> Array:
         """mm of ink in a box that no line of each row explains (``loose_mm`` aside at the most), nor any sign, by its
         middle and how far it reaches; of what only carries a line on, a share."""
@@ -169,15 +169,13 @@ class SheetInk:
         z, ways, mm = self.points[kept], self.ways[kept], self.mm[kept]
         rows = numpy.round(numpy.stack([a, b], axis=-1), 2).reshape(-1, 2)
         lines, which = numpy.unique(rows, axis=0, return_inverse=True)
-        loose = numpy.zeros(len(lines))
-        numpy.maximum.at(loose, which.ravel(), numpy.broadcast_to(loose_mm, a.shape).ravel())
         own, near = numpy.zeros((2, len(lines), len(z)), bool)
         for k, (start, end) in enumerate(lines):
             length = abs(end - start)
             if SHORT_MM < length < math.inf:
                 u = (end - start).conjugate() / length
                 q = (z - start) * u
-                beside = (abs(q.imag) < BESIDE_MM + loose[k] + SLOPE * length) & (abs((ways * u).imag) < TURNED)
+                beside = (abs(q.imag) < BESIDE_MM + loose_mm + SLOPE * length) & (abs((ways * u).imag) < TURNED)
                 own[k] = beside & (q.real > -1) & (q.real < length + 1)
                 near[k] = beside & (q.real > -BEFORE_MM) & (q.real < length + BEYOND_MM)
         left = numpy.zeros(len(a))

@@ -82,19 +82,16 @@ def _likeliest_order(
     a, b = plan.laid(drawn)
     sides = (b - a)[0, : len(plan.sides)]
     beams: list[tuple[float, tuple[int, ...], complex]] = [(0.0, (), pole)]
-    usual = tuple(range(len(sides)))
-    for n in usual:
+    for n in range(len(sides)):
         grown = [(score, order, z, k) for score, order, z in beams for k in range(len(sides)) if k not in order]
         start, step = numpy.array([z for _, _, z, _ in grown]), sides[[k for *_, k in grown]]
         share = ink.along(start, start + numpy.where(abs(step) > 0.1, step, 1), w.COARSE, 2)
         value = abs(step) * (w.GAINED * share - w.MISSING * (1 - share)) * (abs(step) > w.SHORT_MM)
-        value += w.HEAD * ink.head(start, start + step) * (abs(step) > w.SHORT_MM)
         value -= w.STRAY * (numpy.array([k for *_, k in grown]) != n)
         if words:
             ends = zip(grown, (start + step).tolist(), strict=True)
             value -= w.LETTERS * numpy.array([words.price(plan.sides[k].name, z, end) for (_, _, z, k), end in ends])
         longer = zip(grown, value.tolist(), strict=True)
         beams = [(score + more, (*order, k), z + complex(sides[k])) for (score, order, z, k), more in longer]
-        beams = sorted(beams, key=lambda beam: (beam[1] != usual[: n + 1], -beam[0]))
-        beams = [*beams[:1], *sorted(beams[1:], key=lambda beam: -beam[0])[: w.BEAMS]]
-    return max(beams, key=lambda beam: beam[0] - w.ORDER * (beam[1] != usual))[:2]
+        beams = sorted(beams, key=lambda beam: -beam[0])[: w.BEAMS]
+    return beams[0][:2]

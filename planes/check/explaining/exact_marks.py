@@ -22,7 +22,7 @@ LEAST_TURN = 0.1  # sine of the angle of lines that cross
 
 def exact_marks(seen: Explanation, ink: LineInk, laid: Laid) -> dict[str, ReadMark]:
     """The marks of a drawing that settled, each where lines drawn to it end; else where they cross or a circle is."""
-    plan, found = seen.plan, dict[str, ReadMark]()
+    plan, marks = seen.plan, dict[str, ReadMark]()
     places = numpy.array([laid.places[n] for n in plan.names]) + seen.pole
     for n in (POLE, *plan.labels):
         m = plan.names.index(n)
@@ -37,8 +37,8 @@ def exact_marks(seen: Explanation, ink: LineInk, laid: Laid) -> dict[str, ReadMa
             votes = (abs(every[:, None] - every) < JOINED_MM).sum(axis=1) - abs(every - places[m]) / SPREAD_MM
             one = every[abs(every - every[votes.argmax()]) < JOINED_MM]
             error = math.hypot(ink.sketch.error_mm, float(abs(one - one.mean()).max()))
-            found[n] = ReadMark(n, seen.undone(complex(one.mean())), error)
-    return found
+            marks[n] = ReadMark(n, seen.undone(complex(one.mean())), error)
+    return marks
 
 
 def _drawn_to(seen: Explanation, ink: LineInk, places: Complexes, m: int) -> Booleans:

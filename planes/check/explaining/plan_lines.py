@@ -89,9 +89,6 @@ class PlanLines:
             self.sides = longest_round(every)
             inner = [(s.start, s.end) for s in every if s not in self.sides]
             ring = [(s.start, s.end) for s in self.sides]
-            whole = ((s.start, s.end) for s in self.bench.plans.segments_of.get(plan, ()) if s.start != s.end)
-            drawn = {*inner, *ring, *((b, a) for a, b in ring)}
-            inner += [s for s in dict.fromkeys(whole) if {*s} <= known and s not in drawn]
             return [*ring[:-1], *((a, END) for a, _ in ring[-1:]), *inner], [True] * len(ring) + [False] * len(inner)
         own = [v for v in self.bench.vectors if {*v} <= known]
         corners = {label_of(m) for m in self.bench.program.corners}
@@ -129,8 +126,8 @@ class PlanLines:
                 way = numpy.full(count, numpy.exp(1j * math.radians(guide.angle_deg)))
                 ways.append((at_[slider] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
             elif (base := str(guide.through_point)) in at_:
-                off = at_[slider] - at_[base]
-                way = numpy.nan_to_num(off) / numpy.maximum(numpy.nan_to_num(abs(off)), 1e-6)
+                off = numpy.nan_to_num(at_[slider] - at_[base])
+                way = off / numpy.maximum(abs(off), 1e-6)
                 ways.append((at_[base] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
         shown = [n for n in reach if n in at_]
         a, b = (numpy.stack([w[k] for w in ways], axis=1) if ways else none for k in (0, 1))

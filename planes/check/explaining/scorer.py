@@ -44,7 +44,7 @@ class Laid:
     @property
     def evidence(self) -> float:
         """What the sheet alone tells for it, whatever is likelier beforehand."""
-        return self.score + self.hypothesis.cost - w.ORDER * bool(self.hypothesis.order)
+        return self.score + self.hypothesis.cost
 
 
 @dataclass
@@ -170,9 +170,7 @@ class Scorer:
             return score, cover, numpy.zeros(len(a))
         more_a, more_b, signs, reach = self.plan.signs(drawn)
         a, b = (numpy.nan_to_num(numpy.hstack([z, more + self.pole])) for z, more in ((a, more_a), (b, more_b)))
-        loose = numpy.full(a.shape[1], w.LOOSE_MM if roughly else 0.0)
-        if self.plan.kind == "force":
-            loose[numpy.flatnonzero(~self.plan.needed)] += w.ASIDE_MM
+        loose = w.LOOSE_MM if roughly else 0.0
         strange = self.ink.unexplained(a, b, self.box, self.pole, loose, signs + self.pole, reach)
         return score - w.STRANGE * strange, cover, strange
 

@@ -53,4 +53,3 @@ BESIDE_MM, LIKELY = 7.0, 0.5  # how far off its mark a name stands, at the most;
 # how likely two names together are by each other's marks, how much rather than by their own; how surely they were read
 CROSSED, RATHER, EXCHANGED = 0.08, 25.0, 0.95
 SOFT_MM = 1.5  # by which a text is nearer to what it names than to anything else
-ASIDE_MM = 2.4  # how far aside of a force polygon its sums and inner vectors may be drawn

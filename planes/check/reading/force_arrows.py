@@ -247,25 +247,25 @@ def _back(s: Stroke, o: Stroke) -> bool:
 def cheapest(table: Array) -> list[int]:
     """The column of each row, each once, so that all are cheapest together (Kuhn and Munkres)."""
     rows, columns = table.shape
-    u, v, of = numpy.zeros(rows + 1), numpy.zeros(columns + 1), numpy.zeros(columns + 1, int)
+    u, v, row_of = numpy.zeros(rows + 1), numpy.zeros(columns + 1), numpy.zeros(columns + 1, int)
     for row in range(1, rows + 1):
-        of[0], here = row, 0
+        row_of[0], here = row, 0
         least, used = numpy.full(columns + 1, math.inf), numpy.zeros(columns + 1, bool)
         way = numpy.zeros(columns + 1, int)
-        while of[here]:
+        while row_of[here]:
             used[here] = True
-            cost = numpy.r_[math.inf, table[of[here] - 1] - u[of[here]] - v[1:]]
+            cost = numpy.r_[math.inf, table[row_of[here] - 1] - u[row_of[here]] - v[1:]]
             better = ~used & (cost < least)
             least[better], way[better] = cost[better], here
             here = int(numpy.where(used, math.inf, least).argmin())
             delta = least[here]
-            u[of[used]] += delta
+            u[row_of[used]] += delta
             v[used] -= delta
             least[~used] -= delta
         while here:
-            of[here], here = of[way[here]], int(way[here])
-    found = {int(of[j]) - 1: j - 1 for j in range(1, columns + 1) if of[j]}
-    return [found[row] for row in range(rows)]
+            row_of[here], here = row_of[way[here]], int(way[here])
+    columns_of = {int(row_of[j]) - 1: j - 1 for j in range(1, columns + 1) if row_of[j]}
+    return [columns_of[row] for row in range(rows)]
 
 
 def true_vectors(bench: PreparedPlan) -> dict[str, complex]:

@@ -58,8 +58,7 @@ def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
     paper.spots = [exact.get(s.name, s) for s in seen.spots()]
     apart = _otherwise(seen, ink)
     paper.untold = [n for n in plan.labels if n in apart]
-    doubt = seen.doubt if seen.doubt > w.ASKED else 0.0
-    paper.spots = [replace(s, doubt=doubt if s.name in apart else 0.0) for s in paper.spots]
+    paper.spots = [replace(s, doubt=0.0) for s in paper.spots if s.name not in apart or seen.doubt < w.ASKED]
     paper.left, paper.named, paper.signs = seen.faint(), seen.named(), seen.whole_fault()
     if plan.kind != "position":
         paper.signs = paper.signs or seen.exchanged()
