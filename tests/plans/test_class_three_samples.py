@@ -44,8 +44,8 @@ def test_every_number_is_the_independent_solvers(sample: str) -> None:
 
 
 def accepted(sample: str, plan: str) -> tuple[str, ...]:
-    """A right drawing is right; of two polygons a corner is not read, and nothing read tells where it is; of two plans a
-    mass centre stands on another mark's vector, with its letter between two."""
+    """A right drawing is right; of two polygons a corner is not read, and nothing read tells where it is; of two plans
+    a mass centre stands on another mark's vector, with its letter between two."""
     unread = (sample, plan) in (
         ("class-three/two-basic-links", "force:2-3-4"),
         ("class-four/tray", "force:2-3-4-5"),  # short forces beside the ticks of a sum

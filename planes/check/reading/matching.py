@@ -14,6 +14,7 @@ from planes.check.explaining.exact_marks import NEAR_MM, exact_marks
 from planes.check.explaining.explained import Explanation
 from planes.check.explaining.plan_lines import PlanLines
 from planes.check.explaining.sought_pole import sought_pole
+from planes.check.grading.evidence import ASKED
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.construction_lines import vectors_alone, vectors_of
@@ -58,7 +59,7 @@ def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
     paper.spots = [exact.get(s.name, s) for s in seen.spots()]
     apart = _otherwise(seen, ink)
     paper.untold = [n for n in plan.labels if n in apart]
-    paper.spots = [replace(s, doubt=0.0) for s in paper.spots if s.name not in apart or seen.doubt < w.ASKED]
+    paper.spots = [replace(s, doubt=0.0) for s in paper.spots if s.name not in apart or seen.doubt < 1 - ASKED]
     paper.left, paper.named, paper.signs = seen.faint(), seen.named(), seen.whole_fault()
     if plan.kind != "position":
         paper.signs = paper.signs or seen.exchanged()
