@@ -126,7 +126,7 @@ class PlanLines:
                 way = numpy.full(count, numpy.exp(1j * math.radians(guide.angle_deg)))
                 ways.append((at_[slider] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
             elif (base := str(guide.through_point)) in at_:
-                off = at_[slider] - at_[base]
+                off = numpy.nan_to_num(at_[slider] - at_[base])
                 way = off / numpy.maximum(abs(off), 1e-6)
                 ways.append((at_[base] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
         shown = [n for n in reach if n in at_]

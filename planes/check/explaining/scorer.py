@@ -86,8 +86,6 @@ class Scorer:
     def _by_names(self, laid: list[Laid]) -> list[Laid]:
         """The same with what the names written beside the lines tell, of a force polygon its order, too."""
         best = laid[0]
-        if self.ink.source is None:
-            return laid
         a, b = (z[0] for z in self._lines(best.hypothesis, self._row(best)))
         seen, force = abs(b - a) > w.SHORT_MM, self.plan.kind == "force"
         names = [s.name for s in self.plan.sides] if force else self.plan.labels
@@ -100,7 +98,7 @@ class Scorer:
             start, end = (z[0].tolist() for z in self._lines(one.hypothesis, self._row(one)))
             places = [self.pole + one.places[n] for n in self.plan.labels]
             ways = zip(names, *((start, end) if force else (places, places)), strict=False)
-            one.score -= w.LETTERS * sum(self.words.price(n, rounded(a), rounded(b)) for n, a, b in ways)
+            one.score -= w.LETTERS * self.words.told((n, rounded(a), rounded(b)) for n, a, b in ways)
         return sorted(laid, key=lambda one: -one.score)
 
     def _row(self, one: Laid) -> Complexes:
@@ -156,11 +154,18 @@ class Scorer:
         said: Array = w.HEAD * numpy.where(there, felt, 0.0).sum(axis=1)
         return said
 
+    def points(self, drawn: Complexes) -> Array:
+        """What signs of points tell of the marks of each row of a scheme."""
+        if self.plan.kind != "position":
+            return numpy.zeros(len(drawn))
+        said: Array = w.HEAD * self.ink.point(drawn[:, : len(self.plan.labels)] + self.pole).sum(axis=1)
+        return said
+
     def scored(self, h: Hypothesis, drawn: Complexes, roughly: bool = False) -> tuple[Array, Array, Array]:
         """The whole score of each row, the share of its needed lines that is there, and the ink it leaves, mm."""
         a, b = self._lines(h, drawn)
         score, cover = self.covered(a, b, 1 + roughly, 0.0)
-        score = score + self.heads(a, b)
+        score = score + self.heads(a, b) + self.points(drawn)
         if self.box is None:
             return score, cover, numpy.zeros(len(a))
         more_a, more_b, signs, reach = self.plan.signs(drawn)
@@ -203,7 +208,7 @@ class Scorer:
             if (drawn := self.plan.draw(h, tried, len(moves) + 1)) is None:
                 return numpy.zeros(0)
             a, b = self._lines(h, drawn)
-            scores = self.covered(a, b, about)[0] + self.heads(a, b) - self.erred(tried)
+            scores = self.covered(a, b, about)[0] + self.heads(a, b) + self.points(drawn) - self.erred(tried)
             k = int(numpy.argmax(scores))
             if k == 0 or scores[k] < best + w.ENOUGH:
                 break
@@ -239,6 +244,6 @@ class Scorer:
 
     def _room(self, z: Complexes) -> Box:
         """About all that may have been drawn."""
-        z = z[numpy.isfinite(z) & (abs(z - self.pole) < w.ROOM_MM)]
+        z = z[numpy.isfinite(z) & (abs(z - self.pole) < max(w.ROOM_MM, self.ink.reach_mm))]
         rim = w.MARGIN_MM * (1 + 1j)
         return Box(complex(z.real.min(), z.imag.min()) - rim, complex(z.real.max(), z.imag.max()) + rim)

@@ -52,3 +52,4 @@ HEADED_MM, USUAL_HEAD, NO_HEAD, TURNED, FEWEST = 14.0, 1.0, 0.55, 0.9, 3  # of l
 BESIDE_MM, LIKELY = 7.0, 0.5  # how far off its mark a name stands, at the most; how surely it is read
 # how likely two names together are by each other's marks, how much rather than by their own; how surely they were read
 CROSSED, RATHER, EXCHANGED = 0.08, 25.0, 0.95
+SOFT_MM = 1.5  # by which a text is nearer to what it names than to anything else
