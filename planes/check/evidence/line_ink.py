@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from typing import Any
 
 import numpy
 
 from planes.check.evidence.line_words import LineWords, words_of
 from planes.check.evidence.sheet_ink import PX_PER_MM, WAYS, SheetInk
 from planes.check.reading.strokes import ReadDrawing, headed
-from planes.check.vision.image.opencv import cv
-from planes.geometry.arrays import Array, Booleans, Complexes
+from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 from planes.words.naming import Names
 
 RIM_MM = 30.0  # of paper about the lines
@@ -60,17 +60,17 @@ class LineInk(SheetInk):
     def _felt(self) -> tuple[Array, ...]:
         """What share of a line is there, as of a sheet's ink; lines without heads first, under the vectors."""
         planes = numpy.zeros((WAYS, self.height, self.width), numpy.uint8)
-        plain = (self.way == 0) & self.headed
-        order, turn = numpy.argsort(~plain, kind="stable"), numpy.angle(self.u)
-        px = numpy.rint(16 * (self.lines - self.corner) * PX_PER_MM - 8)
-        ends = numpy.stack([px.real, 16 * (self.height - 1) - px.imag], axis=-1).astype(int).tolist()
-        for within, share in FELT:
-            for k in range(WAYS):
-                near = abs(numpy.angle(numpy.exp(2j * (turn + math.pi * k / WAYS)))) < 2 * within
-                for n in order[near[order]].tolist():
-                    grey = round(255 * share * (HEADLESS if plain[n] else 1.0))
-                    cv().line(planes[k], *ends[n], grey, 1, cv().LINE_8, 4)
-        return tuple(numpy.stack([cv().dilate(p, numpy.ones((n, n))) for p in planes]).ravel() for n in (2, 3, 5))
+        turn = numpy.angle(self.u)
+        for k in range(WAYS):
+            off = abs(numpy.angle(numpy.exp(2j * (turn + math.pi * k / WAYS)))) / 2
+            share = numpy.select([off < within for within, _ in FELT[::-1]], [share for _, share in FELT[::-1]])
+            grey = (255 * share * numpy.where((self.way == 0) & self.headed, HEADLESS, 1.0)).astype(numpy.uint8)
+            for n in numpy.argsort(grey)[(grey == 0).sum() :].tolist():  # the plainest last
+                a, b = ((self.lines[n] - self.corner) * PX_PER_MM).tolist()
+                z = a + (b - a) * numpy.linspace(0.0, 1.0, 2 + math.ceil(2 * abs(b - a)))
+                planes[k, self.height - 1 - z.imag.astype(int), z.real.astype(int)] = grey[n]
+        wider: list[Array] = [_wider(planes, n).ravel() for n in (2, 3, 5)]
+        return tuple(wider)
 
     def _pieces(self, length: Array) -> tuple[Complexes, Complexes, Array]:
         """Pieces of the lines by their middles, with their ways and how long they are; of lines without heads, where
@@ -106,6 +106,13 @@ class LineInk(SheetInk):
     def words(self, a: Complexes, b: Complexes, with_heads: bool, names: Iterable[str]) -> LineWords:
         """The texts that are some names."""
         return words_of(self.sketch, self.names, names)
+
+
+def _wider(planes: Greys, n: int) -> Any:
+    """The most within n pixels about each, both ways."""
+    for axis in (1, 2):
+        planes = numpy.max([numpy.roll(planes, k, axis) for k in range(-((n - 1) // 2), n // 2 + 1)], axis=0)
+    return planes
 
 
 def crossings(one: Complexes, two: Complexes) -> tuple[Complexes, Booleans]:
