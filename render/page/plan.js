@@ -51,7 +51,7 @@ export class Plan extends Lensed {
     }
     if (lever && frame && frame.moments !== null) this.forces(this.data.moments[frame.moments], frame.terms);
     if (pole && !lettered && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
-    if (!lettered) numbers.forEach((q, k) => this.beside(q, [String(k + 1)], key));
+    if (!lettered) numbers.forEach((q, k) => this.beside(q, [String(k + 1)], key, 5, ""));
     const number = (/** @type {Spot} */ q) => 1 + numbers.findIndex(o => distance(o, q) < SAME_PX);
     if (force) for (const [a, b, n] of names) if (!lettered || !drawn.members.includes(n[0]))
       this.along(a, b, n, key, number(a) && number(b) && !lettered ? `(${number(a)}–${number(b)})` : "");
