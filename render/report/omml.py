@@ -8,7 +8,7 @@ from docx.oxml import parse_xml
 from docx.oxml.ns import nsdecls
 from latex2mathml.converter import convert
 
-WRITTEN = {
+FOR_WORD = {
     r"\\dfrac": r"\\frac",
     r"\\quad": r"\\quad ",
     r"(\d+)\{,\}(\d+)": r"\\text{\1,\2}",  # a number is one thing
@@ -17,13 +17,13 @@ WRITTEN = {
     r"(?<!\\left)[(\[]": r"\\left\g<0>",
     r"(?<!\\right)[)\]]": r"\\right\g<0>",
 }
-"""What is written otherwise for Word, in this order."""
+"""Patterns of our mathtext and what replaces them before conversion, in this order."""
 ROOT = "<m:radPr><m:degHide m:val='1'/></m:radPr><m:deg/>"  # a square root shows no degree
 
 
 def equation(tex: str) -> Any:
     """The equation, an element for a paragraph."""
-    for ours, other in WRITTEN.items():
+    for ours, other in FOR_WORD.items():
         tex = re.sub(ours, other, tex)
     made = mathml2omml.convert(convert(tex)).replace("<m:rad>", f"<m:rad>{ROOT}")
     return parse_xml(made.replace("<m:oMath>", f"<m:oMath {nsdecls('m')}>", 1))
