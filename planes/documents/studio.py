@@ -1,7 +1,6 @@
 """The command ``planes studio``: the studio as files for any web server, with or without the engine for a browser."""
 
 import io
-import json
 import shutil
 import zipfile
 from collections.abc import Iterable
@@ -15,7 +14,7 @@ from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.records import Json
 from render.page.studio_page import answered, files_of
-from render.page.web_page import written
+from render.page.web_page import compact_json
 
 RUNTIME = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
 """The files of the npm package that a browser asks for."""
@@ -40,7 +39,7 @@ def write_studio(folder: str, lang: Lang, runtime: str = "", scenes: Iterable[st
     for one in gallery:
         answer = answered({"ask": "lesson", "text": one["text"], "lang": lang})
         if "data" in answer:
-            parts[f"lessons/{one['name']}.txt"] = pressed(written(answer)).encode()
+            parts[f"lessons/{one['name']}.txt"] = pressed(compact_json(answer)).encode()
     if runtime:
         parts["planes.zip"] = engine()
     with sayable(folder):
@@ -71,4 +70,4 @@ def engine() -> bytes:
 
 
 def _json(thing: object) -> bytes:
-    return json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode()
+    return compact_json(thing).encode()

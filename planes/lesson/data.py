@@ -143,7 +143,7 @@ def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
 
 
 def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
-    """Each vector of the plans once, by its ends, with every name it goes by; sums of forces are said to be."""
+    """Each vector of the plans once, by its ends, with every name it goes by; ``sum`` marks one that is no term."""
     segments: dict[tuple[str, str, str], Json] = {}
     named = {t.name: whole(e, t.name) for e in plans.equations for t in e.terms}
     terms = {(e.plan, *sorted((t.start, t.end))) for e in plans.equations for t in e.terms}
@@ -153,7 +153,8 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
         if s.start != s.end and shown and at(s.plan, s.end) in drawing:
             new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
             new["corner"] = at(s.plan, s.end) in drawing.program.corners
-            new |= {"sum": True} if (s.plan, *sorted((s.start, s.end))) not in terms else {}
+            if (s.plan, *sorted((s.start, s.end))) not in terms:
+                new["sum"] = True
             names = segments.setdefault((s.plan, s.start, s.end), new)["names"]
             name = named.get(s.name, s.name)
             names += [name] * (name not in names)

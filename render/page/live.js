@@ -115,7 +115,8 @@ export class Live {
     const { from, to } = this.data.drive, step = (to - from) / TURN;
     const bad = (/** @type {number} */ v) => this.zones.some(z => z.kind === "bad" && z.from <= v && v <= z.to);
     const q = Math.round((this.drive - from) / step);
-    for (let k = 0; k < TURN && bad(from + q * step); k++) for (const side of [k, -k]) {
+    if (!bad(from + q * step)) return null;
+    for (let k = 0; k < TURN; k++) for (const side of [k, -k]) {
       const v = from + (q + side) * step;
       if (v >= from && v < to && !bad(v)) return v;
     }

@@ -51,7 +51,7 @@ export class Plan extends Lensed {
     }
     if (lever && frame && frame.moments !== null) this.forces(this.data.moments[frame.moments], frame.terms);
     if (pole && !lettered && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
-    if (!lettered) numbers.forEach((q, k) => this.beside(q, [String(k + 1)], key));
+    if (!lettered) numbers.forEach((q, k) => this.beside(q, [String(k + 1)], key, 5, ""));
     const number = (/** @type {Spot} */ q) => 1 + numbers.findIndex(o => distance(o, q) < SAME_PX);
     if (force) for (const [a, b, n] of names) if (!lettered || !drawn.members.includes(n[0]))
       this.along(a, b, n, key, number(a) && number(b) && !lettered ? `(${number(a)}–${number(b)})` : "");
@@ -73,14 +73,12 @@ export class Plan extends Lensed {
     const on = s.names.some(n => lit.has(n));
     const kind = (whole ? "result" : "part") + (on ? " lit" : "");
     this.drawn.push({ a, b, kind, names: s.names });
-    if (force) [a, b] = s.sum ? this.aside(a, b) : this.held(a, b);
+    if (force && s.sum) [a, b] = this.aside(a, b); // the others stand where the polygon has them, head to tail
     this.arrow(a, b, kind, s.names.join(" "));
-    if (force && distance(a, b) > 1) names.push([a, b, s.names]);
-  }
-  /** @type {(a: Spot, b: Spot) => Ends} */
-  held(a, b) { // a force stands where its polygon has it, head to tail
-    if (distance(a, b) > 1) this.places.push([a, b]);
-    return [a, b];
+    if (force && distance(a, b) > 1) {
+      this.places.push([a, b]);
+      names.push([a, b, s.names]);
+    }
   }
   /** @type {() => Spot[]} */
   numbered() { // the ends of forces that lie upon each other, along the polygon
@@ -95,7 +93,7 @@ export class Plan extends Lensed {
       const d = k * (this.size ? 4 : 8), p = [a[0] + x * d, a[1] + y * d], q = [b[0] + x * d, b[1] + y * d];
       if (this.places.some(o => upon(p, q, o))) continue;
       for (const [from, to] of k ? [[a, p], [b, q]] : []) this.line(from, to, "trace", "", false);
-      return this.held(p, q);
+      return [p, q];
     }
     return [a, b];
   }

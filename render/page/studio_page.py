@@ -40,7 +40,7 @@ def answered(message: Json) -> Json:
 
 def written(message: Json) -> str:
     """The answer to one message, as JSON."""
-    return json.dumps(answered(message), ensure_ascii=False, allow_nan=False)
+    return web_page.compact_json(answered(message))
 
 
 def carried(text: str) -> str:

@@ -26,7 +26,7 @@ const packed = new Blob([bytes.buffer.slice(0, Math.floor(0.8 * count))]).stream
 const whole = await new Response(packed.pipeThrough(new DecompressionStream("deflate-raw"))).json();
 for (const [id, type, textContent] of whole)
   document.head.append(Object.assign(document.createElement("script"), {{ id, type, textContent }}));"""
-_OURS = str.maketrans("!#$%&()*+-;<=>?@^_`{|}~", LETTERS[62:])
+OURS = str.maketrans("!#$%&()*+-;<=>?@^_`{|}~", LETTERS[62:])  # for the signs of Python's base 85
 _PLACE = re.compile(r"\{(\w+)\}")
 _ACTIVE = re.compile("[<>&\u2028\u2029]")
 
@@ -48,8 +48,8 @@ def page(
     packed: a short script unpacks them."""
     begun = code
     if small:
-        texts = [(key, "application/json", written(one)) for key, one in data.items()]
-        begun, data = UNPACK, {"code": pressed(written([*texts, ("", "module", code)]))}
+        texts = [(key, "application/json", compact_json(one)) for key, one in data.items()]
+        begun, data = UNPACK, {"code": pressed(compact_json([*texts, ("", "module", code)]))}
     held = (f'<script type="application/json" id="{key}">{embedded(one)}</script>\n' for key, one in data.items())
     parts = {
         "lang": lang,
@@ -73,8 +73,8 @@ def policy(more: str = "", *scripts: str) -> str:
 
 
 def pressed(text: str) -> str:
-    """A text packed and written in letters: a page is a third as large."""
-    return base64.b85encode(deflated(text)).decode().translate(_OURS)
+    """A text packed, in :data:`LETTERS`."""
+    return base64.b85encode(deflated(text)).decode().translate(OURS)
 
 
 def filled(template: str, parts: Mapping[str, str]) -> str:
@@ -84,10 +84,10 @@ def filled(template: str, parts: Mapping[str, str]) -> str:
 
 def embedded(thing: object) -> str:
     """JSON with no letter in it that means something to HTML or ends a line of a script."""
-    return _ACTIVE.sub(lambda match: f"\\u{ord(match[0]):04x}", written(thing))
+    return _ACTIVE.sub(lambda match: f"\\u{ord(match[0]):04x}", compact_json(thing))
 
 
-def written(thing: object) -> str:
+def compact_json(thing: object) -> str:
     """JSON without spaces."""
     return json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
 

@@ -9,6 +9,7 @@ from planes.words.errors import PlanesError
 from planes.words.naming import Naming
 
 SUFFIXES = {".html": "html", ".htm": "html", ".pdf": "pdf", ".docx": "word"}
+WORD = ("docx", "latex2mathml", "mathml2omml")  # what a Word document needs: the extra ``word``
 
 
 def rendered(blocks: Sequence[Block], suffix: str, naming: Naming) -> bytes:
@@ -16,7 +17,7 @@ def rendered(blocks: Sequence[Block], suffix: str, naming: Naming) -> bytes:
     try:
         contents: bytes = import_module(f"render.report.{SUFFIXES[suffix]}").write(blocks, naming)
     except ModuleNotFoundError as error:
-        if error.name != "docx":
+        if str(error.name).partition(".")[0] not in WORD:
             raise
         raise PlanesError(Phrase("no_docx")) from None
     return contents

@@ -1,4 +1,4 @@
-"""A document as a Word file, as ГОСТ 7.32-2017, 6.1 to 6.8, has it: margins, headings, contents, numbered pages;
+"""A document as a Word file with the margins, type and spacing of ГОСТ 7.32-2017 (6.1), contents and page numbers;
 formulas are Word's own equations.
 """
 
@@ -35,7 +35,7 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     page.page_width, page.page_height = Mm(210), Mm(297)
     page.left_margin, page.right_margin, page.top_margin, page.bottom_margin = Mm(30), Mm(15), Mm(20), Mm(20)
     for name in ("Normal", "Title", "Heading 1", "Heading 2", "Heading 3", "Intense Quote"):
-        lettered(paper.styles[name], name.startswith("Heading"))
+        set_type(paper.styles[name], name.startswith("Heading"))
     writer = _Writer(paper, naming)
     writer.field(page.footer.paragraphs[0], "PAGE").alignment = Side.CENTER
     for block in blocks:
@@ -47,8 +47,8 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     return data.getvalue()
 
 
-def lettered(style: ParagraphStyle, heading: bool) -> None:
-    """A style in the document's own letters: black, one and a half lines, a heading in bold."""
+def set_type(style: ParagraphStyle, heading: bool) -> None:
+    """Times New Roman in black, one and a half lines; a heading in bold."""
     style.font.name, style.font.size, style.font.color.rgb = "Times New Roman", Pt(LETTER), RGBColor(0, 0, 0)
     fonts = style.element.rPr.rFonts
     for key in [key for key in fonts.attrib if key.endswith("Theme")]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import re
 import zlib
@@ -14,7 +15,7 @@ from planes.lesson.data import lesson_data
 from planes.scene import load
 from planes.words.records import Json
 from render.page.lesson_page import page
-from render.page.web_page import LETTERS
+from render.page.web_page import OURS
 from tests.helpers.browser import watched
 
 
@@ -29,12 +30,9 @@ def brought(text: str) -> dict[str, str]:
     """What a page brings along packed, by its ids."""
     found = re.search(r'id="code">(.*?)</script>', text)
     assert found
-    letters = json.loads(found[1])
-    short = -len(letters) % 5
-    numbers = [int(LETTERS.index(c)) for c in letters + LETTERS[84] * short]
-    fours = (sum(n * 85 ** (4 - k) for k, n in enumerate(numbers[at : at + 5])) for at in range(0, len(numbers), 5))
-    data = b"".join(four.to_bytes(4, "big") for four in fours)
-    whole = json.loads(zlib.decompress(data[: len(data) - short], -zlib.MAX_WBITS))
+    standard = {ours: python for python, ours in OURS.items()}
+    data = base64.b85decode(json.loads(found[1]).translate(standard))
+    whole = json.loads(zlib.decompress(data, -zlib.MAX_WBITS))
     return {key: content for key, _, content in whole}
 
 

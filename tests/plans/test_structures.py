@@ -363,6 +363,8 @@ def test_a_chosen_pole_stands_where_it_is_said(pole: str) -> None:
 
 @pytest.mark.parametrize(("direction", "measured"), [(-90, True), (-60, False)])
 def test_moments_and_shears_are_measured_where_loads_stand_across_the_beam(direction: float, measured: bool) -> None:
-    text = "planes: 1\npoints: {A: [0, 0], C: [1, 0], B: [3, 0]}\nsupports: {A: hinge, B: {roller: 90}}\n"
+    text = (
+        "planes: 1\nmethod: string\npoints: {A: [0, 0], C: [1, 0], B: [3, 0]}\nsupports: {A: hinge, B: {roller: 90}}\n"
+    )
     (position,) = solve(loads(text + f"loads: [{{point: C, force: 1200, direction: {direction}}}]\n")).positions
     assert bool(position.of("values")) == measured
