@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import Any
 
 import numpy
 
 from planes.check.evidence.line_words import LineWords, words_of
-from planes.check.evidence.sheet_ink import PX_PER_MM, WAYS, SheetInk
+from planes.check.evidence.sheet_ink import PX_PER_MM, SheetInk
 from planes.check.reading.strokes import ReadDrawing, headed
-from planes.geometry.arrays import Array, Booleans, Complexes, Greys
+from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from planes.words.naming import Names
 
 RIM_MM = 30.0  # of paper about the lines
-FELT = (0.45, 0.5), (0.25, 1.0)  # turned by so many radians from a way a line is felt so much
+FELT = (math.cos(0.25), 1.0), (math.cos(0.45), 0.5)  # turned so much (its cosine) from a way a line is felt so much
+ABOUT_MM = 1 / 3, 1 / 2, 5 / 6  # how far aside, as of ink that is felt just there, and one or two pixels about
+AT_ONCE = 1_000_000  # pairs of lines
 HEADLESS = 0.5  # how much a line without a head is a vector, where vectors have heads
 HEAD_RANGE = -2.5, 2.5  # what speaks against a head that is not there, and for one that is
 TIP_MM, ALONG = 1.2, 0.97  # a head is no farther from the end of its line, and points along it (the cosine)
@@ -31,17 +32,14 @@ class LineInk(SheetInk):
     def __init__(self, sketch: ReadDrawing, names: Names) -> None:
         self.sketch, self.names, self.source = sketch, names, None
         self.lines: Complexes = numpy.array(sketch.strokes, complex).reshape(-1, 2)
-        rim = RIM_MM * (1 + 1j)
-        low = complex(self.lines.real.min(), self.lines.imag.min()) - rim
-        size = complex(self.lines.real.max(), self.lines.imag.max()) + rim - low
-        self.corner, self.top, self.reach_mm = low, (low + size).imag, abs(size)
-        self.height, self.width = (math.ceil(mm * PX_PER_MM) for mm in (size.imag, size.real))
+        ends = self.lines.ravel()
+        self.reach_mm = abs(complex(numpy.ptp(ends.real), numpy.ptp(ends.imag))) + RIM_MM
         v: Complexes = self.lines[:, 1] - self.lines[:, 0]
         length: Array = numpy.abs(v)
         self.u: Complexes = v / length
         self.way = numpy.array([sketch.way(k) for k in range(len(v))])
         self.headed = bool(headed(sketch))
-        self.shares = self._felt()
+        self.plain = numpy.where((self.way == 0) & self.headed, HEADLESS, 1.0)
         self.points, self.ways, self.mm = self._pieces(length)
         free = self.lines if self.headed else self.lines.ravel()
         back, ahead = self.way < 0, self.way > 0
@@ -57,20 +55,37 @@ class LineInk(SheetInk):
             self.tip_ways = numpy.r_[self.tip_ways, ways.ravel()]
         self.rounds: Complexes = numpy.array([z for z, _ in sketch.rounds], complex)
 
-    def _felt(self) -> tuple[Array, ...]:
-        """What share of a line is there, as of a sheet's ink; lines without heads first, under the vectors."""
-        planes = numpy.zeros((WAYS, self.height, self.width), numpy.uint8)
-        turn = numpy.angle(self.u)
-        for k in range(WAYS):
-            off = abs(numpy.angle(numpy.exp(2j * (turn + math.pi * k / WAYS)))) / 2
-            share = numpy.select([off < within for within, _ in FELT[::-1]], [share for _, share in FELT[::-1]])
-            grey = (255 * share * numpy.where((self.way == 0) & self.headed, HEADLESS, 1.0)).astype(numpy.uint8)
-            for n in numpy.argsort(grey)[(grey == 0).sum() :].tolist():  # the plainest last
-                a, b = ((self.lines[n] - self.corner) * PX_PER_MM).tolist()
-                z = a + (b - a) * numpy.linspace(0.0, 1.0, 2 + math.ceil(2 * abs(b - a)))
-                planes[k, self.height - 1 - z.imag.astype(int), z.real.astype(int)] = grey[n]
-        wider: list[Array] = [_wider(planes, n).ravel() for n in (2, 3, 5)]
-        return tuple(wider)
+    def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
+        """The share of each line from a to b that is drawn, as of a sheet's ink; of lines without heads, under the
+        vectors, less."""
+        ways, begun = (numpy.nan_to_num(z, posinf=0.0, neginf=0.0).ravel() for z in (b - a, a))
+        shares, step = numpy.zeros(len(ways)), max(AT_ONCE // len(self.lines), 1)
+        for k in range(0, len(ways), step):
+            shares[k : k + step] = self._drawn(begun[k : k + step], ways[k : k + step], ABOUT_MM[about])
+        return shares.reshape(a.shape)
+
+    def _drawn(self, a: Complexes, way: Complexes, aside: float) -> Array:
+        """The share of each way from a that has a line so far aside at the most."""
+        length = numpy.maximum(abs(way), 1e-9)
+        u = way / length
+        turned = abs(u.real[:, None] * self.u.real + u.imag[:, None] * self.u.imag)
+        of, line = numpy.nonzero(turned > FELT[-1][0])
+        p, q = ((self.lines[line, k] - a[of]) * u[of].conj() for k in (0, 1))
+        off = numpy.where(abs(q.imag - p.imag) < 1e-9, 1e-9, q.imag - p.imag)  # where on the line it is so far aside
+        one, two = (-aside - p.imag) / off, (aside - p.imag) / off
+        first, last = numpy.maximum(numpy.minimum(one, two), 0.0), numpy.minimum(numpy.maximum(one, two), 1.0)
+        s, t = (p.real + (q.real - p.real) * share for share in (first, last))
+        low, high = numpy.minimum(s, t) - aside, numpy.maximum(s, t) + aside
+        low, high = numpy.maximum(low, 0.0), numpy.minimum(high, length[of])
+        kept = (first < last) & (low < high)
+        of, low, high = of[kept], low[kept], high[kept]
+        worth = numpy.where(turned[of, line[kept]] > FELT[0][0], 1.0, FELT[-1][1]) * self.plain[line[kept]]
+        order, levels, drawn = numpy.lexsort((low, of)), numpy.unique(worth), numpy.zeros(len(a))
+        of, low, high, worth = of[order], low[order], high[order], worth[order]
+        for less, level in zip([0.0, *levels], levels, strict=False):
+            drawn += (level - less) * _joined(of, low, high, worth >= level, len(a))
+        share: Array = drawn / length
+        return share
 
     def _pieces(self, length: Array) -> tuple[Complexes, Complexes, Array]:
         """Pieces of the lines by their middles, with their ways and how long they are; of lines without heads, where
@@ -108,11 +123,14 @@ class LineInk(SheetInk):
         return words_of(self.sketch, self.names, names)
 
 
-def _wider(planes: Greys, n: int) -> Any:
-    """The most within n pixels about each, both ways."""
-    for axis in (1, 2):
-        planes = numpy.max([numpy.roll(planes, k, axis) for k in range(-((n - 1) // 2), n // 2 + 1)], axis=0)
-    return planes
+def _joined(of: Indices, low: Array, high: Array, held: Booleans, count: int) -> Array:
+    """How much the pieces that are held cover together, of each line; they are in order."""
+    of, low, high = of[held], low[held], high[held]
+    if not of.size:
+        return numpy.zeros(count)
+    apart = 1.0 + float(high.max())  # the pieces of one line after those of another
+    before = numpy.r_[-apart, numpy.maximum.accumulate(high + apart * of)[:-1]] - apart * of
+    return numpy.bincount(of, (high - numpy.maximum(low, before)).clip(min=0.0), count)
 
 
 def crossings(one: Complexes, two: Complexes) -> tuple[Complexes, Booleans]:
