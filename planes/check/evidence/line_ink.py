@@ -29,6 +29,8 @@ SHORT_MM = 1.5  # of a line whose head tells nothing
 class LineInk(SheetInk):
     """The lines of a drawing."""
 
+    exact, most_head = True, HEAD_RANGE[1]
+
     def __init__(self, sketch: ReadDrawing, names: Names) -> None:
         self.sketch, self.names, self.source = sketch, names, None
         self.lines: Complexes = numpy.array(sketch.strokes, complex).reshape(-1, 2)
@@ -54,6 +56,7 @@ class LineInk(SheetInk):
             self.tips = numpy.r_[self.tips, numpy.tile(met[crossed], 4)]
             self.tip_ways = numpy.r_[self.tip_ways, ways.ravel()]
         self.rounds: Complexes = numpy.array([z for z, _ in sketch.rounds], complex)
+        self.ends = numpy.unique(numpy.r_[self.tips, self.rounds].round(2))
 
     def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
         """The share of each line from a to b that is drawn, as of a sheet's ink; of lines without heads, under the

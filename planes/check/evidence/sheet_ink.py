@@ -59,6 +59,9 @@ class SheetInk:
     left corner is at ``corner``, its upper edge ``high_mm`` above."""
 
     reach_mm = 0.0  # how far apart its lines lie, where that is known to be all of one drawing
+    exact = False  # whether its lines and their heads are known, not felt
+    ends: Complexes = numpy.zeros(0, complex)  # of its lines, where they are known
+    most_head = HEAD_RANGE[1]  # the most that speaks for a head
 
     def __init__(self, dark: Array, corner: complex, high_mm: float, source: Ink | None = None) -> None:
         self.source = source  # the ink it was made from, with its letters

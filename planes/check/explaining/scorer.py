@@ -59,6 +59,8 @@ class Scorer:
 
     def weighed(self) -> list[Laid]:
         """The likeliest hypotheses settled, the best first; the right plan is one of them."""
+        if plain := self._plainly() if self.ink.exact else []:
+            return self._by_names(plain)
         self.plan.share, laid = self._printed_at(), list[Laid]()
         other = next(iter(orders(self.plan, self.ink, self.pole)), Hypothesis()).order
         bases = [Hypothesis(), Hypothesis(order=other, cost=w.ORDER)]
@@ -72,6 +74,37 @@ class Scorer:
                 pairs = [h for h in self.likeliest(first, alone=True) if h != first]
                 laid += [self.settled(h) for h in pairs[: w.SECONDS]]
         return self._by_names(sorted(laid, key=lambda one: -one.score))
+
+    def _plainly(self) -> list[Laid]:
+        """The right plan and mistakes of the catalogue, if one leaves nothing to be explained: no other is likelier."""
+        rough = self._rough([Hypothesis(), *catalogue(self.plan)])
+        if not rough or not rough[0][1].right:
+            return []
+        self.box = self._room(numpy.concatenate([z.ravel() for *_, d in rough for z in self._lines(Hypothesis(), d)]))
+        laid = [self.settled(rough[0][1])]
+        if not self._full(laid[0]):
+            laid += [self.settled(h) for _, h, _ in sorted(rough[1:], key=lambda r: -r[0])[: w.FIRSTS]]
+        laid = sorted(laid, key=lambda one: -one.score)
+        if self._full(laid[0]):
+            return laid
+        self.box = None
+        return []
+
+    def _full(self, one: Laid) -> bool:
+        """Whether a drawing has its lines with all heads, or its points with all signs, and leaves nothing."""
+        if not one.places:
+            return False
+        ends = self._lines(one.hypothesis, self._row(one))
+        heads = len(self.plan.labels) if self.plan.kind == "position" else (to_be_seen(*ends) & self.plan.needed).sum()
+        return bool(one.score > w.HEAD * self.ink.most_head * heads - w.COSTS["length"])
+
+    def _rough(self, every: list[Hypothesis]) -> list[tuple[float, Hypothesis, Complexes]]:
+        """Hypotheses of one order that can be drawn, with what their lines are worth at a glance."""
+        could = [(h, drawn) for h in every if (drawn := self.plan.draw(h, {}, 1)) is not None]
+        if not could:
+            return []
+        scores = self.covered(*self._lines(every[0], numpy.concatenate([drawn for _, drawn in could])), 2)[0]
+        return [(score - h.cost, h, drawn) for score, (h, drawn) in zip(scores.tolist(), could, strict=True)]
 
     def _printed_at(self) -> float:
         """At what share of its size the sheet was printed: where some drawing, settled there, is likeliest."""
@@ -107,11 +140,7 @@ class Scorer:
     def likeliest(self, base: Hypothesis, alone: bool = False) -> list[Hypothesis]:
         """The best hypotheses of each kind and mark upon one; ``alone``, of its free sizes only."""
         others = [] if alone else [replace(h, order=base.order) for h in (*catalogue(self.plan), *wholes(self.plan))]
-        rough: list[tuple[float, Hypothesis, Complexes]] = []
-        for h in (base, *others):
-            if (drawn := self.plan.draw(h, {}, 1)) is not None:
-                rough.append((float(self.covered(*self._lines(h, drawn), 2)[0][0]) - h.cost, h, drawn))
-        rough += self._free(base)
+        rough = [*self._rough([base, *others]), *self._free(base)]
         rough = sorted((r for r in rough if r[0] > LOST / 2), key=lambda r: -r[0])[: w.WEIGHED]
         if not rough:
             return []
@@ -188,7 +217,9 @@ class Scorer:
     def settled(self, h: Hypothesis) -> Laid:
         """A hypothesis with each mark where its ink is."""
         held, scores = dict.fromkeys(self.plan.names, 0j), numpy.zeros(0)
-        for about, sizes in w.MOVES_MM:
+        if self.ink.exact:
+            self._to_ends(h, held)
+        for about, sizes in w.MOVES_MM[self.ink.exact :]:
             scores = self._moved(h, held, about, self._moves(sizes))
             if not scores.size:
                 return Laid(h, LOST)
@@ -197,6 +228,15 @@ class Scorer:
     def _moves(self, sizes: Iterable[float]) -> list[tuple[str, complex]]:
         ways = [complex(numpy.exp(0.25j * math.pi * k)) for k in range(8)]
         return [(n, mm * way) for n in self.plan.names for mm in sizes for way in ways]
+
+    def _to_ends(self, h: Hypothesis, held: dict[str, complex]) -> None:
+        """Each mark to the end of a line about it; what follows is drawn from there."""
+        for m, n in enumerate(self.plan.labels):
+            drawn = self.plan.draw(h, {n: numpy.array([v]) for n, v in held.items()}, 1)
+            if drawn is not None and self.ink.ends.size:
+                off = self.ink.ends - (drawn[0, m] + self.pole)
+                nearest = complex(off[abs(off).argmin()])
+                held[n] += nearest if abs(nearest) < w.TO_END_MM else 0j
 
     def _moved(self, h: Hypothesis, held: dict[str, complex], about: int, moves: list[tuple[str, complex]]) -> Array:
         """What it is worth to move each mark on from where it is ``held``, once no move gains anything."""

@@ -19,6 +19,7 @@ SHORT_MM = 1.5  # lines that are not looked for
 MOST, KEPT, APART_MM = 900, 4, 4.0  # free sizes weighed after the first look; kept of a kind and mark, how far apart
 WEIGHED, SETTLED, FIRSTS, SECONDS = 120, 10, 3, 3  # weighed by all ink; settled; on which a second one is tried
 MOVES_MM = (1, (0.8, 0.3)), (0, (0.5, 0.25, 0.1))  # of marks that settle, by ink a pixel about, and just there
+TO_END_MM = 4.0  # of a mark to the end of a line, where ends are known: a hand reckons normal parts 3 % off (of 0.1 m, 2.6 mm)
 ROUNDS, ENOUGH, LOOSE_MM = 14, 0.05, 0.8  # how often they are moved; what is no gain; of lines before they settle
 COARSE, FINE = 24, 56  # places of a line at which ink is felt
 FAR_MM, ROOM_MM, MARGIN_MM = 230.0, 150.0, 20.0  # of a mark that is off the sheet; of what may be drawn, and about it
