@@ -192,7 +192,8 @@ def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     paper.spots = [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE, name), s, strict=True)]
     paper.whole = seen.headed and all(abs(seen.arrows[i][0][1] - seen.arrows[i][0][0]) < HEADLESS_MM for i in best.left)
     true = seen.known(best.hypothesis) or {}
-    paper.whole = paper.whole and all(n in rows or not HIDDEN_MM < abs(true[n]) < HEADLESS_MM for n in own)
+    room = 2 * max(_gaps(rows), default=0.0)  # where all ends meet, no vector is hidden
+    paper.whole &= all(n in rows or not HIDDEN_MM < abs(true[n]) < min(room, HEADLESS_MM) for n in own)
     if _vague(seen, rows, bench, paper):
         paper.spots, paper.reason = [], asking("check_force_unsure")
     return paper
@@ -214,8 +215,12 @@ def _vague(seen: ForceArrows, rows: Mapping[str, Stroke], bench: PreparedPlan, p
 
 def _gap(rows: Mapping[str, Stroke]) -> float:
     """How far apart the ends of vectors and the beginnings of others are that should meet."""
-    gaps = [min(abs(b - a) for a, _ in rows.values()) for _, b in rows.values()]
-    return median([gap for gap in gaps if gap < MEET_MM] or [0.0])
+    return median([gap for gap in _gaps(rows) if gap < MEET_MM] or [0.0])
+
+
+def _gaps(rows: Mapping[str, Stroke]) -> list[float]:
+    """How far from the end of each vector another begins."""
+    return [min(abs(b - a) for a, _ in rows.values()) for _, b in rows.values()]
 
 
 def _turned(spots: Sequence[ReadMark]) -> Iterator[complex]:
