@@ -29,7 +29,7 @@ SHORT_MM = 1.5  # of a line whose head tells nothing
 class LineInk(SheetInk):
     """The lines of a drawing."""
 
-    exact, most_head = True, HEAD_RANGE[1]
+    most_head = HEAD_RANGE[1]
 
     def __init__(self, sketch: ReadDrawing, names: Names) -> None:
         self.sketch, self.names, self.source = sketch, names, None
@@ -56,6 +56,7 @@ class LineInk(SheetInk):
             self.tips = numpy.r_[self.tips, numpy.tile(met[crossed], 4)]
             self.tip_ways = numpy.r_[self.tip_ways, ways.ravel()]
         self.rounds: Complexes = numpy.array([z for z, _ in sketch.rounds], complex)
+        self.exact = self.headed or bool(self.rounds.size)
         self.ends = numpy.unique(numpy.r_[self.tips, self.rounds].round(2))
 
     def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:

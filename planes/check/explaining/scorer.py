@@ -40,6 +40,7 @@ class Laid:
     sigmas: dict[str, float] = field(default_factory=dict)
     strange: float = 0.0  # ink that none of its lines explains, mm
     moved: dict[str, float] = field(default_factory=dict)  # by how much from where steps lead, mm
+    erred: float = 0.0  # what that costs
 
     @property
     def evidence(self) -> float:
@@ -55,6 +56,7 @@ class Scorer:
     ink: SheetInk
     pole: complex
     words: HandWords = field(default_factory=HandWords)
+    far: dict[str, float] = field(default_factory=dict)  # of each mark from the pole, as it was to be drawn, mm
     box: Box | None = None  # where ink is to be explained: the same for all, or they could not be compared
 
     def weighed(self) -> list[Laid]:
@@ -96,7 +98,8 @@ class Scorer:
             return False
         ends = self._lines(one.hypothesis, self._row(one))
         heads = len(self.plan.labels) if self.plan.kind == "position" else (to_be_seen(*ends) & self.plan.needed).sum()
-        return bool(one.score > w.HEAD * self.ink.most_head * heads - w.COSTS["length"])
+        short = w.HEAD * self.ink.most_head * heads - one.evidence
+        return bool(short - one.erred < w.TELLING and not (one.hypothesis.right and short > w.COSTS["length"]))
 
     def _rough(self, every: list[Hypothesis]) -> list[tuple[float, Hypothesis, Complexes]]:
         """Hypotheses of one order that can be drawn, with what their lines are worth at a glance."""
@@ -212,11 +215,14 @@ class Scorer:
 
     def _spread(self, name: str) -> float:
         """How far a hand puts a mark from where steps lead, σ in mm."""
-        return w.HAND_MM + w.HAND_SHARE * abs(self.plan.true[name])
+        return w.HAND_MM + w.HAND_SHARE * self.far[name]
 
     def settled(self, h: Hypothesis) -> Laid:
         """A hypothesis with each mark where its ink is."""
         held, scores = dict.fromkeys(self.plan.names, 0j), numpy.zeros(0)
+        if (drawn := self.plan.draw(h, {}, 1)) is None:
+            return Laid(h, LOST)
+        self.far = dict(zip(self.plan.names, numpy.nan_to_num(abs(drawn[0])).tolist(), strict=True))
         if self.ink.exact:
             self._to_ends(h, held)
         for about, sizes in w.MOVES_MM[self.ink.exact :]:
@@ -236,7 +242,8 @@ class Scorer:
             if drawn is not None and self.ink.ends.size:
                 off = self.ink.ends - (drawn[0, m] + self.pole)
                 nearest = complex(off[abs(off).argmin()])
-                held[n] += nearest if abs(nearest) < w.TO_END_MM else 0j
+                about = w.TO_END_MM + w.TO_END_SHARE * abs(drawn[0, m])
+                held[n] += nearest if abs(nearest) < about else 0j
 
     def _moved(self, h: Hypothesis, held: dict[str, complex], about: int, moves: list[tuple[str, complex]]) -> Array:
         """What it is worth to move each mark on from where it is ``held``, once no move gains anything."""
@@ -262,9 +269,10 @@ class Scorer:
             return Laid(h, LOST)
         a, b = self._lines(h, drawn)
         score, cover, strange = (float(row[0]) for row in self.scored(h, drawn))
-        score += omitted(self.plan, self.ink, a[0], b[0]) - float(self.erred(held)) - h.cost
+        erred = float(self.erred(held))
+        score += omitted(self.plan, self.ink, a[0], b[0]) - erred - h.cost
         places, moved = dict(zip(self.plan.names, drawn[0].tolist(), strict=True)), {n: abs(z) for n, z in held.items()}
-        return Laid(h, score, cover, places, self._sigmas(scores), strange, moved)
+        return Laid(h, score, cover, places, self._sigmas(scores), strange, moved, erred)
 
     def _sigmas(self, scores: Array) -> dict[str, float]:
         """How surely ink tells each mark where it settled, by how much worse it is elsewhere: a parabola's σ."""
