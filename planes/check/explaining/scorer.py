@@ -70,7 +70,7 @@ class Scorer:
             likely = self.likeliest(base)
             laid += [self.settled(h) for h in (likely if any(h.right for h in likely) else [*likely, base])]
         best = max(laid, key=lambda one: one.score)
-        if best.cover < w.EXPLAINED:
+        if w.AT_ALL < best.cover < w.EXPLAINED:
             single = [one.hypothesis for one in sorted(laid, key=lambda one: -one.score)]
             for first in [h for h in single if not h.right and h.turn == 1][: w.FIRSTS]:
                 pairs = [h for h in self.likeliest(first, alone=True) if h != first]
@@ -103,7 +103,7 @@ class Scorer:
 
     def _rough(self, every: list[Hypothesis]) -> list[tuple[float, Hypothesis, Complexes]]:
         """Hypotheses of one order that can be drawn, with what their lines are worth at a glance."""
-        could = [(h, drawn) for h in every if (drawn := self.plan.draw(h, {}, 1)) is not None]
+        could = [(h, drawn) for h, drawn in self.plan.each(every) if drawn is not None]
         if not could:
             return []
         scores = self.covered(*self._lines(every[0], numpy.concatenate([drawn for _, drawn in could])), 2)[0]

@@ -27,6 +27,7 @@ SHARES = 0.935, 0.996, 0.005  # of its size, at which a sheet may have been prin
 PRINTS, ALIKE = 2, 0.012  # others than its full size that are looked at closely; shares that are one
 NAMED = 5  # orders that names tell, settled
 BEAMS, STRAY = 12, 0.01  # orders of a polygon followed at once; what each side out of turn costs
+AT_ALL = 0.5  # the share of a plan's lines that must be there, or a second mistake is not looked for
 EXPLAINED = 0.9  # the share of a plan's lines that must be there before no second mistake is looked for
 MOVED_MM = 1.5  # what a mistake moves at the least
 

@@ -82,9 +82,9 @@ def _is_pole(ink: LineInk, word: Words) -> bool:
 
 
 def _begun(plan: PlanLines, ink: LineInk) -> tuple[Complexes, Array]:
-    """Where a plan may begin, and what that costs by where the pole is named: where lines end; of a scheme so that a
-    fixed point is there."""
-    ends = numpy.r_[ink.lines.ravel(), ink.rounds]
+    """Where a plan may begin, and what that costs by where the pole is named: where lines end, or cross if none has a
+    head; of a scheme so that a fixed point is there."""
+    ends = numpy.r_[ink.lines.ravel(), ink.rounds, ink.tips]
     if plan.kind == "position":
         fixed = [plan.true[n] for n in plan.bench.plans.mechanism.frame.points if n in plan.true]
         cells = numpy.unique((ends[:, None] - numpy.array(fixed or [0j])).round(1).ravel())
