@@ -15,7 +15,7 @@ from planes.check.explaining.explained import Explanation
 from planes.check.explaining.plan_lines import PlanLines
 from planes.check.explaining.sought_pole import sought_pole
 from planes.check.grading.evidence import ASKED
-from planes.check.grading.paper import ReadPaper
+from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.construction_lines import vectors_alone, vectors_of
 from planes.check.reading.force_arrows import force_arrows
@@ -54,6 +54,7 @@ def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
     cells, price = _begun(plan, ink)
     seen = Explanation(plan, ink, sought_pole(plan, ink, cells, price))
     if seen.best.cover < w.LEAST_COVER or not _is_there(seen, ink):
+        paper.spots = [*_all_by_names(bench, ink)]
         return paper
     exact = exact_marks(seen, ink, seen.best)
     paper.spots = [exact.get(s.name, s) for s in seen.spots()]
@@ -120,16 +121,29 @@ def _sized(bench: PreparedPlan, ink: LineInk) -> PreparedPlan:
 
 def _ratios(bench: PreparedPlan, ink: LineInk) -> Iterator[float]:
     """Logarithms of drawn to stated distances from the pole, of a scheme between its points."""
-    truth, places = bench.true_marks | {POLE: 0j}, dict[str, complex]()
-    ends = numpy.r_[ink.lines.ravel(), ink.rounds].tolist()
-    for word in ink.words(ink.tips, ink.tips, True, truth).words:
-        near = min(ends, key=lambda z: word.off(z, z))
-        if word.off(near, near) < NEAR_WORD_MM:
-            places.setdefault(next(iter(word.likely)), near)
+    truth, places = bench.true_marks | {POLE: 0j}, _by_names(bench, ink)
     if POLE in places or bench.asked.plan == "position":
         for one, two in [(POLE, n) for n in places if n != POLE] if POLE in places else combinations(places, 2):
             true, drawn = abs(truth[one] - truth[two]), abs(places[one] - places[two])
             yield from [math.log(drawn / true)] if min(true, drawn) > LEAST_MM else []
+
+
+def _by_names(bench: PreparedPlan, ink: LineInk) -> dict[str, complex]:
+    """The marks whose names stand beside ends of lines, each at the nearest."""
+    ends, places = numpy.r_[ink.lines.ravel(), ink.rounds].tolist(), dict[str, complex]()
+    for word in ink.words(ink.tips, ink.tips, True, bench.true_marks | {POLE: 0j}).words:
+        near = min(ends, key=lambda z: word.off(z, z))
+        if word.off(near, near) < NEAR_WORD_MM:
+            places.setdefault(next(iter(word.likely)), near)
+    return places
+
+
+def _all_by_names(bench: PreparedPlan, ink: LineInk) -> Iterator[ReadMark]:
+    """The marks of a plan that none of its lines agrees with, if a vector with a head leads to every name: it may be
+    another's, drawn of other numbers."""
+    places = _by_names(bench, ink)
+    if ink.headed and POLE in places and all(z in ink.tips for n, z in places.items() if n != POLE):
+        yield from (ReadMark(n, z, ink.sketch.error_mm) for n, z in sorted(places.items(), key=lambda m: m[0] != POLE))
 
 
 def scaled(

@@ -45,6 +45,7 @@ class ReadDrawing:
     short: list[Stroke] = field(default_factory=list)  # vectors if they have heads, else ticks and pieces of letters
     mm: Callable[[complex], complex] = lambda z: z  # from the file's own units to mm, y up
     rounds: list[Round] = field(default_factory=list)
+    passed: int = 0  # vertices that polylines go straight on through
 
     def way(self, k: int) -> int:
         """Which end of a stroke has a head."""
@@ -65,11 +66,12 @@ class ReadDrawing:
         """A polyline's strokes; where it goes straight on, it is one."""
         line = [*points, points[0]] if closed and len(points) > 2 else list(points)
         on = {k for k, (a, b, c) in enumerate(zip(line, line[1:], line[2:], strict=False), 1) if goes_on(a, b, c)}
+        self.passed += len(on)
         line = [z for k, z in enumerate(line) if k not in on]
         for a, b in pairwise(line):
             if cmath.isfinite(a) and cmath.isfinite(b) and abs(b - a) > 0.02:
                 (self.strokes if abs(b - a) >= SHORT_MM else self.short).append((a, b))
-        for count, most in ((len(self.strokes), MOST), (len(self.short), MOST_SHORT)):
+        for count, most in ((len(self.strokes) + self.passed, MOST), (len(self.short), MOST_SHORT)):
             if count > most:
                 raise too_many(self.file, "strokes", most)
 
