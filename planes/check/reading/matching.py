@@ -10,7 +10,7 @@ import numpy
 
 from planes.check.evidence.line_ink import LineInk
 from planes.check.explaining import weights as w
-from planes.check.explaining.exact_marks import NEAR_MM, exact_marks
+from planes.check.explaining.exact_marks import JOINED_MM, NEAR_MM, exact_marks
 from planes.check.explaining.explained import Explanation
 from planes.check.explaining.plan_lines import PlanLines
 from planes.check.explaining.sought_pole import sought_pole
@@ -142,7 +142,7 @@ def _all_by_names(bench: PreparedPlan, ink: LineInk) -> Iterator[ReadMark]:
     """The marks of a plan that none of its lines agrees with, if a vector with a head leads to every name: it may be
     another's, drawn of other numbers."""
     places = _by_names(bench, ink)
-    if ink.headed and POLE in places and all(z in ink.tips for n, z in places.items() if n != POLE):
+    if ink.headed and POLE in places and all((abs(ink.tips - places[n]) < JOINED_MM).any() for n in {*places} - {POLE}):
         yield from (ReadMark(n, z, ink.sketch.error_mm) for n, z in sorted(places.items(), key=lambda m: m[0] != POLE))
 
 
