@@ -10,7 +10,7 @@ import numpy
 
 from planes.check.evidence.line_ink import LineInk
 from planes.check.explaining import weights as w
-from planes.check.explaining.exact_marks import JOINED_MM, NEAR_MM, exact_marks
+from planes.check.explaining.exact_marks import NEAR_MM, exact_marks
 from planes.check.explaining.explained import Explanation
 from planes.check.explaining.plan_lines import PlanLines
 from planes.check.explaining.sought_pole import sought_pole
@@ -129,20 +129,22 @@ def _ratios(bench: PreparedPlan, ink: LineInk) -> Iterator[float]:
 
 
 def _by_names(bench: PreparedPlan, ink: LineInk) -> dict[str, complex]:
-    """The marks whose names stand beside ends of lines, each at the nearest."""
-    ends, places = numpy.r_[ink.lines.ravel(), ink.rounds].tolist(), dict[str, complex]()
+    """The marks whose names stand beside ends of lines, each at the nearest; where vectors have heads, at a tip."""
+    ends, places = numpy.r_[ink.lines.ravel(), ink.rounds], dict[str, complex]()
     for word in ink.words(ink.tips, ink.tips, True, bench.true_marks | {POLE: 0j}).words:
-        near = min(ends, key=lambda z: word.off(z, z))
+        name = next(iter(word.likely))
+        about = ink.tips if ink.headed and name != POLE else ends
+        near = min(about.tolist(), key=lambda z: word.off(z, z))
         if word.off(near, near) < NEAR_WORD_MM:
-            places.setdefault(next(iter(word.likely)), near)
+            places.setdefault(name, near)
     return places
 
 
 def _all_by_names(bench: PreparedPlan, ink: LineInk) -> Iterator[ReadMark]:
-    """The marks of a plan that none of its lines agrees with, if a vector with a head leads to every name: it may be
-    another's, drawn of other numbers."""
+    """The marks of a plan that none of its lines agrees with, if vectors lead from its pole to most of their names: it
+    may be of other numbers."""
     places = _by_names(bench, ink)
-    if ink.headed and POLE in places and all((abs(ink.tips - places[n]) < JOINED_MM).any() for n in {*places} - {POLE}):
+    if ink.headed and POLE in places and len(places) > LEAST_SHOWN * len(bench.true_marks) + 1:
         yield from (ReadMark(n, z, ink.sketch.error_mm) for n, z in sorted(places.items(), key=lambda m: m[0] != POLE))
 
 
