@@ -139,14 +139,8 @@ def test_what_stands_about_a_spoiled_plan_leads_nobody_astray(
 WHOLE = [(s, n) for s in (*SCENES, *ASSIGNMENTS) for n in (None, 1, 2)]
 
 
-UNDRAWN = pytest.mark.xfail(reason="a force of 1.1 mm is drawn in its detail alone", strict=True)
-UNDRAWN_ON = {("assignments/32", None)}
-
-
 @pytest.mark.long
-@pytest.mark.parametrize(
-    ("sample", "number"), [pytest.param(*w, marks=[UNDRAWN] if w in UNDRAWN_ON else []) for w in WHOLE]
-)
+@pytest.mark.parametrize(("sample", "number"), WHOLE)
 def test_every_plan_of_every_sheet_is_right(sample: str, number: int | None, tmp_path: Path) -> None:
     whole = sheet_of(drawn(sample)[0], None, number=number)
     for plan in shown(sample, number):

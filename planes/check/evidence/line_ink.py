@@ -16,7 +16,8 @@ from planes.words.naming import Names
 RIM_MM = 30.0  # of paper about the lines
 FELT = (math.cos(0.25), 1.0), (math.cos(0.45), 0.5)  # turned so much (its cosine) from a way a line is felt so much
 ABOUT_MM = 1 / 3, 1 / 2, 5 / 6  # how far aside, as of ink that is felt just there, and one or two pixels about
-AT_ONCE = 1_000_000  # pairs of lines
+AT_ONCE, MOST_PIECES = 1_000_000, 20_000  # pairs of lines; pieces: of seven metres of lines, as long as a pixel
+FEWEST_PLACES, CROWD = 60, 0.03  # where lines end or cross, a mm apart; of more on a mm² any would do for a mark
 HEADLESS = 0.5  # how much a line without a head is a vector, where vectors have heads
 HEAD_RANGE = -2.5, 2.5  # what speaks against a head that is not there, and for one that is
 TIP_MM, ALONG = 1.2, 0.97  # a head is no farther from the end of its line, and points along it (the cosine)
@@ -59,6 +60,15 @@ class LineInk(SheetInk):
         self.exact = self.headed or bool(self.rounds.size)
         self.ends = numpy.unique(numpy.r_[self.tips, self.rounds].round(2))
 
+    @property
+    def crowded(self) -> int:
+        """At how many places lines end or cross, if these are so many that anything would match."""
+        k, j = numpy.triu_indices(len(self.lines), 1)
+        met, crossed = crossings(self.lines[k], self.lines[j])
+        count = len(numpy.unique(numpy.r_[self.lines.ravel(), met[crossed]].round(0)))
+        area = float(numpy.ptp(self.lines.real) * numpy.ptp(self.lines.imag))
+        return count if count > max(FEWEST_PLACES, CROWD * area) else 0
+
     def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
         """The share of each line from a to b that is drawn, as of a sheet's ink; of lines without heads, under the
         vectors, less."""
@@ -74,13 +84,12 @@ class LineInk(SheetInk):
         u = way / length
         turned = abs(u.real[:, None] * self.u.real + u.imag[:, None] * self.u.imag)
         of, line = numpy.nonzero(turned > FELT[-1][0])
-        p, q = ((self.lines[line, k] - a[of]) * u[of].conj() for k in (0, 1))
+        p, q = ((self.lines[line, k] + on * aside * self.u[line] - a[of]) * u[of].conj() for k, on in ((0, -1), (1, 1)))
         off = numpy.where(abs(q.imag - p.imag) < 1e-9, 1e-9, q.imag - p.imag)  # where on the line it is so far aside
         one, two = (-aside - p.imag) / off, (aside - p.imag) / off
         first, last = numpy.maximum(numpy.minimum(one, two), 0.0), numpy.minimum(numpy.maximum(one, two), 1.0)
         s, t = (p.real + (q.real - p.real) * share for share in (first, last))
-        low, high = numpy.minimum(s, t) - aside, numpy.maximum(s, t) + aside
-        low, high = numpy.maximum(low, 0.0), numpy.minimum(high, length[of])
+        low, high = numpy.maximum(numpy.minimum(s, t), 0.0), numpy.minimum(numpy.maximum(s, t), length[of])
         kept = (first < last) & (low < high)
         of, low, high = of[kept], low[kept], high[kept]
         worth = numpy.where(turned[of, line[kept]] > FELT[0][0], 1.0, FELT[-1][1]) * self.plain[line[kept]]
@@ -94,7 +103,8 @@ class LineInk(SheetInk):
     def _pieces(self, length: Array) -> tuple[Complexes, Complexes, Array]:
         """Pieces of the lines by their middles, with their ways and how long they are; of lines without heads, where
         vectors have them, nothing is to be explained."""
-        counts = numpy.ceil(length * PX_PER_MM).astype(int).clip(1)
+        fine = min(PX_PER_MM, MOST_PIECES / float(length.sum()))
+        counts = numpy.ceil(length * fine).astype(int).clip(1)
         line_of = numpy.repeat(numpy.arange(len(length)), counts)
         at = numpy.concatenate([(numpy.arange(n) + 0.5) / n for n in counts.tolist()])
         mm = numpy.where(self.headed & (self.way == 0), 0.0, length / counts)

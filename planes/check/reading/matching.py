@@ -50,6 +50,9 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 
 def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
     """The marks of a plan of motion or a scheme."""
+    if count := ink.crowded:
+        paper.reason = Phrase("check_crowd", count=count)
+        return paper
     plan = PlanLines(_sized(bench, ink), to_fit=False)
     cells, price = _begun(plan, ink)
     seen = Explanation(plan, ink, sought_pole(plan, ink, cells, price))
