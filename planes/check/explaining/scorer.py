@@ -93,12 +93,13 @@ class Scorer:
         return []
 
     def _full(self, one: Laid) -> bool:
-        """Whether a drawing has its lines with all heads, or its points with all signs, and leaves nothing."""
+        """Whether a drawing has its lines with all heads and leaves nothing, or its points with all signs: beside a
+        scheme there are guides, sizes and more."""
         if not one.places:
             return False
-        ends = self._lines(one.hypothesis, self._row(one))
-        heads = len(self.plan.labels) if self.plan.kind == "position" else (to_be_seen(*ends) & self.plan.needed).sum()
-        short = w.HEAD * self.ink.most_head * heads - one.evidence
+        ends, scheme = self._lines(one.hypothesis, self._row(one)), self.plan.kind == "position"
+        signs = len(self.plan.labels) if scheme else (to_be_seen(*ends) & self.plan.needed).sum()
+        short = w.HEAD * self.ink.most_head * signs - one.evidence - scheme * w.STRANGE * one.strange
         return bool(short - one.erred < w.TELLING and not (one.hypothesis.right and short > w.COSTS["length"]))
 
     def _rough(self, every: list[Hypothesis]) -> list[tuple[float, Hypothesis, Complexes]]:
