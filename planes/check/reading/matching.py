@@ -61,14 +61,22 @@ def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
         return paper
     exact = exact_marks(seen, ink, seen.best)
     paper.spots = [exact.get(s.name, s) for s in seen.spots()]
+    paper.spots += [exact[n] for n in _upon_others(seen) if n in exact.keys() - {s.name for s in paper.spots}]
     apart = _otherwise(seen, ink)
     paper.untold = [n for n in plan.labels if n in apart]
     paper.spots = [replace(s, doubt=0.0) for s in paper.spots if s.name not in apart or seen.doubt < 1 - ASKED]
-    paper.left, paper.named, paper.signs = seen.faint(), seen.named(), seen.whole_fault()
+    paper.left, paper.signs = seen.faint(), seen.whole_fault()
+    paper.named = [n for n in seen.named() if n not in {s.name for s in paper.spots}]
     if plan.kind != "position":
         paper.signs = paper.signs or seen.exchanged()
     paper.pole_told = plan.kind == "position" or ink.headed or any(_is_pole(ink, one) for one in ink.sketch.words)
     return paper
+
+
+def _upon_others(seen: Explanation) -> list[str]:
+    """Marks whose names stand by them, as those do whose lines are upon others'."""
+    by = seen.scorer.words.by
+    return [n for n in seen.plan.labels if by(n, seen.pole + seen.best.places[n]) > w.LIKELY]
 
 
 def _is_there(seen: Explanation, ink: LineInk) -> bool:
