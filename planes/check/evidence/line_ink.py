@@ -83,20 +83,23 @@ class LineInk(SheetInk):
         length = numpy.maximum(abs(way), 1e-9)
         u = way / length
         turned = abs(u.real[:, None] * self.u.real + u.imag[:, None] * self.u.imag)
-        of, line = numpy.nonzero(turned > FELT[-1][0])
-        p, q = ((self.lines[line, k] + on * aside * self.u[line] - a[of]) * u[of].conj() for k, on in ((0, -1), (1, 1)))
+        asked, line = numpy.nonzero(turned > FELT[-1][0])
+        p, q = (
+            (self.lines[line, k] + on * aside * self.u[line] - a[asked]) * u[asked].conj()
+            for k, on in ((0, -1), (1, 1))
+        )
         off = numpy.where(abs(q.imag - p.imag) < 1e-9, 1e-9, q.imag - p.imag)  # where on the line it is so far aside
         one, two = (-aside - p.imag) / off, (aside - p.imag) / off
         first, last = numpy.maximum(numpy.minimum(one, two), 0.0), numpy.minimum(numpy.maximum(one, two), 1.0)
         s, t = (p.real + (q.real - p.real) * share for share in (first, last))
-        low, high = numpy.maximum(numpy.minimum(s, t), 0.0), numpy.minimum(numpy.maximum(s, t), length[of])
+        low, high = numpy.maximum(numpy.minimum(s, t), 0.0), numpy.minimum(numpy.maximum(s, t), length[asked])
         kept = (first < last) & (low < high)
-        of, low, high = of[kept], low[kept], high[kept]
-        worth = numpy.where(turned[of, line[kept]] > FELT[0][0], 1.0, FELT[-1][1]) * self.plain[line[kept]]
-        order, levels, drawn = numpy.lexsort((low, of)), numpy.unique(worth), numpy.zeros(len(a))
-        of, low, high, worth = of[order], low[order], high[order], worth[order]
+        asked, low, high = asked[kept], low[kept], high[kept]
+        worth = numpy.where(turned[asked, line[kept]] > FELT[0][0], 1.0, FELT[-1][1]) * self.plain[line[kept]]
+        order, levels, drawn = numpy.lexsort((low, asked)), numpy.unique(worth), numpy.zeros(len(a))
+        asked, low, high, worth = asked[order], low[order], high[order], worth[order]
         for less, level in zip([0.0, *levels], levels, strict=False):
-            drawn += (level - less) * _joined(of, low, high, worth >= level, len(a))
+            drawn += (level - less) * _joined(asked, low, high, worth >= level, len(a))
         share: Array = drawn / length
         return share
 
@@ -137,14 +140,14 @@ class LineInk(SheetInk):
         return words_of(self.sketch, self.names, names)
 
 
-def _joined(of: Indices, low: Array, high: Array, held: Booleans, count: int) -> Array:
+def _joined(asked: Indices, low: Array, high: Array, held: Booleans, count: int) -> Array:
     """How much the pieces that are held cover together, of each line; they are in order."""
-    of, low, high = of[held], low[held], high[held]
-    if not of.size:
+    asked, low, high = asked[held], low[held], high[held]
+    if not asked.size:
         return numpy.zeros(count)
     apart = 1.0 + float(high.max())  # the pieces of one line after those of another
-    before = numpy.r_[-apart, numpy.maximum.accumulate(high + apart * of)[:-1]] - apart * of
-    return numpy.bincount(of, (high - numpy.maximum(low, before)).clip(min=0.0), count)
+    before = numpy.r_[-apart, numpy.maximum.accumulate(high + apart * asked)[:-1]] - apart * asked
+    return numpy.asarray(numpy.bincount(asked, (high - numpy.maximum(low, before)).clip(min=0.0), count), float)
 
 
 def crossings(one: Complexes, two: Complexes) -> tuple[Complexes, Booleans]:

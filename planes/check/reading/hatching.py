@@ -22,10 +22,10 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
     """The drawing without its hatching: it has no heads, and nothing of a plan begins or ends where it does; one end of
     a few of its strokes may lie by something by chance."""
     free = _free(sketch.strokes)
-    gone, whole = set[int](), {k for k, ends in enumerate(free) if ends == 2 and not sketch.way(k)}
-    for held in (whole, {k for k, ends in enumerate(free) if ends and not sketch.way(k)}):
+    gone, loose = set[int](), {k for k, ends in enumerate(free) if ends == 2 and not sketch.way(k)}
+    for held in (loose, {k for k, ends in enumerate(free) if ends and not sketch.way(k)}):
         for alike in _parallel(sketch.strokes, sorted(held)):
-            gone.update(_even_rows(sketch.strokes, alike, whole))
+            gone.update(_even_rows(sketch.strokes, alike, loose))
     return sketch.only(k for k in range(len(sketch.strokes)) if k not in gone) if gone else sketch
 
 
@@ -61,7 +61,7 @@ def _parallel(strokes: Sequence[Stroke], held: Sequence[int]) -> list[list[int]]
     return groups
 
 
-def _even_rows(strokes: Sequence[Stroke], held: Sequence[int], whole: Set[int]) -> Iterator[int]:
+def _even_rows(strokes: Sequence[Stroke], held: Sequence[int], loose: Set[int]) -> Iterator[int]:
     """Those of parallel strokes that lie in rows equally far apart, enough of which begin and end freely."""
     if len(held) < FEWEST:
         return
@@ -78,6 +78,6 @@ def _even_rows(strokes: Sequence[Stroke], held: Sequence[int], whole: Set[int]) 
         gap = rows[start + 1][0] - rows[start][0] if start + 1 < len(rows) else 0.0
         if i < len(rows) and gap < WIDEST_MM and abs(rows[i][0] - rows[i - 1][0] - gap) < EVEN_MM:
             continue
-        if sum(not whole.isdisjoint(row) for _, row in rows[start:i]) >= FEWEST:
+        if sum(not loose.isdisjoint(row) for _, row in rows[start:i]) >= FEWEST:
             yield from (k for _, row in rows[start:i] for k in row)
         start = i - 1 if i - start > 1 else i
