@@ -58,7 +58,8 @@ class LineInk(SheetInk):
             self.tip_ways = numpy.r_[self.tip_ways, ways.ravel()]
         self.rounds: Complexes = numpy.array([z for z, _ in sketch.rounds], complex)
         self.exact = self.headed or bool(self.rounds.size)
-        self.ends = numpy.unique(numpy.r_[self.tips, self.rounds].round(2))
+        every = self.lines.ravel(), self.tips, self.rounds  # short vectors have no heads
+        self.ends = numpy.unique(numpy.concatenate(every).round(2))
 
     @property
     def crowded(self) -> int:
