@@ -96,7 +96,7 @@ class ChapterWriter:
             tex = tex.replace(f"[{unit}]", f"\\ \\mathrm{{{say(unit, self.lang)}}}")
         tex = tex.replace(r"\frac", r"\dfrac").replace(r"\tan", rf"\,\mathrm{{{say('tangent', self.lang)}}}\,")
         tex = re.sub(r"\\(sin|cos)(?=[^a-z]|$)", r"\\,\\\1\\,", tex).replace(r"\,^", "^")
-        self.blocks.append(Formula(tex, number))
+        self.blocks.append(Formula(tuple(re.split(r"(?=\\quad)", tex)), number))
 
     def words(self, *keys: str) -> tuple[str, ...]:
         """The words of several keys."""

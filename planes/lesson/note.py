@@ -12,7 +12,9 @@ from planes.check.grading.by_hand import unsure
 from planes.lesson import Teller, value_of
 from planes.lesson.conditions import conditions
 from planes.lesson.formulas import NOISE, fill, mu_said, unit
-from planes.lesson.frame import Frame
+from planes.lesson.frame import ROW, Frame
+from planes.lesson.mathematics import Typesetter
+from planes.lesson.rows import remark
 from planes.lesson.standing import still_said
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.apart import links_apart
@@ -23,7 +25,7 @@ from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
-from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
+from planes.solving.document import Block, Cover, DocumentTable, DrawnViews, Figure, Formula, Heading, Paragraph
 from planes.solving.given import GivenTable
 from planes.solving.own_equations import own_rows
 from planes.solving.structure_text import alignment_report, group_counted, ways_told
@@ -33,6 +35,8 @@ from planes.words.errors import PlanesError
 from planes.words.names import kind_of, links_of
 from planes.words.naming import Naming
 from planes.words.units import number
+
+BLANK = "_" * 24  # a name to be written by hand
 
 
 def student_said(name: str, scene: Scene, lang: Lang) -> str:
@@ -57,7 +61,7 @@ class Note:
         self.teller = Teller(p.plans, p.drawing, convention=self.scene.mu_convention)
         self.frames = self.teller.frames()
         self.naming = Naming(self.lang, **lettering(self.scene, p.plans))
-        self.tables = self.figures = 0
+        self.tables = self.figures = self.formulas = 0
         self.given: set[str] = set()  # reasons given already
 
     def blocks(self) -> list[Block]:
@@ -87,9 +91,7 @@ class Note:
         """Title, task and given numbers."""
         plans, drive = self.position.plans, self.position.plans.mechanism.drive
         title = text_in(self.lang, self.scene.title)
-        yield Heading(f"{self.say('note')}. {title}" if title else self.say("note"), 0)
-        if student := str(self.scene.sheet.get("student", "")):
-            yield Paragraph(student_said(student, self.scene, self.lang).removesuffix(".") + ".")
+        yield self.cover(title)
         yield Heading(self.say("note_given"))
         where = told(self.position.at, drive.kind, self.lang)
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
@@ -102,6 +104,17 @@ class Note:
         yield from map(Paragraph, conditions(plans, self.lang))
         if remark := text_in(self.lang, self.scene.note):
             yield Paragraph(self.say("note_remark", text=" ".join(remark.split())))
+
+    def cover(self, title: str) -> Cover:
+        """The title page by the cells of the sheet's title block; lines to fill in for whom it does not name."""
+        cells = {key: str(cell) for key, cell in self.scene.sheet.items()}
+        above = tuple(cells[key] for key in ("company", "department") if key in cells)
+        student = ", ".join(cells[key] for key in ("student", "group") if cells.get(key)) or BLANK
+        people = (
+            f"{self.say('note_student')}: {student}",
+            f"{self.say('note_teacher')}: {cells.get('teacher') or BLANK}",
+        )
+        return Cover(self.say("note"), self.say("note_contents"), title, above, people, cells.get("date", ""))
 
     def sought(self) -> Sequence[str]:
         """What the task names."""
@@ -136,12 +149,16 @@ class Note:
     def plans(self) -> Iterator[Block]:
         """Every plan with its equations, its steps in words, and its figure."""
         numbers = count(1)
-        for plan, frames in groupby(self.frames, key=lambda frame: frame.chapter):
+        for plan, chapter in groupby(self.frames, key=lambda frame: frame.chapter):
             yield Heading(self.heading(plan))
-            yield from self.loaded(plan)
+            steps = [[*self.prose(frame, next(numbers))] for frame in chapter]
+            if figures := [*self.loaded(plan)]:  # of the forces that the first step names
+                yield from steps.pop(0)
+            yield from figures
             if plan not in ("position", "lever"):
                 yield self.figure(f"equations {plan}")
-            yield from [self.prose(frame, next(numbers)) for frame in frames]
+            for step in steps:
+                yield from step
             if plan == "lever":
                 yield from self.compared()
                 continue
@@ -193,13 +210,28 @@ class Note:
             return self.say("note_scheme", mu=mu)
         return self.say("note_plan", plan=say_plan(plan, self.lang), mu=mu)
 
-    def prose(self, frame: Frame, index: int) -> Paragraph:
-        """A frame as a paragraph."""
-        read = lambda name: float(value_of(name, self.teller, self.position.drawing))  # noqa: E731
-        why = frame.why[self.lang] if frame.why[self.lang] not in self.given else ""
-        self.given.add(why)
-        said = fill(frame.said[self.lang], read, self.lang), still_said(frame, self.position.drawing, self.lang)
-        return Paragraph(" ".join(filter(None, said)), why, index, frame.plan)
+    def prose(self, frame: Frame, index: int) -> Iterator[Block]:
+        """A frame in words, its lines of reckoning set apart."""
+        lead, *after = ROW.split(frame.marked[self.lang])
+        yield Paragraph(fill(lead.strip() or self.say("note_reckon"), self.read, self.lang), index, frame.plan)
+        setter = Typesetter(self.read, self.naming, frame.plan)
+        for k, text in zip(after[::2], after[1::2], strict=True):
+            self.formulas += 1
+            row = frame.rows[int(k)]
+            yield Formula(setter.line(row), str(self.formulas))
+            text += "" if row.head else remark(row.kind, self.lang)
+            if words := text.lstrip(".,:; "):
+                yield Paragraph(fill(words, self.read, self.lang), plan=frame.plan)
+        if still := still_said(frame, self.position.drawing, self.lang):
+            yield Paragraph(still, plan=frame.plan)
+        why = frame.why[self.lang]
+        if why and why not in self.given:
+            self.given.add(why)
+            yield Paragraph(why, plan=frame.plan, why=True)
+
+    def read(self, name: str) -> float:
+        """A value by its name."""
+        return float(value_of(name, self.teller, self.position.drawing))
 
     def compared(self) -> Iterator[Block]:
         """The balancing load two ways."""

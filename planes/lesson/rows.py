@@ -1,6 +1,6 @@
 """A line of reckoning as data: what is found, its formula, the numbers put into it, its value and unit."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 
 from planes.drafting.steps.reckoning import Calculate
@@ -9,6 +9,8 @@ from planes.words import Lang, say, under
 from planes.words.frozen import frozen
 from planes.words.names import parts_of
 from planes.words.records import Json
+
+REMARKED = ("reduced", "couple", "couple_settled")  # kinds of lines that need a remark
 
 
 @frozen
@@ -39,7 +41,7 @@ class Row:
         if not self.numbers:
             return f"⟨{self.name}⟩ = 0"
         parts = {k: getattr(self, k) for k in ("name", "letters", "numbers", "value")}
-        parts |= {"head": self.head or f"⟨{self.name}⟩", "unit": self.unit(lang)}
+        parts |= {"head": self.head or f"⟨{self.name}⟩", "unit": self.unit(lang), "remark": remark(self.kind, lang)}
         arm = f" (⟨{self.arm}⟩ = {slot(self.arm, 'a')} {unit(self.arm, lang)})" if self.arm else ""
         lead = f"; ⟨{self.name}⟩" if "·" in parts["head"] else ""
         sense = f" ({slot(self.name, 's')})" if self.turns else ""
@@ -68,9 +70,15 @@ def reckoned(step: Calculate, called: str = "", unit_key: str = "", turns: bool 
     return Row(called or step.makes, *formula(step), slot(step.makes), unit_key=unit_key, turns=turns)
 
 
+def remark(kind: str, lang: Lang) -> str:
+    """What must be said of the value of a kind of line besides."""
+    return say(f"lesson_remark_{kind}", lang) if kind in REMARKED else ""
+
+
 def templates(rows: Iterable[Row]) -> Json:
     """What a page words rows by: the sentence of every kind with its places, and the units."""
     units = dict.fromkeys(["m", *(row.unit_said for row in rows if row.unit_said)])
-    row_sentences = in_both(partial(under, "lesson_row_"))
-    words = {kind: {lang: row_sentences[lang][kind] for lang in LANGS} for kind in row_sentences["en"]}
+    sentences = in_both(partial(under, "lesson_row_"))
+    template: Callable[[str, Lang], str] = lambda kind, lang: sentences[lang][kind].replace("{remark}", remark(kind, lang))  # noqa: E731
+    words = {kind: {lang: template(kind, lang) for lang in LANGS} for kind in sentences["en"]}
     return {"words": words, "units": {key: in_both(partial(say, key)) for key in units}}

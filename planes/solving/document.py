@@ -20,25 +20,48 @@ class Heading:
 
 
 @frozen
-class Paragraph:
-    """``why`` is set apart as the reason of what it says; ``plan`` is where its marks stand.
+class Cover:
+    """A title page, after which the ``contents`` are listed: the ``kind`` of document and ``of`` which mechanism, the
+    organisation ``above``, the ``people`` whose work it is, the date at its ``foot``."""
 
-    ``mistake``: it says where a source text is wrong.
+    kind: str
+    contents: str
+    of: str = ""
+    above: tuple[str, ...] = ()
+    people: tuple[str, ...] = ()
+    foot: str = ""
+
+    @property
+    def text(self) -> str:
+        """The title in a line."""
+        return f"{self.kind}. {self.of}" if self.of else self.kind
+
+
+@frozen
+class Paragraph:
+    """``number`` is that of a step; its marks are on ``plan``.
+
+    ``why``: it gives the reason of what was said before; ``mistake``: it says where a source text is wrong.
     """
 
     text: str
-    why: str = ""
     number: int = 0
     plan: str = ""
+    why: bool = False
     mistake: bool = False
 
 
 @frozen
 class Formula:
-    """A line of mathematics (mathtext), its number in the source text."""
+    """A formula (mathtext) in pieces that a line may break between, and its number."""
 
-    tex: str
+    parts: tuple[str, ...]
     number: str = ""
+
+    @property
+    def tex(self) -> str:
+        """The whole of it."""
+        return "".join(self.parts)
 
 
 @frozen
@@ -115,4 +138,4 @@ class Figure:
     caption: str = ""
 
 
-Block = Heading | Paragraph | Formula | DocumentTable | Figure
+Block = Cover | Heading | Paragraph | Formula | DocumentTable | Figure

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from functools import lru_cache
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +14,7 @@ import numpy as np
 from matplotlib.backend_bases import GraphicsContextBase, RendererBase
 from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
-from matplotlib.textpath import TextPath, text_to_path
+from matplotlib.textpath import TextPath
 from matplotlib.transforms import Affine2D, Transform
 
 from planes.words.frozen import frozen
@@ -139,15 +138,3 @@ class StrokeRenderer(RendererBase):
 def _hex(colour: Iterable[float]) -> str:
     r, g, b = list(colour)[:3]
     return "#" + "".join(f"{round(255 * v):02x}" for v in (r, g, b))
-
-
-@lru_cache(maxsize=2000)
-def formula(tex: str, size: float = 11.0) -> Picture:
-    """A formula at a letter size in points."""
-    prop = FontProperties(family="DejaVu Serif", size=size, math_fontfamily="dejavuserif")
-    text = f"${tex}$"
-    width, height, depth = text_to_path.get_text_width_height_descent(text, prop, True)
-    path = TextPath((0, 0), text, size=size, prop=prop)
-    pad = 1.0
-    moved = path.transformed(Affine2D().translate(pad, depth + pad))
-    return Picture(width + 2 * pad, height + 2 * pad, [Stroke(pieces_of(moved), fill="#000000")])

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from docx import Document
 from docx.document import Document as WordFile
+from docx.enum.text import WD_BREAK as Break
 from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as Side
 from docx.enum.text import WD_TAB_ALIGNMENT as Tab
 from docx.oxml import OxmlElement
@@ -15,7 +16,7 @@ from docx.shared import Mm, Pt, RGBColor
 from docx.styles.style import ParagraphStyle
 from docx.text.paragraph import Paragraph as Words
 
-from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
 from render.paper.letters import pieces
 from render.report.figures import Shown, Studio, raster
@@ -40,9 +41,11 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     writer.field(page.footer.paragraphs[0], "PAGE").alignment = Side.CENTER
     for block in blocks:
         writer.put(block)
-        if isinstance(block, Heading) and not block.level:
+        if isinstance(block, Cover) or (isinstance(block, Heading) and not block.level):
             chapters = [one.text for one in blocks if isinstance(one, Heading) and one.level]
             writer.field(writer.line(), r"TOC \o 1-2 \h \z", "\n".join(chapters))
+        if isinstance(block, Cover):
+            writer.next_page()
     paper.save(data := io.BytesIO())
     return data.getvalue()
 
@@ -69,20 +72,20 @@ class _Writer:
     def put(self, block: Block) -> None:
         """One block at the end of the paper."""
         match block:
+            case Cover():
+                self.cover(block)
             case Heading(text, level):
                 title = self.paper.add_heading("" if level else text, level)
                 self.runs(title, text if level else "").alignment = Side.LEFT if level else Side.CENTER
             case Paragraph():
                 style = "Intense Quote" if block.mistake else None
                 count = f"{block.number}. " if block.number else ""
-                self.runs(self.paper.add_paragraph(count, style), block.text, block.plan)
-                if block.why:
-                    self.runs(self.paper.add_paragraph(), block.why, block.plan, italic=True)
-            case Formula(tex, number):
+                self.runs(self.paper.add_paragraph(count, style), block.text, block.plan, block.why)
+            case Formula(number=number):
                 line = self.line("\t")
                 for place, side in ((COLUMN_MM / 2, Tab.CENTER), (COLUMN_MM, Tab.RIGHT)):
                     line.paragraph_format.tab_stops.add_tab_stop(Mm(place), side)
-                line._p.append(equation(tex))
+                line._p.append(equation(block.tex))
                 line.add_run(f"\t({number})" if number else "")
             case DocumentTable(caption, rows):
                 self.table(caption, rows)
@@ -92,6 +95,27 @@ class _Writer:
                     self.picture(picture).alignment = Side.CENTER
                 if pictures and caption:
                     self.runs(self.line(), caption).alignment = Side.CENTER
+
+    def cover(self, cover: Cover) -> None:
+        """The title page."""
+        for text in cover.above:
+            self.line(text).alignment = Side.CENTER
+        title = self.paper.add_heading(cover.kind, 0)
+        title.alignment, title.paragraph_format.space_before = Side.CENTER, Pt(180)
+        title.paragraph_format.space_after = Pt(12)
+        self.line(cover.of).alignment = Side.CENTER
+        for k, text in enumerate(cover.people):
+            line = self.line(text)
+            line.alignment, line.paragraph_format.space_before = Side.RIGHT, Pt(0 if k else 120)
+        foot = self.line(cover.foot)
+        foot.alignment, foot.paragraph_format.space_before = Side.CENTER, Pt(120)
+        self.next_page()
+        self.line(cover.contents).runs[0].bold = True
+        self.paper.sections[0].different_first_page_header_footer = True
+
+    def next_page(self) -> None:
+        """What follows begins a page."""
+        self.line().add_run().add_break(Break.PAGE)
 
     def line(self, text: str = "") -> Words:
         """A paragraph that begins where the column does."""
