@@ -1,6 +1,6 @@
 """A line of reckoning as data: what is found, its formula, the numbers put into it, its value and unit."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from functools import partial
 
 from planes.drafting.steps.reckoning import Calculate
@@ -79,6 +79,9 @@ def templates(rows: Iterable[Row]) -> Json:
     """What a page words rows by: the sentence of every kind with its places, and the units."""
     units = dict.fromkeys(["m", *(row.unit_said for row in rows if row.unit_said)])
     sentences = in_both(partial(under, "lesson_row_"))
-    template: Callable[[str, Lang], str] = lambda kind, lang: sentences[lang][kind].replace("{remark}", remark(kind, lang))  # noqa: E731
+
+    def template(kind: str, lang: Lang) -> str:
+        return sentences[lang][kind].replace("{remark}", remark(kind, lang))
+
     words = {kind: {lang: template(kind, lang) for lang in LANGS} for kind in sentences["en"]}
     return {"words": words, "units": {key: in_both(partial(say, key)) for key in units}}
