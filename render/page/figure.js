@@ -6,6 +6,8 @@ import { alter, begin, svg } from "./svg.js";
 
 // what a label upon another one costs: more than any number of strokes
 const UPON = 40, ROUNDS = 4;
+// and what one nearer to another vector than to its own, which it would name: as much as several strokes through it
+const STRANGE = 8;
 
 const ruler = /** @type {any} */ (document.createElement("canvas").getContext("2d")), widths = new Map();
 /** @type {(names: string[], plan: string, size: number) => number} */
@@ -126,10 +128,10 @@ export class Figure { // millimetres y up -> pixels y down
     this.strokes.push([a, b]);
     return g;
   }
-  /** @type {(names: string[], spots: Places, plan: string, joint?: string, as?: string) => any} */
-  put(names, spots, plan, joint, as) { // a label at the best of some places: clear of strokes and of other labels
+  /** @type {(names: string[], spots: Places, plan: string, joint?: string, as?: string, of?: Ends) => any} */
+  put(names, spots, plan, joint, as, of) { // a label at the best of some places: clear of strokes and of other labels
     const size = this.letter, half = wide(names, plan, size) / 2;
-    const label = /** @type {Label} */ ({ names, half, size, all: spots(half, size * 0.5), key: names.join(" ") });
+    const label = /** @type {Label} */ ({ names, half, size, all: spots(half, size * 0.5), key: names.join(" "), of });
     const [x, y] = this.best(label);
     label.node = letters(this.node, names, x.toFixed(1), (y + size * 0.34).toFixed(1), size, plan, joint, as);
     this.taken.push([x, y, half, label]);
@@ -153,9 +155,11 @@ export class Figure { // millimetres y up -> pixels y down
   }
   // what a place costs: strokes, other labels, the edge of the figure; no more than matters
   /** @type {(label: Label, place: number[], own: number, most: number) => number} */
-  price({ half, size }, [x, y], own, most) {
+  price({ half, size, of }, [x, y], own, most) {
     const tall = size * 0.5, parts = Math.max(2, Math.ceil(1.6 * half / size)); // nothing crosses it between two places
     let cost = own;
+    const far = of ? gap([x, y], of) - 1 : 0;
+    if (of && this.strokes.some(s => gap([x, y], s) < far)) cost += STRANGE;
     for (const t of this.taken) if (crowds([x, y, half], t, size)) cost += UPON;
     for (const s of this.strokes) {
       if (cost >= most) return cost;
@@ -179,16 +183,16 @@ export class Figure { // millimetres y up -> pixels y down
       if (!crowded.length) return;
     }
   }
+  /** @type {(p: Spot, half: number, tall: number) => number[][]} */
+  around([x, y], half, tall) { // places of a label about a point
+    return [0, 7, 15, 26, 40, 58].flatMap(far => [...Array(16).keys()].map(k => {
+      const c = Math.cos(k * Math.PI / 8), s = Math.sin(k * Math.PI / 8);
+      return [x + c * (half + far), y + s * (tall + far), far * 0.06 + (k % 4 ? 0.05 : 0)];
+    }));
+  }
   /** @type {(p: Spot, names: string[], plan: string, clear?: number, as?: string) => any} */
   beside(p, names, plan, clear = 5, as = names.join(" ")) { // around a mark
-    return this.put(names, (half, tall) => {
-      const found = [];
-      for (const far of [0, 7, 15, 26, 40, 58]) for (let k = 0; k < 16; k++) {
-        const c = Math.cos(k * Math.PI / 8), s = Math.sin(k * Math.PI / 8);
-        found.push([p[0] + c * (half + clear + far), p[1] + s * (tall + clear + far), far * 0.06 + (k % 4 ? 0.05 : 0)]);
-      }
-      return found;
-    }, plan, undefined, as);
+    return this.put(names, (half, tall) => this.around(p, half + clear, tall + clear), plan, undefined, as);
   }
   /** @type {(a: Spot, b: Spot, names: string[], plan: string, ends?: string) => any} */
   along(a, b, names, plan, ends) { // beside a vector; after its names, which ends it runs between
@@ -200,8 +204,9 @@ export class Figure { // millimetres y up -> pixels y down
         found.push([a[0] + t * n * ux - side * uy * (off + far), a[1] + t * n * uy + side * ux * (off + far),
           far * 0.05 + Math.abs(t - 0.5)]);
       }
-      return found;
-    }, plan, " = ", names.join(" "));
+      const short = n < 2 * half + 10; // it has more room about it than beside it
+      return short ? [...found, ...this.around([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], half + 5, tall + 5)] : found;
+    }, plan, " = ", names.join(" "), [a, b]);
   }
   /** @type {(marks: string[], reach: number) => { q: Spot, names: string[] }[]} */
   groups(marks, reach) { // marks that fall together share a label

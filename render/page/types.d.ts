@@ -79,7 +79,8 @@ interface Statics {
   signs: { kind: string; mark: string; turn: number }[]; members: string[]; numbered: string[];
 }
 
-interface Label { names: string[]; half: number; size: number; all: number[][]; key: string; node?: SVGElement; }
+interface Label { names: string[]; half: number; size: number; all: number[][]; key: string; of?: Ends;
+  node?: SVGElement; }
 interface Shown { a: Spot; b: Spot; kind: string; names: string[]; }
 interface Zone { kind: string; mark: string; from: number; to: number; least: number; }
 interface Looked { box: Box; runs: Record<string, number[]>; }
