@@ -97,6 +97,8 @@ class ClassDesk:
                 if seen.blanks < 2:
                     task, asked, one.whose = self.sorter.asked(sheet, seen.mark)
                     one.found = judge(asked, marks_of(sheet, asked, known))
+                    if name := self.sorter.owner(task, asked, one.found):
+                        one.found.notes.append(Phrase("check_anothers_work", name=name))
         except PlanesError as error:
             one.refused, one.picture = error, seen.picture if seen else b""
         if seen and seen.blanks > 1:

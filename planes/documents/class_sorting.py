@@ -3,9 +3,10 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from planes.check.grading.paper import read_table
+from planes.check.grading.paper import ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import TABLES, HandedSheet, opened
+from planes.check.outcome import Outcome, check
 from planes.check.saved_marks import saved_as
 from planes.check.sheet_mark import SheetMark, mark_on
 from planes.course.handed_out import HandedOut, Task, of_several, plan_named, variant_named
@@ -17,6 +18,7 @@ from planes.words.errors import PlanesError, shown
 from planes.words.frozen import frozen, replace
 
 THUMB_PX = 300
+CLOSE, SEVERAL = 0.01, 3  # of so many numbers, and by that share of each: three of another's by chance are rare
 Asking = Callable[[Scene, str, float | None, float | None], Asked]
 
 
@@ -68,6 +70,18 @@ class Sorter:
             self.known[key] = replace(asked, answers=answers_of(scene, value))
         return task, self.known[key], whose(scene, mark, task.scene if of_several(self.handed.tasks) else "")
 
+    def owner(self, task: Task, asked: Asked, found: Outcome) -> str:
+        """The student whose work it is, where it is not right for its own task and is right for one other's, in all of
+        several results or in a whole plan; "" where nobody's."""
+        paper = replace(found.paper, signs=[], notes=[])
+        if found.verdict not in ("wrong", "unreadable") or not (paper.results or paper.spots):
+            return ""
+        theirs = [t for t in self.handed.tasks if t.scene == task.scene and t.student not in ("", task.student)]
+        owners = [
+            str(scene.sheet.get("student", t.student)) for t in theirs if _fits(paper, asked, scene := t.variant(None))
+        ]
+        return owners[0] if len(owners) == 1 else ""
+
     def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
         task = self.handed.marked(mark) if mark else self.handed.named(sheet.file.stem)
         if task is None and mark:
@@ -79,6 +93,14 @@ class Sorter:
             own = saved_as(sheet.file) if sheet.file.suffix.lower() in TABLES else ""
             raise PlanesError(Phrase("check_marks_alone" if own else "check_whose_is_it", file=sheet.name, name=own))
         return task
+
+
+def _fits(paper: ReadPaper, asked: Asked, scene: Scene) -> bool:
+    """Whether a work is right for another's scene: the whole plan, or numbers no hand would hit by chance."""
+    found = check(replace(asked, scene=scene, answers=()), paper)
+    scored = found.results.scored if found.results else []
+    close = all(s.off <= CLOSE * abs(s.true) for s in scored)
+    return found.verdict == "right" and close and (bool(paper.spots) or len(scored) >= SEVERAL)
 
 
 def _of_results(sheet: HandedSheet, scene: Scene) -> str:
