@@ -97,10 +97,10 @@ class Sorter:
 
 def _fits(paper: ReadPaper, asked: Asked, scene: Scene) -> bool:
     """Whether a work is right for another's scene: the whole plan, or numbers no hand would hit by chance."""
-    found = check(replace(asked, scene=scene, answers=()), paper)
-    scored = found.results.scored if found.results else []
+    outcome = check(replace(asked, scene=scene, answers=()), paper)
+    scored = outcome.results.scored if outcome.results else []
     close = all(s.off <= CLOSE * abs(s.true) for s in scored)
-    return found.verdict == "right" and close and (bool(paper.spots) or len(scored) >= SEVERAL)
+    return outcome.verdict == "right" and close and (bool(paper.spots) or len(scored) >= SEVERAL)
 
 
 def _of_results(sheet: HandedSheet, scene: Scene) -> str:
