@@ -21,7 +21,7 @@ _PLAIN = [
     "1/с2",
     "s-2",
     "с-2",
-]  # as good as SI in a table
+]  # the same as SI in a table
 _TURNS = ["об/мин", "обхв", "rpm", "r/min", "1/min", "min-1"]
 _PREFIXED = {"mm": ("m", 1e-3), "мм": ("м", 1e-3), "cm": ("m", 1e-2), "см": ("м", 1e-2), "kn": ("n", 1e3)}
 _PREFIXED |= {"кн": ("н", 1e3), "mn": ("n", 1e6), "kw": ("w", 1e3), "kg": ("kg", 1.0)}
@@ -29,7 +29,7 @@ _SAME_UNIT = str.maketrans({"²": "2", "⁻": "-", "¹": "1", "−": "-"} | dict
 
 
 def unit_factor(unit: str) -> float | None:
-    """SI per unit as written in any language: mm/s, kN, rpm; None of a unit that is not known."""
+    """SI units per unit written in any language: mm/s, kN, rpm; None for an unknown unit."""
     text = _bare_unit(unit)
     if text in _TURNS:
         return math.pi / 30
