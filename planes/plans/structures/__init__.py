@@ -1,1 +1,2 @@
-"""Bodies and trusses in equilibrium, by graphical statics: strings and poles, lines of action, Bow's letters."""
+"""Bodies and trusses in equilibrium, by graphical statics: string polygons and poles, lines of action, Bow's
+notation."""
