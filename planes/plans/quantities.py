@@ -1,5 +1,4 @@
-"""The quantities of a mechanism that a user can ask for: by name, with their numbers and how each is taken from the
-drawing."""
+"""The quantities of a mechanism that can be asked for: names, numbers, and how each is taken from the drawing."""
 
 from collections.abc import Iterable, Iterator
 from itertools import permutations

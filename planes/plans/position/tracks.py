@@ -1,4 +1,4 @@
-"""Which assembly of a higher group is meant: all are found and counted at the drive's position, one is chosen and
+"""The choice of assembly of a higher group: all are found and counted at the drive's position, one chosen and
 followed."""
 
 from __future__ import annotations

@@ -1,2 +1,1 @@
-"""Bodies and trusses in equilibrium, by graphical statics: string polygons and poles, lines of action, Bow's
-notation."""
+"""Bodies and trusses in equilibrium, by graphical statics: string polygons, lines of action, Bow's notation."""

@@ -1,5 +1,4 @@
-"""The plans of a scene of statics: one body after another, each as soon as only three unknowns of its reactions are
-left."""
+"""The plans of a scene of statics: body after body, each as soon as only three unknowns of its reactions are left."""
 
 from collections.abc import Iterator
 from functools import cached_property

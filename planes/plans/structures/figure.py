@@ -44,7 +44,7 @@ class StaticsFigure:
     said: dict[str, str] = field(default_factory=dict)  # reasons for the places of marks: keys of words
     poles: list[str] = field(default_factory=list)  # start marks of rays, which are not vectors of a plan
     counted: tuple[Phrase, ...] = ()  # why it is statically determinate
-    letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow's notation), by their places on the scheme, m
+    letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by places on the scheme, m
 
     @classmethod
     def of(cls, f: Framework) -> "StaticsFigure":
