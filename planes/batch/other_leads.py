@@ -42,7 +42,7 @@ class OtherLeads:
         return claimed
 
     def _of(self, codes: Indices | None) -> Iterator[tuple[Indices, Cycle]]:
-        """The results of another cycle in some positions."""
+        """The positions drawn by another cycle, each with that cycle."""
         for code, special in self.codes.items() if codes is not None else ():
             if (where := np.flatnonzero(codes == code)).size:
                 yield where, self._next(special)

@@ -1,5 +1,4 @@
-"""A tape for a web page: plain data, in the arithmetic of JavaScript, without operations that no wanted number
-needs."""
+"""A tape for a web page: plain data, in the page's arithmetic, without operations that no wanted number needs."""
 
 import math
 import operator

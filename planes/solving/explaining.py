@@ -1,5 +1,4 @@
-"""The output of ``planes solve --explain``: the steps of a program that the requested results need, and those
-dropped."""
+"""The output of ``planes solve --explain``: the steps that the requested results need, and the steps dropped."""
 
 from collections.abc import Iterable, Iterator
 

@@ -1,5 +1,4 @@
-"""The choice of assembly of a higher group: all are found and counted at the drive's position, one chosen and
-followed."""
+"""The assembly of a higher group: all are found and counted at the drive's position, one chosen and followed."""
 
 from __future__ import annotations
 
@@ -29,7 +28,7 @@ if TYPE_CHECKING:
 
 ORDERS = ((0, 1), (1, 2), (2, 0))
 AnyChoice = AssemblyChoice | TrackChoice
-DOUBTFUL = 0.8  # of the distance from the place a scene names to the second nearest assembly: the nearest must be this close
+DOUBTFUL = 0.8  # of the distance from a scene's ``near`` to the second nearest assembly: the nearest must be this close
 MIDWAY = 0.95  # the same for two places that nobody would confuse: up to about the middle between them
 
 
