@@ -1,4 +1,4 @@
-"""A formula as Word's own equation (Office MathML, ECMA-376-1 §22.1), which a person can go on editing there."""
+"""A formula as Word's own equation (Office MathML, ECMA-376-1 §22.1), which can be edited there."""
 
 import re
 from typing import Any
@@ -11,18 +11,18 @@ from latex2mathml.converter import convert
 FOR_WORD = {
     r"\\dfrac": r"\\frac",
     r"\\quad": r"\\quad ",
-    r"(\d+)\{,\}(\d+)": r"\\text{\1,\2}",  # a number is one thing
+    r"(\d+)\{,\}(\d+)": r"\\text{\1,\2}",  # a number is one token
     r"\\mathrm\{": r"\\text{",
-    r"\|([^|]*)\|": r"\\left|\1\\right|",  # what stands in brackets, too
+    r"\|([^|]*)\|": r"\\left|\1\\right|",  # and so is a bracketed expression
     r"(?<!\\left)[(\[]": r"\\left\g<0>",
     r"(?<!\\right)[)\]]": r"\\right\g<0>",
 }
-"""Patterns of our mathtext and what replaces them before conversion, in this order."""
-ROOT = "<m:radPr><m:degHide m:val='1'/></m:radPr><m:deg/>"  # a square root shows no degree
+"""Patterns of our mathtext and their replacements before conversion, in this order."""
+ROOT = "<m:radPr><m:degHide m:val='1'/></m:radPr><m:deg/>"  # a square root has no visible degree
 
 
 def equation(tex: str) -> Any:
-    """The equation, an element for a paragraph."""
+    """The equation, as an element of a paragraph."""
     for ours, other in FOR_WORD.items():
         tex = re.sub(ours, other, tex)
     made = mathml2omml.convert(convert(tex)).replace("<m:rad>", f"<m:rad>{ROOT}")

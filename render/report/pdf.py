@@ -35,7 +35,7 @@ HEIGHT = 170 * mm  # of a figure
 PADDING = 12.0  # on both sides together, of reportlab's frame
 FACES = {"Note": "DejaVuSerif.ttf", "NoteBold": "DejaVuSerif-Bold.ttf", "NoteItalic": "DejaVuSerif-Italic.ttf"}
 LETTER = 10.5
-ROOMY = 85  # letters across a table; one with more has smaller ones
+ROOMY = 85  # letters across a table; one with more has smaller type
 
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
@@ -61,7 +61,7 @@ def _number(canvas: Canvas, paper: SimpleDocTemplate) -> None:
 
 
 def _headed(canvas: Canvas, paper: SimpleDocTemplate) -> None:
-    """The number of the page, and what it belongs to."""
+    """The page number, and the document's title."""
     _number(canvas, paper)
     canvas.setFont("Note", 8)
     canvas.setFillColor("#555555")
@@ -70,7 +70,7 @@ def _headed(canvas: Canvas, paper: SimpleDocTemplate) -> None:
 
 class _Paper(SimpleDocTemplate):  # type: ignore[misc]
     def afterFlowable(self, flowable: Flowable) -> None:
-        """Headings stand in the PDF's outline."""
+        """Headings appear in the PDF's outline."""
         style = getattr(getattr(flowable, "style", None), "name", "")
         if style in ("h1", "h2"):
             key = f"{style}-{self.seq.nextf(style)}"
@@ -79,7 +79,7 @@ class _Paper(SimpleDocTemplate):  # type: ignore[misc]
 
 
 class _Setter:
-    """Turns blocks into what reportlab sets."""
+    """Turns blocks into reportlab flowables."""
 
     def __init__(self, naming: Naming) -> None:
         self.naming, self.studio = naming, Studio(naming.lang)
@@ -101,7 +101,7 @@ class _Setter:
         ]
 
     def flow(self, block: Block) -> list[Flowable]:
-        """What a block becomes."""
+        """The flowables of a block."""
         match block:
             case Heading(text, level):
                 return [Words(self.text(text) if level else escape(text), self.heads[level])]
@@ -117,14 +117,14 @@ class _Setter:
                 return [*(_Picture(p, keep=bool(beneath)) for p in pictures), *beneath]
 
     def paragraph(self, block: Paragraph) -> list[Flowable]:
-        """What is said, and why."""
+        """A statement and its reason."""
         count = f"{block.number}. " if block.number else ""
         style = self.mistake if block.mistake else self.leading if block.text[-1:] == ":" else self.plain
         said = [Words(count + self.text(block.text, block.plan), style)]
         return [*said, Words(self.text(block.why, block.plan), self.why)] if block.why else said
 
     def table(self, rows: Sequence[Sequence[str]]) -> Flowable:
-        """A grid whose columns are as wide as what stands in them, with smaller letters if there is much."""
+        """A grid with columns as wide as their contents, in smaller type if there is much."""
         longest = [max(len(re.sub(r"[_^{}⟨⟩]", "", cell)) for cell in column) + 2 for column in zip(*rows, strict=True)]
         size = 9.5 if sum(longest) <= ROOMY else 7.5
         face = {"fontName": "Note", "fontSize": size, "leading": 1.27 * size}
@@ -148,7 +148,7 @@ class _Setter:
 
 
 class _Picture(Flowable):  # type: ignore[misc]
-    """A picture in the middle of the column or on its left, smaller if it is larger, its number on the right."""
+    """A picture in the middle of the column or at its left, reduced if necessary, with its number on the right."""
 
     def __init__(self, picture: Shown, number: str = "", left: bool = False, keep: bool = False) -> None:
         super().__init__()
