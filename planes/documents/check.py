@@ -118,7 +118,7 @@ def _overlay(outcome: Outcome, lang: Lang) -> check_sheet.Overlay:
     first, said = outcome.first_wrong or "", outcome.sentence.told(lang)
     name_shown, shown = name(first) if first in verdicts else naming.vector(first), shown_plans(outcome)
     photo = Photo(outcome.paper.picture, outcome.paper.box) if outcome.paper.picture and outcome.paper.box else None
-    laid = photo is None or max(photo.box[:2]) < -1  # on a picture its pole must be known, otherwise it would be in the corner
+    laid = photo is None or max(photo.box[:2]) < -1  # without a known pole it would be in the picture's corner
     return check_sheet.Overlay(
         own=shown.own,
         true=shown.true if laid else [],

@@ -1,5 +1,4 @@
-"""The commands ``planes lesson``, ``essay`` and ``note``: pages, or prose with figures, written completely or not at
-all."""
+"""The commands ``planes lesson``, ``essay`` and ``note``: pages, or prose with figures, written whole or not at all."""
 
 import html
 from pathlib import Path
