@@ -8,7 +8,7 @@
 Public names: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`extremes`, :func:`check`,
 :func:`sheet`, :func:`picture`, :func:`lesson`, :func:`animate`, :func:`crank`, and ``Scene``, ``Linkage``,
 ``Position``, ``Table``, ``Exact``, ``Pencil``, ``PlanesError``.
-Each comes when it is first used, so that nothing is imported that is not needed.
+Each is imported on first use, so that nothing is loaded without need.
 
 Packages, lowest level first: ``words`` (all text for people) · ``geometry scene drafting plans solving`` (the engine:
 vector equations drawn step by step into one program) · ``batch accuracy diagrams`` (many positions) · ``check lesson

@@ -42,7 +42,7 @@ Frame = tuple[Mark, ...]
 
 
 def animate(scene: Scene, output: str | Path, lang: Lang, frames: int = FRAMES, seconds: float = 6.0) -> None:
-    """Write the animation of a scene; one turn (or one way there and back) takes so many seconds.
+    """Write the animation of a scene; one turn (or one way there and back) takes a given time in s.
 
     :class:`PlanesError` for an unknown suffix, fewer than two frames, or a scene in which nothing moves.
     """

@@ -82,7 +82,7 @@ class Sorter:
 
 
 def _of_results(sheet: HandedSheet, scene: Scene) -> str:
-    """The plan for a table with results only: velocities, if there are any."""
+    """The plan for a table with results only: velocities, if there is such a plan; "" for any other sheet."""
     if sheet.file.suffix.lower() not in TABLES:
         return ""
     paper = read_table(sheet.file)

@@ -46,12 +46,13 @@ def cycle(
     **parameters: Any,
 ) -> Table:
     """Results for many positions, as arrays by name. ``names`` are results such as "v_C", "omega_2", "F_21", "M_1" or
-    the place "r_C" (None: everything). Where a position cannot be drawn, there is NaN, and ``failed`` has the reason
-    in short ("C: arcs apart"); :func:`solve` for that position gives the full sentence.
+    the position vector "r_C" (None: everything). Where a position cannot be drawn, there is NaN, and ``failed`` has the
+    reason in short ("C: arcs apart"); :func:`solve` for that position gives the full sentence.
 
-    ``phi`` (degrees; ``s``, in m, of a sliding driver) is an array of values, a whole turn by degrees if left out (of a
-    sliding driver: its own place). Any other keyword is a parameter of the scene and its value or values: each
-    combination is run for all values of the drive. The table has a column for the drive and one for each parameter.
+    ``phi`` (degrees; ``s``, in m, for a sliding driver) is an array of values, by default a whole turn in steps of a
+    degree (for a sliding driver its given position). Any other keyword is a parameter of the scene with its value or
+    values: each combination is run for all positions of the drive. The table has a column for the drive and one for
+    each parameter.
 
     >>> import planes
     >>> scene = planes.load("samples/kind-1-rrr.yaml")
@@ -163,16 +164,16 @@ def lesson(
 def extremes(scene: Scene | Linkage) -> "Extremes":
     """Stroke, dead points, time ratio, and the extremes of every curve over the cycle.
 
-    A dict of the shape ``planes cycle --json`` prints, its numbers at full precision; printed, it is the tables of
-    ``planes cycle``. Places of the driver (``at``) are in degrees, of a sliding driver in m.
+    A dict in the shape of ``planes cycle --json``, with numbers at full precision; printed, it is the tables of
+    ``planes cycle``. Positions of the driver (``at``) are in degrees, of a sliding driver in m.
 
-    - ``range``: [first, last] place of the driver; ``assembles``: the ranges in which the mechanism assembles.
-    - ``driven``: the last link before the frame: ``link``, ``curve`` (its place), ``rotates``, ``stroke`` (m, degrees;
-      None if unbounded), ``extreme_positions``, ``forth_deg`` and ``back_deg`` of the driver, ``time_ratio``. Not there
-      where no link is driven.
-    - ``curves``: by name, ``unit``, ``group`` ("place", "analogue", "rate", "force"), ``extremes``; ``rotates`` if it
-      goes round. An extreme is ``{"at", "value", "kind": "greatest" | "least"}``; with ``where`` "end" of the range or
-      "limit" of assembly if it is no turning point, with ``unbounded`` where there is no value.
+    - ``range``: [first, last] position of the driver; ``assembles``: the ranges in which the mechanism assembles.
+    - ``driven``: the last link before the frame: ``link``, ``curve`` (its position), ``rotates``, ``stroke`` (m,
+      degrees; None if unbounded), ``extreme_positions``, ``forth_deg`` and ``back_deg`` of the driver, ``time_ratio``.
+      Missing where no link is driven.
+    - ``curves``: by name, ``unit``, ``group`` ("place", "analogue", "rate", "force"), ``extremes``; ``rotates`` if the
+      link turns fully. An extreme is ``{"at", "value", "kind": "greatest" | "least"}``; with ``where`` "end" of the
+      range or "limit" of assembly if it is not a turning point, with ``unbounded`` where there is no value.
     - ``paths``: by point, ``length`` (m) and the range of ``x`` and ``y``.
 
     Raises :class:`PlanesError` where the mechanism cannot be drawn at all.

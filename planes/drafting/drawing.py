@@ -91,7 +91,7 @@ def reached(
 def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NOTHING) -> dict[str, Thing]:
     """Draw steps one after another into ``things``, some replaced by those of ``instead``; returns the result of each.
 
-    Later steps use what the tool leaves in ``things``; of many drawings, those in which a step fails are NaN.
+    Later steps use the entries that the tool leaves in ``things``; of many drawings, failed ones are NaN.
     """
     name, made = "", {}
     try:

@@ -46,7 +46,7 @@ class Tool:
         return value
 
     def make(self, step: Step, way: Sequence[Step], things: Env) -> Thing:
-        """Draw a step by those of ``way`` into ``things``; returns its own result, whatever they leave there."""
+        """Draw a step by the steps of ``way`` into ``things``; returns its own result, whatever entries they leave."""
         thing = None
         for one in way:
             before = len(self.failures)
@@ -110,7 +110,7 @@ class Tool:
             self.failures.append((reason, step, ok, numbers))
 
     def prefer(self, ok: Truth, step: object, reason: str) -> None:
-        """Where ``ok`` is false, other plans draw the same more sharply: a loop over positions is told so, a drawing
+        """Where ``ok`` is false, other plans are sharper: a loop over positions switches to them, a drawing
         continues."""
 
     def note(self, ok: Truth, step: object, reason: str) -> None:

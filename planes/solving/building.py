@@ -26,8 +26,8 @@ class Linkage:
     Each method adds a part and returns the linkage, so that calls can be chained.
 
     Lengths are in m, masses in kg, moments of inertia in kg·m² about the mass centre, angles in degrees
-    counter-clockwise from x, forces in N, couples in N·m. :meth:`scene` gives the scene, or says in one sentence why
-    there is none.
+    counter-clockwise from x, forces in N, couples in N·m. :meth:`scene` returns the scene, or raises an error of one
+    sentence.
 
     >>> import planes
     >>> engine = planes.Linkage("Slider-crank", gravity=9.81)
@@ -73,10 +73,10 @@ class Linkage:
         centre: Place | None = None,
         radius: Number | None = None,
     ) -> Self:
-        """Add a guide of the frame, or, in its axes, of a ``link`` that was added before.
+        """Add a guide of the frame, or of a ``link`` added before, in the axes of that link.
 
-        ``x`` is a vertical guide through (x, 0) that points to +y, ``y`` a horizontal one that points to +x;
-        ``through`` a point or its name at an ``angle`` in degrees; ``centre`` and ``radius`` an arc.
+        ``x`` is a vertical guide through (x, 0), directed to +y, ``y`` a horizontal one, directed to +x; ``through`` is
+        a point or its name, with an ``angle`` in degrees; ``centre`` and ``radius`` give an arc.
         """
         links = self.parts["links"]
         if link is not None and str(link) not in links:
@@ -149,9 +149,9 @@ class Linkage:
     ) -> Self:
         """Add a ``force`` (N) at a point of a link, or a ``moment`` (N·m, counter-clockwise positive).
 
-        Its sense is ``against="motion"``, ``along="motion"``, or a ``direction``: degrees, or
+        Its direction is ``against="motion"``, ``along="motion"``, or a ``direction``: degrees, or
         ``{"link": 3, "angle": 90}`` to turn with a link.
-        A size may be a law of the motion: ``"3000*sin(phi)"``, ``{"working": 6000, "idle": 200}``.
+        A magnitude may be a law of the motion: ``"3000*sin(phi)"``, ``{"working": 6000, "idle": 200}``.
         """
         said = _given(point=point, force=force, moment=moment, against=against, along=along, direction=direction)
         self.parts["loads"].append({"link": str(link), **said})

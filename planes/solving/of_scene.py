@@ -52,9 +52,9 @@ def solve(
 ) -> Position | Solved:
     """Draw and measure one position, or each of several.
 
-    ``phi`` (degrees; ``s``, in m, where the driver slides) is one value or an iterable of them; left out, it is the
-    scene's own. One value gives a :class:`Position`, or raises ``PlanFailure`` where it cannot be drawn; several give a
-    :class:`Solved`: ``positions`` are those that could be drawn, ``failed`` says why the others could not.
+    ``phi`` (degrees; ``s``, in m, for a sliding driver) is one value or an iterable of them; the default is the value
+    in the scene. One value gives a :class:`Position`, or raises ``PlanFailure`` where it cannot be drawn; several give
+    a :class:`Solved`: ``positions`` are those that could be drawn, ``failed`` has the reasons for the others.
 
     >>> import planes
     >>> scene = planes.load("samples/kind-1-rrr.yaml")

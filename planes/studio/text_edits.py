@@ -74,7 +74,7 @@ class Edited:
         if not isinstance(node, yaml.MappingNode) or not node.value:
             start, end = node.start_mark.index, node.end_mark.index
             line = self.text[self.text.rfind("\n", 0, start) + 1 : start]
-            if line[:1].strip():  # the value of a top-level key: a line for each of its own
+            if line[:1].strip():  # a top-level value: a line for each of its keys
                 return self._with(start - (line[-1:] == " "), end, f"\n  {key}: {value}", node.start_mark.line + 1)
             space = " " * (self.text[start - 1 : start] not in ("", " ", "\n"))
             return self._with(start, end, f"{space}{{{key}: {value}}}", node.start_mark.line)

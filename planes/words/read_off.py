@@ -6,7 +6,7 @@ from planes.words import Lang, decimal
 from planes.words.units import number
 
 READ_DIGITS = 3
-"""A ruler tells no more."""
+"""A ruler shows no more."""
 
 
 def measured(value: float | None, lang: Lang) -> str:

@@ -3,7 +3,7 @@
 Lines are really cut under hinges and sliders, so no white mask is needed.  Hinges, supports, sliders, points and
 arrowheads are blocks, and so is the form.  Its empty cells are attributes, to be filled in by the user; filled ones are
 texts, since many programs show no attributes, with the attribute hidden beside them.  A text is fitted between the ends
-of its own lettering, so its width is as drawn in any font; one with indices is one MTEXT; with ``text="pieces"`` its
+of its lettering, so its width is as drawn in any font; one with indices is one MTEXT; with ``text="pieces"`` its
 parts are such fitted texts, with "strokes" the lettering itself is drawn.  The layout is set up for printing at 1:1.
 The same marks give the same bytes.
 """

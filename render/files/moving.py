@@ -27,7 +27,7 @@ Step = Callable[[int, int], None] | None
 def written(
     frames: Sequence[Sequence[Mark]], size_mm: tuple[float, float], seconds: float, suffix: str, step: Step = None
 ) -> bytes:
-    """The file: the frames, each ``size_mm`` wide and high, evenly over so many seconds, in an endless loop.
+    """The file: the frames, each ``size_mm`` wide and high, evenly over a given time in s, in an endless loop.
 
     ``step`` is called after every frame. :class:`PlanesError` for MP4 without OpenCV.
     """

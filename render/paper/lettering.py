@@ -2,13 +2,13 @@
 
 Text becomes pen paths, so that it looks the same on every device and in every file format.  A size h is
 the height of the capitals from edge to edge; draw the paths with round ends and their ``pens``: PEN · h
-but for raised and lowered characters.  Small letters are 7/10 h high, letters stand 2/10 h apart (half of
+except for raised and lowered characters.  Small letters are 7/10 h high, letters are 2/10 h apart (half of
 that where both neighbours are open, as in ГА), words 6/10 h.  Slanted lettering is the upright one
 sheared to 75°.
 
-The letters stand in ``glyphs.json`` on the grid of ГОСТ 2.304, type B: one cell is the pen width d, a capital fills
+The letters are in ``glyphs.json`` on the grid of ГОСТ 2.304, type B: one cell is the pen width d, a capital fills
 ten rows.  A point is the centre of a cell, so a capital runs from row 0 to row 9, a small letter to row 6, a descender
-to row -3, signs of operation stand about row 4, brackets reach from row -1.7 to row 10.3; columns are counted to the
+to row -3, signs of operation are about row 4, brackets reach from row -1.7 to row 10.3; columns are counted to the
 right.  A path is a list of words:
 
     x,y              straight line to the point (after the start or after ``|``: pen set down there)

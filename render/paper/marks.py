@@ -136,7 +136,7 @@ Mark = Line | Arc | Arrow | Shape | Text | Hatch
 
 
 def moved(mark: Mark, by: complex) -> Mark:
-    """The same mark shifted ``by`` so many millimetres."""
+    """The same mark shifted ``by`` a vector in mm."""
     if isinstance(mark, Arrow):
         return replace(mark, start=mark.start + by, end=mark.end + by)
     if isinstance(mark, Arc):

@@ -116,7 +116,7 @@ def ink_width(text: str, height_mm: float) -> float:
 
 
 def wrapped(text: str | Sequence[str], width: float, height_mm: float) -> list[str]:
-    """A sentence, or its unbreakable parts, in lines no wider than so many mm."""
+    """A sentence, or its unbreakable parts, in lines within a given width in mm."""
     lines: list[str] = []
     for word in text.split() if isinstance(text, str) else text:
         longer = f"{lines[-1]} {word}" if lines else word

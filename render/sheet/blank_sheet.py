@@ -10,8 +10,8 @@ from render.sheet.check_sheet import EDGE, LEFT, SMALL
 from render.sheet.frame import framed
 
 RULER_MM, RULER_X = 100, 11.0  # its distance from the left edge
-PLAN_MM, LETTER_MM, LEAST_MM = 5.0, 3.5, 2.5  # letter heights: of the plan's name, of the other lines, and the smallest ones
-TEXT_X, FIRST_Y, LINE_MM = 38.0, 14.0, 7.5  # letters: the plan's name, the other lines, the smallest
+PLAN_MM, LETTER_MM, LEAST_MM = 5.0, 3.5, 2.5  # letters: the plan's name, the other lines, the smallest
+TEXT_X, FIRST_Y, LINE_MM = 38.0, 14.0, 7.5  # left edge of the lines; the first from the upper edge; line spacing
 BENEATH_MM, NEXT_MM, BESIDE_MM = 7.2, 4.2, 24.0  # the data: their last line, the spacing, the right edge
 ROOM_MM, FIELDS_MM = 200.0, (162.0, 236.0)  # width of a line beside the code; both ends of the line for a name
 Square = tuple[complex, Sequence[Sequence[bool]], float]  # its centre, black cells from the top row, its side in mm

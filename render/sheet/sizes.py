@@ -1,4 +1,4 @@
-"""The size of figures on a sheet: all by one factor, then those with a scale of their own are enlarged while there is
+"""The size of figures on a sheet: all by one factor, then those with a separate scale are enlarged while there is
 room."""
 
 from collections.abc import Callable, Mapping

@@ -93,7 +93,7 @@ def remark(text: str, marks: Iterable[Mark]) -> list[Text]:
 
 
 def paragraph(key: str, title: str, text: str, width: float, letter: float) -> View:
-    """Sentences in lines of at most so many mm."""
+    """Sentences in lines within a given width in mm."""
     lines = wrapped(text, width, letter)
     return view(key, title, [Text(line, -1.7j * letter * k, letter) for k, line in enumerate(lines)])
 

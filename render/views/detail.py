@@ -1,4 +1,4 @@
-"""Details of a plan: parts too short to be read are circled, and drawn again enlarged, with a scale of their own."""
+"""Details of a plan: parts too short to be read are circled, and drawn again enlarged, with a separate scale."""
 
 from collections.abc import Iterable, Sequence
 

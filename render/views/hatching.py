@@ -10,7 +10,7 @@ import shapely
 from render.paper.ink import hatch_strokes
 from render.paper.marks import Hatch, Line
 
-HATCHED_MM, HATCH_GAP_MM, HATCH_MM = 6.0, 3.5, 1.0  # least radius of a triangle, stroke spacing, distance from its sides
+HATCHED_MM, HATCH_GAP_MM, HATCH_MM = 6.0, 3.5, 1.0  # triangles: least radius, stroke spacing, distance to sides
 ALONG_DEG = 12.0  # angle to a side within which strokes look parallel to it
 
 

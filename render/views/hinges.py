@@ -10,8 +10,8 @@ from render.paper.marks import Line, Mark
 
 
 def base_angle(z: complex, ways: Sequence[complex], marks: Sequence[Mark]) -> float:
-    """The angle of a fixed hinge's base that keeps clear of its own bars, in the directions ``ways``, and then of other
-    marks: upright if possible."""
+    """The angle of a fixed hinge's base that keeps clear of the hinge's bars, in the directions ``ways``, and then of
+    other marks: upright if possible."""
     bars = ink(marks)
 
     def hits(turn: int) -> tuple[int, int]:

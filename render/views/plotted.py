@@ -167,7 +167,7 @@ class Places:
 
 
 def upon(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:
-    """Whether two lines run side by side for more than a millimetre within so many mm; or are slightly inclined, and
+    """Whether two lines run side by side for more than a millimetre within a given distance; or are slightly inclined, and
     come closer than ``touch`` mm."""
     way = toward(*other)
     a, b = sorted(((z - other[0]) * way.conjugate() for z in one), key=lambda w: w.real)
@@ -181,7 +181,7 @@ def upon(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:
 
 
 def set_apart(ends: Ends, others: Iterable[Ends], step: float, near: float, touch: float = -1.0) -> Ends:
-    """The ends of a vector, shifted sideways by steps of so many mm where it would overlap others, or be ``near``
+    """The ends of a vector, shifted sideways step by step where it would overlap others, or be ``near``
     them."""
     side, others = 1j * (ends[1] - ends[0]) / abs(ends[1] - ends[0]), list(others)
     if side.real < -1e-9 or (abs(side.real) <= 1e-9 and side.imag < 0):

@@ -19,7 +19,7 @@ def traces(plotted: Plotted, plan: str, drawn: Collection[tuple[str, str]]) -> t
         if plan_of(step.makes) != plan or not isinstance(step, (Similar, Image)):
             continue
         base = (step.start, step.end) if isinstance(step, Similar) else step.image
-        if step.start not in base:  # laid off from a mark of its own: there is no triangle on the base
+        if step.start not in base:  # laid off from a separate mark: there is no triangle on the base
             sides.append((plotted.mark(plan, label_of(step.start)), plotted.mark(plan, label_of(step.makes))))
             continue
         corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]

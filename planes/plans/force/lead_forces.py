@@ -79,7 +79,7 @@ class LeadForces:
         return chain, ends
 
     def held(self, lead: Lead) -> HeldLead:
-        """A lead, and the results of its own equilibrium."""
+        """A lead with the results of its equilibrium."""
         d, outer, inner, link = self.draft, lead.outer, lead.inner, lead.link
         loads = [f for part in lead.parts for f in self.statics.acting.forces[part]]
         couples = [c for part in lead.parts for c in self.couples[part]]

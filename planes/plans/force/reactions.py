@@ -74,7 +74,7 @@ class Statics:
         return self.bodies.draft.arm(f.name, f.point, f.along, about, f.link, name)
 
     def laid(self, plan: str, forces: list[Force], start: str = POLE) -> tuple[tuple[Term, ...], str]:
-        """Forces laid off one after another on a plan from the mark with that label, each to a mark of its own name;
+        """Forces laid off one after another on a plan from the mark with that label, each to a mark with its name;
         returns their terms, and the label reached."""
         chain = list[Term]()
         for f in forces:
