@@ -167,8 +167,8 @@ class Places:
 
 
 def upon(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:
-    """Whether two lines run side by side for more than a millimetre within a given distance; or are slightly inclined, and
-    come closer than ``touch`` mm."""
+    """Whether two lines run side by side for more than a millimetre within a given distance; or are slightly inclined,
+    and come closer than ``touch`` mm."""
     way = toward(*other)
     a, b = sorted(((z - other[0]) * way.conjugate() for z in one), key=lambda w: w.real)
     low, high = max(a.real, 0.0), min(b.real, abs(other[1] - other[0]))
