@@ -22,7 +22,7 @@ from planes.words.frozen import frozen
 Kind = Literal["end", "change", "infinite"]
 FINE = Digits(50)
 HALVINGS, NARROWINGS = 170, 180
-NEARER = 1000  # factors: tried on either side of a given value
+NEARER = 1000  # times: this much closer to a predicted limit than the positions around it
 BLUNT = 0.3  # openness below which a closer look pays
 ROUGH, NONE = 1e-4, 1e-18  # openness that a closer look must reach, and the openness of a missing place
 FAR = 1e4  # reaches: a point this far away goes to infinity

@@ -12,7 +12,7 @@ from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, advanced, hung_on
 from planes.words.frozen import frozen, replace
 
-STARTS, ROUNDS = 2048, 5  # start places; doubled while any pose was found only once or twice, then a few more rounds
+STARTS, ROUNDS = 2048, 5  # start places; doubled, up to so many rounds, while any pose was found too seldom
 STEPS = 60
 OFTEN = 3
 SAME = 1e-6  # of the size: two poses closer than this are one

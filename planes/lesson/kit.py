@@ -22,8 +22,8 @@ Handled = Iterator[Json]
 
 @frozen
 class Kit:
-    """The tools for each step of a program: ``from`` are the marks where a tool takes its setting, none for an
-    auxiliary figure (for dividers, of a scale); ``guide`` is the guide it is laid against."""
+    """The tools for each step of a program: ``from`` are the marks where a tool takes its setting, none if it
+    is set elsewhere (dividers from a scale); ``guide`` is the guide it is laid against."""
 
     plans: Plans
     drawing: Drawing

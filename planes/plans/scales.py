@@ -20,7 +20,7 @@ SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
 """The size of plans on a format named in the scene, relative to the usual: the ratio of the formats' sides."""
 BESIDE = dict(zip(SHARES, [*SHARES.values(), 2.8][1:], strict=True))
 """For several formats side by side, as A3x4: their height is that of the next larger format."""
-USUAL_GROUPS, MORE = 2, 1.2  # divided by this for more groups: labels need room, and so do all the plans
+USUAL_GROUPS, MORE = 2, 1.2  # plans are larger by this for more groups: room for labels, on larger sheets
 NOTHING = 1e-12  # of mass times acceleration: a force that is only rounding
 ZERO_MM = 0.05  # a vector shorter than this has no length on paper
 LEAST_MM = 50.0  # a force plan that would be smaller than this at the common μ gets a second one
