@@ -1,4 +1,4 @@
-"""Whose each sheet of a class is, and of which plan: by its mark, else by the name of its file, else by the options."""
+"""The owner and the plan of each sheet of a class: by its mark, else by the name of its file, else by the options."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -24,15 +24,15 @@ Asking = Callable[[Scene, str, float | None, float | None], Asked]
 
 @frozen
 class Glance:
-    """A first look at a sheet: its mark if it has one, and a small picture of it (JPEG)."""
+    """A first look at a sheet: its mark, if any, and a small picture of it (JPEG)."""
 
     mark: SheetMark | None = None
     picture: bytes = b""
-    blanks: int = 1  # on the picture, with one that is seen in part
+    blanks: int = 1  # on the picture, including one that is only partly visible
 
 
 def glance(file: str, page: int | None = None) -> Glance:
-    """The first look; :class:`PlanesError` where a file does not open."""
+    """The first look; :class:`PlanesError` for a file that cannot be opened."""
     picture = opened(file, page)
     if picture is None:
         return Glance()
@@ -46,7 +46,7 @@ def glance(file: str, page: int | None = None) -> Glance:
 
 @dataclass
 class Sorter:
-    """Says of each sheet what is asked of it. ``variant`` and ``plan`` are of the options, ``asking`` is the rest."""
+    """Settles the question for each sheet. ``variant`` and ``plan`` are from the options, ``asking`` is the rest."""
 
     handed: HandedOut
     asking: Asking
@@ -55,7 +55,7 @@ class Sorter:
     known: dict[tuple[object, ...], Asked] = field(default_factory=dict)
 
     def asked(self, sheet: HandedSheet, mark: SheetMark | None) -> tuple[Task, Asked, str]:
-        """The task, what is asked, and whose it is in words; :class:`PlanesError` where nothing tells."""
+        """The task, the question, and the owner in words; :class:`PlanesError` where nothing identifies it."""
         stem = sheet.file.stem
         task = self._task(sheet, mark)
         variant = mark.variant if mark else variant_named(stem, task.variant(None).variants) or self.variant
@@ -70,11 +70,11 @@ class Sorter:
             self.known[key] = replace(asked, answers=answers_of(scene, value))
         return task, self.known[key], whose(scene, mark, task.scene if of_several(self.handed.tasks) else "")
 
-    def owner(self, task: Task, asked: Asked, found: Outcome) -> str:
+    def owner(self, task: Task, asked: Asked, outcome: Outcome) -> str:
         """The student whose work it is, where it is not right for its own task and is right for one other's, in all of
         several results or in a whole plan; "" where nobody's."""
-        paper = replace(found.paper, signs=[], notes=[])
-        if found.verdict not in ("wrong", "unreadable") or not (paper.results or paper.spots):
+        paper = replace(outcome.paper, signs=[], notes=[])
+        if outcome.verdict not in ("wrong", "unreadable") or not (paper.results or paper.spots):
             return ""
         theirs = [t for t in self.handed.tasks if t.scene == task.scene and t.student not in ("", task.student)]
         owners = [
@@ -104,7 +104,7 @@ def _fits(paper: ReadPaper, asked: Asked, scene: Scene) -> bool:
 
 
 def _of_results(sheet: HandedSheet, scene: Scene) -> str:
-    """The plan a table of results alone is judged by: it needs none of its own."""
+    """The plan for a table with results only: velocities, if there is such a plan; "" for any other sheet."""
     if sheet.file.suffix.lower() not in TABLES:
         return ""
     paper = read_table(sheet.file)

@@ -40,7 +40,7 @@ BLANK = "_" * 24  # a name to be written by hand
 
 
 def student_said(name: str, scene: Scene, lang: Lang) -> str:
-    """Whose a scene is: the student, and the group where it tells one."""
+    """The owner of a scene: the student, and the group if given."""
     group = str(scene.sheet.get("group", ""))
     return say("task_student", lang, name=name) + (say("task_group", lang, group=group) if group else "")
 
@@ -52,7 +52,7 @@ class Note:
     scene: Scene
     position: Position
     lang: Lang
-    task: ClassVar[str] = "note_task"  # words that are other where vectors are stated
+    task: ClassVar[str] = "note_task"  # words that differ where vectors are stated
     given_table: ClassVar[str] = "note_given_table"
     alone: ClassVar[str] = "note_driver"
 
@@ -69,7 +69,7 @@ class Note:
         return [*self.opening(), *self.structure(), *self.plans(), *self.results()]
 
     def answers(self) -> Iterator[Block]:
-        """What is found, without how."""
+        """The results, without the derivation."""
         return iter([*self.structure(), *self.results()])
 
     def say(self, key: str, **names: object) -> str:
@@ -82,7 +82,7 @@ class Note:
             yield DocumentTable(self.say("note_table", number=self.tables, title=self.say(key)), (head, *rows))
 
     def figure(self, key: str, title: str = "") -> Figure:
-        """A view, numbered where it has a title."""
+        """A view, numbered if it has a title."""
         self.figures += bool(title)
         caption = self.say("note_figure", number=self.figures, title=title) if title else ""
         return Figure(DrawnViews(self.scene, self.position, ((key,),)), caption)
@@ -117,7 +117,7 @@ class Note:
         return Cover(self.say("note"), self.say("note_contents"), title, above, people, cells.get("date", ""))
 
     def sought(self) -> Sequence[str]:
-        """What the task names."""
+        """The results that the task asks for."""
         return found_of(self.scene)
 
     def structure(self) -> Iterator[Block]:
@@ -170,8 +170,8 @@ class Note:
                 yield from self.transfers()
 
     def loaded(self, plan: str) -> Iterator[Block]:
-        """What a force polygon is of: once the mechanism with its loads, the links with their forces and arms; the
-        lever with its own."""
+        """The free body of a force polygon: first the mechanism with its loads, then the links with their forces and
+        arms; for the lever its forces."""
         plans = self.position.plans
         if not plans.moves:
             return
@@ -187,11 +187,11 @@ class Note:
             yield self.figure(f"group {plan}", title + mu)
 
     def mu(self, plan: str) -> str:
-        """The scale of a plan, as this language writes it."""
+        """The scale of a plan, as written in this language."""
         return fill(mu_said(plan, self.lang, self.scene.mu_convention), self.position.scales.__getitem__, self.lang)
 
     def transfers(self) -> Iterator[Block]:
-        """Analogues of velocities and ratios by segments of the velocity plan."""
+        """Analogues of velocities and ratios, by segments of the velocity plan."""
         rows = [tuple(row) for row in TransferFunctions(self.position, self.naming).rows()]
         head = tuple(map(self.say, ("quantity", "note_by_segments", "value", "note_unit")))
         yield from self.table("of_transfers", head, rows)
@@ -234,7 +234,7 @@ class Note:
         return float(value_of(name, self.teller, self.position.drawing))
 
     def compared(self) -> Iterator[Block]:
-        """The balancing load two ways."""
+        """The balancing load found in two ways."""
         plans, drawing = self.position.plans, self.position.drawing
         balancing, check = float(drawing[plans.balancing]), float(drawing[plans.zhukovsky])
         percent = 100 * difference(balancing, check)
@@ -243,7 +243,7 @@ class Note:
         yield Paragraph(self.say("note_difference", **names, unit=unit(plans.balancing, self.lang), percent=shown))
 
     def results(self) -> Iterator[Block]:
-        """Tables of what was found, and what must be known of it."""
+        """Tables of the results, and warnings about them."""
         p, angle = self.position, self.say("note_angle")
         if self.scene.find is None and not p.plans.forces:
             yield Paragraph(self.say("note_no_forces"))
@@ -265,14 +265,14 @@ class Note:
         yield from self.warned()
 
     def warned(self) -> Iterator[Block]:
-        """What must be known of the results."""
+        """Warnings about the results."""
         for warning in self.position.results["warnings"]:
             yield Paragraph(self.say("note_warning", text=warning.rstrip(".")))
         if names := ", ".join(f"⟨{name}⟩" for name in unsure(self.position)):
             yield Paragraph(self.say("note_warning", text=self.say("unsure_by_hand", names=names).rstrip(".")))
 
     def vector(self, measured: Measured | None) -> tuple[str, str]:
-        """Size and direction."""
+        """Magnitude and direction."""
         if measured is None:
             return "—", "—"
         size, angle = abs(measured.vector), math.degrees(cmath.phase(measured.vector))

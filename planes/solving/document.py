@@ -1,6 +1,6 @@
-"""What a document is made of, whatever file it becomes: headings, paragraphs, formulas, tables, figures.
+"""The parts of a document, whatever its file format: headings, paragraphs, formulas, tables, figures.
 
-In every text _{…} and ^{…} are indices, ⟨…⟩ the name of a vector or a value. How it looks is not its matter.
+In every text _{…} and ^{…} are indices, ⟨…⟩ the name of a vector or a value. The layout is decided elsewhere.
 """
 
 from collections.abc import Mapping
@@ -74,7 +74,7 @@ class DocumentTable:
 
 @frozen
 class PlottedLine:
-    """``style`` is the number of its look (colour and dashes); ``label`` "" keeps it out of the legend."""
+    """``style`` is the index of its style (colour and dashes); ``label`` "" keeps it out of the legend."""
 
     x: Array
     y: Array
@@ -84,7 +84,7 @@ class PlottedLine:
 
 @frozen
 class Chart:
-    """Curves over x. ``equal``: both axes to one scale; ``ticks``: spacing of the marks on x, 0 for the usual.
+    """Curves over x. ``equal``: both axes to one scale; ``ticks``: spacing of the marks on x, 0 for the default.
 
     ``notes`` are words beside points: x, y and the word.
     """
@@ -104,8 +104,8 @@ class DrawnViews:
 
     A view is "scheme", a plan, "equations …" of a plan, "loaded" (the mechanism with its loads), "loaded …" (a link
     with all forces on it), "group …" (the links of a force polygon with their forces and arms), "lever", "centre …" (of
-    a link's velocities), "studio" (the code that opens the scene in one);
-    ``scales``: the caption goes on with every plan and its μ.
+    a link's velocities), "studio" (the QR code that opens the scene there); ``scales``: the caption continues with
+    every plan and its μ.
     """
 
     scene: Scene
@@ -117,8 +117,8 @@ class DrawnViews:
 @frozen
 class ShaftSketch:
     """The crankshaft on its bearings; numbers in metres. ``masses`` are named by their places ("pin", "weight_0"),
-    ``forces`` by their places and ways ("up", "down" in the plane of the crank, "across" square to it), the ``sizes``
-    that are shown by their signs."""
+    ``forces`` by their places and directions ("up", "down" in the plane of the crank, "across" perpendicular to it),
+    the ``sizes`` shown by their signs."""
 
     span: float
     pin: float
@@ -132,7 +132,7 @@ class ShaftSketch:
 
 @frozen
 class Figure:
-    """A chart, drawn views or a sketch, with what stands beneath."""
+    """A chart, drawn views or a sketch, with its caption."""
 
     of: Chart | DrawnViews | ShaftSketch
     caption: str = ""

@@ -1,6 +1,6 @@
-"""Pictures as plain paths: what matplotlib draws (charts, mathematics), kept as strokes for SVG and for PDF alike.
+"""Pictures as plain paths: matplotlib output (charts, mathematics), kept as strokes for both SVG and PDF.
 
-Units are points, y up. Text has become outlines, so a page needs no font and no network.
+Units are points, y up. Text is converted to outlines, so a page needs no font and no network.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Picture:
     strokes: list[Stroke] = field(default_factory=list)
 
     def svg(self, label: str) -> str:
-        """An inline SVG element; ``label`` is read aloud in its place."""
+        """An inline SVG element; ``label`` is its text for screen readers."""
         body = "".join(_element(s, self.height) for s in self.strokes)
         size = f'width="{self.width:.1f}pt" height="{self.height:.1f}pt"'
         box = f'viewBox="0 0 {self.width:.2f} {self.height:.2f}"'
@@ -100,14 +100,14 @@ def pieces_of(
 
 
 class StrokeRenderer(RendererBase):
-    """matplotlib's drawing commands, caught as strokes."""
+    """Captures matplotlib's drawing commands as strokes."""
 
     def __init__(self, width: float, height: float) -> None:
         super().__init__()
         self.picture = Picture(width, height)
 
     def draw_path(self, gc: GraphicsContextBase, path: Path, transform: Transform, rgbFace: Any = None) -> None:
-        """Keep one path with its pen."""
+        """Store one path with its pen."""
         box = gc.get_clip_rectangle()
         clip = None if box is None or rgbFace is not None else tuple[float, float, float, float](box.extents)
         width = gc.get_linewidth()

@@ -1,4 +1,4 @@
-"""A document as one HTML page that needs nothing beside it: styles, formulas and figures stand inside."""
+"""A document as one HTML page without external files: styles, formulas and figures are inside."""
 
 import re
 from collections.abc import Sequence
@@ -60,7 +60,7 @@ class _HtmlPage:
 
     def heading(self, heading: Heading) -> str:
         """The title with the list of contents, a chapter, which the list links to, or a section."""
-        text = self.text(heading.text) if heading.level else escape(heading.text)  # the title is anybody's
+        text = self.text(heading.text) if heading.level else escape(heading.text)  # the title may come from anybody
         tag = f"h{heading.level + 1}"
         if heading.level == 1:
             place = next(n for n, one in enumerate(self.chapters, 1) if one is heading)
@@ -73,7 +73,7 @@ class _HtmlPage:
         return f"\n<nav><ul>{links}</ul></nav>" if links else ""
 
     def table(self, caption: str, rows: Sequence[Sequence[str]]) -> str:
-        """A table that scrolls by itself on a narrow screen."""
+        """A table that scrolls separately on a narrow screen."""
         head = "".join(f'<th scope="col">{self.text(cell)}</th>' for cell in rows[0])
         body = "".join("<tr>" + "".join(map(self.cell, row)) + "</tr>" for row in rows[1:])
         parts = f"<caption>{self.text(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody>"
@@ -86,5 +86,5 @@ class _HtmlPage:
 
 
 def is_number(text: str) -> bool:
-    """Whether a cell holds a number, so that it stands on the right."""
+    """Whether a cell holds a number, to be aligned right."""
     return bool(re.match(r"^[−-]?[\d∞…—]", text))

@@ -7,13 +7,13 @@ from latex2mathml.converter import convert
 SPELLED = {
     r"\\dfrac": r"\\frac",
     r"\\quad": r"\\quad ",
-    r"(\d+)\{,\}(\d+)": r"\\text{\1,\2}",  # a number is one thing
-    r"\|([^|]*)\|": r"\\left|\1\\right|",  # what stands in brackets, too
+    r"(\d+)\{,\}(\d+)": r"\\text{\1,\2}",  # a number is one token
+    r"\|([^|]*)\|": r"\\left|\1\\right|",  # and so is a bracketed expression
     r"(?<!\\left)[(\[]": r"\\left\g<0>",
     r"(?<!\\right)[)\]]": r"\\right\g<0>",
     r"^(?=[-=+])": "{}",  # a sign that begins a piece stands between two
 }
-"""Patterns of our mathtext and how the converter has them, in this order."""
+"""Patterns of our mathtext and their form for the converter, in this order."""
 UPRIGHT = re.compile(r"\\mathrm\{([^{}]*)\}")
 
 

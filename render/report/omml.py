@@ -1,4 +1,4 @@
-"""A formula as Word's own equation (Office MathML, ECMA-376-1 §22.1), which a person can go on editing there."""
+"""A formula as Word's own equation (Office MathML, ECMA-376-1 §22.1), which can be edited there."""
 
 from typing import Any
 

@@ -36,7 +36,7 @@ HEIGHT = 170 * mm  # of a figure
 PADDING = 12.0  # on both sides together, of reportlab's frame
 FACES = {"Note": "DejaVuSerif.ttf", "NoteBold": "DejaVuSerif-Bold.ttf", "NoteItalic": "DejaVuSerif-Italic.ttf"}
 LETTER = 10.5
-ROOMY = 85  # letters across a table; one with more has smaller ones
+ROOMY = 85  # letters across a table; one with more has smaller type
 
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
@@ -68,7 +68,7 @@ def _number(canvas: Canvas, paper: SimpleDocTemplate) -> None:
 
 
 def _headed(canvas: Canvas, paper: SimpleDocTemplate) -> None:
-    """The number of the page, and what it belongs to."""
+    """The page number, and the document's title."""
     _number(canvas, paper)
     canvas.setFont("Note", 8)
     canvas.setFillColor("#555555")
@@ -77,7 +77,7 @@ def _headed(canvas: Canvas, paper: SimpleDocTemplate) -> None:
 
 class _Paper(SimpleDocTemplate):  # type: ignore[misc]
     def afterFlowable(self, flowable: Flowable) -> None:
-        """Headings stand in the PDF's outline."""
+        """Headings appear in the PDF's outline."""
         style = getattr(getattr(flowable, "style", None), "name", "")
         if style in ("h1", "h2"):
             key = f"{style}-{self.seq.nextf(style)}"
@@ -88,7 +88,7 @@ class _Paper(SimpleDocTemplate):  # type: ignore[misc]
 
 
 class _Setter:
-    """Turns blocks into what reportlab sets."""
+    """Turns blocks into reportlab flowables."""
 
     def __init__(self, naming: Naming) -> None:
         self.naming, self.studio = naming, Studio(naming.lang)
@@ -110,7 +110,7 @@ class _Setter:
         ]
 
     def flow(self, block: Block) -> list[Flowable]:
-        """What a block becomes."""
+        """The flowables of a block."""
         match block:
             case Cover():
                 return self.cover(block)
@@ -149,14 +149,14 @@ class _Setter:
         ]
 
     def paragraph(self, block: Paragraph) -> Flowable:
-        """A paragraph in the style of what it is."""
+        """A paragraph in its style."""
         count = f"{block.number}. " if block.number else ""
         style = self.leading if block.text[-1:] == ":" else self.plain
         style = self.why if block.why else self.mistake if block.mistake else style
         return Words(count + self.text(block.text, block.plan), style)
 
     def table(self, rows: Sequence[Sequence[str]]) -> Flowable:
-        """A grid whose columns are as wide as what stands in them, with smaller letters if there is much."""
+        """A grid with columns as wide as their contents, in smaller type if there is much."""
         longest = [max(len(re.sub(r"[_^{}⟨⟩]", "", cell)) for cell in column) + 2 for column in zip(*rows, strict=True)]
         size = 9.5 if sum(longest) <= ROOMY else 7.5
         face = {"fontName": "Note", "fontSize": size, "leading": 1.27 * size}
@@ -180,7 +180,7 @@ class _Setter:
 
 
 class _Picture(Flowable):  # type: ignore[misc]
-    """A picture in the middle of the column or on its left, smaller if it is larger, its number on the right."""
+    """A picture in the middle of the column or at its left, reduced if necessary, with its number on the right."""
 
     def __init__(self, picture: Shown | MathLine, number: str = "", left: bool = False, keep: bool = False) -> None:
         super().__init__()

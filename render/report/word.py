@@ -1,6 +1,5 @@
 """A document as a Word file with the margins, type and spacing of ГОСТ 7.32-2017 (6.1), contents and page numbers;
-formulas are Word's own equations.
-"""
+formulas are Word's own equations."""
 
 import io
 from collections.abc import Sequence
@@ -23,7 +22,7 @@ from render.report.figures import Shown, Studio, raster
 from render.report.html import is_number
 from render.report.omml import equation
 
-COLUMN_MM = 165.0  # of text, between margins of 30 and 15 mm
+COLUMN_MM = 165.0  # width of text, between margins of 30 and 15 mm
 WIDTH, HEIGHT = COLUMN_MM * 72 / 25.4, 540.0  # of a figure, points
 LETTER, SMALL = 14, 12  # of text, and of tables
 INDENT_MM = 12.5
@@ -51,14 +50,14 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
 
 
 def set_type(style: ParagraphStyle, heading: bool) -> None:
-    """Times New Roman in black, one and a half lines; a heading in bold."""
+    """Times New Roman in black, line spacing 1.5; a heading in bold."""
     style.font.name, style.font.size, style.font.color.rgb = "Times New Roman", Pt(LETTER), RGBColor(0, 0, 0)
     fonts = style.element.rPr.rFonts
     for key in [key for key in fonts.attrib if key.endswith("Theme")]:
         del fonts.attrib[key]
     fonts.set(qn("w:cs"), "Times New Roman")
     shape = style.paragraph_format
-    for line in style.element.iterdescendants(qn("w:bottom")):  # beneath what is set apart
+    for line in style.element.iterdescendants(qn("w:bottom")):  # beneath a set-off paragraph
         line.set(qn("w:color"), "000000")
     shape.line_spacing, shape.space_before, shape.space_after = 1.5, Pt(12 * heading), Pt(6 * heading)
     shape.first_line_indent = Mm(0 if style.name == "Title" else INDENT_MM)
@@ -118,13 +117,13 @@ class _Writer:
         self.line().add_run().add_break(Break.PAGE)
 
     def line(self, text: str = "") -> Words:
-        """A paragraph that begins where the column does."""
+        """A paragraph that begins at the left edge of the column."""
         paragraph = self.paper.add_paragraph(text)
         paragraph.paragraph_format.first_line_indent = Mm(0)
         return paragraph
 
     def field(self, paragraph: Words, code: str, shown: str = "") -> Words:
-        """What Word reckons itself, and what is there until it does."""
+        """A field that Word updates, and its text until then."""
         made = OxmlElement("w:fldSimple")
         made.set(qn("w:instr"), code)
         run = paragraph.add_run(shown)
@@ -155,7 +154,7 @@ class _Writer:
         self.line()
 
     def picture(self, picture: Shown) -> Words:
-        """A paragraph that holds a picture, made smaller if it is larger than the column."""
+        """A paragraph with a picture, reduced if it is wider than the column."""
         scale = min(1.0, WIDTH / picture.width, HEIGHT / picture.height)
         paragraph = self.line()
         paragraph.add_run().add_picture(io.BytesIO(raster(picture)), width=Pt(picture.width * scale))

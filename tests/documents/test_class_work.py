@@ -210,7 +210,7 @@ def test_only_what_has_changed_is_judged_anew(
     (folder / "IMG_2.csv").write_text(f"# planes check x\n# box -1 -2 3 4\n{marks}", "utf-8")
     again, after = run()  # marks put right in its report
     assert again == ["IMG_2.jpg"] and after["IMG_2.jpg"]["verdict"] == "right" and "IMG_2.csv" not in after
-    assert "put right by hand" in " ".join(after["IMG_2.jpg"]["warnings"])
+    assert "corrected by hand" in " ".join(after["IMG_2.jpg"]["warnings"])
     assert "data:image/jpeg" in (out / "IMG_2.jpg.html").read_text("utf-8")  # the picture still lies under them
     seen = cv2.imread(str(folder / "IMG_1.jpg"), cv2.IMREAD_GRAYSCALE)
     look = opened(str(folder / "IMG_1.jpg"))
@@ -222,7 +222,7 @@ def test_only_what_has_changed_is_judged_anew(
     assert again == ["IMG_1.jpg"] and after["IMG_1.jpg"]["verdict"] == "right"
     assert "not taken" in " ".join(after["IMG_1.jpg"]["warnings"]) and "IMG_1.csv" not in after
     assert "not taken" in (out / "index.html").read_text("utf-8")
-    assert "Call the table IMG_1.csv" in after["IMG_1 (1).csv"]["sentence"]["en"]
+    assert "Name the table IMG_1.csv" in after["IMG_1 (1).csv"]["sentence"]["en"]
     file = own / "out/teacher" / BORIS / "scene.yaml"
     file.write_text(f"{file.read_text('utf-8')}\n", "utf-8")
     assert run()[0] == ["IMG_2.jpg"]

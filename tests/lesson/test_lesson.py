@@ -326,7 +326,7 @@ def test_a_load_that_holds_in_one_position_leaves_the_lesson_standing_there() ->
     exported = lesson_data(loads(text, "s.yaml"))
     drive = exported["drive"]
     assert drive["from"] == drive["to"] == drive["at"] == 150.0 and not PageTape(exported).failed
-    assert "phi_1" in drive["held"]["ru"] and "holds at phi = 150 alone" in drive["held"]["en"]
+    assert "phi_1" in drive["held"]["ru"] and "valid at phi = 150 only" in drive["held"]["en"]
     same = data(SIX)
     assert [f["key"] for f in exported["frames"]] == [f["key"] for f in same["frames"]]
     assert PageTape(exported).mark("acceleration:b'") == PageTape(same).mark("acceleration:b'")

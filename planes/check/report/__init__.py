@@ -130,8 +130,8 @@ class Checked:
         else:
             lost = [n for n in self.found.notes if n.key in ("check_marks_of_another", "check_anothers_work")]
             every = [self.found.sentence] * (self.verdict != "right") + lost
-        told = [one.told(lang) for one in every]
-        return " ".join(t if t[-1] in ".!?" or t is told[-1] else f"{t}." for t in told)
+        *sentences, last = [one.told(lang) for one in every] or [""]
+        return " ".join([*(s if s[-1] in ".!?" else f"{s}." for s in sentences), last])
 
     def as_json(self, lang: Lang) -> Json:
         """The object of the drawing, with its file and whose it is."""
