@@ -39,7 +39,7 @@ function paint() {
     const p = data.plans.find(p => p.key === key);
     $("plan-title").textContent = `${p.title[state.lang]}, μ = ${mu(p)}`;
   }
-  if (state.spin && performance.now() - read < READ_MS) { // numbers are updated eight times a second, figures in every frame
+  if (state.spin && performance.now() - read < READ_MS) { // numbers change eight times a second, figures each frame
     kit.show(null, false);
     coloured();
     relight();
