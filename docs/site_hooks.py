@@ -58,7 +58,7 @@ SAID_OF = {
     "en": {"scene": "scene", "lesson": "lesson", "sheet": "sheet"},
     "ru": {"scene": "сцена", "lesson": "урок", "sheet": "лист"},
 }
-SAID = {"en": ("key", "what it is"), "ru": ("ключ", "что это")}
+SAID = {"en": ("key", "meaning"), "ru": ("ключ", "что это")}
 
 
 def language(page: Path) -> str:

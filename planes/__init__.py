@@ -8,7 +8,7 @@
 Public names: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`extremes`, :func:`check`,
 :func:`sheet`, :func:`picture`, :func:`lesson`, :func:`animate`, :func:`crank`, and ``Scene``, ``Linkage``,
 ``Position``, ``Table``, ``Exact``, ``Pencil``, ``PlanesError``.
-Each comes when it is first used, so that nothing is imported that is not needed.
+Each is imported on first use, so that nothing is loaded without need.
 
 Packages, lowest level first: ``words`` (all text for people) · ``geometry scene drafting plans solving`` (the engine:
 vector equations drawn step by step into one program) · ``batch accuracy diagrams`` (many positions) · ``check lesson
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from planes.solving.of_scene import load, loads, solve
     from planes.words.errors import PlanesError
 
-__version__ = "0.16.0"
+__version__ = "0.17.0"
 
 _FROM = {
     "planes.scene": ("Scene",),
@@ -46,8 +46,8 @@ _FROM = {
     "planes.solving": ("Position",),
     "planes.batch.table": ("Table",),
     "planes.words.errors": ("PlanesError",),
-    "planes.solving.tables": ("text_of",),  # asked by whatever is printed as tables
-    "planes.documents.drawn": ("shown",),  # asked by whatever a notebook shows as a picture
+    "planes.solving.tables": ("text_of",),  # asked for by every printed table
+    "planes.documents.drawn": ("shown",),  # asked for by every picture in a notebook
     "planes.documents.notebook": ("crank", "in_notebook"),
 }
 _ROOMS = ("check", "lesson")
@@ -75,8 +75,8 @@ __all__ = [
 
 
 class _Verb:
-    """A public function whose name a room has too: ``planes.check(scene, …)`` and ``import planes.check.reading``
-    both work."""
+    """A public function with the name of a room: ``planes.check(scene, …)`` and ``import planes.check.reading`` both
+    work."""
 
     def __init__(self, act: Callable[..., Any], room: str) -> None:
         update_wrapper(self, act)
@@ -86,7 +86,7 @@ class _Verb:
         return self._act(*given, **named)
 
     def __get__(self, _: object, __: type | None = None) -> _Verb:
-        return self  # so ``help`` takes it for a function, and tells its signature
+        return self  # so ``help`` takes it for a function, and shows its signature
 
     def __getattr__(self, name: str) -> Any:
         return getattr(import_module(self._room), name)
@@ -99,7 +99,7 @@ def _public(name: str) -> Any:
 
 
 class _Face(ModuleType):
-    """The package: its public names win over the rooms of the same names, ``check`` and ``lesson``."""
+    """The package: its public names take precedence over the rooms of the same names, ``check`` and ``lesson``."""
 
     def __getattribute__(self, name: str) -> Any:
         if name in _HOME:

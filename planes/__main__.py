@@ -1,6 +1,7 @@
-"""Where the program begins and ends: ``planes``, ``python -m planes``. Whatever ends it, nothing half-written is left.
+"""The entry and the exit of the program: ``planes``, ``python -m planes``. No exit leaves an unfinished file.
 
-A signal becomes an exit from wherever the program is, so that every draft goes away; the status is 128 and its number.
+A signal becomes an exit from any point of the program, so that every draft is deleted; the status is 128 plus its
+number.
 """
 
 import gc
@@ -13,7 +14,7 @@ ENDS = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signa
 
 
 def run() -> int:
-    """The command line from its first moment to its last; the exit status."""
+    """The command line from start to end; returns the exit status."""
     for one in ENDS:
         if signal.getsignal(one) is not signal.SIG_IGN:  # as under nohup
             signal.signal(one, _ended)
@@ -30,14 +31,14 @@ def run() -> int:
 
 
 def _ended(number: int, _: object) -> NoReturn:
-    """Leave, and let nothing disturb the tidying up."""
+    """Leave, with signals ignored during the clean-up."""
     for one in ENDS:
         signal.signal(one, signal.SIG_IGN)
     sys.exit(128 + number)
 
 
 def _emptied(stream: TextIO | None) -> None:
-    """What nobody takes any more is dropped without a word, instead of by the interpreter with one."""
+    """Output that nobody reads any more is dropped without the interpreter's message."""
     if stream is None:
         return
     try:

@@ -1,1 +1,1 @@
-"""How far a number can be trusted: error bounds, the pencil's spread, methods compared, limits, stability."""
+"""The accuracy of the numbers: error bounds, the scatter of a pencil, comparison of methods, limits, stability."""

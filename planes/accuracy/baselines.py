@@ -1,7 +1,8 @@
-"""How others compute the same, for contrast only: Newton's iteration on closed loops, and differences of positions.
+"""Other methods for the same results, for comparison only: Newton's iteration on closed loops, and differences of
+positions.
 
-Nothing of the program depends on this. Unknowns are the pose (x, y, angle) of every link; a hinge says that two
-places coincide, a slider that it stands on its guide and does not turn against it.
+Nothing in the program depends on this module. Unknowns are the pose (x, y, angle) of every link; a hinge requires that
+two places coincide, a slider that it is on its guide and does not turn relative to it.
 """
 
 import cmath
@@ -24,8 +25,8 @@ STILL = (0.0, 0.0, 0.0)  # the pose of the frame
 
 @frozen
 class Loops:
-    """The constraints of a mechanism, and of its drive: an angle (rad) or a slider's way along its guide (m). The pose
-    of the frame, all zeros, stands after those of the links."""
+    """The constraints of a mechanism, and of its drive: an angle (rad) or a slider's position along its guide (m). The
+    pose of the frame, all zeros, comes after those of the links."""
 
     plans: Plans
 
@@ -35,7 +36,7 @@ class Loops:
 
     @cached_property
     def columns(self) -> dict[str, int]:
-        """Where the pose of every link begins."""
+        """The first column of every link's pose."""
         return {link: 3 * k for k, link in enumerate((*self.links, FRAME))}
 
     def pose(self, q: Array, link: str) -> tuple[complex, float]:
@@ -44,21 +45,21 @@ class Loops:
         return complex(q[k], q[k + 1]), float(q[k + 2])
 
     def drive(self, q: Array) -> float:
-        """The drive's value in a pose."""
+        """The drive's position in a pose."""
         pair = self.plans.structure.drive_pair
         return (
             self.pose(q, pair.link)[1] - self.pose(q, pair.other)[1] if pair.kind == "R" else self._slid(q, pair).real
         )
 
     def target(self, q: Array, value: float) -> float:
-        """A value of the drive (degrees or m) as the loops have it, whole turns those of the pose."""
+        """A position of the drive (degrees or m) in the units of the loops, with the pose's count of whole turns."""
         if self.plans.mechanism.drive.kind == "s":
             return value
         phi = math.radians(value)
         return phi + 2 * math.pi * round((self.drive(q) - phi) / (2 * math.pi))
 
     def residual(self, q: Array, value: float) -> Array:
-        """What the constraints lack of holding, the drive's last."""
+        """The residuals of the constraints, the drive's last."""
         residuals: list[float] = []
         for pair in self.plans.structure.pairs:
             residuals += self._hinge(q, pair) if pair.kind == "R" else self._slider(q, pair)
@@ -82,7 +83,7 @@ class Loops:
         return self.pose(q, pair.other)[1] + math.radians(self.plans.mechanism.guide(pair.guide).angle_deg)
 
     def _slid(self, q: Array, pair: Pair) -> complex:
-        """Where the slider's first point is, along the guide and to the left of it."""
+        """The place of the slider's first point, along the guide and to the left of it."""
         mechanism = self.plans.mechanism
         origin, turn = self.pose(q, pair.other)
         on_guide = origin + mechanism.guide(pair.guide).through * cmath.exp(1j * turn)
@@ -90,7 +91,7 @@ class Loops:
         return (first - on_guide) * cmath.exp(-1j * self._along(q, pair))
 
     def jacobian(self, q: Array) -> Array:
-        """Slopes of the constraints."""
+        """Derivatives of the constraints."""
         rows: list[Array] = []
         for pair in self.plans.structure.pairs:
             rows += self._hinge_slopes(q, pair) if pair.kind == "R" else self._slider_slopes(q, pair)[1:]
@@ -101,14 +102,14 @@ class Loops:
         return self._slider_slopes(q, pair)[0] if pair.kind == "P" else self._turn_slope(q, pair)
 
     def _turn_slope(self, q: Array, pair: Pair) -> Array:
-        """How a link of a pair turns against the other."""
+        """The derivative of the relative rotation of a pair."""
         row = np.zeros(len(q))
         for link, sign in pair.sides:
             row[self.columns[link] + 2] = sign
         return row
 
     def _fill(self, rows: Array, q: Array, link: str, place: complex, unit: complex, sign: float) -> None:
-        """How the parts of a place of a link along 1/unit and across it move with the link's pose."""
+        """Fill in how the components of a link's place, along 1/unit and across it, change with the link's pose."""
         k = self.columns[link]
         arm = place - self.pose(q, link)[0]
         for column, way in ((k, 1 + 0j), (k + 1, 1j), (k + 2, 1j * arm)):
@@ -122,15 +123,15 @@ class Loops:
         return list(rows)
 
     def _slider_slopes(self, q: Array, pair: Pair) -> list[Array]:
-        """Slopes of the way along the guide, of that across it, and of the turn against it."""
+        """Derivatives of the position along the guide, of that across it, and of the relative rotation."""
         rows, back = np.zeros((2, len(q))), cmath.exp(-1j * self._along(q, pair))
         first = self.place(q, pair.link, self.plans.mechanism.link(pair.link).first_point)
-        for link, sign in pair.sides:  # the guide's line is carried along as a body
+        for link, sign in pair.sides:  # the guide's line moves as a rigid body
             self._fill(rows, q, link, first, back, sign)
         return [*rows, self._turn_slope(q, pair)]
 
     def newton(self, q: Array, value: float) -> Array:
-        """The pose nearest by iteration; no look is taken at whether it came out."""
+        """The nearest pose by iteration; convergence is not checked."""
         for _ in range(MOST):
             step = np.linalg.solve(self.jacobian(q), -self.residual(q, value))
             q = q + np.append(step, STILL)
@@ -147,8 +148,8 @@ class Loops:
         return v, np.append(np.linalg.solve(slopes, drive * acceleration - self._bends(q, v)), STILL)
 
     def _bends(self, q: Array, v: Array) -> Array:
-        """What the constraints' second derivatives are without accelerations of the pose: exact, centripetal parts and
-        those of Coriolis."""
+        """The second derivatives of the constraints at zero acceleration of the pose: exact, centripetal and Coriolis
+        terms."""
         bends: list[float] = []
         for pair in self.plans.structure.pairs:
             bend = self._bend(q, v, pair)
@@ -157,7 +158,7 @@ class Loops:
         return np.array([*bends, self._bend(q, v, pair).real if pair.kind == "P" else 0.0])
 
     def _bend(self, q: Array, v: Array, pair: Pair) -> complex:
-        """The same of a pair: of a hinge in the frame's axes, of a slider in its guide's."""
+        """The same for one pair: for a hinge in the frame's axes, for a slider in its guide's."""
         (own, a), (carried, b) = (self._moved(q, v, link, pair) for link in (pair.link, pair.other))
         if pair.kind == "R":
             return a - b
@@ -165,7 +166,7 @@ class Loops:
         return (a - b - coriolis) * cmath.exp(-1j * self._along(q, pair))
 
     def _moved(self, q: Array, v: Array, link: str, pair: Pair) -> tuple[complex, complex]:
-        """The velocity and centripetal acceleration a link has at a pair (of a slider at its first point)."""
+        """The velocity and centripetal acceleration of a link at a pair (for a slider at its first point)."""
         point = pair.point if pair.kind == "R" else self.plans.mechanism.link(pair.link).first_point
         place = self.place(q, pair.link, point)
         speed, turns = self.pose(v, link)
@@ -183,7 +184,7 @@ class Loops:
         return rates
 
     def start(self, number: Callable[[str], Point]) -> Array:
-        """A pose to begin from, read off a drawing."""
+        """A start pose, taken from a drawing."""
         q: list[float] = []
         for link in self.links:
             first = self.plans.mechanism.link(link).first_point

@@ -1,4 +1,4 @@
-"""A mechanism set up so that every way of computing it can be tried at the same positions."""
+"""A mechanism prepared for comparing all methods at the same positions."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -25,11 +25,11 @@ Triple = tuple[complex, complex, complex]  # place, velocity, acceleration
 
 
 class Comparison:
-    """Places, velocities and accelerations of a mechanism's moving points, by many ways.
+    """Places, velocities and accelerations of a mechanism's moving points, by several methods.
 
-    Every way takes values of the drive and gives a row for each column, NaN where it refuses. Where lengths or
+    Every method takes positions of the drive and returns a row for each column, NaN where it refuses. Where lengths or
     angles change with the drive (``known``, as in :class:`Cycle`), ``variants`` are the plans of each position.
-    ``begins`` numbers the positions at which a new path begins.
+    ``begins`` are the indices at which a new path begins.
     """
 
     def __init__(
@@ -51,7 +51,7 @@ class Comparison:
 
     @cached_property
     def working(self) -> Array:
-        """Values of the drive, over a turn or around a slider's place, at which everything can be drawn."""
+        """Positions of the drive, over a turn or around a slider's position, at which all steps can be drawn."""
         drive, near = self.plans.mechanism.drive, np.linspace(-0.1, 0.1, 360)
         values = np.arange(360.0) if drive.kind == "phi" else drive.position + near * self.plans.reach
         codes = np.hstack([b.codes for b in self.cycle.blocks(values, fast=False)])
@@ -63,7 +63,7 @@ class Comparison:
         return [c.take(drawing.things, drawing.tool.ar) for c in self.cycle.columns]
 
     def drawn(self, value: Real, instrument: Instrument | None = None, k: int = 0) -> Drawing:
-        """One position drawn by itself; ``k`` is its place among those of ``known``."""
+        """A single drawing of one position; ``k`` is its index in ``known``."""
         beside = {name: v[k].item() for name, v in self.cycle.moved.items()}
         return run(self.cycle.program, {**self.cycle.given, **beside, self.plans.drive_given: value}, instrument)
 
@@ -78,12 +78,11 @@ class Comparison:
         return np.array(rows).T
 
     def truth(self, values: Array) -> Array:
-        """The columns at 50 digits, rounded once."""
+        """The columns at 50 digits, rounded only once."""
         return self.scalar(values, Digits(50))
 
     def error(self, measured: Array, truth: Array) -> Array:
-        """The largest error at each position of what was found, relative to the largest place, velocity or
-        acceleration of all."""
+        """The largest error in each position, relative to the largest place, velocity or acceleration of all."""
         worst, known = np.zeros(truth.shape[1]), ~np.isnan(measured).all(axis=1)
         for letter in "rva":
             rows = (self.letters == letter) & known
@@ -93,7 +92,7 @@ class Comparison:
         return worst if known.any() else worst * math.nan
 
     def sizes(self, truth: Array) -> Array:
-        """For each column and position the largest place, velocity or acceleration there, whichever it is of."""
+        """For each column and position the largest place, velocity or acceleration there, of the same kind."""
         largest = {letter: np.abs(truth[self.letters == letter]).max(axis=0) for letter in "rva"}
         return np.array([np.where(largest[letter] > 0, largest[letter], 1.0) for letter in self.letters])
 
@@ -102,11 +101,11 @@ class Comparison:
         return self.cycle.table(values, fast=fast)[0]
 
     def through(self, values: Array, fast: bool) -> int:
-        """The same, each block let go of as soon as it is there; how many blocks."""
+        """The same, with each block released at once; returns the number of blocks."""
         return sum(1 for _ in self.cycle.blocks(values, fast=fast, bare=True))
 
     def single(self, values: Array) -> Array:
-        """The same in numbers of 24 bits."""
+        """The same in 24-bit floats."""
         trace = self.cycle.trace
         order, rows = trace.tape.needed(list(trace.outputs)), []
         for i in range(0, len(values), CHUNK):
@@ -117,7 +116,8 @@ class Comparison:
         return np.hstack(rows)
 
     def differences(self, values: Array, step: float = STEP) -> Array:
-        """Velocities and accelerations from differences of exact places over a step (rad, or of the reach)."""
+        """Velocities and accelerations from differences of exact places over a step (rad, or a fraction of the
+        reach)."""
         drive = self.plans.mechanism.drive
         places = Cycle(self.plans, [f"r_{p}" for p in self.points], self.cycle.moved)
         width, unit = (step, math.degrees(step)) if drive.kind == "phi" else (step * self.plans.reach,) * 2
@@ -131,7 +131,7 @@ class Comparison:
         return table
 
     def newton(self, values: Array) -> Array:
-        """Closed loops by iteration, each position of a path begun from the one before."""
+        """Closed loops by iteration; each position of a path starts from the one before."""
         drive, q, poses = self.plans.mechanism.drive, np.empty(0), list[Mapping[str, Triple]]()
         for k, value in enumerate(values):
             loops = Loops(self.at(k))
@@ -147,11 +147,11 @@ class Comparison:
         return self.rows(poses)
 
     def rows(self, poses: Sequence[Mapping[str, Triple]]) -> Array:
-        """Columns of positions out of what is known of their points."""
+        """Columns of positions from the results for their points."""
         return np.array([self._row(triples) for triples in poses]).T
 
     def _row(self, triples: Mapping[str, Triple]) -> list[float]:
-        """Columns out of places, velocities and accelerations by point; NaN of what is not among them."""
+        """Columns from places, velocities and accelerations by point; NaN where one is missing."""
         row = []
         for column in self.cycle.columns:
             letter, point, part = column.name[0], column.name[2:-2], column.name[-1]
@@ -162,8 +162,8 @@ class Comparison:
 
 @frozen
 class OtherProgram:
-    """A program by others, for contrast: what it is called, whether it has a mechanism's groups, its columns at values
-    of the drive, and its quickest way over as many as ``most`` values, to be timed."""
+    """Another program, for comparison: its name, whether it can solve a mechanism's groups, its columns at positions of
+    the drive, and its fastest run over as many as ``most`` positions, for timing."""
 
     name: str
     can: Callable[[Plans], bool]

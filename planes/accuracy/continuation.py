@@ -1,4 +1,4 @@
-"""A curve followed: where n equations of n + 1 numbers hold, by Newton's steps across the way the curve leads on."""
+"""Curve following: solutions of n equations in n + 1 unknowns, by Newton's steps across the predicted direction."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -9,20 +9,20 @@ from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
 
 Equations = Callable[[Array], Array]
-"""Of many points, a column each: what is left of every equation, a row each; NaN where nothing can be said."""
-TINY = 1e-6  # between the points slopes are taken of
-SETTLED = 1e-11  # the last of Newton's steps is no longer
+"""For many points, one per column: the residual of every equation, one per row; NaN where it is undefined."""
+TINY = 1e-6  # step for numerical derivatives
+SETTLED = 1e-11  # largest last step of Newton's method
 NEWTON = 12  # steps, at most
-PLAIN = 1e-7  # slopes that tell less than this apart lead no way: equations may hold there, but no curve is told
-STRAIGHT = 0.97  # cosine of how far a step may turn
-SHORTEST = 2.0**-12  # of the step: a curve that asks for shorter ones is at its end
+PLAIN = 1e-7  # derivatives closer to dependent than this give no direction: there may be solutions, but no single curve
+STRAIGHT = 0.97  # cosine of the largest turn in a step
+SHORTEST = 2.0**-12  # of the step: where a curve needs a shorter one, it ends
 LONGEST = 4000  # steps to one side
-ON = 0.12  # of the step: a place this near to a curve is on it
+ON = 0.12  # of the step: a place this close to a curve is on it
 
 
 @frozen
 class Room:
-    """Where curves are followed: between ``low`` and ``high``, round about in what has a period (else 0)."""
+    """The region for curves: between ``low`` and ``high``, periodic in unknowns with a period (else 0)."""
 
     low: Array
     high: Array
@@ -30,12 +30,12 @@ class Room:
     step: float
 
     def holds(self, place: Array) -> bool:
-        """Whether a place is within."""
+        """Whether a place lies in the region."""
         ends = self.periods == 0
         return bool(np.all((place >= self.low)[ends]) and np.all((place <= self.high)[ends]))
 
     def apart(self, one: Array, two: Array) -> Array:
-        """From one place to another, or to many, the shorter way round."""
+        """The vector from one place to another, or to many, the shorter way round."""
         gap = two - one
         round_about = np.where(self.periods > 0, self.periods, 1.0)
         return np.where(self.periods > 0, gap - round_about * np.round(gap / round_about), gap)
@@ -43,14 +43,14 @@ class Room:
 
 @dataclass
 class Curves:
-    """The curves found so far, each a row for each place along it."""
+    """The curves found so far, each with a row for each place along it."""
 
     equations: Equations
     room: Room
     found: list[Array] = field(default_factory=list)
 
     def add(self, near: Array, reach: float) -> None:
-        """Follow the curve near a place, no farther than ``reach`` from it, if it is none of those."""
+        """Follow the curve near a place, at most ``reach`` away, if it is a new one."""
         start = self.settled(near)
         if start is None or np.linalg.norm(self.room.apart(near, start)) > reach or not self.room.holds(start):
             return
@@ -63,7 +63,7 @@ class Curves:
         self.found.append(np.array([*behind[::-1], *ahead]))
 
     def settled(self, near: Array) -> Array | None:
-        """The place on a curve by Newton's steps, each the shortest that serves."""
+        """The place on a curve by Newton's steps, each of minimum length."""
         place = near
         for _ in range(NEWTON):
             left, slopes = self._slopes(place)
@@ -77,18 +77,18 @@ class Curves:
         return None
 
     def way(self, place: Array) -> Array:
-        """The direction in which none of the equations changes."""
+        """The direction in which no equation changes."""
         return np.asarray(np.linalg.svd(self._slopes(place)[1])[2][-1])
 
     def _slopes(self, place: Array) -> tuple[Array, Array]:
-        """What is left at a place, and the slopes of that."""
+        """The residuals at a place, and their derivatives."""
         by = TINY * np.eye(len(place))
         left = self.equations(place[:, None] + np.hstack([np.zeros((len(place), 1)), by, -by]))
         ahead, behind = left[:, 1 : len(place) + 1], left[:, len(place) + 1 :]
         return left[:, 0], (ahead - behind) / (2 * TINY)
 
     def _side(self, start: Array, way: Array) -> Iterator[Array]:
-        """Places to one side: as far as the room goes, or the curve, or back to the start."""
+        """Places to one side: to the end of the region or of the curve, or back to the start."""
         place, step = start, self.room.step / 4
         for gone in range(LONGEST):
             while step > self.room.step * SHORTEST:
@@ -100,7 +100,7 @@ class Curves:
                 return
             back = self.room.apart(place, start)
             if gone > 2 and np.linalg.norm(back) < 1.5 * step and back @ way > 0:
-                yield place + back  # the start again
+                yield place + back  # back at the start
                 return
             place, way = advance
             yield place
@@ -109,7 +109,7 @@ class Curves:
             step = min(2 * step, self.room.step)
 
     def _next(self, place: Array, way: Array, step: float) -> tuple[Array, Array] | None:
-        """The next place and the way on, if the curve turns little till there."""
+        """The next place and direction, if the curve turns little on the way."""
         ahead = self.settled(place + step * way)
         if ahead is None or abs(np.linalg.norm(ahead - place) / step - 1) > 0.1:
             return None

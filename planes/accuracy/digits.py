@@ -1,4 +1,4 @@
-"""The instrument of many digits: the same steps with mpmath's long numbers, one position at a time; the truth."""
+"""The instrument of many digits: the same steps with mpmath's long numbers, one position at a time; the reference."""
 
 from functools import lru_cache
 from typing import Any
@@ -23,7 +23,7 @@ class Long(Arithmetic):
         self.eps: Real = self.mp.mpf(10) ** -digits
 
     def long(self, x: Point) -> Point:
-        """A given number in this arithmetic, none of its digits lost."""
+        """A given number in this arithmetic, without loss of digits."""
         if isinstance(x, complex):
             return self.mp.mpc(x)
         return self.mp.mpf(x) if isinstance(x, float | int) and not isinstance(x, bool) else x
@@ -60,7 +60,7 @@ _arithmetic = lru_cache(maxsize=8)(Long)
 
 
 class _LongTool(Tool):
-    """Draws with long numbers: what is given is taken over exactly."""
+    """Draws with long numbers: givens are converted exactly."""
 
     def given(self, value: Point) -> Point:
         ar = self.ar
@@ -70,7 +70,7 @@ class _LongTool(Tool):
 
 @frozen
 class Digits:
-    """No error but that of the ``digits``-th digit."""
+    """No error except in the ``digits``-th digit."""
 
     digits: int = 50
 

@@ -1,6 +1,6 @@
-"""Every result with its ±: what a solved scene claims of its own numbers, in the shape of the results themselves.
+"""The ± of every result: the accuracy that a solved scene claims for its numbers, in the same shape as the results.
 
-Of an exact drawing it is a bound; of a pencil's how far it scatters, the covariance of its slips of mark, ray and ruler
+For an exact drawing it is a bound; for a pencil's the scatter: the covariance of its errors of mark, ray and ruler,
 carried to first order.
 """
 
@@ -68,7 +68,7 @@ class Errors:
         }
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
         pencil = by if isinstance(by, Pencil) else None
-        self.ruler_mm = pencil.ruler_mm / math.sqrt(12.0) if pencil else 0.0  # what reading a ruler adds
+        self.ruler_mm = pencil.ruler_mm / math.sqrt(12.0) if pencil else 0.0  # reading error of the ruler
         self.claims: Margins = Spread(self.cycle, pencil, {}) if pencil else self.cycle.rough
 
     def of(self, position: Position) -> dict[str, Any]:
@@ -79,7 +79,7 @@ class Errors:
         out = nested(Measured(q, tuple(or_none(bounds[c.name]) for c in q.columns)) for q in self.quantities)
         if drawn := position.results.get("plans"):
             out["plans"] = {}
-            for plan, measured in drawn.items():  # what is read with a ruler is off by its rounding too
+            for plan, measured in drawn.items():  # a ruler reading also has its rounding error
                 mu, keys = position.scales[mu_of(plan)], measured["segments"]
                 errors = {key: _measured(bounds[f"{plan}:{key}"], mu, self.ruler_mm) for key in keys}
                 out["plans"][plan] = {"segments": errors}
@@ -87,12 +87,12 @@ class Errors:
 
 
 def add_errors(solved: Solved, instrument: Instrument | None = None) -> None:
-    """Put ``errors`` beside the results of every position drawn by this instrument, and into ``error_mm``."""
+    """Add ``errors`` to the results of every position drawn by this instrument, and to ``error_mm``."""
     drawn = [p for p in solved.positions if "interpolated" not in p.results]
     if not drawn:
         return
     wanted = None if solved.wanted is None else [q.name for q in solved.wanted]
-    ready: dict[int, Errors] = {}  # of each plans, which are others where other leads meet
+    ready: dict[int, Errors] = {}  # one for each choice of leads, where other leads meet
     for position in drawn:
         plans = position.plans
         if id(plans) not in ready:

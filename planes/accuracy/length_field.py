@@ -1,8 +1,9 @@
-"""A mechanism over its drive and one length: what is nothing where two of its places meet, on a grid and along curves.
+"""A mechanism over its drive and one length: a function that vanishes where two assemblies merge, on a grid and along
+curves.
 
-A crossing with two places has a number that is nothing where they meet (its opening); a link on three leads has its
-assemblies where a trigonometric polynomial of its angle is nothing, and two meet where its slope is nothing too. Links
-hinged to each other are followed over the grid (``sheets``).
+A crossing with two solutions has an opening, which vanishes where they merge. A link on three leads has its assemblies
+at the zeros of a trigonometric polynomial of its angle, and two merge where its derivative vanishes too. For several
+links in hinges the assemblies are followed over the grid (``sheets``).
 """
 
 import math
@@ -25,15 +26,15 @@ from planes.geometry.tracks import DEGREE, Tie, closure
 from planes.plans import Plans
 from planes.words.names import mu_of
 
-ACROSS, UP, ROUND = 181, 121, 96  # of the grid: values of the drive, lengths, angles of a link
-COARSER = 2  # steps where assemblies are followed over it
-STEP = 0.05  # along a curve: radians, parts of the mechanism's reach, and of a length's logarithm
-CIRCLE = 1e-5  # a root is on the unit circle; rounding moves a double one by less
-SAMPLES = 16  # angles that tell a trigonometric polynomial
+ACROSS, UP, ROUND = 181, 121, 96  # of the grid: positions of the drive, lengths, angles of a link
+COARSER = 2  # steps with assemblies followed over it
+STEP = 0.05  # step along a curve: radians, fractions of the mechanism's reach, and of a length's logarithm
+CIRCLE = 1e-5  # distance of a root from the unit circle; rounding moves a double one by less
+SAMPLES = 16  # angles that determine a trigonometric polynomial
 
 
 class LengthField:
-    """A mechanism over the drive and the logarithm of how many times longer a length is."""
+    """A mechanism over the drive and the logarithm of a length's factor."""
 
     def __init__(self, plans: Plans, name: str, times: float) -> None:
         self.plans, self.name = plans, name
@@ -47,7 +48,7 @@ class LengthField:
         self.across, self.up = np.linspace(*ends, ACROSS // by + 1), np.linspace(-reach, reach, UP // by + 1)
 
     def value(self, x: Array) -> Array:
-        """The drive's value."""
+        """The drive's position."""
         return x * self.unit
 
     def length(self, y: Array) -> Array:
@@ -62,7 +63,8 @@ class LengthField:
 
     @cached_property
     def steps(self) -> list[Step]:
-        """The steps with several places, those that hang on no track; of one link's track one."""
+        """The steps with several solutions, except those attached to a track; for a link with one track, one of
+        them."""
         steps: dict[object, Step] = {}
         for step in self.plans.program.steps:
             if isinstance(step, TwoPlaces | CutTrack) and not self._tracked(self.program(step)):
@@ -71,7 +73,7 @@ class LengthField:
 
     @cached_property
     def whole(self) -> bool:
-        """Whether these are all."""
+        """Whether the list is complete."""
         several = (s for s in self.plans.program.steps if isinstance(s, TwoPlaces | CutTrack))
         return all(s in self.steps or s in self.cut for s in several)
 
@@ -80,17 +82,17 @@ class LengthField:
         return any(isinstance(s, CutTrack) for s in program.steps)
 
     def program(self, step: Step) -> Program:
-        """What leads to a step."""
+        """The steps that a given step needs."""
         return self.plans.program.sliced([name for name, _ in step.reads()])
 
     def drawn(self, program: Program, x: Array, y: Array) -> Drawing:
-        """It drawn at many places of the field."""
+        """The drawing at many places of the field."""
         longer = np.exp(y) - 1
         given = {name: self.base[name] + slope * longer for name, slope in self.slopes.items()}
         return run(program, {**self.base, **given, self.plans.drive_given: self.value(x)})
 
     def opening(self, step: TwoPlaces) -> Callable[[Array], Array]:
-        """How open a step is at places (drive, length)."""
+        """The opening of a step at places (drive, length)."""
         program = self.program(step)
 
         def equations(at: Array) -> Array:
@@ -112,7 +114,7 @@ class LengthField:
         return np.asarray(np.fft.fft(samples, axis=0)[np.arange(-DEGREE, DEGREE + 1)] / SAMPLES)
 
     def fold(self, step: CutTrack) -> Callable[[Array], Array]:
-        """The closure of a link and its slope at places (drive, length, angle of the link)."""
+        """The closure of a link and its derivative at places (drive, length, angle of the link)."""
         program, powers = self.program(step), np.arange(-DEGREE, DEGREE + 1)[:, None]
 
         def equations(at: Array) -> Array:
@@ -123,18 +125,18 @@ class LengthField:
 
     @cached_property
     def spots(self) -> Array:
-        """The grid, a column each: drive and length."""
+        """The grid, one column per node: drive and length."""
         y, x = np.meshgrid(self.up, self.across, indexing="ij")
         return np.array([x.ravel(), y.ravel()])
 
     @property
     def shape(self) -> tuple[int, int]:
-        """Of the grid: lengths and values of the drive."""
+        """The shape of the grid: lengths and positions of the drive."""
         return len(self.up), len(self.across)
 
     @cached_property
     def sheets(self) -> dict[str, Sheets]:
-        """Of every track of links hinged to each other their assemblies on the grid."""
+        """The assemblies on the grid for every track of several links in hinges."""
         sheets = dict[str, Sheets]()
         for step in self.steps:
             if isinstance(step, CutTrack) and _chained(step):
@@ -144,7 +146,7 @@ class LengthField:
 
     @cached_property
     def grids(self) -> dict[str, Array]:
-        """Of every step its opening on the grid, or its closure at angles all round."""
+        """For every step its opening on the grid, or its closure at angles all round."""
         grids = dict[str, Array]()
         around = np.exp(2j * math.pi * np.arange(ROUND) / ROUND)[:, None]
         for step in (s for s in self.steps if not _chained(s)):
@@ -158,7 +160,7 @@ class LengthField:
 
     @cached_property
     def count(self) -> Indices:
-        """How many assemblies there are on the grid, the sides of the scene taken for what others hang on."""
+        """The number of assemblies on the grid, with the scene's choice for groups that support others."""
         total = np.ones(self.spots.shape[1], int)
         for step in self.steps:
             if step.makes in self.sheets:
@@ -171,12 +173,13 @@ class LengthField:
 
     @property
     def gone(self) -> float:
-        """How far the nearest length is at which there are more or fewer assemblies, of all or of some positions."""
+        """The distance to the nearest length at which the number of assemblies changes, for all or for some
+        positions."""
         rows = (self.count != self.count[len(self.up) // 2]).any(axis=1) | (self.count != self.count[:, :1]).any(axis=1)
         return float(abs(self.up[rows]).min(initial=math.inf))
 
     def curves(self, step: Step) -> list[Array]:
-        """The turning curves of one step: places (drive, logarithm, …), a row each."""
+        """The turning curves of one step: places (drive, logarithm, …), one per row."""
         if step.makes in self.sheets:
             return self.sheets[step.makes].curves(STEP)
         grid = self.grids[step.makes]
@@ -192,7 +195,7 @@ class LengthField:
         return curves.found
 
     def _near(self, grid: Array) -> Iterator[tuple[Array, float]]:
-        """Places on the grid where a curve may be near, and how far off it may be."""
+        """Nodes of the grid that may be close to a curve, and the largest distance from it."""
         dx, dy, dt = self.across[1] - self.across[0], self.up[1] - self.up[0], 2 * math.pi / ROUND
         if grid.ndim == 2:
             for j, i in np.argwhere(_mixed(grid > 0, 0, 1)):
@@ -206,7 +209,7 @@ class LengthField:
 
 
 def _real(terms: Array) -> Indices:
-    """How many angles there are at which trigonometric polynomials are nothing: their roots on the unit circle."""
+    """The number of zeros of trigonometric polynomials: their roots on the unit circle."""
     sizes = np.abs(terms).max(axis=1)
     degree = max(k for k in range(DEGREE + 1) if sizes[DEGREE + k] > 1e-12 * sizes.max())
     significant = terms[DEGREE - degree : DEGREE + degree + 1]
@@ -221,7 +224,7 @@ def _real(terms: Array) -> Indices:
 
 
 def _mixed(ahead: Booleans, *axes: int) -> Booleans:
-    """Cells of the grid whose corners are not all of one sign."""
+    """Cells of the grid with corners of different signs."""
     every = some = ahead
     for axis in axes:
         low, high = [slice(None)] * ahead.ndim, [slice(None)] * ahead.ndim
@@ -231,5 +234,5 @@ def _mixed(ahead: Booleans, *axes: int) -> Booleans:
 
 
 def _chained(step: Step) -> bool:
-    """Whether it cuts the track of links hinged to each other."""
+    """Whether it cuts the track of several links in hinges."""
     return isinstance(step, CutTrack) and len(step.holds) > 3

@@ -1,7 +1,7 @@
-"""Where a mechanism comes to the end of what can be drawn: a limit of assembly, a change point, a crossing at infinity.
+"""Where a mechanism can no longer be drawn: a limit of assembly, a change point, a crossing at infinity.
 
-It is looked for along the drive; where the drive meets none, along a length or a guide's angle that is altered while
-the drive stands where its crossings are bluntest. A limit is known to 50 digits.
+The search goes along the drive; if there is no limit, along a length or a guide's angle, with the drive held where its
+crossings are bluntest. A limit is known to 50 digits.
 """
 
 import math
@@ -22,18 +22,18 @@ from planes.words.frozen import frozen
 Kind = Literal["end", "change", "infinite"]
 FINE = Digits(50)
 HALVINGS, NARROWINGS = 170, 180
-NEARER = 1000  # times: what is tried beside a place that is told
-BLUNT = 0.3  # openness of a place worth a closer look
-ROUGH, NONE = 1e-4, 1e-18  # openness that a closer look must find, and of a place that is no place any more
-FAR = 1e4  # reaches: a point so far off is on its way to infinity
+NEARER = 1000  # times: this much closer to a predicted limit than the positions around it
+BLUNT = 0.3  # openness below which a closer look pays
+ROUGH, NONE = 1e-4, 1e-18  # openness that a closer look must reach, and the openness of a missing place
+FAR = 1e4  # reaches: a point this far away goes to infinity
 BESIDE = 1e-7
-QUICK = 10.0  # times the drive's own speed at the mechanism's reach: half open
-WIDEST = 6.0  # how many times longer or shorter a length may be made
+QUICK = 10.0  # times the drive's speed at the mechanism's reach: half open
+WIDEST = 6.0  # largest factor by which a length is changed
 
 
 @frozen
 class MovedGiven:
-    """One given that moves (``name``), the drive standing at ``held`` unless it is the drive itself."""
+    """One varied given (``name``); the drive is held at ``held`` unless it is the drive itself."""
 
     bench: Comparison
     name: str
@@ -41,7 +41,7 @@ class MovedGiven:
 
     @property
     def unit(self) -> Literal["rad", "m", "1"]:
-        """What distances are in; "1": of a length, relative to itself."""
+        """The unit of distances; "1": for a length, relative."""
         if self.held is not None:
             return "1" if self.name in self.bench.plans.lengths else "rad"
         return "rad" if self.bench.plans.mechanism.drive.kind == "phi" else "m"
@@ -53,7 +53,7 @@ class MovedGiven:
 
     @property
     def values(self) -> Array:
-        """Values to look through, from end to end."""
+        """Values to search, from end to end."""
         if self.unit == "1":
             return self.here * np.exp(np.linspace(-1, 1, 601) * math.log(WIDEST))
         if self.unit == "m":
@@ -61,7 +61,7 @@ class MovedGiven:
         return self.here + np.linspace(-180, 180, 721) / (1 if self.held is None else 2)
 
     def away(self, value: Real) -> float:
-        """How far a value is from the scene's, a length by the logarithm of how many times longer it is."""
+        """The distance of a value from the scene's; for a length the logarithm of their ratio."""
         if self.unit == "1":
             return abs(math.log(value / self.here))
         return abs(float(value) - self.here) * (math.radians(1) if self.unit == "rad" else 1.0)
@@ -72,21 +72,21 @@ class MovedGiven:
         return run(self.bench.cycle.program, {**self.bench.cycle.given, **held, self.name: value}, instrument)
 
     def openness(self, values: Array) -> Array:
-        """From 1 down to 0 where nothing can be drawn."""
+        """From 1 down to 0 where the mechanism cannot be drawn."""
         drawing = self.draw(np.asarray(values, float))
         with np.errstate(all="ignore"):
             sharpness = self._open(drawing)
         return np.where(np.isfinite(sharpness) & ~np.asarray(drawing.failed()), sharpness, 0.0) + np.zeros(len(values))
 
     def fine(self, value: Real) -> Real:
-        """The same of one value, at 50 digits."""
+        """The same for one value, at 50 digits."""
         try:
             return self._open(self.draw(value, FINE))
         except PlanFailure:
             return 0
 
     def _open(self, drawing: Drawing) -> Real:
-        """The least sharpness, or how slow the quickest point still is against the drive, if that is less."""
+        """The least sharpness, or the speed of the fastest point relative to the drive, if that is less."""
         ar, drive = drawing.tool.ar, self.bench.plans.mechanism.drive
         least: Real = 1.0
         for sharp in drawing.sharpness.values():
@@ -110,7 +110,7 @@ class MovedGiven:
 
 @frozen
 class Limit:
-    """The ``value`` (50 digits) where a way ends; positions work on its ``side`` (+1: above)."""
+    """The ``value`` (50 digits) at which a path ends; positions exist on its ``side`` (+1: above)."""
 
     way: MovedGiven
     value: Real
@@ -119,31 +119,32 @@ class Limit:
 
     @property
     def unit(self) -> Real:
-        """What distances are told in: a radian (in degrees), a metre, or the length at the limit."""
+        """The unit of distances: a radian (in degrees), a metre, or the length at the limit."""
         return {"rad": 180 / self.value.context.pi, "m": 1, "1": self.value}[self.way.unit]
 
 
 def find(bench: Comparison) -> Limit | None:
-    """The limit nearest to the scene along the drive; else along what is altered the least, the drive held."""
+    """The limit nearest to the scene along the drive; otherwise along the given that needs the least change, with the
+    drive held."""
     along = next(_limits(MovedGiven(bench, bench.plans.drive_given)), None)
     if along:
         return along
     held = bluntest(bench)
     if len(bench.plans.structure.dyads) < len(bench.plans.structure.groups):
-        return None  # an assembly is followed along the drive: what ends with an altered length, turning curves tell
+        return None  # an assembly is followed along the drive: turning curves show what ends with a changed length
     names = alterable(bench.plans, bench.cycle.program.givens)
     limits = [next(_limits(MovedGiven(bench, name, held)), None) for name in names]
     return min((x for x in limits if x), key=lambda x: x.way.away(x.value), default=None)
 
 
 def like(limit: Limit, way: MovedGiven) -> Limit | None:
-    """The nearest limit of another way, if it is of the same sort."""
+    """The nearest limit of another path, if it is of the same sort."""
     other = next(_limits(way), None)
     return other if other and (other.kind, other.side) == (limit.kind, limit.side) else None
 
 
 def bluntest(bench: Comparison) -> float:
-    """The value of the drive whose crossings are least sharp."""
+    """The drive's position with the bluntest crossings."""
     way = MovedGiven(bench, bench.plans.drive_given)
     values, openness = way.values, way.openness(way.values)
     return float(values[np.argmin(np.where(openness > 0, openness, 2.0))])
@@ -168,15 +169,15 @@ def _between(way: MovedGiven, values: Array, works: Booleans, low: int, high: in
     if works[low] and works[high]:
         return _dip(way, values[low], values[high])
     good, bad = (low, high) if works[low] else (high, low)
-    if way.fine(float(values[bad])):  # drawn after all, when drawn with more digits
+    if way.fine(float(values[bad])):  # can be drawn with more digits
         return _dip(way, values[max(bad - 1, 0)], values[min(bad + 1, len(values) - 1)])
     return _edge(way, float(values[good]), float(values[bad]))
 
 
 def _edge(way: MovedGiven, good: float, bad: float) -> Limit:
-    """Closed in on until 50 digits tell no more. What is open there is so by the root of the distance, by itself, or by
-    its square: a line through two positions that work tells where it ends, tried a little to either side of it, then
-    the middle."""
+    """The limit, narrowed down to 50 digits. Near it the openness varies as the root of the distance, as the distance,
+    or as its square: a line through two working positions predicts its end, which is tried slightly to either side,
+    then the middle is tried."""
     step = abs(bad - good)
     one, two = (FINE.tool(False).given(x) for x in (good, bad))
     end, powers, (past, past_open), one_open = abs(two - one) / 2**HALVINGS, [2, 1, 0.5], (two, 0), way.fine(one)
@@ -197,7 +198,7 @@ def _edge(way: MovedGiven, good: float, bad: float) -> Limit:
 
 
 def _dip(way: MovedGiven, low: float, high: float) -> Limit | None:
-    """Where positions on both sides work and that between them does not, if it is so."""
+    """A point between working positions that cannot be drawn, if there is one."""
     step = abs(high - low)
     one, two = (FINE.tool(False).given(x) for x in (low, high))
     for k in range(NARROWINGS):
@@ -213,5 +214,5 @@ def _dip(way: MovedGiven, low: float, high: float) -> Limit | None:
 
 
 def _single(way: MovedGiven, value: Real, step: float) -> Kind:
-    """What a single place between working ones is."""
+    """The kind of a single point between working positions."""
     return "infinite" if way.far(value + BESIDE * step) else "change"

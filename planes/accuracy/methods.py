@@ -1,4 +1,4 @@
-"""Speed and accuracy of every way to compute a mechanism: measured on the spot against 50 digits."""
+"""Speed and accuracy of all methods on a mechanism: measured here and now against 50 digits."""
 
 import math
 import os
@@ -42,17 +42,17 @@ class Method:
     error: float
 
     def name(self, lang: Lang) -> str:
-        """What it is called."""
+        """The name of the method."""
         return method_name(self.key, self.number, lang)
 
 
 def method_name(key: str, number: str, lang: Lang) -> str:
-    """A method in words; programs by others have their own names."""
+    """A method in words; other programs have proper names."""
     return say(key, lang, number=number) if key in table(lang) else key
 
 
 def machine() -> tuple[str, int]:
-    """The processor times are measured on, and how many cores of it there are."""
+    """The processor that times are measured on, and the number of its cores."""
     name = platform.processor() or platform.machine()
     cpuinfo = Path("/proc/cpuinfo")
     if cpuinfo.exists():
@@ -62,8 +62,8 @@ def machine() -> tuple[str, int]:
 
 
 def clock(work: Callable[[], object], times: int = 3) -> float:
-    """Seconds of the quickest of several runs, the first one (which compiles) not counted; of the processor's own
-    time, so that it does not matter what else the machine does."""
+    """Seconds of the fastest of several runs, without the first one (which compiles); CPU time, so that other processes
+    do not matter."""
     work()
     best = math.inf
     for _ in range(times):
@@ -74,8 +74,8 @@ def clock(work: Callable[[], object], times: int = 3) -> float:
 
 
 def measure(plans: Plans, others: Sequence[OtherProgram] = ()) -> list[Method]:
-    """Every method on one mechanism, programs by ``others`` beside ours. :class:`PlanFailure` where no position of it
-    can be drawn."""
+    """All methods on one mechanism, with programs by ``others``. :class:`PlanFailure` where no position of it can be
+    drawn."""
     bench = Comparison(plans)
     values = bench.working
     if not len(values):
@@ -128,7 +128,7 @@ def _try(bench: Comparison, given: Mapping[str, Point], pencil: Pencil) -> None:
 
 
 def _ruled(column: Column, drawing: Drawing, mus: dict[str, float], ruler: float) -> Array:
-    """A column as read off with the ruler."""
+    """A column as read with the ruler."""
     mu = mus["mu_" + plan_of(column.start)]
     size = np.broadcast_to(column.take(drawing.things, drawing.tool.ar), drawing.tool.shape) * mu
     return np.round(size / ruler) * ruler / mu

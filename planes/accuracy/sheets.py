@@ -1,7 +1,7 @@
-"""Links hinged to each other over the drive and one length: every assembly on a grid, and where two of them meet.
+"""Several links in hinges over the drive and one length: every assembly on a grid, and where two of them merge.
 
-No one angle tells how such links lie. So assemblies met at places of the grid, from poses at random, are followed from
-place to place all over it, each as far as it lasts: a sheet over the field. Where it ends two meet, in a fold.
+No single angle determines such links. So assemblies found at nodes of the grid, from random poses, are followed from
+node to node as far as they exist: a sheet over the field. At the edge of a sheet two assemblies merge, in a fold.
 """
 
 from collections.abc import Callable, Iterator
@@ -13,20 +13,20 @@ from planes.accuracy.continuation import Curves, Room
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.geometry.tracks import Pose, Tie, advanced, hung_on, origins
 
-SOWN, RIPE = 12, 30  # poses at every place of the grid that assemblies are looked for from, and by how many steps
-MOST = 48  # assemblies of a place
-NEWTON = 8  # steps from one place of the grid to the next
-BEND = 0.6  # of the links' size, and radians: no farther from there
+SOWN, RIPE = 12, 30  # start poses at every node, and the number of steps from each
+MOST = 48  # assemblies of a node
+NEWTON = 8  # steps from one node to the next
+BEND = 0.6  # of the links' size, and radians: largest change in a step
 SETTLED, SAME = 1e-9, 1e-6
 WIDE = 1e6  # of the links' size: a hinge may lie anywhere
-NEAR = 3.0  # steps of the grid: a fold so near to a curve is on it
+NEAR = 3.0  # steps of the grid: a fold this close to a curve is on it
 
-TiesAt = Callable[[Array, Array], list[Tie]]  # by values of the drive and logarithms of the length
+TiesAt = Callable[[Array, Array], list[Tie]]  # by positions of the drive and logarithms of the length
 
 
 class Sheets:
-    """The assemblies of links on ties over a grid of values of the drive, ``across`` (round about where it ``turns``),
-    and of logarithms of a length."""
+    """The assemblies of links on ties over a grid of drive positions, ``across`` (periodic if it ``turns``), and of
+    logarithms of a length."""
 
     def __init__(self, ties: TiesAt, size: float, across: Array, up: Array, turns: bool) -> None:
         self.ties_at, self.size, self.across, self.up, self.turns = ties, size, across, up, turns
@@ -37,23 +37,23 @@ class Sheets:
         self.links = len(hung_on(self.ties))
         self.poses = np.full((MOST, len(self.spots[0]), 1 + self.links), np.nan, complex)
         self.count = np.zeros(len(self.spots[0]), int)
-        self.ends: list[Array] = []  # drive, logarithm and pose from which a sheet does not go on
+        self.ends: list[Array] = []  # drive, logarithm and pose at the edge of a sheet
         self._follow()
 
     @property
     def counted(self) -> Indices:
-        """How many assemblies there are on the grid."""
+        """The number of assemblies on the grid."""
         counts = self.count.reshape(len(self.up), self.columns)
         return np.hstack([counts, counts[:, :1]]) if self.turns else counts
 
     def over(self, x: Array, y: Array) -> list[Tie]:
-        """The ties at many places, lengths over the links' size."""
+        """The ties at many places, lengths divided by the links' size."""
         each = np.ones(len(x)) / self.size
         many = ((t, t.local * each, t.place * each, t.reach * each) for t in self.ties_at(x, y))
         return [replace(t, local=a, place=b, reach=c, turn=t.turn * each * self.size) for t, a, b, c in many]
 
     def _follow(self) -> None:
-        """Sow, then go on from every new assembly to the four places beside it."""
+        """Search, then follow every new assembly to the four neighbouring nodes."""
         rng = np.random.default_rng(0)
         for _ in range(SOWN):
             at, poses = self._added(*self._sown(rng))
@@ -62,7 +62,7 @@ class Sheets:
                 at, poses = self._added(*(np.concatenate(x) for x in zip(*beside, strict=True)))
 
     def _sown(self, rng: np.random.Generator) -> tuple[Indices, Array]:
-        """Assemblies met from one pose at every place."""
+        """Assemblies found from one pose at every node."""
         held = np.array([t.place for t in self.ties if t.kind != "hinge"])
         middle, many = held.mean(axis=0), len(self.count)
         reach = 1.0 + abs(held - middle).max(axis=0)
@@ -71,7 +71,7 @@ class Sheets:
         return np.flatnonzero(lasts), poses[lasts]
 
     def _settled(self, ties: list[Tie], pose: Pose, steps: int) -> tuple[Array, Booleans, Array]:
-        """Where Newton's steps lead, where they settle, and the determinants."""
+        """The results of Newton's steps, where they converge, and the determinants."""
         with np.errstate(all="ignore"):
             for _ in range(steps):
                 pose, moved, det = advanced(ties, pose)
@@ -79,7 +79,7 @@ class Sheets:
             return poses, (moved < SETTLED) & (abs(det) > 0) & (abs(abs(poses[:, 1:]) - 1).max(axis=1) < SETTLED), det
 
     def _added(self, at: Indices, poses: Array) -> tuple[Indices, Array]:
-        """Those of some assemblies that were not known; they are from now on."""
+        """Those of some assemblies that are new; they are recorded."""
         new = np.zeros(len(at), bool)
         while True:
             known = (abs(self.poses[:, at] - poses) < SAME).all(axis=2).any(axis=0)
@@ -92,7 +92,7 @@ class Sheets:
             new[first] = True
 
     def _beside(self, at: Indices, poses: Array, down: int, right: int) -> tuple[Indices, Array]:
-        """The same assemblies at the places beside, where they last; where one does not it ends."""
+        """The same assemblies at the neighbouring nodes, where they exist; otherwise the sheet ends."""
         row, column = np.divmod(at, self.columns)
         row, column = row + down, column + right
         inside = (row >= 0) & (row < len(self.up))
@@ -119,7 +119,7 @@ class Sheets:
         return np.array([*missed, advanced(ties, pose)[2]])
 
     def curves(self, step: float) -> list[Array]:
-        """The folds, a row for each place along them."""
+        """The folds, one row for each place along them."""
         turn, angles = 2 * np.pi, self.links
         low = np.array([self.across[0], self.up[0], -WIDE, -WIDE, *[0.0] * angles])
         high = np.array([self.across[-1], self.up[-1], WIDE, WIDE, *[turn] * angles])
@@ -131,7 +131,7 @@ class Sheets:
         return curves.found
 
     def _few(self, curves: Curves, near: float) -> Iterator[Array]:
-        """Places where sheets end, those left out that a curve passes."""
+        """Places at the edge of sheets, without those on a known curve."""
         for end in self.ends:
             gaps = (curves.room.apart(end, curve) for curve in curves.found)
             if not any(

@@ -1,4 +1,4 @@
-"""How every method behaves on the way to a limit: errors, sharpness and claims against the distance."""
+"""The behaviour of every method on the way to a limit: errors, sharpness and claimed bounds against the distance."""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -17,19 +17,19 @@ from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.words.frozen import frozen, replace
 
-DECADES, EACH, CROWD = 14, 2, 8  # points of a curve in a decade, and positions of which each is the worst
+DECADES, EACH, CROWD = 14, 2, 8  # points of a curve per decade, and positions, the worst of which gives the point
 BINS = range(1 * EACH, DECADES * EACH + 1)  # distances 0.1 … 1e-14
-BEGINS = frozenset(range(0, CROWD * len(BINS), len(BINS)))  # where a path begins
-ASIDE, LONGER = 0.37, 0.007  # from one of a crowd to the next: the held drive (degrees), or a length (relatively)
-NEAR = 0.3  # how far apart the limits of a crowd may be
+BEGINS = frozenset(range(0, CROWD * len(BINS), len(BINS)))  # start of a path
+ASIDE, LONGER = 0.37, 0.007  # from one member of a crowd to the next: the held drive (degrees), or a length (relative)
+NEAR = 0.3  # largest difference between the limits of a crowd
 
 
 @frozen
 class Approach:
     """A path to a limit: distances (rad, m or relative), sharpness, claim, and errors by method (NaN: refused).
 
-    Each is the worst of a crowd of positions from the distance told to half a decade above it, so that no curve is
-    low by a lucky rounding; of what every method tells.
+    Each is the worst of a crowd of positions from the given distance to half a decade above it, so that no curve is low
+    by a lucky rounding; over the columns that every method gives.
     """
 
     limit: Limit
@@ -40,14 +40,14 @@ class Approach:
 
 
 def approach(plans: Plans, others: Sequence[OtherProgram] = ()) -> Approach | None:
-    """The way to the limit nearest to the scene, programs by ``others`` beside ours; None where neither the drive nor
-    any length or guide comes to one."""
+    """The path to the limit nearest to the scene, with programs by ``others``; None where neither the drive nor any
+    length or guide leads to one."""
     limit = find(Comparison(plans))
     return None if limit is None else _measured(limit, others, *_path(limit))
 
 
 def _path(limit: Limit) -> tuple[Comparison, Array, Array]:
-    """A bench, values of its drive, and distances: one path after another, each from far to near."""
+    """A comparison, positions of its drive, and distances: one path after another, each from far to near."""
     spots = [(x, 10.0 ** (-(b / EACH) + k / (EACH * CROWD))) for k, x in enumerate(_crowd(limit)) for b in BINS]
     values = [float(x.value + x.side * step * x.unit) for x, step in spots]
     variants, drive, distances = [], [], []
@@ -64,9 +64,9 @@ def _path(limit: Limit) -> tuple[Comparison, Array, Array]:
 
 
 def _crowd(limit: Limit) -> list[Limit]:
-    """Limits of the same sort, as many as a crowd has positions: the drive held, or a length made, a little otherwise.
+    """Limits of the same sort, as many as a crowd has positions: with the held drive, or a length, slightly changed.
 
-    Roundings differ from one to the next, which those close to one limit would all share.
+    Their roundings differ, while positions close to one limit would all share the same.
     """
     for ways in _beside(limit.way):
         limits = [like(limit, way) for way in ways]
@@ -88,7 +88,7 @@ def _beside(way: MovedGiven) -> Iterator[Iterator[MovedGiven]]:
 
 
 def ways(bench: Comparison, others: Sequence[OtherProgram]) -> dict[str, Work]:
-    """Every method that can be tried, ours before others'."""
+    """All methods to be tried, ours before others'."""
     works: dict[str, Work] = {"method_scalar": bench.scalar, "method_batch": lambda v: bench.many(v, False)}
     if compiled.available():
         works["method_compiled"] = lambda v: bench.many(v, True)
@@ -118,7 +118,7 @@ def _measured(
     crowds = [k for k in np.arange(len(distances)).reshape(CROWD, -1).T if works[k].any()]
 
     def worst(row: Array, by: Callable[[Array], Array] = np.max) -> Array:
-        return np.array([by(row[k][works[k]]) for k in crowds])  # refused once is refused
+        return np.array([by(row[k][works[k]]) for k in crowds])  # once refused is refused
 
     told_errors = {key: worst(row) for key, row in errors.items()}
     return Approach(limit, worst(distances, np.min), worst(sharp, np.min), worst(claims), told_errors)

@@ -1,4 +1,4 @@
-"""Turning curves: where motion ends, or two assemblies meet, as one length varies; whole curves, not one path."""
+"""Turning curves: where motion ends, or two assemblies merge, as one length varies; whole curves, not one path."""
 
 import math
 
@@ -7,12 +7,12 @@ from planes.geometry.arrays import Array, Indices
 from planes.plans import Plans
 from planes.words.frozen import frozen
 
-TIMES, WIDEST = 2.0, 6.0  # how many times longer or shorter the length is made, and where that turns nothing
+TIMES, WIDEST = 2.0, 6.0  # range of factors for the length, and where there is no turning
 
 
 @frozen
 class TurningCurve:
-    """One curve: the drive's ``values`` (degrees or m) and the ``lengths`` (m) at which a mark turns."""
+    """One curve: the drive's ``values`` (degrees or m) and the ``lengths`` (m) at which a mark turns back."""
 
     values: Array
     lengths: Array
@@ -20,9 +20,10 @@ class TurningCurve:
 
 @frozen
 class Turning:
-    """All of a length: the curves, and how many assemblies there are on a grid of ``lengths`` (rows) and ``values``.
+    """The results for one length: the curves, and the number of assemblies on a grid of ``lengths`` (rows) and
+    ``values``.
 
-    Groups that hang on a group of class III or IV have no part in it where they are not ``whole``.
+    Groups attached to a group of class III or IV are left out where these are not ``whole``.
     """
 
     name: str
@@ -48,8 +49,8 @@ def _of(field: LengthField) -> Turning:
 
 
 def turned(plans: Plans, names: list[str]) -> Turning | None:
-    """The same of the length that has to be altered the least until a position comes to be, or goes; None where none of
-    them does that within ``WIDEST``."""
+    """The same for the length that needs the least change before a position appears or disappears; None where none does
+    within ``WIDEST``."""
     for times in (TIMES, WIDEST):
         fields = [LengthField(plans, name, times) for name in names]
         soonest = min(fields, key=lambda f: f.gone, default=None)

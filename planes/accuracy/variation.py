@@ -1,4 +1,4 @@
-"""The same mechanism with a length, or the angle of a guide, made otherwise."""
+"""The same mechanism with a length, or the angle of a guide, changed."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -16,18 +16,18 @@ from planes.words.names import at
 
 
 def altered(plans: Plans, name: str, value: float) -> Plans:
-    """The plans with a given altered: a length, and all of its link with it, or a guide's angle; sides stay."""
+    """The plans with a changed given: a length, with all of its link, or a guide's angle; the assembly choices stay."""
     return plans_of(replace(_mechanism(plans, name, value), assembly=_sides(plans)))
 
 
 def _mechanism(plans: Plans, name: str, value: float) -> Mechanism:
-    """The mechanism with a given altered."""
+    """The mechanism with a changed given."""
     m, link = plans.mechanism, _link(plans, name, value)
     return replace(m, frame=link) if link.name == m.frame.name else replace(m, links={**m.links, link.name: link})
 
 
 def changed(one: Plans, two: Plans) -> list[str]:
-    """The givens in which two mechanisms of the same structure differ."""
+    """The givens that differ between two mechanisms of the same structure."""
     return _differing(one.given, two.given)
 
 
@@ -36,21 +36,21 @@ def _differing(old: Mapping[str, Thing], new: Mapping[str, Thing]) -> list[str]:
 
 
 def scheme_given(plans: Plans, mechanism: Mechanism) -> Mapping[str, Thing]:
-    """What is given of the scheme of a mechanism of the same structure, its assembly not chosen."""
+    """The givens of the scheme of a mechanism of the same structure, its assembly not chosen."""
     bodies = Bodies(mechanism, plans.structure, Draft())
     place_all(bodies)
     return bodies.draft.given
 
 
 def lengthened(plans: Plans, name: str) -> dict[str, Thing]:
-    """How givens of the scheme grow while a length becomes twice as long: they do so evenly."""
+    """The growth of the scheme's givens while a length doubles: they are linear in it."""
     once, twice = (scheme_given(plans, _mechanism(plans, name, plans.given[name] * k)) for k in (1.0, 2.0))
     return {n: twice[n] - once[n] for n in _differing(once, twice)}
 
 
 def alterable(plans: Plans, names: Iterable[str]) -> list[str]:
-    """Those of the names that can be altered, with nothing but other lengths of links and angles of guides following:
-    the givens whose makers say what they mean."""
+    """Those of the names that can be changed while only other lengths of links and angles of guides follow: the givens
+    whose makers state their meaning."""
     free, own = [], scheme_given(plans, plans.mechanism)
     means = {n: m for n, m in plans.means.items() if m.quantity in ("length", "angle")}
     for name in (n for n in names if n in means):
@@ -63,7 +63,8 @@ def alterable(plans: Plans, names: Iterable[str]) -> list[str]:
 
 
 def _link(plans: Plans, name: str, value: float) -> Link:
-    """The link it is a part of, altered; as it is where a length ends at no point of it but beside a guide."""
+    """The link that it belongs to, changed; unchanged where a length ends not at a point of the link but beside a
+    guide."""
     means = plans.means[name]
     link = plans.mechanism.link(means.link)
     if means.quantity == "angle":
@@ -77,7 +78,7 @@ def _link(plans: Plans, name: str, value: float) -> Link:
 
 
 def _sides(plans: Plans) -> dict[str, Assembly]:
-    """The assemblies in words, also those told by places."""
+    """The assemblies in words, including those given by places."""
     assemblies = {}
     for group in plans.structure.dyads:
         words = WORDS_OF_KIND.get(group.kind)

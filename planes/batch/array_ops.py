@@ -1,4 +1,4 @@
-"""The operations of a tape by numpy, and a tape read with arrays."""
+"""The operations of a tape by numpy, and a tape evaluated with arrays."""
 
 from collections.abc import Callable, Iterable, Mapping
 
@@ -8,7 +8,7 @@ from planes.batch.tape import Number, Op, Tape, reckoned
 from planes.geometry.arithmetic import gap
 from planes.geometry.arrays import Floats
 
-OPS: dict[str, Op] = {  # of numpy's own, which can be told where to leave what they make, but for three
+OPS: dict[str, Op] = {  # numpy functions that accept an output array, with three exceptions
     "add": np.add,
     "sub": np.subtract,
     "mul": np.multiply,
@@ -41,6 +41,7 @@ def read(
     real: Callable[[Floats], Number] = np.float64,
     ops: Mapping[str, Op] = OPS,
 ) -> dict[int, Number]:
-    """The numbers at the places of ``order``, as :func:`planes.batch.tape.reckoned`; doubles unless told otherwise."""
+    """The numbers at the places of ``order``, as :func:`planes.batch.tape.reckoned`; doubles unless another type is
+    given."""
     with np.errstate(all="ignore"):
         return reckoned(tape, order, given, lambda x: np.bool_(x) if isinstance(x, bool) else real(x), ops)

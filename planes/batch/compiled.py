@@ -1,6 +1,6 @@
-"""A program as one compiled loop over positions (the extra ``planes[fast]``): made from a tape.
+"""A program as one compiled loop over positions (the extra ``planes[fast]``), from a tape.
 
-The compiler is the one inside numba, spoken to directly: a tape has no types to guess and no branches to follow.
+The compiler is the one inside numba, called directly: a tape has no types to infer and no branches.
 """
 
 import ctypes
@@ -19,7 +19,7 @@ from planes.batch.tracing import Trace
 from planes.geometry.arrays import Array, Floats, Indices
 
 LINE = 64
-"""Bytes of a line of the cache: numbers that lie across two are an eighth slower."""
+"""Bytes of a cache line: numbers that straddle two lines are an eighth slower."""
 
 
 def available() -> bool:
@@ -28,13 +28,13 @@ def available() -> bool:
 
 
 class CompiledLoop(Loop):
-    """A compiled trace ready to run. It is compiled when first run."""
+    """A compiled trace ready to run; compiled at the first run."""
 
     def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
         super().__init__(trace, moving, given)
         tape, outputs = trace.tape, list(trace.outputs)
         fixed = [p for p in self.still if tape.ops[p][0] != "const"]
-        tested = (place for _, makes, place in trace.requires if makes)  # the rest only asks for a closer look
+        tested = (place for _, makes, place in trace.requires if makes)  # the others only ask for a closer look
         rough = frozenset(self.moved).difference(tape.needed([*outputs, *tested]))
         self.row = row_of(len(self.places) + len(outputs) + 1)
         self.text = module(tape, self.moved, self.places, fixed, outputs, self.conditions, rough, self.row + EXTRA)
@@ -48,8 +48,8 @@ class CompiledLoop(Loop):
     def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
         """One block of positions.
 
-        What is done here is done for every block, so it is little: rows of inputs, outputs and codes share one piece of
-        memory, and its address is taken the short way (``array.ctypes`` is six times as long).
+        This code runs for every block, so it is short: rows of inputs, outputs and codes share one piece of memory, and
+        its address is taken the short way (``array.ctypes`` takes six times as long).
         """
         inputs, count, wide = len(rows), len(rows[0]), self.row + EXTRA
         made = 0 if out is not None else len(self.trace.outputs)
@@ -68,9 +68,9 @@ class CompiledLoop(Loop):
         return out, block[inputs, :count].view(np.int64).astype(np.int16) if failed else None
 
     def fill(self, values: Array, out: Array) -> bool:
-        """All positions of the only input, each output straight into its row of ``out``; whether every one of them
-        holds. Other threads may run beside it. A few positions are worked before the rest, so that what is written
-        together does not lie across two lines of the cache: a quarter quicker."""
+        """All positions for a single input, each output straight into its row of ``out``; returns whether all of them
+        hold. Other threads may run at the same time. A few positions are computed before the rest, so that no vector
+        store straddles two cache lines: a quarter faster."""
         codes, wide, skip = np.empty(len(values), np.int64), out.strides[0] >> 3, 0
         if wide % (LINE >> 3) == 0:
             skip = min((-_address(out[0]) % LINE) >> 3, len(values))
@@ -128,4 +128,4 @@ def _made(text: str, machine: Any) -> bytes:
     return made
 
 
-_ENGINES: list[object] = []  # kept alive: their code runs
+_ENGINES: list[object] = []  # kept alive while their code runs

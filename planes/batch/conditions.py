@@ -1,4 +1,4 @@
-"""Conditions a loop asks of every position: that the plans' proofs hold, and that all numbers are finite."""
+"""Conditions a loop checks in every position: the proofs of the plans hold, and all numbers are finite."""
 
 from collections.abc import Iterable, Mapping
 
@@ -9,11 +9,11 @@ from planes.drafting.proofs import Facts, Proof
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.plane import square
 
-SUSPECTED = 1e-12  # relative to all that a plan shows: what is apart by more is drawn, and each proof is asked
+SUSPECTED = 1e-12  # relative to the largest value on a plan: a larger gap leads to a drawing, and each proof is checked
 
 
 def carried(tape: Tape, numbers: Iterable[Real]) -> set[int]:
-    """The places of all that makes one of these numbers infinite, or none, by being so."""
+    """The places of all operations that carry an infinity or NaN into one of these numbers."""
     carriers, stack = set[int](), [x.at for x in numbers if isinstance(x, Num)]
     while stack:
         place = stack.pop()
@@ -27,8 +27,8 @@ def carried(tape: Tape, numbers: Iterable[Real]) -> set[int]:
 def proved_together(
     program: Program, things: Mapping[str, Point], ar: Arithmetic
 ) -> tuple[dict[str, Truth], list[Real]]:
-    """Whether the proofs of every reason hold, those of a plan together and beside all its marks, which is soon done;
-    where they do not, a loop only suspects: drawing finds out."""
+    """Whether the proofs of every reason hold, those of a plan together and relative to all its marks, which is fast;
+    where they do not, a loop only suspects, and a drawing decides."""
     together: dict[tuple[str, str], list[Proof]] = {}
     for proof in program.proofs:
         together.setdefault((proof.reason, proof.plan), []).append(proof)
@@ -43,7 +43,7 @@ def proved_together(
 
 
 def finite(tape: Tape, numbers: list[Real]) -> Truth:
-    """Whether all are finite: nothing times each is nothing."""
+    """Whether all are finite: zero times each is zero."""
     total: Real = 0.0
     for x in numbers:
         if isinstance(x, Num):

@@ -1,8 +1,9 @@
-"""Many positions of a mechanism at once: one program over blocks of the drive's values, from positions to forces.
+"""Many positions of a mechanism at once: one program over blocks of drive positions, from the scheme to the forces.
 
-Memory is that of one block, however many values there are. A position that cannot be drawn has its reason, and NaN
-in what depends on what failed. A program is recorded once and gone through by arrays (``loops``), long runs by the
-compiled loop (``compiled``) where it is installed; what a loop suspects of a contradiction is drawn, and proved.
+Memory is that of one block, however many positions there are. A position that cannot be drawn has its reason, and NaN
+in all results that depend on the failure. A program is recorded once and evaluated with arrays (``loops``), in long
+runs by the compiled loop (``compiled``) where that is installed. Where a loop suspects a contradiction, the position is
+drawn, and proved.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -35,23 +36,23 @@ from planes.words.errors import ProgramError, choices
 
 CHUNK = 4096
 PAYS = 400_000
-"""From how many positions on a compiled loop is worth compiling: 350 000 to 420 000 of classes II, III and IV."""
+"""Number of positions from which a compiled loop pays: 350 000 to 420 000 for classes II, III and IV."""
 
 
 def pays(count: int) -> bool:
-    """Whether to compile a loop for so many positions; one that is compiled is always quicker."""
+    """Whether to compile a loop for so many positions; an existing one is always faster."""
     return compiled_loop.available() and count >= PAYS
 
 
 AnyLoop = TypeVar("AnyLoop", bound=Loop)
-Places = Iterable[float] | Span | Array  # values of the drive
+Places = Iterable[float] | Span | Array  # positions of the drive
 
 
 class Cycle(Ready):
-    """A mechanism ready for any number of positions, cut down to what is asked (``names``; None: everything).
+    """A mechanism ready for any number of positions, cut down to the requested results (``names``; None: all).
 
     ``known`` overrides givens by name; those with an array, a number for each position, move with the drive.
-    ``columns`` may be given as such, in place of ``names``.
+    ``columns`` may be given directly, in place of ``names``.
     """
 
     def __init__(
@@ -67,7 +68,7 @@ class Cycle(Ready):
         self.mus, self.known = unit_scales(plans), frozenset(known or ())
         self.given = {**plans.given, **self.mus}
         if self.known - {*self.mus, plans.drive_given, *plans.mechanism.drive.rates}:
-            # what is not the scene's own number is no fault of the links it was said of
+            # an overridden number is no fault of the links it belongs to
             proofs = tuple(p for p in self.program.proofs if not isinstance(p, Rigid | Slid))
             self.program = Program(self.program.steps, proofs)
         for name in self.known - {*self.given}:
@@ -79,16 +80,17 @@ class Cycle(Ready):
 
     @cached_property
     def trace(self) -> Trace:
-        """The program on a tape, drawn in SI, or at the scales that are given."""
+        """The program on a tape, drawn in SI, or at the given scales."""
         must = [not c.beside for c in self.columns]  # an arm ends where its force does
         takes = [c.take for c in self.columns]
         still = self.given.keys() - self.known - {self.plans.drive_given}
-        units = {n: self.given[n] for n in still if np.isin(self.given[n], (0, 1, -1))}  # once folded they cost nothing
+        units = {n: self.given[n] for n in still if np.isin(self.given[n], (0, 1, -1))}  # free once they are folded
         return trace(self.program, self.given, takes, {**units, **self.folded}, must=must, forces=self.forces)
 
     @cached_property
     def forces(self) -> list[tuple[str, str]]:
-        """The ends of the forces among the columns, but of those that are reckoned of nothing: no load reaches them."""
+        """The ends of the forces among the columns, without those that are computed from zeros: no load reaches
+        them."""
         if not (sides := sides_of(self.columns)):
             return []
         own = np.array([self.plans.mechanism.drive.position])
@@ -101,22 +103,22 @@ class Cycle(Ready):
 
     @cached_property
     def reasons(self) -> tuple[Reason, ...]:
-        """What each code means: code k is the reason k - 1."""
+        """The reasons for the codes: code k is reason k - 1."""
         return tuple(Reason(r, makes) for r, makes, _ in self.trace.requires if r != UNCLEAR)
 
     @cached_property
     def _undecided(self) -> list[int]:
-        """The codes of proofs: what fails them may be only rounded."""
+        """The codes of proofs: a failure may be only rounding."""
         return [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
 
     @cached_property
     def _alone(self) -> bool:
-        """Whether nothing but the drive moves, and all may move with it."""
+        """Whether only the drive moves, and everything may move with it."""
         return not self.moved and not self.plans.laws
 
     @property
     def straight(self) -> bool:
-        """Whether nothing but the drive moves, and positions are clear of rounding."""
+        """Whether only the drive moves, and positions are clear of rounding."""
         return self._alone and not self._dim
 
     @cached_property
@@ -130,12 +132,12 @@ class Cycle(Ready):
 
     @cached_property
     def claims(self) -> Claims:
-        """How far off every number may be."""
+        """The error bound of every number."""
         return Claims(self)
 
     @cached_property
     def rough(self) -> Claims:
-        """The same, what is given being as off as decimals are."""
+        """The same for givens with the uncertainty of decimals."""
         return Claims(self, {n: lost for n, lost in self.plans.lost.items() if n not in self.known})
 
     @cached_property
@@ -152,16 +154,16 @@ class Cycle(Ready):
         return kind(self.trace, (self.plans.drive_given, *given_values(self.moved)), given_values(self.given))
 
     def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
-        """What moves, at the positions numbered ``at``: the drive with ``values``, and its companions."""
+        """The inputs that change, at the positions numbered ``at``: the drive with ``values``, and its companions."""
         beside = {name: v[at] for name, v in self.moved.items()}
         return {**self.plans.at(values, self.program, self.known), **beside}
 
     def blocks(
         self, values: Places, chunk: int = CHUNK, fast: bool | None = None, bare: bool = False, out: Array | None = None
     ) -> Iterator[Block]:
-        """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by itself when that pays.
+        """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by default, where that pays.
 
-        Numbers that rounding leaves without digits are NaN, unless they are asked for ``bare``.
+        Numbers without a correct digit are NaN, unless the ``bare`` ones are requested.
         """
         places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
         if fast is None:
@@ -177,7 +179,7 @@ class Cycle(Ready):
         return self.compiled if fast else self.arrays
 
     def block(self, part: Array, at: Indices | slice, fast: bool, bare: bool, out: Array | None = None) -> Block:
-        """The block of the positions numbered ``at``; where leads cross flatly, by plans in which others meet."""
+        """The block of the positions numbered ``at``; where leads cross too bluntly, by plans with other leads."""
         table, codes = self._run(self.loop(fast), part, at, out)
         block = self._whole(part, table, codes)
         if codes is None and not self._dim:
@@ -189,9 +191,8 @@ class Cycle(Ready):
     def table(
         self, values: Array, fast: bool | None = None, out: Array | None = None, threads: int = 1, bare: bool = True
     ) -> tuple[Array, Indices]:
-        """A row of all values for each column (in ``out``, where it is given), and the codes. ``fast`` and ``bare`` are
-        those of :meth:`blocks`. Several ``threads`` share the positions: machine code lets them run beside each other.
-        """
+        """A row of all values for each column (in ``out``, where given), and the codes. ``fast`` and ``bare`` are those
+        of :meth:`blocks`. Several ``threads`` share the positions: machine code runs in parallel."""
         fast, values = pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
         out = np.empty((len(self.columns), len(values))) if out is None else out
         return out, filled(self, values, fast, bare, out, threads if self._alone else 1)
@@ -199,7 +200,7 @@ class Cycle(Ready):
     def _run(
         self, loop: Loop, part: Array, at: Indices | slice, out: Array | None = None
     ) -> tuple[Array, Indices | None]:
-        """The table by a loop, and the codes (None: nothing failed); what it only suspects is drawn."""
+        """The table by a loop, and the codes (None: nothing failed); suspected positions are drawn."""
         moving = {self.plans.drive_given: part} if self._alone else self.moving(part, at)
         table, codes = loop([np.asarray(x) for x in map(given_values(moving).__getitem__, loop.inputs)], out)
         if codes is None or not (suspect := np.isin(codes, self._undecided)).any():
@@ -210,7 +211,7 @@ class Cycle(Ready):
         return table, codes if codes.any() else None
 
     def _whole(self, part: Array, table: Array, codes: Indices | None) -> Block:
-        """The block with NaN in everything that depends on what failed; and where it is not clear, that code."""
+        """The block with NaN in all results that depend on a failure; and where it is not clear, that code."""
         if codes is None:
             return Block(part, table, np.zeros(len(part), np.int16))
         for code in np.unique(codes[(codes != 0) & (codes <= len(self.reasons))]):
@@ -218,7 +219,7 @@ class Cycle(Ready):
         return Block(part, table, codes)
 
     def _looked_at(self, block: Block, at: Indices, bare: bool) -> Block:
-        """The block with NaN for numbers without digits, where it is not clear."""
+        """The block with NaN for numbers without a correct digit, where it is not clear."""
         where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & self._dim)
         block.codes[where] = 0
         if len(where) and not bare:
@@ -239,11 +240,11 @@ class Cycle(Ready):
             yield Block(block.values, both, block.codes)
 
     def claimed(self, values: Array, at: Indices) -> Array:
-        """± of every column, what is given being as off as decimals are."""
+        """± of every column for givens with the uncertainty of decimals."""
         return self.others.claimed(self.rough.bounds(values, at), values, at)
 
     def codes(self, values: Array, at: Indices) -> Indices | None:
-        """Which reason each position fails for, by arrays; None: none does."""
+        """The reason for which each position fails, by arrays; None: none does."""
         return self._run(self.arrays, values, at)[1]
 
 

@@ -1,11 +1,10 @@
-"""How far off a result may be, told by the drawing itself: a running bound of every rounding on the way to it.
+"""Error bounds of the results, from the drawing itself: a running bound of every rounding on the way.
 
-What is given, and the drive's values, are taken as exact, or as off as decimals are. Each operation errs by its own
-rounding and by what its slopes say nothing of (``rounding``); each such error goes on to every result by slopes,
-exactly: f(a + d) = f(a) + slope · d + what is lost by taking f to be straight. Errors that cancel are left to cancel
-(``slopes``). Roundings add up as chances do, what is lost adds up at its worst. Where a sharpness, or a force divided
-by, is as small as its own error the loss has no end, and nothing is claimed. ``tests/nightly.py`` measures how honest
-this is, and how close.
+Givens and drive positions are taken as exact, or with the uncertainty of decimals. Each operation adds its rounding and
+the error of its linearisation (``rounding``); each such error is carried to every result by slopes, exactly: f(a + d) =
+f(a) + slope · d + the loss of the linearisation. Errors that cancel do cancel (``slopes``). Roundings add up
+statistically, losses in the worst case. Where a sharpness, or a divisor force, is as small as its error, the loss is
+unbounded and nothing is claimed. ``tests/nightly.py`` measures how reliable and how tight the bounds are.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -22,33 +21,33 @@ from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.plans.position.decimals import Lost
 from planes.words.names import given_of, is_scale
 
-SIGMAS = 6.0  # roundings add up as chances do: further off than this is one sum in five hundred million
-SMALL = 0.01  # a loss this small beside the rounding is not worth a better bound
-NOTHING = 1e-9  # and one this small not worth counting
-ROUNDED = 1 + 1e-6  # for what is not counted; and the bound is reckoned in floats too
-PIECE = 128  # positions worked at once
-DOUBT = 1e-3  # of the largest number of its kind: a number that may be further off is no result
-LEFT_OUT = -1  # the place of what the doubles of givens leave out, before all places of a tape
-TURN = 60.0  # degrees: a radian, near enough
+SIGMAS = 6.0  # roundings add up statistically: one sum in five hundred million exceeds this
+SMALL = 0.01  # relative to the rounding: a loss this small needs no better bound
+NOTHING = 1e-9  # and one this small can be neglected
+ROUNDED = 1 + 1e-6  # for neglected losses, and for the rounding of the bound itself
+PIECE = 128  # positions per piece
+DOUBT = 1e-3  # of the largest number of its kind: a number with a larger error is no result
+LEFT_OUT = -1  # the place of the rounding errors of givens, before all places of a tape
+TURN = 60.0  # degrees: roughly a radian
 
 
 class _Running:
-    """The errors on the way, of one piece of positions: how far every place reached may be off."""
+    """The errors of one piece of positions so far: a bound for every place reached."""
 
     def __init__(self, claims: "Claims", numbers: Values, count: int) -> None:
         self.tape, self.found, self.count, self.claims = claims.drawn.tape, numbers, count, claims
         self.carrying = Carrying(self.tape, claims.order, count)
         self.largest, self.lost = np.zeros((claims.most, count)), np.zeros((claims.most, count))
         self.usual, self.losing = np.ones(claims.most), np.zeros(claims.most, bool)
-        self.reach: dict[int, Array] = {}  # no place is further off: a rough bound, made better where it matters
+        self.reach: dict[int, Array] = {}  # a rough upper bound for every place, improved where it matters
         self.better: dict[int, Booleans] = {}
-        self.unsure: dict[int, Array] = {}  # of the tests whether a thing moves
-        if self.claims.written:  # what the doubles of givens leave out is one error, and goes on as one
+        self.unsure: dict[int, Array] = {}  # places of the motion tests
+        if self.claims.written:  # the rounding error of a given is a single error, and is carried as one
             self.carrying.carry(LEFT_OUT, (), (), own=True)
             self.lost[0], self.losing[0] = 1.0, True
 
     def __call__(self, wanted: frozenset[int]) -> dict[int, Array]:
-        """How far the wanted places may be off."""
+        """Error bounds of the wanted places."""
         bounds = {}
         for place, op, args in self.carrying.moving():
             if place in self.claims.written:
@@ -62,7 +61,7 @@ class _Running:
         return bounds
 
     def _given(self, place: int) -> None:
-        """A given is off by what its double leaves out, if that is known, and by what reckoning it has lost."""
+        """The error of a given: the rounding error of its double, if known, and that of its computation."""
         x, k = self.found[place], self.carrying.made
         lost, off = self.claims.written[place]
         beside = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2) if off is None else off
@@ -94,11 +93,11 @@ class _Running:
         self.carrying.carry(place, args, parts, own)
 
     def _bent(self, place: int, op: str, args: tuple[int, ...], slip: Floats | None) -> tuple[Array | None, Parts]:
-        """What is lost at a place by taking it to be straight, and its slopes; with better bounds where it matters."""
+        """The loss of the linearisation at a place, and its slopes; with better bounds where it matters."""
         z, given = self.found[place], tuple(self.found[a] for a in args)
         if args and args[0] in self.unsure:
             return self.unsure[args[0]], bent(op, z, given, ())[1]
-        if place in self.claims.chosen:  # a direction of nothing that may yet be something
+        if place in self.claims.chosen:  # a direction of a zero vector that may not be quite zero
             length = self.claims.chosen[place]
             some = np.where((self.found[length] == 0) & (self.reach.get(length, 0.0) > 0), 2.0, 0.0)
             return some, bent(op, z, given, ())[1]
@@ -133,10 +132,10 @@ class _Running:
                 self.reach[place][new] = np.fmin(self.reach[place][new], self._bound(place, new))
 
     def _bound(self, place: int, where: Indices | slice) -> Array:
-        """How far a place may be off: every loss at its worst, and the roundings by chance.
+        """The error bound of a place: every loss in the worst case, and the roundings statistically.
 
-        The worst sum of the roundings is no bound even where it is the smaller: arrays and single positions divide
-        complex numbers otherwise than a tape does, with more of them.
+        The worst-case sum of the roundings is not a bound even where it is smaller: arrays and single positions divide
+        complex numbers by other operations than a tape does, with more roundings.
         """
         if place not in self.carrying.rows:
             return np.zeros(self.count)[where]
@@ -149,8 +148,8 @@ class _Running:
         return np.asarray(SIGMAS * np.sqrt(self.usual[: len(rows)] @ size) + lost)
 
     def _turning(self, args: tuple[int, ...]) -> Array:
-        """How far off a sense may be: what is called a standstill may be a motion, and of a motion that is all error
-        it is not known which way it goes. Only what cannot move at all surely stands."""
+        """The error bound of a sense: an apparent standstill may be a motion, and a motion within its error has no
+        certain sense. Only a link that cannot move at all is certainly at rest."""
         self._look(args, np.ones(self.count, bool))
         (still, least), (size, error) = ((np.abs(self.found[a]), self.reach.get(a, 0.0)) for a in args)
         sure = (size - error > still + least) | ((size == 0) & (error == 0))
@@ -158,15 +157,15 @@ class _Running:
 
 
 def _written(tape: Tape, order: list[int], lost: Mapping[str, Lost]) -> dict[int, tuple[float, float | None]]:
-    """Places of the givens a scene writes, each with what its double leaves out, and how far off it is beside that
-    (None: as any decimal); scales are of the drawing alone."""
+    """Places of the givens written in a scene, each with the rounding error of its double, and its uncertainty (None:
+    that of a decimal); scales belong to the drawing alone."""
     names = {p: str(tape.values[p]) for p in order if tape.ops[p][0] == "given"}
     known = {p: (n, lost.get(given_of(n), (0.0, None))) for p, n in names.items() if not is_scale(n)}
     return {p: (one.imag if n.endswith(".y") else one.real, off) for p, (n, (one, off)) in known.items()}
 
 
 class Margins:
-    """± of every column, for any values of the drive: positions are worked a piece at a time."""
+    """± of every column, for any positions of the drive, computed piece by piece."""
 
     def __init__(self, cycle: Ready, drawn: Trace) -> None:
         self.cycle, self.drawn, self.order = cycle, drawn, drawn.tape.needed(list(drawn.outputs))
@@ -185,16 +184,16 @@ class Margins:
         return np.hstack(pieces)
 
     def margins(self, numbers: Values, count: int) -> Array:
-        """Those of a piece of ``count`` positions, of which every number of the tape is known."""
+        """Those of a piece of ``count`` positions, with every number of the tape known."""
         raise NotImplementedError
 
 
 class Claims(Margins):
-    """What a cycle of exact drawings claims of itself: no result is further from the truth; infinite where nothing can
-    be claimed.
+    """The accuracy that a cycle of exact drawings claims: no result has a larger error; infinite where nothing can be
+    claimed.
 
-    Where it is told what givens have ``lost`` (``Plans.lost``), numbers are those a scene writes, not the doubles that
-    stand for them: of a given that is not named there half of its last place.
+    With the rounding errors of givens, ``lost`` (``Plans.lost``), the results are those of the decimals in the scene,
+    not of their doubles; a given not named there has half of its last place.
     """
 
     def __init__(self, cycle: Ready, lost: Mapping[str, Lost] | None = None) -> None:
@@ -214,8 +213,7 @@ class Claims(Margins):
         return np.where(bound < BLIND * 1e-50, bound, np.inf)
 
     def doubtful(self, table: Array, bounds: Array) -> Booleans:
-        """Of which numbers rounding leaves less than three digits, seen against what the largest of their kind is at
-        least."""
+        """Which numbers have less than three correct digits, relative to the largest of their kind."""
         kinds = np.array([c.kind for c in self.cycle.columns])
         sizes = np.abs(table) - bounds
         doubtful = np.zeros(table.shape, bool)
@@ -226,7 +224,7 @@ class Claims(Margins):
         return doubtful
 
     def faint(self, table: Array, bounds: Array) -> Booleans:
-        """Which numbers are of a force without one certain digit."""
+        """Which numbers depend on a force without a correct digit."""
         eaten, faint = (np.abs(table) <= bounds) & (bounds > 0), np.zeros(table.shape, bool)
         for side in sides_of(self.cycle.columns):
             rows = [k for k, c in enumerate(self.cycle.columns) if (c.start, c.end) == side]

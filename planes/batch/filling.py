@@ -1,5 +1,5 @@
-"""All columns of many positions written into one table, by one call of machine code where every position holds; several
-threads share the positions."""
+"""All columns of many positions in one table, by one call of machine code where every position holds; several threads
+share the positions."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ class Fillable(Protocol):
 
     @property
     def straight(self) -> bool:
-        """Whether nothing but the drive moves, and positions are clear of rounding."""
+        """Whether only the drive moves, and positions are clear of rounding."""
 
     def blocks(self, values: Array, *, fast: bool, bare: bool, out: Array) -> Iterator[Block]:
         """Blocks of positions, their tables in ``out``."""
 
 
 def filled(cycle: Fillable, values: Array, fast: bool, bare: bool, out: Array, threads: int) -> Indices:
-    """The codes; every column is in its row of ``out``. Threads run beside each other in machine code alone."""
+    """The codes; every column is in its row of ``out``. Threads only run in parallel in machine code."""
     codes: Indices = np.zeros(len(values), np.intp)
     if threads == 1:
         _fill(cycle, values, fast, bare, out, codes)
         return codes
     from concurrent.futures import ThreadPoolExecutor
 
-    _fill(cycle, values[:1], fast, bare, out[:, :1], codes[:1])  # what threads share is made before they begin
+    _fill(cycle, values[:1], fast, bare, out[:, :1], codes[:1])  # shared by threads, so made before they begin
     cuts = [round(k * len(values) / threads) for k in range(threads + 1)]
     with ThreadPoolExecutor(threads) as pool:
         work = [pool.submit(_fill, cycle, values[a:b], fast, bare, out[:, a:b], codes[a:b]) for a, b in pairwise(cuts)]

@@ -1,7 +1,7 @@
-"""Machine code kept between processes: a loop's object file, by its text, the compiler and the processor.
+"""Machine code cached between processes: a loop's object file, by its text, the compiler and the processor.
 
-It lies in the user's cache (``PLANES_CACHE`` names another folder; ``off``, none), the last used ``MOST`` files of it.
-A file that cannot be written, or is not whole, is compiled anew and nothing is said.
+It is in the user's cache (``PLANES_CACHE`` names another folder; ``off``, none), the ``MOST`` files used last. A file
+that cannot be written, or is damaged, is compiled anew without a message.
 """
 
 import os
@@ -26,7 +26,7 @@ def folder() -> Path | None:
 
 
 def kept(name: str) -> bytes | None:
-    """The object file of a name, if it is there and whole."""
+    """The object file of a name, if it exists and is complete."""
     where = folder()
     with suppress(OSError):
         if where:
@@ -39,7 +39,7 @@ def kept(name: str) -> bytes | None:
 
 
 def keep(name: str, code: bytes) -> None:
-    """Keep an object file; the longest unused ones go."""
+    """Store an object file; those unused for longest are deleted."""
     where = folder()
     with suppress(OSError):
         if where:

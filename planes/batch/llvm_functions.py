@@ -1,6 +1,6 @@
-"""Functions that one fused loop calls, in LLVM's own language: sines, arctangents, the gap between two circles.
+"""Functions that one fused loop calls, in LLVM's language: sines, arctangents, the gap between two circles.
 
-Everything is branchless, with sines and arctangents as polynomials, so that the compiler takes several positions at
+The code is branchless, with sines and arctangents as polynomials, so that the compiler computes several positions at
 once. Coefficients are those of fdlibm (Sun Microsystems, 1993), correct to within one unit of the last place.
 """
 
@@ -42,12 +42,12 @@ HALF_LOW, QUARTER_LOW, RIGHT_LOW = 2.26987774529616870924e-17, 3.061616997868383
 
 
 def literal(x: float) -> str:
-    """A number as LLVM writes it: its bits."""
+    """The bits of a number, as in LLVM's text."""
     return f"0x{struct.unpack('<Q', struct.pack('<d', x))[0]:016X}"
 
 
 class Lines:
-    """Lines of one function, each naming its result by a letter and its number."""
+    """Lines of one function, each with its result named by a letter and a number."""
 
     def __init__(self, letter: str = "v") -> None:
         self.letter, self.lines = letter, list[str]()
@@ -120,8 +120,8 @@ def arctangent() -> str:
 
 
 def gap() -> str:
-    """``error_free.gap``, what products lose told by one fused operation: (r + s)² less the distance's square, two
-    parts of each, so that gaps of the same places share the latter."""
+    """``error_free.gap``, with the rounding errors of products by one fused operation: (r + s)² less the distance's
+    square, two parts of each, so that gaps of the same places share the latter."""
     t = Lines()
     names = ("cx", "cy", "dx", "dy", "r", "s")
     x, y = (_squared(t, f"%d{axis}", f"%c{axis}", "fsub") for axis in "xy")
@@ -139,7 +139,7 @@ def gap() -> str:
 
 
 def _squared(t: Lines, a: str, b: str, op: str) -> tuple[str, str]:
-    """The square of a sum or difference, and what its rounding, and that of the sum itself, lost."""
+    """The square of a sum or difference, with its rounding error and that of the sum."""
     total, lost = _apart(t, a, b) if op == "fsub" else _apart(t, a, t(f"fneg double {b}"))
     square = t.op("fmul", total, total)
     twice = t.op("fadd", lost, lost)
@@ -149,7 +149,7 @@ def _squared(t: Lines, a: str, b: str, op: str) -> tuple[str, str]:
 
 
 def _apart(t: Lines, a: str, b: str) -> tuple[str, str]:
-    """a - b and what rounding lost of it."""
+    """a - b and its rounding error."""
     total = t.op("fsub", a, b)
     part = t.op("fsub", total, a)
     return total, t.op("fsub", t.op("fsub", a, t.op("fsub", total, part)), t.op("fadd", b, part))

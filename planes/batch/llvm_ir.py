@@ -1,21 +1,21 @@
-"""The text of one fused loop, in LLVM's own language, that goes through a tape for every position.
+"""The text of one fused loop, in LLVM's language, that evaluates a tape for every position.
 
-Everything is branchless, so that the compiler takes several positions at once.
+The code is branchless, so that the compiler computes several positions at once.
 """
 
 from planes.batch.llvm_functions import Lines, arctangent, cosine, gap, literal, sine
 from planes.batch.tape import TESTS, Tape
 
 LONGEST = 2048
-"""Positions worked at once, at most: a row of every input and output."""
+"""Largest number of positions in a block: a row of every input and output."""
 ROOM = 900_000
-"""Bytes of all rows together: more than the cache holds is slow, and is asked of the system anew each time."""
+"""Bytes of all rows together: more than the cache holds is slow, and needs new memory from the system each time."""
 EXTRA = 8
-"""From row to row in memory is no power of two, or all rows would fight for the same few lines of the cache."""
+"""The distance between rows is no power of two, otherwise all rows would compete for the same few cache lines."""
 
 
 def row_of(count: int) -> int:
-    """How many positions are worked at once in so many rows."""
+    """Number of positions in a block with so many rows."""
     row = LONGEST
     while row > LONGEST // 8 and 8 * count * (row + EXTRA) > ROOM:
         row //= 2
@@ -23,9 +23,9 @@ def row_of(count: int) -> int:
 
 
 PAIRED = 500
-"""Operations up to which positions are worked two vectors at a time, so that one waits for no root of the other. With
-more, registers run short and compiling takes twice as long (a whole six-link: 66 ns and 0.33 s; by twos 71 and 0.63).
-"""
+"""Up to so many operations, positions are computed two vectors at a time, so that neither waits for a root of the
+other. With more, registers run short and compiling takes twice as long (a whole six-link: 66 ns and 0.33 s; by twos 71
+and 0.63)."""
 
 ALONE = ", !llvm.access.group !2"  # rows do not overlap
 
@@ -33,13 +33,13 @@ INTRINSICS = {"sqrt": 1, "fabs": 1, "floor": 1, "copysign": 2, "fma": 3}
 
 
 class LoopText:
-    """The loop being written: places of the tape to names in the loop."""
+    """The loop under construction: places of the tape to names in the loop."""
 
     def __init__(self, tape: Tape, names: dict[int, str], rough: frozenset[int]) -> None:
         self.tape, self.names, self.rough, self.lines = tape, names, rough, Lines()
 
     def name(self, place: int) -> str:
-        """What stands for a place: its name in the loop, or the constant itself."""
+        """The name of a place in the loop, or the constant itself."""
         if place in self.names:
             return self.names[place]
         value = self.tape.values[place]
@@ -53,11 +53,11 @@ class LoopText:
             self.names[place] = self._line(op, [self.name(a) for a in args], args, fused)
 
     def at(self, begin: str, kind: str = "double") -> str:
-        """Where the position stands in a row."""
+        """The address of the position in a row."""
         return self.lines(f"getelementptr inbounds {kind}, ptr {begin}, i64 %i")
 
     def store(self, name: str, begin: str, kind: str = "double") -> None:
-        """Leave a number in its row."""
+        """Store a number in its row."""
         pointer = self.at(begin, kind)
         self.lines.lines.append(f"  store {kind} {name}, ptr {pointer}, align 8{ALONE}")
 
@@ -102,11 +102,10 @@ def module(
     rough: frozenset[int],
     apart: int,
 ) -> str:
-    """The module of a function run(rows, out, codes, fixed, n, stride). It reads ``rows`` of ``inputs``, so far
-    ``apart``, fills rows of ``outputs``, ``stride`` numbers apart, and writes to ``codes`` the number of the first
-    condition that does not hold (0: all hold); it returns 0 if all of these are. The places ``rough`` may be rounded as
-    suits the machine.
-    """
+    """The module with a function run(rows, out, codes, fixed, n, stride). It reads ``rows`` of ``inputs`` at a distance
+    of ``apart``, fills rows of ``outputs``, ``stride`` numbers apart, and writes to ``codes`` the number of the first
+    condition that fails (0: all hold); it returns 0 if all of these are 0. The places ``rough`` may be rounded as suits
+    the machine."""
     head, names = Lines("c"), dict[int, str]()
     for k, place in enumerate(fixed):
         pointer = head(f"getelementptr inbounds double, ptr %fixed, i64 {k}")
@@ -166,5 +165,5 @@ CLOSE = (
     "!2 = distinct !{}",
     '!3 = !{!"llvm.loop.parallel_accesses", !2}',
     '!1 = !{!"llvm.loop.vectorize.enable", i1 true}',
-    'attributes #0 = { "prefer-vector-width"="512" }',  # as wide as the machine has
+    'attributes #0 = { "prefer-vector-width"="512" }',  # the full vector width of the machine
 )

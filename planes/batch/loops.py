@@ -1,6 +1,6 @@
-"""A program as one loop over positions, read off a tape: what of it changes from position to position; and the loop by
-numpy, a block of positions at a time, in arrays used again as soon as nobody needs what they hold.
-"""
+"""A program as one loop over positions, read from a tape, with the inputs that change from position to position; and
+the loop by numpy, one block of positions at a time, in arrays that are reused as soon as their contents are no longer
+needed."""
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import count
@@ -13,19 +13,19 @@ from planes.batch.tracing import Trace
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 
-HELD = 2**22  # numbers the arrays of a block may hold together
+HELD = 2**22  # numbers in all arrays of a block together
 
 
 class Loop:
     """A trace ready to run: ``inputs`` are the givens that change from position to position, the others are as
-    ``given``; ``row`` positions are worked at once."""
+    ``given``; ``row`` positions form a block."""
 
     row: int
 
     def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
         tape, places = trace.tape, trace.givens()
         self.trace, self.inputs = trace, tuple(name for name in moving if name in places)
-        self.places = [places[name] for name in self.inputs]  # where they stand
+        self.places = [places[name] for name in self.inputs]  # their places
         self.conditions = [place for _, _, place in trace.requires]
         moved = tape.moved_by(frozenset(moving))
         still = frozenset(range(len(tape.ops))) - moved
@@ -36,13 +36,13 @@ class Loop:
         self.still = {p: numbers[p] for p in fixed}
 
     def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
-        """Outputs (a row for each) and codes (the number of the first condition that does not hold, 0 where all do;
-        None: nothing failed), of one block of positions (``rows``: a row for each input)."""
+        """Outputs (a row for each) and codes (the number of the first condition that fails, 0 where all hold; None:
+        nothing failed), for one block of positions (``rows``: a row for each input)."""
         raise NotImplementedError
 
 
 class ArrayLoop(Loop):
-    """The loop by numpy: an operation after another, each for the whole block."""
+    """The loop by numpy: one operation after another, each for the whole block."""
 
     def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
         super().__init__(trace, moving, given)
@@ -51,7 +51,7 @@ class ArrayLoop(Loop):
         self.width, self.at, self.work = -1, dict[int, Real](), list[tuple[Callable[..., object], list[Real], Real]]()
 
     def _shelved(self) -> dict[int, tuple[bool, int]]:
-        """Which array holds what is made at a place, by its kind (yes and no, or numbers) and its number."""
+        """The array for the result at a place, by its type (boolean or number) and its index."""
         ops, free, numbers = self.trace.tape.ops, {True: list[int](), False: list[int]()}, count()
         last = {a: p for p in self.moved for a in ops[p][1]}
         kept, shelves = {*self.trace.outputs, *self.conditions, *self.places}, dict[int, tuple[bool, int]]()
@@ -66,7 +66,7 @@ class ArrayLoop(Loop):
         return shelves
 
     def _ready(self, width: int) -> None:
-        """Arrays for so many positions, and the work to be done in them."""
+        """Arrays for so many positions, and the operations on them."""
         arrays = {key: np.empty(width, bool if key[0] else float) for key in set(self.shelf.values())}
         self.at = {**self.still, **{place: arrays[key] for place, key in self.shelf.items()}}
         listed = [(op, args, place) for place in self.moved for op, args in [self.trace.tape.ops[place]] if args]

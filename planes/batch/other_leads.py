@@ -1,4 +1,4 @@
-"""Positions where two leads that meet in a special point cross flatly: drawn by plans in which others meet."""
+"""Positions where two leads of a special point cross too bluntly: drawn by plans with other leads."""
 
 from collections.abc import Iterator
 from functools import cached_property
@@ -11,7 +11,7 @@ from planes.drafting.steps.by_leads import LEAN
 from planes.geometry.arrays import Array, Indices
 from planes.plans.other_leads import with_others
 
-Cycle = Any  # of planes.batch: a cycle knows what it hands over
+Cycle = Any  # of planes.batch: a cycle knows what it passes on
 
 
 class OtherLeads:
@@ -23,11 +23,11 @@ class OtherLeads:
 
     @cached_property
     def codes(self) -> dict[int, str]:
-        """The special points by the codes of positions where their leads lean."""
+        """The special points by the codes of positions where their leads are too nearly parallel."""
         return {k: r.makes for k, r in enumerate(self.cycle.reasons, 1) if r.key == LEAN}
 
     def draw(self, block: Any, at: Indices, fast: bool, bare: bool) -> None:
-        """Put into a block of the positions numbered ``at`` what other cycles draw of it."""
+        """Put the results of other cycles into a block of the positions numbered ``at``."""
         for where, other in self._of(block.codes):
             row = other.loop(fast).row
             for some in np.split(where, range(row, len(where), row)):
@@ -36,19 +36,19 @@ class OtherLeads:
                 block.codes[some] = [self._code(other, code) for code in drawn.codes.tolist()]
 
     def claimed(self, claimed: Array, values: Array, at: Indices) -> Array:
-        """The ± of positions, those of other cycles put in."""
+        """The ± of positions, with those of other cycles filled in."""
         for where, other in self._of(self.cycle.codes(values, at) if self.codes else None):
             claimed[:, where] = other.claimed(values[where], at[where])
         return claimed
 
     def _of(self, codes: Indices | None) -> Iterator[tuple[Indices, Cycle]]:
-        """Which positions are drawn by another cycle."""
+        """The positions drawn by another cycle, each with that cycle."""
         for code, special in self.codes.items() if codes is not None else ():
             if (where := np.flatnonzero(codes == code)).size:
                 yield where, self._next(special)
 
     def _next(self, special: str) -> Cycle:
-        """The cycle where the next two leads meet in a special point: of three pairs one crosses best."""
+        """The cycle with the next two leads of a special point: one of three pairs crosses most sharply."""
         if special not in self.known:
             own = self.cycle
             plans = with_others(own.plans, special)
@@ -58,7 +58,7 @@ class OtherLeads:
         return self.known[special]
 
     def _code(self, other: Cycle, code: int) -> int:
-        """The number that a reason of another cycle has here; one that is no reason here is as a special point's."""
+        """The local number of another cycle's reason; an unknown reason counts as the special point's."""
         if not code:
             return 0
         said, own = other.reasons[code - 1], self.cycle.reasons

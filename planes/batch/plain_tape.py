@@ -1,4 +1,4 @@
-"""A tape as a page reads it: plain data, in the arithmetic of a page, with nothing that no wanted number depends on."""
+"""A tape for a web page: plain data, in the page's arithmetic, without operations that no wanted number needs."""
 
 import math
 import operator
@@ -12,7 +12,7 @@ from planes.geometry.listed import greater, less, or_nothing
 from planes.words.records import Json
 
 DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
-"""Of numbers as a page reads them: five bits each, the lowest first, 32 more where another follows."""
+"""Numbers as a page reads them: five bits each, the lowest first, 32 more where another follows."""
 
 
 PLAIN: Mapping[str, Op] = {
@@ -39,11 +39,11 @@ PLAIN: Mapping[str, Op] = {
     "or": lambda a, b: bool(a) or bool(b),
     "not": operator.not_,
 }
-"""The operations of a tape by Python's own floats, a position at a time."""
+"""The operations of a tape by Python's floats, one position at a time."""
 
 
 class PlainRecording(Recording):
-    """The arithmetic of a page: what is only there for the last digits is done without."""
+    """The arithmetic of a page, without the operations that only serve the last digits."""
 
     def gap(self, c: Vec, d: Vec, r: Num, s: Num) -> Real:
         """(r + s)² - |d - c|²."""
@@ -52,8 +52,8 @@ class PlainRecording(Recording):
 
 
 def exported(tape: Tape, wanted: Iterable[int], sources: Iterable[Source] = ()) -> tuple[Json, dict[int, int]]:
-    """Names of operations with how many arguments each has, operations in order as letters (:func:`in_digits`),
-    constants, givens, sources; and the new place of each old one that leads to the wanted."""
+    """Names of operations with their numbers of arguments, operations in order as letters (:func:`in_digits`),
+    constants, givens, sources; and the new place of each old one that the wanted ones need."""
     new = {place: k for k, place in enumerate(tape.needed(list(wanted)))}
     ops, values = [tape.ops[place] for place in new], [(p, v) for p, v in tape.values.items() if p in new]
     names = dict(sorted({op: len(args) for op, args in ops}.items()))
@@ -70,7 +70,7 @@ def exported(tape: Tape, wanted: Iterable[int], sources: Iterable[Source] = ()) 
 
 
 def in_digits(numbers: Iterable[int]) -> str:
-    """Numbers from 0 as letters, small ones short: an argument is told by how far back it stands."""
+    """Numbers from 0 as letters, small ones short: an argument is stored as its distance back."""
     text = ""
     for n in numbers:
         while n > 31:

@@ -1,4 +1,4 @@
-"""What one operation of a tape loses: its rounding, and what its slopes say nothing of."""
+"""The error of one operation of a tape: its rounding, and the remainder of its linearisation."""
 
 import math
 from collections.abc import Callable
@@ -12,14 +12,14 @@ from planes.geometry.arrays import Array, Booleans, Floats
 
 EXACT = TESTS | LEAVES | {"neg", "abs", "sel", "max", "min", "floor"}
 LARGEST = {"gap": 2.0, "hypot": 2.0, "sin": 2.0, "cos": 2.0, "atan2": 2.0}  # halves of the last place; of others: 1
-USUAL = {"hypot": 1.2, "atan2": 1.1}  # root mean square, in that of one rounding
-BLIND = 1e200  # nothing can be said of a number
+USUAL = {"hypot": 1.2, "atan2": 1.1}  # root mean square, in units of one rounding
+BLIND = 1e200  # the error of a number is unknown
 REST = {math.radians(1): 2.9486522708701687e-19, math.degrees(1): -1.9878495670576283e-15}
-"""What the doubles of π/180 and 180/π leave out."""
+"""The rounding errors of π/180 and 180/π as doubles."""
 
 
 def rounding(tape: Tape, place: int, numbers: Values, integers: frozenset[int]) -> Floats | None:
-    """Half of the last place of what an operation makes, or how far off a constant is; None where all comes out."""
+    """Half of the last place of an operation's result, or the error of a constant; None where it is exact."""
     op, args = tape.ops[place]
     if op == "const":
         x = tape.values[place]
@@ -27,7 +27,7 @@ def rounding(tape: Tape, place: int, numbers: Values, integers: frozenset[int]) 
         return None if exact else abs(REST.get(x, np.spacing(abs(x)) / 2))
     if op in EXACT or place in integers:
         return None
-    if op == "gap":  # its digits are those of numbers twice as long; where it is nothing, it may be a little
+    if op == "gap":  # it has the digits of numbers twice as long; where it is zero, it may be slightly off
         z, given = numbers[place], [numbers[a] for a in args]
         return np.where(z == 0, doubt(*given), np.spacing(np.abs(z)) / 2 + 2.0**-100 * sum(map(np.abs, given)) ** 2)
     out = _comes_out(op, numbers[place], *(numbers[a] for a in args))
@@ -35,15 +35,15 @@ def rounding(tape: Tape, place: int, numbers: Values, integers: frozenset[int]) 
 
 
 def _comes_out(op: str, z: Array, *args: Array) -> Truth:
-    """Whether a sum, product or inverse has no digits to lose, however its last digits fall: sums with nothing,
-    differences of near numbers (Sterbenz), powers of two."""
+    """Whether a sum, product or inverse is always exact: sums with zero, differences of close numbers (Sterbenz),
+    powers of two."""
     if op in ("add", "sub"):
         a, b = np.abs(args[0]), np.abs(args[1])
         near = (2 * np.abs(z) <= np.minimum(a, b)) | (np.abs(z) == np.abs(a - b)) & (a <= 2 * b) & (b <= 2 * a)
         return (a == 0) | (b == 0) | near
     if op == "mul":
         return _doubling(args[0]) | _doubling(args[1])
-    if op in ("sin", "cos"):  # 0 and 1, of quarter turns
+    if op in ("sin", "cos"):  # 0 and 1, from quarter turns
         return args[0] == 0
     return _doubling(args[0]) if op == "inv" else False
 
@@ -54,7 +54,7 @@ def _doubling(x: Array) -> Truth:
 
 
 def whole_numbers(tape: Tape, order: list[int]) -> frozenset[int]:
-    """Places of small whole numbers: quarter turns and what is reckoned of them comes out exactly."""
+    """Places of small integers: quarter turns and all that is computed from them are exact."""
     integers = set[int]()
     for place in order:
         op, args = tape.ops[place]
@@ -65,8 +65,8 @@ def whole_numbers(tape: Tape, order: list[int]) -> frozenset[int]:
 
 
 def unit_parts(tape: Tape, order: list[int]) -> tuple[dict[int, int], dict[int, int]]:
-    """Components of unit vectors, x · 1/√(x² + y²), no larger than 1 whatever the vector, each with the place of the
-    length; and what is taken of them but where the length is nothing, each with that length."""
+    """Components of unit vectors, x · 1/√(x² + y²), no larger than 1 for any vector, each with the place of the length;
+    and the values taken from them where the length is not zero, each with that length."""
     parts, sizes, chosen = dict[int, int](), dict[int, int](), dict[int, int]()
     for place in order:
         op, args = tape.ops[place]
@@ -83,7 +83,7 @@ def unit_parts(tape: Tape, order: list[int]) -> tuple[dict[int, int], dict[int, 
 
 
 def _bare(tape: Tape, place: int) -> int:
-    """The place without its sign."""
+    """The place without its minus."""
     return tape.ops[place][1][0] if tape.ops[place][0] == "neg" else place
 
 
@@ -92,10 +92,10 @@ Bent = tuple[Array, Booleans | None]
 
 
 def bent(op: str, z: Array, args: tuple[Array, ...], reach: tuple[Floats, ...]) -> Lost:
-    """What is lost by taking an operation to be straight, where its arguments may be off by ``reach``; and slopes.
+    """The remainder of an operation's linearisation, where its arguments may be off by ``reach``; and slopes.
 
-    That is no less than |f(a + d) - f(a) - slope·d| for every |d| ≤ reach. Where the arguments are known so badly that
-    slopes are worth nothing, the slope is 0 and the loss is all that the result may be off.
+    It is at least |f(a + d) - f(a) - slope·d| for every |d| ≤ reach. Where the arguments are so uncertain that slopes
+    are useless, the slope is 0 and the remainder is the whole error of the result.
     """
     parts = SLOPES[op](z, *args)
     if op not in BENT:

@@ -1,6 +1,6 @@
-"""Errors carried forward along a tape: how much every place moves with each error made before it, to first order.
+"""Errors propagated forward along a tape: how much every place moves with each earlier error, to first order.
 
-Errors that cancel are left to cancel: each has its own row of slopes, from where it is made to the last result.
+Errors that cancel do cancel: each has its row of slopes, from its origin to the last result.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -13,11 +13,11 @@ from planes.geometry.arrays import Array, Floats
 Values = Mapping[int, Array]
 Parts = Sequence[Floats]
 BOOL = np.dtype(bool)
-STIFF = TESTS | LEAVES | {"floor"}  # what does not move with what it is made of
+STIFF = TESTS | LEAVES | {"floor"}  # operations that do not move with their arguments
 
 
 def _over(a: Floats, size: Array) -> Array:
-    """a / size; nothing where the size is nothing."""
+    """a / size; zero where the size is zero."""
     return np.where(size > 0, a / np.where(size > 0, size, 1.0), 0.0)
 
 
@@ -49,12 +49,12 @@ SLOPES: dict[str, Callable[..., Parts]] = {
 
 
 def times(part: Floats, x: Array) -> Array:
-    """A slope times what it carries; a slope of yes or no lets through what it chose, whatever the other is."""
+    """A slope times the error it carries; a choice passes on the chosen argument, whatever the other is."""
     return np.where(part, x, 0.0) if getattr(part, "dtype", None) is BOOL else part * x
 
 
 class Carrying:
-    """The rows of every place still needed: row k is how much it moves with the k-th error made on the way."""
+    """The rows of every place still needed: row k is the slope with respect to the k-th error."""
 
     def __init__(self, tape: Tape, order: list[int], count: int) -> None:
         self.tape, self.order, self.count = tape, order, count
@@ -63,7 +63,7 @@ class Carrying:
         self._last = {a: p for p in order for a in tape.ops[p][1]}
 
     def moving(self) -> Iterator[tuple[int, str, tuple[int, ...]]]:
-        """The places in order, each with its operation; what nobody needs any more is forgotten on the way."""
+        """The places in order, each with its operation; places no longer needed are dropped on the way."""
         for place in self.order:
             op, args = self.tape.ops[place]
             yield place, op, args

@@ -1,4 +1,4 @@
-"""Long tables written block by block: CSV, NumPy (.npy, .npz), Parquet. A file appears when it is whole."""
+"""Long tables written block by block: CSV, NumPy (.npy, .npz), Parquet. A file appears only when it is complete."""
 
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
@@ -20,7 +20,7 @@ GROUP = 65_536  # rows of one group of Parquet
 
 
 class TableHead:
-    """What a table's columns are: the drive's value, the results, and why a position failed."""
+    """The columns of a table: the drive's position, the results, and the reason of a failure."""
 
     def __init__(self, drive: tuple[str, str], columns: Iterable[tuple[str, str]], reasons: tuple[Reason, ...]) -> None:
         self.columns = [drive, *columns]
@@ -28,7 +28,7 @@ class TableHead:
 
 
 class BlockWriter:
-    """Takes blocks one after another; ``end`` when all are there, ``close`` whatever happens."""
+    """Takes blocks one after another; ``end`` when all are there, ``close`` in any case."""
 
     file: IO[Any]
 
@@ -37,16 +37,16 @@ class BlockWriter:
         raise NotImplementedError
 
     def end(self) -> None:
-        """Everything is written, or it is said now why not."""
+        """Finish the file, or raise the error now."""
         self.file.flush()
 
     def close(self) -> None:
-        """Let the file go."""
+        """Close the file."""
         self.file.close()
 
 
 class Csv(BlockWriter):
-    """Comma-separated text, UTF-8: shortest digits that give every number back; an empty cell where there is none."""
+    """Comma-separated text, UTF-8: the fewest digits that reproduce every number; an empty cell for a missing one."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
         self.file, self.reasons = path.open("wb"), [f",{reason}\n".encode() for reason in heading.reasons]
@@ -62,7 +62,8 @@ class Csv(BlockWriter):
 
 
 def _lines(rows: Array) -> list[bytes]:
-    """Each row's numbers, by commas: fifteen times as quick by orjson (the extra ``fast``) as by Python."""
+    """The numbers of each row, separated by commas: fifteen times as fast by orjson (the extra ``fast``) as by
+    Python."""
     try:
         import orjson
     except ImportError:
@@ -72,12 +73,12 @@ def _lines(rows: Array) -> list[bytes]:
 
 
 class Npy(BlockWriter):
-    """One NumPy array of records, its full length told first."""
+    """One NumPy array of records, its full length stated first."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
         self.kinds = np.dtype([(name, "<f8") for name, _ in heading.columns] + [("failed", "<i2")])
         start = np.lib.format.open_memmap(path, mode="w+", dtype=self.kinds, shape=(count,)).offset
-        self.file = path.open("rb+")  # not through the map: a full disk would end the program without a word
+        self.file = path.open("rb+")  # not through the memory map: a full disk would kill the program without a message
         self.file.seek(start)
 
     def write(self, block: Block) -> None:
@@ -89,7 +90,7 @@ class Npy(BlockWriter):
 
 
 class Npz(BlockWriter):
-    """A NumPy archive: an array for each column, their units, and the reasons the codes in "failed" stand for."""
+    """A NumPy archive: an array for each column, their units, and the reasons for the codes in "failed"."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
         self.path, self.heading, self.count, self.at = path, heading, count, 0
@@ -106,7 +107,7 @@ class Npz(BlockWriter):
         return "<f8" if number < len(self.heading.columns) else "<i2"
 
     def end(self) -> None:
-        """The archive of whole columns."""
+        """Finish the archive of whole columns."""
         with zipfile.ZipFile(self.path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
             for number, name in enumerate([*(n for n, _ in self.heading.columns), "failed"]):
                 with archive.open(f"{name}.npy", "w", force_zip64=True) as file:
@@ -141,7 +142,7 @@ class Parquet(BlockWriter):
         self.waiting: list[Block] = []
 
     def write(self, block: Block) -> None:
-        """Blocks wait until they make a row group: what is told of every group stays in memory to the end."""
+        """Collect blocks until they make a row group: the metadata of every group stay in memory to the end."""
         self.waiting.append(block)
         if sum(len(b.values) for b in self.waiting) >= GROUP:
             self._group()
@@ -154,13 +155,13 @@ class Parquet(BlockWriter):
         self.waiting.clear()
 
     def end(self) -> None:
-        """The last group, and the footer."""
+        """Write the last group, and the footer."""
         if self.waiting:
             self._group()
         self.writer.close()
 
     def close(self) -> None:
-        """Let the file go."""
+        """Close the file."""
         self.writer.close()
 
 
@@ -174,7 +175,7 @@ WRITERS: dict[str, Callable[[Path, TableHead, int], BlockWriter]] = {
 
 @contextmanager
 def opened(path: Path, heading: TableHead, count: int) -> Iterator[BlockWriter]:
-    """A writer by the suffix of the file; what was begun and not ended leaves no file."""
+    """A writer by the suffix of the file; an unfinished table leaves no file."""
     make = WRITERS.get(path.suffix.lower())
     if make is None:
         raise PlanesError(Phrase("cycle_suffix", file=str(path), suffixes=", ".join(WRITERS)))
@@ -184,5 +185,5 @@ def opened(path: Path, heading: TableHead, count: int) -> Iterator[BlockWriter]:
             yield writer
             writer.end()
         finally:
-            with suppress(OSError):  # of a disk that is full: told already
+            with suppress(OSError):  # of a full disk: already reported
                 writer.close()

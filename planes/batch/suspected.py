@@ -1,4 +1,4 @@
-"""What a loop only suspects of a contradiction, drawn and proved; and what is lost where something cannot be made."""
+"""Contradictions suspected by a loop, drawn and proved; and the columns lost where a step fails."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from planes.drafting.clearness import clear
 from planes.drafting.drawing import prove_many, run
 from planes.geometry.arrays import Array, Floats, Indices
 
-Forces = list[tuple[str, str]]  # by their ends
+Forces = list[tuple[str, str]]  # columns by their ends
 
 
 def drawn(
@@ -37,7 +37,7 @@ def drawn(
 
 
 def dependent(cycle: Ready, trace: Trace) -> dict[str, list[int]]:
-    """The columns that depend on each thing that may fail."""
+    """The columns that depend on each step that may fail."""
     columns: dict[str, list[int]] = {makes: [] for _, makes, _ in trace.requires}
     for k, column in enumerate(cycle.columns):
         for made in cycle.program.sliced(column.needs).made & columns.keys():

@@ -1,6 +1,5 @@
-"""Numbers of a tape, that stand in for floats in the steps and in ``plane``: :class:`Num` for a real number,
-:class:`Vec` for a complex one, :class:`Test` for yes or no. What is known while recording is folded away.
-"""
+"""Numbers of a tape, which replace floats in the steps and in ``plane``: :class:`Num` for a real number, :class:`Vec`
+for a complex one, :class:`Test` for a boolean. Values known while recording are folded."""
 
 from __future__ import annotations
 
@@ -9,19 +8,19 @@ from planes.geometry.arithmetic import Point, Real, Truth
 
 
 def place_of(tape: Tape, x: Real | Truth) -> int:
-    """The place of a number, a constant being recorded when it is used."""
+    """The place of a number; a constant is recorded on its first use."""
     if isinstance(x, Num | Test):
         return x.at
     return tape.leaf("const", bool(x) if isinstance(x, bool) else float(x))
 
 
 def number(tape: Tape, op: str, *args: Real | Truth) -> Num:
-    """A real number by an operation."""
+    """A real number from an operation."""
     return Num(tape, tape.record(op, *(place_of(tape, a) for a in args)))
 
 
 def truth(tape: Tape, op: str, *args: Real | Truth) -> Test:
-    """A yes or no by an operation."""
+    """A boolean from an operation."""
     return Test(tape, tape.record(op, *(place_of(tape, a) for a in args)))
 
 
@@ -45,7 +44,7 @@ class Num:
         return self.tape.ops[self.at][0]
 
     def arg(self) -> Num:
-        """What that operation was done to."""
+        """The arguments of that operation."""
         return Num(self.tape, self.tape.ops[self.at][1][0])
 
     @property
@@ -105,7 +104,7 @@ class Num:
         return other * self.inverse()
 
     def inverse(self) -> Num:
-        """1/x, shared by all that is divided by it."""
+        """1/x, shared by all quotients with this divisor."""
         if self.op == "neg":
             return -self.arg().inverse()
         return number(self.tape, "inv", self)
@@ -210,16 +209,16 @@ class Vec:
 
 
 class Test:
-    """Yes or no, not known until the tape is read."""
+    """A boolean, unknown until the tape is evaluated."""
 
     __slots__ = ("at", "tape")
-    __test__ = False  # no test of the tests
+    __test__ = False  # not collected by pytest
 
     def __init__(self, tape: Tape, at: int) -> None:
         self.tape, self.at = tape, at
 
     def number(self) -> Num:
-        """1 where it is so, else 0."""
+        """1 where it is true, otherwise 0."""
         return number(self.tape, "sel", self, 1.0, 0.0)
 
     def __and__(self, other: Point | Truth) -> Point:

@@ -1,5 +1,5 @@
-"""A long table of results: its columns, what a program must have to be drawn for them many times, and the results
-of many positions by name, as arrays, which a sweep in Python gives."""
+"""A long table of results: its columns, the program to draw them many times, and the results of many positions by name,
+as arrays: the result of a sweep in Python."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from pandas import DataFrame
 
-SWEPT = "SI"  # the unit of a parameter that takes several values
+SWEPT = "SI"  # the unit of a parameter with several values
 SHOWN = 6  # columns named in the short form
 
 
@@ -82,11 +82,12 @@ class Table(Described, Mapping[str, Array | Complexes]):
         return pandas.DataFrame({**self.columns, "failed": self.failed})
 
     def plot(self, *names: str, over: str | None = None) -> Figure:
-        """Curves of the columns named (of all, if none is) over another one, the drive's; a panel for each unit.
+        """Curves of the columns named (of all by default) over another one, by default the drive's; a panel for each
+        unit.
 
-        A vector ``v_C`` is drawn by its size; in a sweep each set of parameters has its curve. Returns a
-        ``matplotlib.figure.Figure``, which a notebook shows and ``figure.savefig("curves.png")`` keeps.
-        Raises :class:`UnknownName`, a KeyError, for a name that no column has.
+        A vector ``v_C`` is drawn by its magnitude; in a sweep each set of parameters has its curve. Returns a
+        ``matplotlib.figure.Figure``, which a notebook shows and ``figure.savefig("curves.png")`` saves. Raises
+        :class:`UnknownName`, a KeyError, for an unknown column.
         """
         from matplotlib.figure import Figure
 
@@ -128,27 +129,27 @@ class Block(NamedTuple):
 
     @property
     def failed(self) -> Booleans:
-        """Which positions could not be drawn: a mask."""
+        """Positions that could not be drawn: a mask."""
         return np.asarray(self.codes != 0)
 
 
 @frozen
 class Reason:
-    """Why positions fail: a key of the table of words, and what could not be made."""
+    """Why positions fail: a key of the table of words, and the step that failed."""
 
     key: str
     makes: str
 
     @property
     def named(self) -> str:
-        """In short: "C: arcs apart"."""
+        """The reason in short: "C: arcs apart"."""
         return ": ".join(filter(None, (self.makes and label_of(self.makes), self.key.replace("_", " "))))
 
 
 @dataclass(eq=False)
 class Ready:
-    """A program ready to be drawn any number of times, and the columns read off each drawing; scales that are
-    ``folded`` in are no givens."""
+    """A program ready to be drawn any number of times, and the columns read from each drawing; scales that are
+    ``folded`` in are not givens."""
 
     program: Program
     given: dict[str, Point]
@@ -156,16 +157,16 @@ class Ready:
     folded: dict[str, float]
 
     def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
-        """The givens that are other in the drawings numbered ``at``: here none, it is drawn as it stands."""
+        """The givens that differ in the drawings numbered ``at``: none here."""
         return {}
 
 
 def columns_of(plans: Plans, quantities: Iterable[Quantity] | None = None) -> list[Column]:
-    """The columns of the quantities asked, or of all but the bare segments of plans; each once."""
+    """The columns of the requested quantities, or of all but the bare segments of plans; each once."""
     chosen = results_of(plans) if quantities is None else once(quantities)
     return list({c.name: c for q in chosen for c in q.columns}.values())
 
 
 def sides_of(columns: Iterable[Column]) -> list[tuple[str, str]]:
-    """The ends of the forces among columns, on their plans; each once."""
+    """The ends of the forces among the columns, on their plans; each once."""
     return list(dict.fromkeys((c.start, c.end) for c in columns if c.part and c.unit == "N"))

@@ -1,7 +1,6 @@
-"""A tape: what a program reckons, as one straight line of real operations, each recorded once; and how it is read with
-numbers: floats, numpy arrays, or any an arithmetic knows. Others compile it (``compiled``) or weigh its errors
-(``error_bounds``).
-"""
+"""A tape: the computation of a program as one straight line of real operations, each recorded once; and its evaluation
+with floats, numpy arrays, or any numbers of an arithmetic. Other modules compile it (``compiled``) or bound its errors
+(``error_bounds``)."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -18,7 +17,7 @@ LEAVES = frozenset({"const", "given", "source"})
 
 @dataclass
 class Tape:
-    """Operations in order; an operation names its arguments by their places on the tape."""
+    """Operations in order; an operation refers to its arguments by their places on the tape."""
 
     ops: list[tuple[str, Args]] = field(default_factory=list)
     values: dict[int, Leaf] = field(default_factory=dict)  # of constants ("const") and names of givens ("given")
@@ -43,7 +42,7 @@ class Tape:
         return place
 
     def needed(self, wanted: list[int], stop: frozenset[int] = frozenset()) -> list[int]:
-        """The places of all that leads to the wanted ones, in order, going no further back than ``stop``."""
+        """The places that the wanted ones need, in order, going no further back than ``stop``."""
         places, stack = set[int](), list(wanted)
         while stack:
             place = stack.pop()
@@ -54,7 +53,7 @@ class Tape:
         return sorted(places)
 
     def moved_by(self, names: frozenset[str]) -> frozenset[int]:
-        """The places of all that changes when the named givens change."""
+        """The places that change when the named givens change."""
         moved = set[int]()
         for place, (op, args) in enumerate(self.ops):
             if (op == "given" and self.values[place] in names) or not moved.isdisjoint(args):
@@ -62,7 +61,7 @@ class Tape:
         return frozenset(moved)
 
 
-Number = Real  # of a tape being read: a float, an array, or a longer number
+Number = Real  # of a tape under evaluation: a float, an array, or a longer number
 Op = Callable[..., Number]
 
 

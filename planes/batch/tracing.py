@@ -1,4 +1,4 @@
-"""Record a program on a tape: the very steps that draw are drawn once with the numbers of ``symbols``."""
+"""Record a program on a tape: the same steps that draw are run once with the numbers of ``symbols``."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -21,12 +21,12 @@ UNCLEAR = "unclear"
 
 
 class Recording(Arithmetic):
-    """The arithmetic of a tape; what is known already is reckoned at once."""
+    """The arithmetic of a tape; values already known are computed at once."""
 
     size = staticmethod(Many.size)
 
     def __init__(self) -> None:
-        self.turns: list[int] = []  # places of the tests whether a thing moves, and which way
+        self.turns: list[int] = []  # places of the motion tests, and of their senses
 
     def sqrt(self, x: Real) -> Real:
         return number(x.tape, "sqrt", x) if isinstance(x, Num) else super().sqrt(x)
@@ -92,7 +92,7 @@ def _tape(*numbers: Real) -> Tape | None:
 
 @frozen
 class Source:
-    """Where an instrument may err: the place on the tape of an error of standard deviation ``size``."""
+    """An error source of the instrument: the place on the tape of an error of standard deviation ``size``."""
 
     place: int
     size: float
@@ -100,16 +100,16 @@ class Source:
 
 @dataclass
 class TracingTool(Tool):
-    """Draws on a tape. With ``errors`` (point mm, ray rad, ruler mm) every mark, ray and reading has its own."""
+    """Draws on a tape. With ``errors`` (point mm, ray rad, ruler mm) every mark, ray and reading has an error."""
 
     tape: Tape = field(default_factory=Tape)
     errors: tuple[float, float, float] | None = None
     sources: list[Source] = field(default_factory=list)
     choosy: bool = False
-    reach: dict[tuple[str, str], Real] = field(default_factory=dict)  # between marks, where an arc was drawn
+    reach: dict[tuple[str, str], Real] = field(default_factory=dict)  # between marks joined by an arc
 
     def draw(self, step: Step, things: Env) -> Thing:
-        """The thing itself; a direction by the radius of the arc that made it one, with no root of it."""
+        """The result; a direction by the radius of the arc that produced it, without a square root."""
         if self.errors is None and isinstance(step, Through):
             for a, b in ((step.start, step.end), (step.end, step.start)):
                 if (a, b) in self.reach:
@@ -147,24 +147,24 @@ class TracingTool(Tool):
             self.require(ok, step, reason)
 
     def note(self, ok: Truth, step: object, reason: str) -> None:
-        """A warning stops nothing; what it is told of, whether a thing moves at all, is remembered."""
+        """A warning stops nothing; its motion test is recorded."""
         if isinstance(ok, Test) and isinstance(self.ar, Recording):
             self.ar.turns.append(ok.at)
 
 
 @frozen
 class Trace:
-    """A program on a tape: the places of the outputs and of each condition a drawing needs, with its reason."""
+    """A program on a tape: the places of the outputs and of each condition of a drawing, with its reason."""
 
     tape: Tape
     outputs: tuple[int, ...]
-    requires: tuple[tuple[str, str, int], ...]  # reason, what the step makes, place of the condition
+    requires: tuple[tuple[str, str, int], ...]  # reason, name of the step, place of the condition
     sources: tuple[Source, ...]
-    turns: tuple[int, ...]  # places of the tests whether a thing moves, and which way
-    proofs: frozenset[str]  # reasons that are but suspicions: what fails a proof may be only rounded
+    turns: tuple[int, ...]  # places of the motion tests, and of their senses
+    proofs: frozenset[str]  # reasons that are only suspicions: a failed proof may be only rounding
 
     def givens(self) -> dict[str, int]:
-        """Names of the given numbers (of a place, "name.x" and "name.y") and where they stand."""
+        """Names of the given numbers (of a place, "name.x" and "name.y") and their places."""
         return {v: k for k, v in self.tape.values.items() if self.tape.ops[k][0] == "given"}
 
 
@@ -184,8 +184,8 @@ def trace(
     """Record a program. ``given`` shows which givens are places; those in ``known`` are folded in as constants.
 
     The outputs marked in ``must`` have to be finite numbers: that is the condition "no_digits"; then comes ``UNCLEAR``:
-    where that alone does not hold, numbers have to be looked at by themselves. ``fine`` is the relative error of the
-    numbers the tape is to be read in, where they are longer than doubles.
+    where only that fails, the numbers need a closer look. ``fine`` is the relative error of the numbers for which the
+    tape is recorded, where they are longer than doubles.
     """
     tape = Tape()
     ar = Recording()
@@ -228,5 +228,5 @@ def given_values(given: Mapping[str, Point]) -> dict[str, Floats]:
 
 
 def _is_place(value: object) -> bool:
-    """Whether it has two coordinates: of one position, or of many in an array."""
+    """Whether it has two coordinates: one place, or many in an array."""
     return isinstance(value, complex) or getattr(getattr(value, "dtype", None), "kind", "") == "c"

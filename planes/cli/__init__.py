@@ -1,6 +1,6 @@
-"""The command line: its reader of options, in the language asked for, and the one way a command is run.
+"""The command line: its option parser, in the user's language, and the single way to run a command.
 
-Bad input is one sentence and exit status 2.
+Bad input gives one sentence and exit status 2.
 """
 
 import argparse
@@ -28,7 +28,7 @@ APART = {
     "cycle": "cycle",
     **dict.fromkeys(("new", "studio", "schema", "completion"), "start"),
 }
-"""Commands with a module of their own; the others are together in ``commands``."""
+"""Commands with their own module; the others are together in ``commands``."""
 SHORT = ("crank-slider", "note", "sheet")
 """Commands that make one document and end. The search for reference cycles took 0.6 of 5 s in the crank-slider's
 report, a twentieth of a note or a sheet; without it the report's peak is 240 MB, not 150."""
@@ -38,7 +38,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")  # a terminal without Cyrillic still gets the numbers
+            stream.reconfigure(errors="replace")  # on a terminal without Cyrillic the numbers still print
     argv = sys.argv[1:] if argv is None else argv
     lang = lang_of(argv)
     with speaking(lang):
@@ -60,7 +60,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _run(args: argparse.Namespace) -> int:
-    """The command; where it takes long, a person at a terminal sees that it goes on."""
+    """Run the command; during long work a user at a terminal sees progress."""
     from planes.words.waiting import waiting
 
     module = import_module(f"planes.cli.{APART.get(args.command, 'commands')}")
@@ -77,7 +77,7 @@ def _run(args: argparse.Namespace) -> int:
 
 @contextmanager
 def _without_collector(short: bool) -> Iterator[None]:
-    """The cyclic garbage collector is off while a short command runs."""
+    """Turn the cyclic garbage collector off during a short command."""
     collecting = gc.isenabled()
     if short:
         gc.disable()
@@ -89,8 +89,7 @@ def _without_collector(short: bool) -> Iterator[None]:
 
 
 def _tell_file(args: argparse.Namespace) -> None:
-    """A person at a terminal reads which file was written, and how large it is; of a sheet everybody reads it, with
-    its format."""
+    """Report the file written, and its size, to a user at a terminal; for a sheet always, with its format."""
     output, made = getattr(args, "output", None), getattr(args, "made", "")
     if output and sys.stderr and (made or sys.stderr.isatty()) and os.path.isfile(output):
         words = {"file": output, "size": math.ceil(os.path.getsize(output) / 1000), "made": made}
@@ -99,14 +98,14 @@ def _tell_file(args: argparse.Namespace) -> None:
 
 
 def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.ArgumentParser:
-    """The reader of the command line; the commands that are not ``named`` on it are known without their options."""
+    """The parser of the command line; commands not ``named`` on it are added without their options."""
 
     def help_of(key: str) -> str:
         return say(f"help_{key}", lang)
 
     reader = Parser(prog="planes", description=help_of("planes"), lang=lang)
     reader.add_argument("--version", action="version", version=f"planes {sys.modules['planes'].__version__}")
-    reader.add_argument("--lang", choices=langs(), metavar="LANG", help=help_of("lang"))  # `lang_of` has read it
+    reader.add_argument("--lang", choices=langs(), metavar="LANG", help=help_of("lang"))  # already read by `lang_of`
     commands = reader.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
     for name, own in OPTIONS.items():
         text = help_of(name.replace("-", "_"))
@@ -126,21 +125,21 @@ def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.Argument
 
 
 def lang_of(argv: Sequence[str]) -> Lang:
-    """The language asked for, wherever it stands among the arguments; else the home language."""
+    """The language option, anywhere among the arguments; otherwise the home language."""
     known = "|".join(langs())
     said: list[Lang] = re.findall(rf"(?<=\0)--lang?(?:=|\0)({known})(?=\0)", "\0".join(("", *argv, "")))
     return said[-1] if said else home_lang()
 
 
 def command_first(argv: Sequence[str]) -> Sequence[str]:
-    """The line with its command before the options that were written ahead of it."""
+    """The line with its command moved before any options written ahead of it."""
     at = next((k for k, word in enumerate(argv) if word in OPTIONS), 0)
     ahead = argv[:at] if argv and argv[0].startswith("--") else ()
     return [argv[at], *ahead, *argv[at + 1 :]] if ahead else argv
 
 
 class UsageWords(NullTranslations):
-    """What the reader of options says, in a language: its own English words are those of the table."""
+    """The messages of the option parser in a language: its English ones are replaced by those of the table."""
 
     def __init__(self, lang: Lang) -> None:
         super().__init__()
@@ -148,13 +147,13 @@ class UsageWords(NullTranslations):
         self.known = {text: own[key] for key, text in under("usage_", "en", "usage").items()}
 
     def gettext(self, message: str) -> str:
-        """The words, as gettext gives them."""
+        """The message, in gettext's role."""
         return self.known.get(message, message)
 
 
 @contextmanager
 def speaking(lang: Lang) -> Iterator[None]:
-    """The reader of options speaks a language: it asks gettext under the name ``_``."""
+    """The option parser in a language: it calls gettext under the name ``_``."""
     own = vars(argparse)["_"]
     vars(argparse)["_"] = UsageWords(lang).gettext
     try:
@@ -164,7 +163,7 @@ def speaking(lang: Lang) -> Iterator[None]:
 
 
 class Parser(argparse.ArgumentParser):
-    """A reader of the command line whose numbers are refused in a language."""
+    """A command line parser with number errors in a language."""
 
     def __init__(self, *args: Any, lang: Lang = "en", **more: Any) -> None:
         self.lang = lang
@@ -180,16 +179,16 @@ class Parser(argparse.ArgumentParser):
 
 
 class CommandParser(Parser):
-    """The reader of one command, whose options stand anywhere between its files."""
+    """The parser of one command, whose options may be anywhere between its files."""
 
     _mixing = False
 
     def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:  # type: ignore[override]
-        """Options are taken out first, then what is left is read in order; after ``--`` there are files alone."""
+        """Options are removed first, then the rest is read in order; after ``--`` there are only files."""
         line = self._ended(args or ())
         if self._mixing or "--" in line:
             return super().parse_known_args(line, namespace)
-        self.usage = self.format_usage().removeprefix(say("usage_line", self.lang))  # before it is read in two
+        self.usage = self.format_usage().removeprefix(say("usage_line", self.lang))  # before it is split
         self._mixing = True
         try:
             return self.parse_known_intermixed_args(line, namespace)
@@ -197,8 +196,8 @@ class CommandParser(Parser):
             self._mixing = False
 
     def _ended(self, args: Sequence[str]) -> list[str]:
-        """The line with the number an option has by itself, where the word after it is none; and a value that begins
-        with a minus (``--phi -90:270:1``) held to its option, or it would be taken for one."""
+        """The line with the default number after an option without one; and a value that begins with a minus (``--phi
+        -90:270:1``) attached to its option, otherwise it would be taken for an option."""
         valued = {name for one in self._actions if one.nargs is None for name in one.option_strings}
         words: list[str] = []
         for word in args:

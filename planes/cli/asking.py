@@ -1,4 +1,4 @@
-"""What the command line asks of one drawing, and how what was found is told."""
+"""The question of a check command, and how the outcome is reported."""
 
 import json
 import re
@@ -44,19 +44,19 @@ def ask(args: Namespace, scene: Scene, plan: str, value: float | None, mu: float
 
 
 def mu_asked(args: Namespace, plan: str) -> float | None:
-    """The scale the command line tells."""
+    """The scale given on the command line."""
     return None if args.mu is None else read_mu(args.mu, kind_of(plan))
 
 
 def known_of(args: Namespace) -> Known:
-    """What the command line tells of the drawing."""
+    """The data about the drawing given on the command line."""
     pole = place(args.pole, "--pole")[1] if args.pole else None
     page = None if args.page is None else args.page - 1
     return Known(pole, dict(place(m, "--mark") for m in args.mark), args.format, page)
 
 
 def judge_table(args: Namespace, scene: Scene, value: float | None) -> Outcome | None:
-    """What is said of a table of results alone, which needs no plan; None of any other table."""
+    """The judgement of a table with results only, which needs no plan; None for any other table."""
     plan = args.plan or known_plans(scene_plans(scene))[0]
     asked, paper = ask(args, scene, plan, value, mu_asked(args, plan)), read_table(args.drawing)
     if not paper.results or paper.spots or paper.segments:
@@ -83,7 +83,7 @@ def told(outcome: Outcome, lang: Lang) -> str:
 
 
 def said(args: Namespace, outcome: Outcome) -> int:
-    """The report written, the outcome printed."""
+    """Write the report and print the outcome."""
     if args.output:
         from planes.documents.check import write_report
 

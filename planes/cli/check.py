@@ -1,4 +1,4 @@
-"""``planes check`` and ``planes blank``: what is read by the suffix of a file, checked and printed; a folder too."""
+"""``planes check`` and ``planes blank``: a file or a folder read by its suffix, checked, and the outcome printed."""
 
 from argparse import Namespace
 from pathlib import Path
@@ -19,7 +19,7 @@ from planes.words.errors import PlanesError
 
 
 def check(args: Namespace) -> int:
-    """Check, print, and give the exit status: 0 right, 1 wrong, 2 unreadable, 3 right as far as seen."""
+    """Check, print, and return the exit status: 0 right, 1 wrong, 2 unreadable, 3 right as far as seen."""
     if is_course(Path(args.scene)) and not args.trace:
         return check_class(args, handed_out(Path(args.scene)), _sheets(args))
     table = not args.trace and (args.drawing or "").lower().endswith(TABLES)
@@ -48,7 +48,7 @@ def check(args: Namespace) -> int:
 
 
 def _no_plan(args: Namespace, scene: Scene) -> PlanesError:
-    """Which plans there are to choose from."""
+    """The error that lists the plans to choose from."""
     plans = tuple(known_plans(scene_plans(scene)))
     return PlanesError(Phrase("check_say_plan", file=args.drawing or args.scene, plans=plans))
 
@@ -61,7 +61,7 @@ def _sheets(args: Namespace) -> list[HandedSheet]:
 
 
 def _answer(args: Namespace) -> str:
-    """Which of the answers is asked for, by what has to be read."""
+    """The kind of answer requested, by the input to be read."""
     files = [Path(args.drawing or ""), *(Path(pair.partition("=")[2]) for pair in args.others)]
     suffixes = {file.suffix.lower() for file in files}
     if args.trace:
@@ -92,11 +92,11 @@ def blank(args: Namespace) -> int:
 
 
 def _first_plan(scene: Scene) -> str:
-    """That of velocities, or the first one of a scene that has none."""
+    """The velocity plan, or the first one of a scene without it."""
     plans = known_plans(scene_plans(scene))
     return "velocity" if "velocity" in plans else next(iter(plans), "velocity")
 
 
 def _told_by_itself(drawing: str | None) -> bool:
-    """Whether what was handed in may tell the plan: by the marks of sheets, or a practice by its code."""
+    """Whether the input may identify the plan: by the marks of sheets, or a practice by its code."""
     return bool(drawing) and (Path(str(drawing)).is_dir() or str(drawing).lower().endswith((*PICTURES, PRACTICE)))

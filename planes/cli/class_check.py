@@ -1,5 +1,5 @@
-"""``planes check`` of a folder, or of a file of several pages: every sheet once, a row for each; of pages only one of
-which holds the plan, that one as a drawing of its own."""
+"""``planes check`` of a folder, or of a file of several pages: every sheet once, a row for each; if only one page holds
+the plan, it is checked as a single drawing."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ if TYPE_CHECKING:
     from planes.documents.class_work import ClassWork
 
 
-REPORTS = (".pdf", ".svg", ".png")  # of one drawing, never of several
+REPORTS = (".pdf", ".svg", ".png")  # options for one drawing, not for several
 
 
 def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet], alone: bool = False) -> int:
-    """Every drawing and practice of a folder: a row for each, on the terminal and in the file of ``-o``; of the pages
-    of a file that was named ``alone`` the only one that can be read, if there is one."""
+    """Every drawing and practice of a folder: a row for each, on the terminal and in the file of ``-o``; for the pages
+    of a single file, ``alone``, the only readable one, if there is one."""
     from planes.documents.class_work import ClassWork
 
     refused = alone and Path(args.output or "").suffix.lower() in REPORTS
@@ -56,17 +56,17 @@ def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet], a
 
 @dataclass
 class ClassDesk:
-    """Where the sheets of a class are looked at, one after another."""
+    """Checks the sheets of a class, one after another."""
 
     args: Namespace
     work: ClassWork
     sorter: Sorter
     practices: PracticeSorter
-    read: dict[int, Outcome] = field(default_factory=dict)  # pages on which the plan was found that was asked for
+    read: dict[int, Outcome] = field(default_factory=dict)  # pages with the requested plan
 
     @classmethod
     def of(cls, args: Namespace, handed: HandedOut, work: ClassWork) -> ClassDesk:
-        """A desk for what the command line asks."""
+        """A desk with the options of the command line."""
         from planes.documents.class_practices import PracticeSorter
         from planes.documents.class_sorting import Sorter
 
@@ -78,7 +78,7 @@ class ClassDesk:
         return cls(args, work, Sorter(handed, asking, args.variant, args.plan), practices)
 
     def look(self, sheet: HandedSheet) -> None:
-        """One sheet, or each blank of a picture of several; whatever is wrong with it never stops the others."""
+        """One sheet, or each blank of a picture of several; an error in one never stops the others."""
         from planes.documents.class_sorting import glance
         from planes.documents.class_work import source_of
 
@@ -97,6 +97,8 @@ class ClassDesk:
                 if seen.blanks < 2:
                     task, asked, one.whose = self.sorter.asked(sheet, seen.mark)
                     one.found = judge(asked, marks_of(sheet, asked, known))
+                    if name := self.sorter.owner(task, asked, one.found):
+                        one.found.notes.append(Phrase("check_anothers_work", name=name))
         except PlanesError as error:
             one.refused, one.picture = error, seen.picture if seen else b""
         if seen and seen.blanks > 1:
@@ -108,7 +110,7 @@ class ClassDesk:
         self.work.add(one, source, task)
 
     def only(self, count: int) -> Outcome | None:
-        """What is found on the only page that holds the plan asked for; None of several, or where all are kept."""
+        """The outcome of the only page with the requested plan; None if there are several, or where all are kept."""
         if len(self.read) != 1 or self.work.ledger or self.work.output.endswith(".csv"):
             return None
         [(page, outcome)] = self.read.items()
@@ -117,7 +119,8 @@ class ClassDesk:
 
 
 def _command(args: Namespace) -> str:
-    """The command that checks the same sheets once more, with all that it was told: else all would be judged anew."""
+    """The command that checks the same sheets once more, with all its options: without them all would be judged
+    anew."""
     names = ("variant", "phi", "s", "plan", "mu", "pole", "format", "page", "work")
     options = [(f"--{name}", str(text)) for name in names if (text := getattr(args, name)) is not None]
     options += [*(("--with", pair) for pair in args.others), *(("--mark", pair) for pair in args.mark)]
@@ -127,7 +130,7 @@ def _command(args: Namespace) -> str:
 
 
 def _options(args: Namespace) -> list[object]:
-    """All of the command line that what is found depends on."""
+    """All options that the outcome depends on."""
     others = [Path(pair.partition("=")[2]) for pair in args.others]
     read = [file.read_bytes() for file in others if file.is_file()]
     options = (

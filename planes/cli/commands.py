@@ -1,4 +1,4 @@
-"""The commands that have no module of their own: each imports what it needs when it is run."""
+"""The commands without their own module: each imports what it needs when it is run."""
 
 import json
 import os
@@ -15,17 +15,17 @@ from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
 
 READY = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
-"""What the workers of a course import once."""
+"""Modules that the workers of a course import once."""
 
 
 def as_json(thing: object) -> str:
-    """JSON in the letters the output can hold."""
+    """JSON in letters the output can encode."""
     wide = (getattr(sys.stdout, "encoding", "") or "").lower().startswith("utf")
     return json.dumps(thing, ensure_ascii=not wide, allow_nan=False)
 
 
 def scene_of(args: Namespace) -> Scene:
-    """The scene asked for; what is doubtful in it goes to stderr."""
+    """The requested scene; its doubts are printed to stderr."""
     scene = load(args.scene, args.variant)
     said = [doubt.told(args.lang) for doubt in scene.doubts]
     said += [fault.told(args.lang) for fault in _of_its_sheet(scene) if args.command != "sheet"]
@@ -34,13 +34,13 @@ def scene_of(args: Namespace) -> Scene:
 
 
 def warn(said: Iterable[str], lang: Lang) -> None:
-    """Sentences on stderr that stop nothing: nobody takes them for a refusal."""
+    """Sentences on stderr that stop nothing and do not look like an error."""
     for sentence in said:
         print(say("warning", lang, of=sentence), file=sys.stderr)
 
 
 def _of_its_sheet(scene: Scene) -> tuple[PlanesError, ...]:
-    """What a sheet of the scene would be refused for: a person hears it before one is drawn."""
+    """The errors of a sheet of the scene, reported before one is drawn."""
     if not scene.sheet.keys() & {"diagrams", "hodographs", "font"}:
         return ()
     from planes.documents.cycle import unready
@@ -49,7 +49,7 @@ def _of_its_sheet(scene: Scene) -> tuple[PlanesError, ...]:
 
 
 def solve(args: Namespace) -> int:
-    """Results of every position, or of the scenes of a folder, as tables or JSON; what failed on stderr."""
+    """Results of every position, or of the scenes of a folder, as tables or JSON; failures on stderr."""
     from planes.solving import solve as solved_at
     from planes.solving.tables import report
 
@@ -87,7 +87,7 @@ def solve(args: Namespace) -> int:
 
 
 def _survey(args: Namespace) -> int:
-    """Every scene of a folder in every variant; exit status 0 if all is solved and balancing loads agree, else 1."""
+    """Every scene of a folder in every variant; exit status 0 if all are solved and balancing loads agree, else 1."""
     from planes.course.survey import lines_of, report, scenes_of
     from planes.course.workers import crowd
     from planes.words.waiting import bar
@@ -106,7 +106,7 @@ def _survey(args: Namespace) -> int:
 
 
 def structure(args: Namespace) -> int:
-    """Links, pairs, groups of Assur, and the self-aligning variant."""
+    """Links, pairs, Assur groups, and the self-aligning variant."""
     from planes.plans import structure_of
     from planes.plans.assur.alignment import aligned
     from planes.plans.statements.of_scene import scene_plans
@@ -197,7 +197,7 @@ def crank_slider(args: Namespace) -> int:
 
 
 def course(args: Namespace) -> int:
-    """Make the course; exit status 0 if all came out, 1 if something is missing, 2 if nothing could be begun."""
+    """Make the course; exit status 0 if everything succeeded, 1 if a document is missing, 2 if it could not begin."""
     from planes.course.handed_out import OUT
     from planes.course.reading import read_course
     from planes.course.workers import crowd

@@ -1,4 +1,4 @@
-"""The command ``planes cycle``: which of its answers is asked for: a table, a picture or a summary."""
+"""The command ``planes cycle`` and the choice of its answer: a table, a picture or a summary."""
 
 import math
 import sys
@@ -15,11 +15,11 @@ from planes.words.errors import PlanesError
 
 PICTURES = (".png", ".svg", ".pdf", ".dxf")
 FILMS = (".gif", ".mp4")
-LISTED = 24  # positions a listing may have
+LISTED = 24  # longest listing, in positions
 
 
 def cycle(args: Namespace) -> int:
-    """One of the answers; the exit status."""
+    """One of the answers; returns the exit status."""
     scene = scene_of(args)
     kind, text = range_of(args, scene)
     span = None if text is None else read_span(text, f"--{kind}")
@@ -44,7 +44,7 @@ def cycle(args: Namespace) -> int:
 
 
 def _answer(args: Namespace, span: Span | None) -> str:
-    """Which of the answers is asked for."""
+    """The kind of answer requested."""
     if args.film or (args.output and Path(args.output).suffix.lower() in FILMS):
         return "film"
     if args.output and Path(args.output).suffix.lower() not in PICTURES:
@@ -57,7 +57,7 @@ def _answer(args: Namespace, span: Span | None) -> str:
 
 
 def driven_otherwise(scene: Scene, velocity: float | None, acceleration: float | None) -> Scene:
-    """The scene with another law of motion of its driver (rad/s and rad/s², or m/s and m/s²)."""
+    """The scene with another law of motion for its driver (rad/s and rad/s², or m/s and m/s²)."""
     rates = {k: x for k, x in (("velocity", velocity), ("acceleration", acceleration)) if x is not None}
     if scene.mechanism is None or not rates:
         return scene
@@ -71,7 +71,7 @@ def driven_otherwise(scene: Scene, velocity: float | None, acceleration: float |
 
 
 def asked(text: str | None, option: str) -> list[str] | None:
-    """Names with commas between them."""
+    """Names separated by commas."""
     names = None if text is None else [name.strip() for name in text.split(",") if name.strip()]
     if names == []:
         raise PlanesError(Phrase("option_names", option=option))
@@ -79,7 +79,7 @@ def asked(text: str | None, option: str) -> list[str] | None:
 
 
 def _names(args: Namespace) -> list[str] | None:
-    """The curves asked for one by one; None: all."""
+    """The curves requested by name; None: all."""
     names = asked(args.show, "--show")
     return None if names is None or names == ["all"] else [n for name in names for n in name.split("+")]
 

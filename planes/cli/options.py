@@ -1,4 +1,4 @@
-"""Options of the command line: which each command has, which each of its answers heeds, and the positions asked for."""
+"""Options of the command line: those of each command, those each of its answers uses, and the requested positions."""
 
 from argparse import Namespace
 from collections.abc import Iterable, Mapping, Sequence
@@ -10,7 +10,7 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 Option = tuple[str, str, Mapping[str, Any]]
-"""How it is written, the key of its help, how it is read."""
+"""Its spelling, the key of its help, its parser."""
 
 FLAG = {"action": "store_true"}
 FILE = {"metavar": "FILE"}
@@ -19,9 +19,9 @@ REAL = {"type": float}
 OF_SCENE: Sequence[Option] = (("scene", "scene", {"metavar": "SCENE"}), ("--variant", "variant", {}))
 POSITIONS: Sequence[Option] = (("--phi", "phi", {"metavar": "A[:B:STEP]"}), ("--s", "s", {"metavar": "A[:B:STEP]"}))
 POSITIONED = ("solve", "sheet", "note", "cycle", "check", "blank")
-"""Commands that take the options that name positions."""
+"""Commands with options for positions."""
 EITHER = {"sheet": ("--sheet", "--view"), "course": ("--jobs", "--scheduler")}
-"""Options of which one alone may be given."""
+"""Options that exclude each other."""
 
 WITHOUT_SCENE = ("essay", "studio", "course", "new", "schema", "completion")
 SHELLS = ("bash", "zsh", "tcsh")
@@ -30,7 +30,7 @@ _FOLDERS = {"bash": "_shtab_compgen_dirs", "zsh": "_files -/", "tcsh": "d"}
 COMPLETED = dict.fromkeys(("FILE", "SCENE", "DRAWING", "PLAN=FILE"), _FILES) | dict.fromkeys(
     ("DIR", "FOLDER"), _FOLDERS
 )
-"""What a shell completes in the place of a word of the usage."""
+"""Completions of a shell for a word of the usage."""
 
 OPTIONS: Mapping[str, Sequence[Option]] = {
     "solve": (
@@ -119,7 +119,7 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
     ),
     "completion": (("shell", "completion_shell", {"choices": SHELLS}),),
 }
-"""What each command takes beside its scene, ``--variant`` and ``--lang``."""
+"""The options of each command beside its scene, ``--variant`` and ``--lang``."""
 
 TAKES: Mapping[str, Mapping[str, str]] = {
     "solve": {
@@ -146,16 +146,16 @@ TAKES: Mapping[str, Mapping[str, str]] = {
         "photograph": "phi s mu others work json pole mark format page",
     },
 }
-"""Of each command its answers, with the options each of them heeds; the others are those of every answer."""
+"""For each command its answers, with the options each of them uses; the others are common to all answers."""
 
 NEEDS = {"seed": "pencil", "pole": "graphical", "phi": "sheet", "film": "output"}
-"""Options that change nothing without another one."""
+"""Options without effect unless another one is given."""
 
 FLAGS = {"others": "with"}
 
 
 def check_options(args: Namespace, command: str, answer: str) -> None:
-    """Refuse the first option given that this answer does not heed."""
+    """Refuse the first option that this answer does not use."""
     answers = {name: heeded.split() for name, heeded in TAKES[command].items()}
     for option in dict.fromkeys(option for heeded in answers.values() for option in heeded):
         if given(args, option) and option not in answers[answer]:
@@ -165,30 +165,30 @@ def check_options(args: Namespace, command: str, answer: str) -> None:
 
 
 def check_needs(args: Namespace, options: Iterable[str]) -> None:
-    """Refuse an option given without the one it belongs to."""
+    """Refuse an option given without the one it depends on."""
     for option in options:
         if given(args, option) and not given(args, NEEDS[option]):
             raise PlanesError(Phrase("option_needs", option=option, other=NEEDS[option]))
 
 
 def given(args: Namespace, option: str) -> bool:
-    """Whether an option was written."""
+    """Whether an option was given."""
     return getattr(args, option, None) not in (None, False, [])
 
 
 def values_of(args: Namespace, scene: Scene) -> list[float] | None:
-    """The values of the drive asked for on the command line."""
+    """The positions of the drive requested on the command line."""
     kind, text = range_of(args, scene)
     return None if text is None else read_range(text, f"--{kind}")
 
 
 def range_of(args: Namespace, scene: Scene) -> tuple[str, str | None]:
-    """The kind of the drive, and its values as they were written."""
+    """The kind of the drive, and its values as typed."""
     return scene.drive.kind if scene.drive else "", asked_of_drive(scene, args.phi, args.s)
 
 
 def value_of(args: Namespace, scene: Scene) -> float | None:
-    """The one value of the drive asked for."""
+    """The one position of the drive requested."""
     values = values_of(args, scene)
     if values and len(values) > 1:
         raise PlanesError(Phrase("one_value", count=len(values)))

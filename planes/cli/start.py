@@ -1,4 +1,4 @@
-"""The commands one begins with: ``planes new``, ``studio``, ``schema``, ``completion``."""
+"""The commands for beginners: ``planes new``, ``studio``, ``schema``, ``completion``."""
 
 import json
 import os
@@ -13,7 +13,7 @@ from planes.words.errors import PlanesError, choices
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 GROUPS = {"rrr": "four-bar", "rrp": "crank-slider", "rpr": "slotted-lever", "prp": "tangent", "rpp": "scotch-yoke"}
-"""The template of each kind of groups."""
+"""The template for each kind of group."""
 ISO = "sheet: {frame: iso}                        # or gost: frame and title block of GOST 2.104\n"
 _TITLE = re.compile(r"^title: \{ru: (.*), en: (.*)\}$", re.MULTILINE)
 _CYRILLIC = re.compile("[а-яё]", re.IGNORECASE)
@@ -25,7 +25,7 @@ def templates() -> list[str]:
 
 
 def new(args: Namespace) -> int:
-    """A template in a file or on the terminal; without a name the list of them."""
+    """A template in a file or on the terminal; without a name the list of templates."""
     if args.kind is None:
         print("\n".join(_listed(args.lang)))
         return 0
@@ -46,7 +46,7 @@ def new(args: Namespace) -> int:
 
 
 def in_language(template: str, lang: Lang) -> str:
-    """A template, whose title and remarks are in Russian and English, in the language it is asked for in."""
+    """A template, whose title and comments are in Russian and English, in the requested language."""
     first = "ru" in stand_ins(lang)
     lines = []
     for line in _TITLE.sub(r"title: \1" if first else r"title: \2", template).splitlines():
@@ -59,7 +59,7 @@ def in_language(template: str, lang: Lang) -> str:
 
 
 def _schema_beside(file: Path, name: str, lang: Lang) -> str:
-    """The name of the schema in the folder of a file, by which an editor helps; it is written if it is not there."""
+    """The name of the schema in the folder of a file, for the help of an editor; it is written if it is missing."""
     kind = "course" if name == "course" else "scene"
     beside = file.with_name(f"{kind}.schema.json")
     if not beside.exists():

@@ -1,26 +1,26 @@
 """A course: individual work for a list of students, from a folder with a list of names and scenes.
 
-The folder holds ``students.txt`` (a name a line) or ``students.csv`` (a head ``name,group,assignment,variant``, of
-which only the name is needed; semicolons or tabs do as well) and the scenes of the assignments. A ``course.yaml``
-says more; all its keys but ``course`` may be left out::
+The folder holds ``students.txt`` (a name per line) or ``students.csv`` (a head ``name,group,assignment,variant``, of
+which only the name is required; semicolons or tabs work too) and the scenes of the assignments. A ``course.yaml``
+gives details; all its keys except ``course`` are optional::
 
     course: 1                            # the format
     title: Курсовой проект, осень 2026   # printed on every task
     lang: ru
-    sheet: {group: М-31, teacher: Петров П. П.}   # what every sheet says, with the keys of a scene's ``sheet``
+    sheet: {group: М-31, teacher: Петров П. П.}   # texts of every sheet, with the keys of a scene's ``sheet``
     students: students.csv               # or a list here: names, or {name: …, group: …, assignment: 12, variant: Б}
-    assignments: [../12.yaml, ../more]   # scenes, or folders of them; they are given out in turn
+    assignments: [../12.yaml, ../more]   # scenes, or folders of them, handed out in turn
     each: 1                              # how many assignments a student gets
     variants: given                      # the variants of the scene first, then drawn numbers; or: drawn
     draw: {phi_1: {from: 0, to: 345, step: 15}, l_AB: 10 %, F_5: [1000, 1500, 2000]}
-    sharpness: 15                        # degrees: with drawn numbers no lines of any plan meet at less, all round
+    sharpness: 15                        # degrees: with drawn numbers no lines of any plan cross at less, all round
     documents: [task, blank, key, sheets, lesson]   # note, book, scorm, moodle, stack, prairielearn too
     formats: [pdf]                       # of the sheets: dxf, svg, png as well
-    plans: [velocity, acceleration, force]          # what the blanks are for
+    plans: [velocity, acceleration, force]          # the plans that get a blank
     seed: 1
 
-A student's numbers depend on the name, the assignment and the seed alone, so a name added to the list changes nobody
-else's; only the given variants go by the order of the list. No two students have the same numbers.
+A student's numbers depend on the name, the assignment and the seed alone, so a new name in the list changes nobody
+else's numbers; only the given variants follow the order of the list. No two students have the same numbers.
 """
 
 from collections.abc import Mapping
@@ -39,8 +39,8 @@ FORMATS = ("pdf", "dxf", "svg", "png")
 
 @frozen
 class Student:
-    """One of the list. ``assignment`` is the name of a scene's file without its suffix, None to be given one in turn;
-    ``variant`` one of its variants; ``line`` where the student stands in the list."""
+    """A student of the list. ``assignment`` is the name of a scene's file without its suffix, None to get one in turn;
+    ``variant`` one of its variants; ``line`` the student's line in the list."""
 
     name: str
     group: str = ""
@@ -51,7 +51,7 @@ class Student:
 
 @frozen
 class ParameterChoice:
-    """Which numbers a parameter may take: ``values`` as they are written, or ``percent`` around the scene's own."""
+    """The choices for a parameter: ``values`` as written, or ``percent`` around the scene's own."""
 
     values: tuple[str, ...] = ()
     percent: float | None = None
@@ -59,7 +59,7 @@ class ParameterChoice:
 
 @frozen
 class Assignment:
-    """A scene that is given out: its file, its text, its variants, and what in any of them is doubtful."""
+    """A scene to hand out: its file, its text, its variants, and the doubts about any of them."""
 
     file: Path
     text: str
@@ -74,7 +74,7 @@ class Assignment:
 
 @frozen
 class Course:
-    """All that a folder says of a course. ``draw`` is None where the program chooses what to draw."""
+    """The contents of a course folder. ``draw`` is None where the program chooses what to draw."""
 
     file: str
     students: tuple[Student, ...]
@@ -90,4 +90,4 @@ class Course:
     plans: tuple[str, ...] = ("velocity", "acceleration", "force")
     seed: int = 1
     lang: Lang | None = None
-    unread: str = ""  # a list of students that lies there, but another is taken
+    unread: str = ""  # a list of students in the folder that is not used

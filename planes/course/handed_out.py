@@ -1,7 +1,7 @@
-"""Scenes as they were handed out, found again for what comes back: by the mark of a sheet, or by the name of a file.
+"""Scenes that were handed out, found again for returned work: by the mark of a sheet, or by the name of a file.
 
-What a teacher names is a scene, a folder of scenes, or a course: its folder, its course.yaml, or the folder it was made
-into, where every student's scene lies. Nothing a mark or a name says leads to any other file.
+A teacher names a scene, a folder of scenes, or a course: its folder, its course.yaml, or its output folder, which holds
+every student's scene. No mark or name can lead to any other file.
 """
 
 import re
@@ -27,13 +27,13 @@ _KINDS = {
     "acceleration": "accel|ускор|прискор|паскар",
     "position": "position|полож|станов|схем",
 }
-"""Beginnings of words that tell a plan, in the languages of those who hand in."""
+"""Beginnings of words for plans, in the languages of students."""
 _VARIANT = r"(?:variant|var|вариант|варіант|варыянт|вар|v|в)\W*"
 
 
 @frozen
 class Task:
-    """One scene that was handed out: to whom (the name of the student's folder), of which assignment; "" is any."""
+    """One scene that was handed out: to whom (the name of the student's folder), for which assignment; "" is any."""
 
     file: Path
     scene: str = ""
@@ -41,7 +41,7 @@ class Task:
     read: dict[str | None, Scene] = field(default_factory=dict, compare=False, repr=False)
 
     def variant(self, name: str | None) -> Scene:
-        """The scene in a variant; of a student's own scene, which has none, itself."""
+        """The scene in a variant; a student's own scene has none and is returned itself."""
         name = None if self.student else name or None
         if name not in self.read:
             self.read[name] = load(self.file, name)
@@ -49,23 +49,23 @@ class Task:
 
 
 def of_several(tasks: Iterable[Task]) -> bool:
-    """Whether tasks are of more than one assignment."""
+    """Whether tasks belong to more than one assignment."""
     return len({t.scene for t in tasks}) > 1
 
 
 @frozen
 class HandedOut:
-    """All scenes a teacher has named."""
+    """All scenes that a teacher has named."""
 
     tasks: tuple[Task, ...]
 
     def marked(self, mark: SheetMark) -> Task | None:
-        """The one a sheet's mark means."""
+        """The task of a sheet's mark."""
         tasks = [t for t in self.tasks if mark.fits(t.scene, t.student)]
         return tasks[0] if len(tasks) == 1 else None
 
     def named(self, stem: str) -> Task | None:
-        """The one the name of a file means: by the student's names, or the last name alone if nobody else has it."""
+        """The task of a file's name: by the student's names, or the last name alone if it is unique."""
         words = words_of(stem)
         by_full_name = [t for t in self.tasks if t.student and set(self._names[t]) <= set(words)]
         last = [t for t in self.tasks if t.student and self._names[t][0] in words]
@@ -80,19 +80,19 @@ class HandedOut:
 
 
 def words_of(text: str) -> list[str]:
-    """Words of a name, in small letters."""
+    """Words of a name, in lower case."""
     return re.findall(r"[^\W_]+", unicodedata.normalize("NFC", text).casefold())
 
 
 def variant_named(stem: str, variants: Sequence[str]) -> str | None:
-    """The variant a file's name tells: after the word for it."""
+    """The variant in a file's name: after the word for it."""
     text = " ".join(words_of(stem))
     named_variants = [v for v in variants if re.search(rf"\b{_VARIANT}{re.escape(' '.join(words_of(v)))}\b", text)]
     return max(named_variants, key=len, default=None)
 
 
 def plan_named(stem: str, scene: Scene) -> str | None:
-    """The plan a file's name tells: velocity, скорости, force 2-3."""
+    """The plan in a file's name: velocity, скорости, force 2-3."""
     text = " ".join(words_of(stem))
     plans = known_plans(scene_plans(scene)) if scene.mechanism else []
     forms = {p: _KINDS.get(p, rf"\b{' '.join(words_of(p))}\b") for p in plans}
@@ -101,12 +101,12 @@ def plan_named(stem: str, scene: Scene) -> str | None:
 
 
 def is_course(path: Path) -> bool:
-    """Whether a course is named, or a folder of scenes: anything but one scene."""
+    """Whether the path is a course or a folder of scenes: anything but one scene."""
     return path.is_dir() or path.name == NAME
 
 
 def handed_out(path: Path) -> HandedOut:
-    """The scenes of what a teacher has named; :class:`PlanesError` where a course has not been made yet."""
+    """The scenes of the path that a teacher gave; :class:`PlanesError` where a course has not been made yet."""
     if not is_course(path):
         return HandedOut((Task(path, path.stem),))
     folder = path if path.is_dir() else path.parent

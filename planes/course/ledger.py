@@ -1,7 +1,7 @@
-"""The folder of results: every file appears whole, with a line in the manifest that says what it was made from.
+"""The folder of results: every file appears complete, with a line in the manifest for its inputs.
 
-A run that was cut short leaves a journal beside the manifest; the next one reads both, keeps the files that are what
-they were, and clears away what was only begun. The fingerprint of the program is part of what a file was made from.
+An interrupted run leaves a journal beside the manifest; the next one reads both, keeps the unchanged files, and removes
+unfinished ones. The fingerprint of the program is one of a file's inputs.
 """
 
 import hashlib
@@ -26,8 +26,8 @@ LIBRARIES = tuple(_ALL.split())
 
 @cache
 def fingerprint() -> str:
-    """The program's own files, words among them, Python and the libraries that reckon and draw, as one hash: the same
-    for two programs that make the same files of the same scenes."""
+    """The program's files, including its words, Python and the libraries for calculation and drawing, as one hash:
+    equal for two programs that make the same files from the same scenes."""
     house = Path(__file__).parents[2]
     every = (f for room in ("planes", "render") for f in (house / room).rglob("*"))
     files = [f for f in every if f.is_file() and "__pycache__" not in f.parts]
@@ -52,7 +52,7 @@ def _version(name: str) -> str:
 
 
 MANIFEST, JOURNAL = "manifest.json", ".journal"
-DRAFT = f"{JOURNAL}{PART}"  # the one file that is being written
+DRAFT = f"{JOURNAL}{PART}"  # the file being written
 
 
 def digest(data: bytes) -> str:
@@ -61,14 +61,14 @@ def digest(data: bytes) -> str:
 
 
 class Entry(NamedTuple):
-    """The hash of what a file was made from, the hash of the file, and sentences that must be said of it."""
+    """The hash of a file's inputs, the hash of the file, and sentences to report about it."""
 
     source: str = ""
     sha256: str = ""
     said: tuple[str, ...] = ()
 
     def json(self) -> Json:
-        """As the manifest has it."""
+        """The entry as in the manifest."""
         said = {"said": list(self.said)} if self.said else {}
         return {"from": self.source, "sha256": self.sha256, **said}
 
@@ -89,7 +89,7 @@ class Ledger:
             raise cannot_write(error, error.filename or folder) from None
 
     def path(self, name: str) -> Path:
-        """The file of a name; one that leads out of the folder, by its dots or over a link, is none of ours."""
+        """The path of a file; one outside the folder, by dots or through a link, is refused."""
         path, here = self.folder / name, os.path.realpath(self.folder)
         plain = "\0" not in name and ".." not in Path(name).parts
         if plain and Path(os.path.realpath(path.parent)).is_relative_to(here):
@@ -102,7 +102,7 @@ class Ledger:
         return False
 
     def _read(self) -> Iterable[tuple[str, Entry]]:
-        """What the manifest says, then the journal's whole lines."""
+        """The contents of the manifest, then the journal's complete lines."""
         manifest = self.folder / MANIFEST
         listed = _parsed(manifest.read_text("utf-8", "replace")).get("files") if manifest.is_file() else None
         for name, entry in listed.items() if isinstance(listed, dict) else ():
@@ -113,13 +113,13 @@ class Ledger:
                 yield name, _entry(entry)
 
     def fresh(self, name: str, source: str) -> bool:
-        """Whether the file is there as it was made, and was made from the same."""
+        """Whether the file is still as it was made, from the same inputs."""
         entry = self.entries.get(name, Entry())
         path = self.folder / name
         return entry.source == source and path.is_file() and digest(path.read_bytes()) == entry.sha256
 
     def keep(self, name: str, source: str, data: bytes, said: tuple[str, ...] = ()) -> None:
-        """Write a file whole, then its line."""
+        """Write a complete file, then its line."""
         path = self.path(name)
         with sayable(path):
             self._put(path, data)
@@ -133,7 +133,8 @@ class Ledger:
             draft.write_bytes(data)
 
     def close(self, wanted: Iterable[str] | None = None) -> None:
-        """Write the manifest in place of the journal; with ``wanted``, files made earlier that are not go away."""
+        """Write the manifest in place of the journal; with ``wanted``, earlier files that are not wanted are
+        deleted."""
         with sayable(self.folder / MANIFEST):
             for name in self.entries.keys() - set(wanted) if wanted is not None else ():
                 self.forget(name)
@@ -144,7 +145,7 @@ class Ledger:
             (self.folder / JOURNAL).unlink()
 
     def forget(self, name: str) -> None:
-        """Take away a file made earlier, unless a person has changed it."""
+        """Delete a file made earlier, unless a person has changed it."""
         path, was = self.path(name), self.entries.pop(name, Entry()).sha256
         if path.is_file() and digest(path.read_bytes()) == was:
             path.unlink()
@@ -155,12 +156,12 @@ class Ledger:
 
 
 def _own(path: Path) -> int:
-    """The file of this very name opened to be gone on with: not what a link leads to."""
+    """The file of this exact name opened for appending: not the target of a link."""
     return os.open(path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | getattr(os, "O_NOFOLLOW", 0), 0o666)
 
 
 def _parsed(text: str) -> Json:
-    """An object, or nothing if it was not written to its end."""
+    """The object in a line; empty if the line was cut short."""
     try:
         record = json.loads(text)
     except (ValueError, RecursionError):
@@ -169,7 +170,7 @@ def _parsed(text: str) -> Json:
 
 
 def _entry(read: object) -> Entry:
-    """An entry of the manifest or the journal, an empty one if it is none."""
+    """An entry of the manifest or the journal; an empty one if it is invalid."""
     if not isinstance(read, dict):
         return Entry()
     said = read.get("said")
@@ -178,7 +179,7 @@ def _entry(read: object) -> Entry:
 
 
 def _lock(file: TextIO, folder: Path) -> None:
-    """Hold the folder for this run; where the system cannot, nothing is held."""
+    """Lock the folder for this run, where the system can."""
     try:
         import fcntl
     except ImportError:

@@ -1,5 +1,5 @@
-"""What one student works with: the numbers settled, the scene written (the assignment's, with other numbers in its
-parameters, as a file anew), the mechanism solved. A task for any worker."""
+"""One student's work: numbers drawn, the scene written (the assignment's with other numbers for its parameters, as a
+new file), the mechanism solved. A task for any worker."""
 
 import json
 import math
@@ -33,7 +33,7 @@ FILE = "scene.yaml"
 
 @frozen
 class Question:
-    """All that a student's numbers depend on; ``copy`` counts how often they fell together with somebody else's."""
+    """All inputs for a student's numbers; ``copy`` counts how often they coincided with somebody else's."""
 
     text: str
     file: str
@@ -45,7 +45,7 @@ class Question:
     sheet: Mapping[str, Node]
     lang: Lang
     copy: int = 0
-    program: str = ""  # whose it must be, where workers may have another
+    program: str = ""  # the worker's program must match, where it may be another
 
 
 @frozen
@@ -58,7 +58,7 @@ class Settled:
 
 
 def question(course: Course, share: Share, lang: Lang) -> Question:
-    """What is asked of a worker for one share."""
+    """The question to a worker for one share."""
     s = share.student
     said = {"student": s.name, "group": s.group}
     return Question(
@@ -91,12 +91,13 @@ def _settled(q: Question) -> Settled:
     if not solved.positions:
         return Settled(fault=solved.failed[0]["error"])
     original = replace(scene, file=q.file, where=loads(q.text, q.file, q.variant).where)
-    given_of(original, solved.positions[0], q.lang)  # a paper must be able to tell it
+    given_of(original, solved.positions[0], q.lang)  # a sheet must be able to state it
     return Settled(text, json.dumps(solved.json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n")
 
 
 def why(error: Exception, lang: Lang) -> str:
-    """Why somebody does not get something, as one sentence; a slip of the program too: the others still get theirs."""
+    """Why somebody's document is missing, as one sentence, even for a fault of the program: the others still get
+    theirs."""
     if isinstance(error, PlanesError):
         return error.told(lang)
     last = traceback.extract_tb(error.__traceback__)[-1]
@@ -106,7 +107,7 @@ def why(error: Exception, lang: Lang) -> str:
 
 
 def drawn(q: Question) -> dict[str, str]:
-    """The numbers of one student."""
+    """One student's numbers."""
 
     def make(numbers: Mapping[str, str]) -> Scene:
         return loads(own_scene(q.text, q.file, None, numbers, {}), q.file)
@@ -116,8 +117,8 @@ def drawn(q: Question) -> dict[str, str]:
 
 
 def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
-    """What a teacher compares first, by name and unit: links' ω and ε, sliders' v and a, the balancing load; of stated
-    vectors those that are sought, and the values."""
+    """The results a teacher compares first, by name and unit: links' ω and ε, sliders' v and a, the balancing load; of
+    stated vectors the unknown ones, and the values."""
     answers: dict[tuple[str, str], float] = {}
     if scene.statement is not None:
         return _vectors(scene, scene.statement, key)
@@ -138,8 +139,8 @@ def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
 
 
 def answers_of(scene: Scene, value: float | None = None, plan: str = "") -> tuple[str, ...]:
-    """The names of the main answers at a value of the drive, the scene's own by default, or of those that one plan
-    gives; none where the position fails, and none that a scene itself asks for others."""
+    """The names of the main answers at a position of the drive, by default the scene's, or of those from one plan;
+    empty where the position fails, and where a scene asks for other results."""
     if scene.find:
         return ()
     solved = solve(scene, None if value is None else [value])
@@ -149,7 +150,7 @@ def answers_of(scene: Scene, value: float | None = None, plan: str = "") -> tupl
 
 
 def _vectors(scene: Scene, stated: Statement, key: Json) -> dict[tuple[str, str], float]:
-    """How long the vectors are that are asked, or whose length is not given, and what the values are."""
+    """The lengths of the vectors asked for or without a given length, and the values."""
     units = {s["name"]: s["unit"] for plan in key["plans"].values() for s in plan["segments"].values()}
     given = {n for n, v in stated.vectors.items() if v.value is not None}
     asked = found_of(scene) or [*(n for n in stated.vectors if n not in given), *stated.values]

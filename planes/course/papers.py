@@ -1,5 +1,5 @@
-"""What a student and a teacher read, as blocks of a note: the task, the answers. A scheme that must not give the answer
-away is shown in a position that reads well, not in the one asked."""
+"""The papers for student and teacher, as blocks of a note: the task, the answers. A scheme that must not give the
+answer away is drawn in a clear position, not in the one asked for."""
 
 import math
 import re
@@ -28,13 +28,13 @@ from planes.words.naming import Naming
 from planes.words.units import Convention, mu_text, number, unit_of_parameter
 
 _NAME = re.compile(r"[^\W\d]\w*(?:\^(?!\d)\w+)?(?!\w*\()")
-NOISE_MM = 1e-6  # a segment shorter than this is nothing
-ACROSS, NARROW = 4, 26  # numbers to a line, where no name has more signs
+NOISE_MM = 1e-6  # a segment shorter than this is zero
+ACROSS, NARROW = 4, 26  # numbers per line; longest name in such a line
 _WORK = ("structure", "position", "velocity", "acceleration", "force", "lever")
 
 
 def task(scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], lang: Lang) -> Iterator[Block]:
-    """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, what is to do."""
+    """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, the work."""
     yield Heading(heads[0], 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
     opened = (("studio",),) if scene.sheet.get("studio") else ()
@@ -47,7 +47,7 @@ def task(scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], l
 
 
 def _asked_for(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
-    """What a mechanism is given by in words, and what is to be done."""
+    """The data of a mechanism in words, and the work."""
     if said := said_of(scene, drawn, lang):
         yield Heading(say("task_conditions", lang))
         yield Paragraph(said)
@@ -56,7 +56,7 @@ def _asked_for(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
 
 
 def given(scene: Scene, drawn: Position, lang: Lang) -> Block:
-    """What is given, as the sheet has it, so many to a line as there is room for."""
+    """The data as on the sheet, as many per line as there is room for."""
     cells: list[tuple[str, ...]] = list(given_of(scene, drawn, lang).rows())
     across = ACROSS if max(len(cell) for row in cells for cell in row) <= NARROW else 2
     high = -(-len(cells) // across)
@@ -67,7 +67,7 @@ def given(scene: Scene, drawn: Position, lang: Lang) -> Block:
 
 
 def given_of(scene: Scene, drawn: Position, lang: Lang, steady: bool = False) -> GivenTable:
-    """What a scene gives for what is asked. :class:`SceneError` where two numbers would have one name."""
+    """The data of a scene for its questions. :class:`SceneError` where two numbers would have one name."""
     table = GivenTable(drawn, Naming(lang, **lettering(scene, drawn.plans)), scene.used, steady)
     seen: dict[str, float] = {}
     for row in table.listed():
@@ -78,14 +78,14 @@ def given_of(scene: Scene, drawn: Position, lang: Lang, steady: bool = False) ->
 
 
 def twice(scene: Scene, name: str, one: str, other: str) -> SceneError:
-    """That a name is a parameter's, and a person's for another number too."""
+    """The error that a name is a parameter's, and a user's for another number too."""
     own = next((p for p in scene.used if greek(p) == name), flat(name))
     why = Phrase("given_twice", name=own, one=one, other=other)
     return SceneError(why, scene.file, scene.where.get(("parameters", own)))
 
 
 def said_of(scene: Scene, drawn: Position, lang: Lang) -> str:
-    """What is given in words: conditions; of stated vectors how lengths and directions go by others."""
+    """The data in words: conditions; for stated vectors, lengths and directions that depend on others."""
     if scene.statement is None:
         return " ".join(conditions(drawn.plans, lang))
     near = ((name, v.near_deg) for name, v in scene.statement.vectors.items() if v.near_deg is not None)
@@ -95,7 +95,7 @@ def said_of(scene: Scene, drawn: Position, lang: Lang) -> str:
 
 
 def stated(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
-    """The equations of stated vectors, or bodies with their supports and loads, and what is to be found by them."""
+    """The equations of stated vectors, or bodies with their supports and loads, and the results to find."""
     of_bodies = drawn.plans.figure is not None
     names = [f"asked {plan}" for plan in dict.fromkeys(e.plan for e in drawn.plans.equations)]
     for name in ["structure"] if of_bodies else names:
@@ -109,7 +109,7 @@ def stated(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
 
 
 def amounts_of(statement: Statement) -> Iterator[str]:
-    """How lengths are reckoned from what is found, directions that go by other vectors, and the values."""
+    """The formulas of lengths, directions that depend on other vectors, and the values."""
     for name, v in statement.vectors.items():
         if isinstance(v.value, VectorAmount):
             yield f"⟨{name}⟩ = {amount_said(v.value)}"
@@ -123,18 +123,18 @@ def amounts_of(statement: Statement) -> Iterator[str]:
 
 
 def amount_said(amount: VectorAmount) -> str:
-    """An amount as it is stated, its names lettered."""
+    """An amount as stated, its names lettered."""
     return _NAME.sub(lambda m: f"⟨{m[0]}⟩", amount.text).replace("*", "·")
 
 
 def unit_of(name: str, lang: Lang) -> str:
-    """The unit of a parameter, as far as its name tells."""
+    """The unit of a parameter, as far as its name shows it."""
     key = unit_of_parameter(name)
     return say(key, lang) if key else ""
 
 
 def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
-    """What is to be done, as far as the mechanism asks for it."""
+    """The work to do, as far as the mechanism requires it."""
     plans = {kind_of(name) for name in drawn.plans.drawn} | {"structure"}
     m, drive = drawn.plans.mechanism, drawn.plans.mechanism.drive
     value = decimal(told(drawn.at, drive.kind, lang), lang)
@@ -148,7 +148,7 @@ def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
 
 
 def answers(scene: Scene, drawn: Position, heads: Sequence[str], lang: Lang) -> Iterator[Block]:
-    """The key: the numbers, what every plan measures, the results."""
+    """The key: the numbers, the measurements on every plan, the results."""
     yield Heading(say("key_title", lang, title=heads[0]), 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
     yield given(scene, drawn, lang)
@@ -160,7 +160,7 @@ def answers(scene: Scene, drawn: Position, heads: Sequence[str], lang: Lang) -> 
     for name in drawn.results.get("plans", ()):
         if name != "position" and (table := segments(drawn, name, lang, scene.mu_convention)):
             yield table
-    if drawn.drawing.sharpness:  # how bluntly lines meet at the worst, for who grades the drawing
+    if drawn.drawing.sharpness:  # the bluntest crossing, for the marker of the drawing
         least = min(drawn.drawing.sharpness.values())
         angle = math.degrees(math.asin(max(0.0, min(1.0, least))))
         yield Paragraph(say("key_sharpness", lang, angle=number(angle, lang, 3)))
@@ -187,11 +187,11 @@ def segments(drawn: Position, name: str, lang: Lang, convention: Convention) -> 
 
 
 STEP_DEG, APART_DEG = 15, 30.0
-FAR = 4.0  # points a quarter of the mechanism apart read as well as links at a right angle
+FAR = 4.0  # points a quarter of the mechanism apart are as clear as links at a right angle
 
 
 def clearest(plans: Plans, value: float) -> float:
-    """The driver's angle (degrees), well away from ``value``, at which points and links stand best apart.
+    """The driver's angle (degrees), well away from ``value``, at which points and links are most distinct.
 
     A sliding driver stays where it is.
     """
@@ -202,7 +202,7 @@ def clearest(plans: Plans, value: float) -> float:
 
 
 def _scores(plans: Plans, value: float) -> Iterator[tuple[float, float]]:
-    """Every position that can be drawn, and how well it reads, from 0 to 1."""
+    """Every position that can be drawn, and its clarity, from 0 to 1."""
     for phi in range(0, 360, STEP_DEG):
         if abs((phi - value + 180) % 360 - 180) >= APART_DEG:
             try:
@@ -213,7 +213,7 @@ def _scores(plans: Plans, value: float) -> Iterator[tuple[float, float]]:
 
 
 def _points_apart(plans: Plans, drawing: Drawing) -> float:
-    """How far the two nearest hinges are apart, against the whole."""
+    """The distance of the two nearest hinges, relative to the whole."""
     hinges = dict.fromkeys(pair.point for pair in plans.structure.pairs if pair.kind == "R")
     spots = [complex(drawing[plans.points[name].position]) for name in hinges]
     gaps = [abs(a - b) for a, b in combinations(spots, 2)]

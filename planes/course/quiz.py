@@ -1,4 +1,4 @@
-"""Answers as questions a learning platform can ask: what is given, what is asked, how far off a pencil may be."""
+"""Answers as questions for a learning platform: the data, the questions, and the tolerance of a pencil."""
 
 import base64
 import json
@@ -23,15 +23,15 @@ from planes.words.names import letter_of, parts_of
 from planes.words.records import Json
 
 PUPIL = Pencil(skill.HAND.point_mm, skill.HAND.ray_deg, skill.RULER_MM)
-"""A pupil's pencil: by it answers are allowed to be off."""
+"""A student's pencil: it sets the tolerance of answers."""
 SIGMAS, LEAST = 2.0, 0.03
-"""What is let pass: two standard deviations of that pencil, or this part of the value."""
+"""The tolerance: two standard deviations of that pencil, or this part of the value."""
 _SPELT = {letter: name for name, letter in GREEK.items()}
 
 
 @frozen
 class QuizItem:
-    """One number that is asked: the name of the result, its value in ``unit`` and how far off an answer may be."""
+    """One question: the name of the result, its value in ``unit`` and its tolerance."""
 
     name: str
     unit: str
@@ -40,13 +40,13 @@ class QuizItem:
 
     @property
     def key(self) -> str:
-        """Its name in letters any platform takes."""
+        """Its name in letters valid on any platform."""
         return self.name.replace("^", "")
 
 
 @frozen
 class QuizGiven:
-    """A number that is given, as it is told: its name as it is lettered, its value, the key of its unit."""
+    """A given number: its lettered name, its value, the key of its unit."""
 
     name: str
     value: float
@@ -54,7 +54,7 @@ class QuizGiven:
 
     @property
     def key(self) -> str:
-        """Its name in letters any platform takes."""
+        """Its name in letters valid on any platform."""
         first = self.name.partition(" = ")[0].replace("∠", "angle_").replace("–", "_")
         spelt = "".join(_SPELT.get(letter, letter) for letter in first if letter not in "{}^")
         return re.sub(r"[^A-Za-z0-9_]", lambda m: f"u{ord(m[0]):x}", spelt)
@@ -62,7 +62,7 @@ class QuizGiven:
 
 @frozen
 class Quiz:
-    """All questions of one student: whose, of which assignment, the numbers given, what is ``said`` besides (with
+    """All questions of one student: whose, for which assignment, the numbers given, further conditions (``said``, with
     indices in braces), the questions, the scheme."""
 
     student: str
@@ -76,13 +76,13 @@ class Quiz:
     picture: bytes = b""
 
     def json(self) -> Json:
-        """As it is kept."""
+        """The quiz as stored."""
         own = {**vars(self), **{k: [*map(vars, getattr(self, k))] for k in ("given", "questions")}}
         return {**own, "picture": base64.b64encode(self.picture).decode()}
 
     @classmethod
     def read(cls, text: str) -> "Quiz":
-        """What was kept."""
+        """A stored quiz."""
         held: dict[str, Any] = json.loads(text)
         kinds = {"given": QuizGiven, "questions": QuizItem}
         lists = {key: tuple(kind(**one) for one in held[key]) for key, kind in kinds.items()}
@@ -90,7 +90,7 @@ class Quiz:
 
 
 def questions(scene: Scene, lang: Lang) -> tuple[QuizItem, ...]:
-    """The main answers of a scene, each with what a pupil's pencil makes of it."""
+    """The main answers of a scene, each with the error of a student's pencil."""
     exact, drawn = solve(scene, lang=lang), solve(scene, None, PUPIL, lang)
     if not exact.positions or not drawn.positions:
         raise PlanesError(Phrase("quiz_not_drawn", why=(exact.failed or drawn.failed)[0]["error"]))
@@ -120,11 +120,12 @@ def error_of(name: str, errors: Json) -> float:
     return float(errors.get("balancing_moment") or errors.get("balancing_force") or 0.0)
 
 
-WIDE = 0.5  # of a value: a tolerance in which half of it, and its double, would pass, asks nothing
+WIDE = 0.5  # of a value: with this tolerance both half and double the value would pass, so the question is useless
 
 
 def too_wide(quizzes: Iterable[Quiz]) -> dict[str, list[str]]:
-    """By assignment the results that are not asked: in somebody's numbers a pencil may be off by half of one."""
+    """By assignment the results that are not asked for: with some student's numbers the pencil's error may be half of
+    one."""
     names_by_assignment = dict[str, dict[str, None]]()
     for quiz in quizzes:
         wide = [q.name for q in quiz.questions if q.tolerance > WIDE * abs(q.value)]
@@ -133,7 +134,7 @@ def too_wide(quizzes: Iterable[Quiz]) -> dict[str, list[str]]:
 
 
 def judgeable(quizzes: Sequence[Quiz]) -> list[Quiz]:
-    """The quizzes without what is not asked; of an assignment all of whose results are so, none."""
+    """The quizzes without unsuitable questions; empty for an assignment with none left."""
     wide = too_wide(quizzes)
     asked = [
         replace(z, questions=tuple(q for q in z.questions if q.name not in wide.get(z.assignment, ()))) for z in quizzes
@@ -151,31 +152,31 @@ def by_assignment(quizzes: Iterable[Quiz]) -> dict[str, list[Quiz]]:
 
 @frozen
 class Pool:
-    """One question for all students of an assignment (or for one): what is told to all, and the numbers of each."""
+    """One question for all students of an assignment (or for one): the common text, and the numbers of each."""
 
     group: Sequence[Quiz]
     lang: Lang
 
     @cached_property
     def numbers(self) -> dict[str, list[float]]:
-        """Everybody's given numbers by their keys; what is told to some alone is 0 for the others."""
+        """Everybody's given numbers by their keys; 0 for students who lack one."""
         keys = dict.fromkeys(n.key for quiz in self.group for n in quiz.given)
         tables = [{n.key: n.value for n in quiz.given} for quiz in self.group]
         return {key: [table.get(key, 0.0) for table in tables] for key in keys}
 
     @cached_property
     def varied(self) -> dict[str, list[float]]:
-        """Those that are not the same for everybody, those of laws among them."""
+        """Those that differ between students, including those of laws."""
         own = {key: values for key, values in self.numbers.items() if len({*values}) > 1}
         return own | {f"law_{k}": [*map(_read, column)] for k, column in self.columns if len({*column}) > 1}
 
     @cached_property
     def columns(self) -> list[tuple[int, tuple[str, ...]]]:
-        """The numbers in what is said, each as everybody has it."""
+        """The numbers in the conditions, as each student has them."""
         return list(enumerate(zip(*(_NUMBER.findall(quiz.said) for quiz in self.group), strict=True)))
 
     def text(self, mark: Callable[[str], str]) -> str:
-        """What is to be done and what is given, indices in braces; ``mark`` writes a number that is not everybody's."""
+        """The work and the data, indices in braces; ``mark`` writes a number that differs between students."""
         self.check()
         named = {n.key: n for quiz in self.group for n in quiz.given}
         given_texts = []
@@ -189,7 +190,7 @@ class Pool:
         return f"{say('quiz_task', self.lang, numbers=', '.join(given_texts))} {more}".strip()
 
     def check(self) -> None:
-        """:class:`PlanesError` where students are told different things, not only different numbers."""
+        """:class:`PlanesError` where students have different conditions, not only different numbers."""
         first = self.group[0]
         for other in self.group[1:]:
             names = {n.key: n for n in (*first.given, *other.given)}

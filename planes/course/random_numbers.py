@@ -1,7 +1,7 @@
 """Numbers drawn at random for a student: round ones around the scene's own, kept if the method works with them.
 
-The mechanism must assemble for every value of the drive, and no lines of any plan may meet at less than the limit,
-all the way round, if the scene's own goes round; in the position the student works with, nothing may need a warning.
+The mechanism must assemble for every position of the drive, and no lines of any plan may meet at less than the limit,
+all the way round, if the original does; the position the student works with must give no warning.
 """
 
 import hashlib
@@ -24,15 +24,15 @@ from planes.solving import solve
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanesError, SceneError
 
-TRIES = 1000  # sets of numbers, before it is said that there are none
-ROUND = tuple(float(k) for k in range(0, 360, 2))  # the driver's angles a mechanism is tried at, degrees
+TRIES = 1000  # sets of numbers tried before giving up
+ROUND = tuple(float(k) for k in range(0, 360, 2))  # the driver's test angles, degrees
 _ANGLES = tuple(f"{k}" for k in range(0, 360, 15))
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _SHARES = (("l_", 10.0), ("x_", 10.0), ("y_", 10.0), ("omega_", 20.0), ("F_", 20.0), ("M_", 20.0), ("P_", 20.0))
 
 
 def around_turn(plans: Plans) -> list[float | None]:
-    """The least sharpness at which lines meet at each angle of the driver, None where it cannot be drawn."""
+    """The least sharpness of crossings at each angle of the driver, None where it cannot be drawn."""
     drawing = drawn_in_si(plans, numpy.array(ROUND))
     least = numpy.ones(len(ROUND))
     for sharpnesses in drawing.sharpness.values():
@@ -42,7 +42,7 @@ def around_turn(plans: Plans) -> list[float | None]:
 
 
 def choices_of(text: str, file: str, draw: Mapping[str, ParameterChoice] | None) -> dict[str, tuple[str, ...]]:
-    """What each drawn parameter of a scene may be, as it is written, in the order of the scene."""
+    """The choices for each drawn parameter of a scene, as written, in the order of the scene."""
     table = parse_text(text, file)
     own = entries_of(table.entries.get("parameters"))
     plain = {k: float(v.text) for k, v in own.items() if isinstance(v, SourceScalar) and _NUMBER.fullmatch(v.text)}
@@ -58,7 +58,7 @@ def choices_of(text: str, file: str, draw: Mapping[str, ParameterChoice] | None)
 
 
 def _usual(table: SourceTable, plain: Mapping[str, float]) -> dict[str, ParameterChoice]:
-    """What is drawn when nothing is said: the driver's place, lengths and coordinates, its speed, loads."""
+    """The parameters drawn by default: the driver's position, lengths and coordinates, its speed, loads."""
     at = entries_of(table.entries.get("drive")).get("phi")
     angle = at.text if isinstance(at, SourceScalar) else ""
     choices = {}
@@ -83,7 +83,7 @@ def around(value: float, percent: float) -> tuple[str, ...]:
 
 
 def dice(seed: int, *names: object) -> random.Random:
-    """Chance that depends on the seed and the names alone: the same everywhere."""
+    """A random generator that depends on the seed and the names alone: the same everywhere."""
     text = "\0".join(map(str, (seed, *names)))
     return random.Random(int.from_bytes(hashlib.sha256(text.encode()).digest()[:8]))
 
@@ -94,7 +94,7 @@ def draw_numbers(
     least_deg: float,
     chance: random.Random,
 ) -> dict[str, str]:
-    """The first set of numbers drawn with which the method works all the way round; ``make`` gives their scene."""
+    """The first set of numbers with which the method works all the way round; ``make`` gives their scene."""
     apart = blunt = 0
     own = scene_plans(make({}))
     goes_round = own.moves and own.mechanism.drive.kind == "phi" and None not in around_turn(own)
@@ -103,7 +103,7 @@ def draw_numbers(
         try:
             scene = make(numbers)
             fault = _fault(scene, least_deg, goes_round)
-        except Contradiction:  # no fault of the numbers
+        except Contradiction:  # not caused by the numbers
             raise
         except PlanesError:
             fault = "apart"
@@ -114,7 +114,7 @@ def draw_numbers(
 
 
 def _fault(scene: Scene, least_deg: float, goes_round: bool) -> str | None:
-    """What is wrong with a scene as a student's: nothing, or that it does not assemble, or meets too bluntly."""
+    """The fault of a scene for a student: none, or that it does not assemble, or its lines meet too bluntly."""
     limit = math.sin(math.radians(least_deg))
     around = around_turn(scene_plans(scene)) if goes_round else []
     if None in around:

@@ -1,4 +1,4 @@
-"""The folder of a course read: its course.yaml, its list of students, its scenes; each refusal with file:line."""
+"""The folder of a course: its course.yaml, its list of students, its scenes; each error with file:line."""
 
 import os
 from contextlib import suppress
@@ -20,12 +20,12 @@ _KEYS = "course title lang sheet students assignments each variants draw sharpne
 KEYS = tuple(_KEYS.split())
 STUDENT_KEYS = ("name", "group", "assignment", "variant")
 DRAW_KEYS = ("from", "to", "step")
-MOST_VALUES = 10_000  # numbers a parameter may be drawn from
+MOST_VALUES = 10_000  # values a parameter may be drawn from
 MOST_EACH = 100
 
 
 def read_course(folder: str | Path) -> Course:
-    """The course of a folder, or of a course file itself; :class:`SceneError` says what cannot be meant, and where."""
+    """The course of a folder, or of a course file itself; :class:`SceneError` says what is invalid, and where."""
     path = Path(folder)
     file = path if path.is_file() else path / NAME
     if not path.exists():
@@ -69,7 +69,7 @@ def _course(course: Fields, folder: Path) -> Course:
 
 
 def _students(reader: Reader, node: Node | None, folder: Path) -> tuple[str, tuple[Student, ...]]:
-    """The file the list stands in, and the list."""
+    """The file of the list, and the list."""
     if isinstance(node, SourceScalar):
         path = _path(reader, node, "students", folder)
         return str(path), read_file(path)
@@ -81,7 +81,7 @@ def _students(reader: Reader, node: Node | None, folder: Path) -> tuple[str, tup
 
 
 def _list_in(folder: Path) -> str:
-    """The list of students that lies in a folder, "" where there is none."""
+    """The list of students found in a folder, "" where there is none."""
     return next((str(folder / name) for name in FILES if (folder / name).is_file()), "")
 
 
@@ -96,7 +96,7 @@ def _student(reader: Reader, number: int, node: Node) -> Student:
 
 
 def _assignments(reader: Reader, node: Node | None, folder: Path) -> tuple[Assignment, ...]:
-    """The scenes, in the order they are named; those of the folder itself, where none are."""
+    """The scenes, in the order given; by default those of the folder itself."""
     if node is None:
         files = scenes_in(folder)
     else:
@@ -123,7 +123,7 @@ def _path(reader: Reader, node: Node, what: Told, folder: Path) -> Path:
 
 
 def scenes_in(folder: Path) -> list[Path]:
-    """Scenes of a folder, the course itself aside."""
+    """Scenes of a folder, without the course file."""
     return sorted(f for f in folder.iterdir() if f.suffix in (".yaml", ".yml") and f.name != NAME and f.is_file())
 
 
@@ -132,7 +132,7 @@ def _assignment(file: Path) -> Assignment:
     scene = loads(text, str(file))
     doubts = list(scene.doubts)
     for variant in scene.variants:
-        with suppress(PlanesError):  # told to whom it is given
+        with suppress(PlanesError):  # reported to whoever gets it
             doubts += loads(text, str(file), variant).doubts
     return Assignment(file, text, scene.variants, tuple({d.told(): d for d in doubts}.values()))
 
@@ -140,7 +140,7 @@ def _assignment(file: Path) -> Assignment:
 def _draw(
     reader: Reader, node: Node | None, assignments: tuple[Assignment, ...]
 ) -> MappingProxyType[str, ParameterChoice] | None:
-    """What each named parameter may be."""
+    """The choices for each named parameter."""
     if node is None:
         return None
     table = reader.table(node, "draw")
@@ -187,7 +187,7 @@ def _whole(reader: Reader, node: Node | None, key: str, most: int) -> int:
 def _words(
     reader: Reader, node: Node | None, key: str, known: tuple[str, ...], default: tuple[str, ...]
 ) -> tuple[str, ...]:
-    """Some of the known words, in their own order."""
+    """Some of the known words, in their standard order."""
     if node is None:
         return default
     nodes = [node] if isinstance(node, SourceScalar) else reader.items(node, key)

@@ -1,5 +1,5 @@
-"""The list of students: plain names a line each, or a table with a head; what may not stand in it; and who gets what:
-assignments in turn, the variants of each in order, drawn numbers once they have run out."""
+"""The list of students: one name per line, or a table with a head; its errors; and the shares: assignments in turn, the
+variants of each in order, then drawn numbers."""
 
 import csv
 import re
@@ -23,7 +23,7 @@ _HEADS = {
 
 
 def read_file(path: Path) -> tuple[Student, ...]:
-    """The students of a file: a table if its suffix is .csv or .tsv, else a name a line; ``#`` begins a remark."""
+    """The students of a file: a table if its suffix is .csv or .tsv, else a name per line; ``#`` begins a comment."""
     text = unicodedata.normalize("NFC", source.read(path))
     if path.suffix.lower() in (".csv", ".tsv"):
         return _table(text, str(path))
@@ -54,7 +54,7 @@ def _table(text: str, file: str) -> tuple[Student, ...]:
 
 
 def _head(cells: list[str], file: str) -> list[str]:
-    """What each column is; a column of any other name is left alone."""
+    """The meaning of each column; a column with any other name is ignored."""
     known = {word: key for key, words in _HEADS.items() for word in words}
     columns = [known.get(cell.casefold(), "") for cell in cells]
     if "name" not in columns:
@@ -64,7 +64,7 @@ def _head(cells: list[str], file: str) -> list[str]:
 
 
 def check_students(file: str, students: tuple[Student, ...], assignments: tuple[Assignment, ...]) -> None:
-    """Refuse an empty list, a name twice or of odd letters, and assignments and variants that are not there."""
+    """Refuse an empty list, a repeated name or one with odd letters, and unknown assignments and variants."""
     if not students:
         raise SceneError(Phrase("course_nobody"), file)
     seen: dict[tuple[str, str], int] = {}
@@ -81,7 +81,7 @@ def check_students(file: str, students: tuple[Student, ...], assignments: tuple[
 
 
 def _check_wish(s: Student, assignments: tuple[Assignment, ...], file: str) -> None:
-    """The assignment and the variant a student is to have, if they are named."""
+    """Check the requested assignment and variant of a student."""
     own = wished(s, assignments)
     if s.assignment and own is None:
         valid = choices(s.assignment, [a.name for a in assignments])
@@ -95,13 +95,13 @@ def _check_wish(s: Student, assignments: tuple[Assignment, ...], file: str) -> N
 
 
 def wished(s: Student, assignments: tuple[Assignment, ...]) -> Assignment | None:
-    """The assignment a student is to have: 1 is 01 too."""
+    """The assignment requested for a student: 1 is 01 too."""
     name = (s.assignment or "").lstrip("0")
     return next((a for a in assignments if name and a.name.lstrip("0") == name), None)
 
 
 DEVICES = ("con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in "0123456789¹²³"))
-"""What Windows takes for a device, whatever folder it is in."""
+"""Names that Windows takes for a device in any folder."""
 
 
 @frozen
@@ -115,15 +115,15 @@ class Share:
 
     @property
     def folder(self) -> str:
-        """The student's own folder, which no other student has."""
+        """The student's folder, which no other student has."""
         return self.place.partition("/")[0]
 
 
 def shares(course: Course) -> tuple[Share, ...]:
-    """What everybody gets, in the order of the list."""
+    """Everybody's share, in the order of the list."""
     placed = enumerate(zip(course.students, _places(course.students), strict=True))
     wanted = [(s, a, p) for k, (s, p) in placed for a in _assignments(course, s, k)]
-    taken = {(a.name, s.variant) for s, a, _ in wanted}  # variants somebody has asked for
+    taken = {(a.name, s.variant) for s, a, _ in wanted}  # variants requested in the list
     free = {a.name: iter([v for v in a.variants if (a.name, v) not in taken]) for a in course.assignments}
 
     def variant(s: Student, a: Assignment) -> str | None:
@@ -133,15 +133,16 @@ def shares(course: Course) -> tuple[Share, ...]:
 
 
 def _assignments(course: Course, student: Student, number: int) -> list[Assignment]:
-    """The assignment a student is to have, or the next ones in turn."""
+    """The requested assignment of a student, or the next ones in turn."""
     own = wished(student, course.assignments)
     count = min(course.each, len(course.assignments))
     return [own] if own else [course.assignments[(number + k) % len(course.assignments)] for k in range(count)]
 
 
 def _places(students: tuple[Student, ...]) -> list[str]:
-    """A folder for each student: the name in letters any disk holds; the second of one name gets a number."""
-    place_of = dict.fromkeys(DEVICES, "")  # by what a disk that knows no capitals tells apart
+    """A folder for each student: the name in letters valid on any disk; the second student of the same name gets a
+    number."""
+    place_of = dict.fromkeys(DEVICES, "")  # as compared by a disk that ignores case
     for number, s in enumerate(students, 1):
         base = place = _slug(s.name) or f"student-{number}"
         if s.group and place.casefold() in place_of:

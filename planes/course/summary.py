@@ -19,7 +19,7 @@ NOISE = 1e-9
 
 @frozen
 class StudentRow:
-    """One line: whose, the numbers, the answers by name and unit, or why there are none."""
+    """One row: whose, the numbers, the answers by name and unit, or why there are none."""
 
     share: Share
     group: str
@@ -30,7 +30,7 @@ class StudentRow:
 
     @classmethod
     def of(cls, share: Share, text: str, key: str, fault: str) -> "StudentRow":
-        """The line of a share, from its scene and its key."""
+        """The row of a share, from its scene and its key."""
         scene = loads(text or share.assignment.text, "scene.yaml")
         if fault:
             return cls(share, share.student.group, scene.title, {}, {}, fault)
@@ -39,24 +39,24 @@ class StudentRow:
 
 
 def varied(rows: Sequence[StudentRow]) -> list[str]:
-    """The parameters of an assignment that are not the same for everybody."""
+    """The parameters of an assignment that differ between students."""
     names = dict.fromkeys(name for row in rows for name in row.numbers)
     return [n for n in names if len({row.numbers.get(n) for row in rows if not row.fault}) > 1]
 
 
 def by_assignment(rows: Sequence[StudentRow]) -> dict[str, list[StudentRow]]:
-    """The lines of each assignment."""
+    """The rows of each assignment."""
     names = dict.fromkeys(row.share.assignment.name for row in rows)
     return {name: [row for row in rows if row.share.assignment.name == name] for name in names}
 
 
 def asked(rows: Sequence[StudentRow]) -> list[tuple[str, str]]:
-    """Names and units of all answers of some lines."""
+    """Names and units of all answers of some rows."""
     return list(dict.fromkeys(key for row in rows for key in row.found))
 
 
 def as_csv(rows: Sequence[StudentRow], lang: Lang) -> str:
-    """A line for everybody, a column for every number and answer anybody has; numbers as programs write them."""
+    """A row for everybody, a column for every number and answer; numbers in the format of programs."""
     numbers = list(dict.fromkeys(n for own in by_assignment(rows).values() for n in varied(own)))
     answers = asked(rows)
     heads = [say(k, lang) for k in ("sum_student", "sum_group", "sum_assignment", "sum_variant")]
@@ -93,7 +93,7 @@ def as_blocks(rows: Sequence[StudentRow], title: str, lang: Lang) -> Iterator[Bl
 
 
 def _told(value: float | None, lang: Lang) -> str:
-    """An answer for people: noise of rounding is zero."""
+    """An answer for people: rounding noise is shown as zero."""
     return "—" if value is None else number(0.0 if abs(value) <= NOISE else value, lang)
 
 

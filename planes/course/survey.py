@@ -1,4 +1,4 @@
-"""Every scene of a folder in every variant: what came out, how well the two balancing loads agree, and what did not."""
+"""Every scene of a folder in every variant: the results, the agreement of the two balancing loads, and the failures."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -16,13 +16,13 @@ from planes.words.errors import PlanesError, guarded
 from planes.words.frozen import frozen, replace
 from planes.words.records import Json
 
-AGREE = 1e-9  # relative: how far the two balancing loads may be apart
+AGREE = 1e-9  # relative: allowed difference of the two balancing loads
 
 
 @frozen
 class SurveyRow:
     """One variant of one scene. ``balancing`` and ``lever`` are N·m (N for a sliding driver), None without forces;
-    ``remarks`` are sentences: what the data lack, where it does not assemble, why it could not be solved."""
+    ``remarks`` are sentences: missing data, where it does not assemble, why it could not be solved."""
 
     scene: str
     variant: str
@@ -34,7 +34,7 @@ class SurveyRow:
 
     @property
     def difference(self) -> float | None:
-        """How far the two loads are apart, relative to the larger."""
+        """The difference of the two loads, relative to the larger."""
         if self.balancing is None or self.lever is None:
             return None
         return difference(self.balancing, self.lever)
@@ -45,13 +45,13 @@ class SurveyRow:
         return self.solved and (self.difference is None or self.difference <= AGREE)
 
     def json(self) -> Json:
-        """The object for programs."""
+        """The row as a JSON object."""
         plain = {key: getattr(self, key) for key in ("solved", "balancing", "lever", "difference")}
         return {"scene": self.scene, "variant": self.variant or None, **plain, "remarks": list(self.remarks)}
 
 
 def scenes_of(folder: str | Path) -> list[Path]:
-    """The scene files of a folder; a refusal in words if there is none."""
+    """The scene files of a folder; an error if there are none."""
     files = scenes_in(Path(folder))
     if not files:
         raise PlanesError(Phrase("survey_empty", folder=str(folder)))
@@ -59,11 +59,11 @@ def scenes_of(folder: str | Path) -> list[Path]:
 
 
 def lines_of(task: tuple[str, Lang, str | None]) -> tuple[SurveyRow, ...]:
-    """The lines of one file (path, language, the one variant asked for): its variants, or the scene itself."""
+    """The rows of one file (path, language, the one variant requested): its variants, or the scene itself."""
     path, lang, only = task
     name = Path(path).stem
     try:
-        with guarded("check_broken", path):  # one scene never stops the others
+        with guarded("check_broken", path):  # one scene must not stop the others
             variants = load(path).variants
             if only and only not in variants:
                 return ()
@@ -115,7 +115,7 @@ def _no_turn(scene: Scene, plans: Plans, lang: Lang) -> Iterator[str]:
 
 
 def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
-    """A line for every variant, then what must be said of some, then the count."""
+    """A line for every variant, then the remarks, then the count."""
     yes_or_no = {True: say("survey_yes", lang), False: say("survey_no", lang)}
     rows = []
     for x in lines:
@@ -139,7 +139,7 @@ def report(lines: Sequence[SurveyRow], lang: Lang) -> str:
 
 
 def remarks(lines: Sequence[SurveyRow]) -> dict[tuple[str, str], list[str]]:
-    """The sentences, each with the variants it is said of."""
+    """The sentences, each with its variants."""
     variants_of: dict[tuple[str, str], list[str]] = {}
     for line in lines:
         for text in line.remarks:

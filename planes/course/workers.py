@@ -1,7 +1,7 @@
-"""Work done by many: in this process, in processes of this machine, or by the workers of a Dask cluster.
+"""Parallel work: in this process, in processes of this machine, or by the workers of a Dask cluster.
 
-A task is a function of a module and what it is given, all of it plain data; what comes back is the same whoever
-does it. Nothing is shared: workers read and write no files.
+A task is a module's function and its arguments, all of it plain data; the result does not depend on the worker. Nothing
+is shared: workers read and write no files.
 """
 
 import logging
@@ -20,19 +20,19 @@ Done = TypeVar("Done")
 
 
 class Each(Protocol):
-    """Does a function to each of many things: yields (which, what came of it) as they are done."""
+    """Applies a function to each of many items: yields (index, result) as they finish."""
 
     def __call__(self, work: Callable[[Task], Done], tasks: Sequence[Task], /) -> Iterator[tuple[int, Done]]: ...
 
 
-SECONDS = 10  # to find a scheduler
+SECONDS = 10  # seconds to find a scheduler
 
 
 @contextmanager
 def crowd(jobs: int | None = None, scheduler: str | None = None, ready: Sequence[str] = ()) -> Iterator[Each]:
-    """Workers to give tasks to: ``jobs`` processes (None: one a core), or those of a Dask ``scheduler``.
+    """Workers for tasks: ``jobs`` processes (None: one per core), or those of a Dask ``scheduler``.
 
-    ``ready`` are the modules that are imported once for all processes.
+    ``ready`` are modules imported once for all processes.
     """
     count = jobs or cores()
     if scheduler:
@@ -56,7 +56,7 @@ def _alone(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Iterator[tupl
 
 @contextmanager
 def _processes(count: int, ready: Sequence[str]) -> Iterator[Each]:
-    """Processes made from one that has everything imported already; they end when this one does, however it ends."""
+    """Processes forked from one that has already imported all modules; they end when this one does, however it ends."""
     import multiprocessing
     from concurrent.futures import ProcessPoolExecutor, as_completed
     from concurrent.futures.process import BrokenProcessPool
@@ -86,8 +86,8 @@ def _processes(count: int, ready: Sequence[str]) -> Iterator[Each]:
 
 
 def _imported(first: Any) -> None:
-    """Wait until a first process has been made, so that what all are made from has imported everything; a signal is
-    heard meanwhile."""
+    """Wait until a first process exists, so that their common parent has imported all modules; signals are handled
+    meanwhile."""
     from threading import Thread
 
     def start() -> None:
@@ -102,7 +102,7 @@ def _imported(first: Any) -> None:
 
 @contextmanager
 def _unheard() -> Iterator[None]:
-    """A short work in which no signal comes between: a process half made would be nobody's."""
+    """A short section without signals: a half-created process would belong to nobody."""
     import signal
 
     if not hasattr(signal, "pthread_sigmask"):
@@ -116,8 +116,8 @@ def _unheard() -> Iterator[None]:
 
 
 def _let_go() -> None:
-    """End all workers now, whatever they do: nobody waits for what is not wanted any more, and they write no files. So
-    does the process they are made from, which may yet be importing what they need."""
+    """End all workers now, whatever they are doing: their results are no longer wanted, and they write no files. The
+    same goes for their parent process, which may still be importing."""
     import multiprocessing
     import multiprocessing.forkserver
     import signal
@@ -136,7 +136,7 @@ def _follow() -> None:
     import signal
     import threading
 
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the one who asked decides
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the caller decides
     if parent := multiprocessing.parent_process():
 
         def wait() -> None:
@@ -153,7 +153,7 @@ def _cluster(address: str) -> Iterator[Each]:
         dask: Any = import_module("distributed")
     except ImportError:
         raise PlanesError(Phrase("course_no_dask")) from None
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what fails is told in one sentence
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # an error is reported in one sentence
     try:
         client = dask.Client(address, timeout=SECONDS)
     except (OSError, ValueError) as error:

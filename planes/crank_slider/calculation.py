@@ -29,7 +29,7 @@ from planes.words.frozen import frozen
 
 @frozen
 class Agreement:
-    """The largest differences of two ways over the cycle, in parts of ωr, ω²r, ω, ω², and of the largest force."""
+    """The largest differences of two methods over the cycle, relative to ωr, ω²r, ω, ω², and to the largest force."""
 
     velocity: dict[str, float]
     acceleration: dict[str, float]
@@ -43,7 +43,7 @@ class Agreement:
 
 @frozen
 class Calculation:
-    """Everything found. What a scene leaves out is None."""
+    """All results. A part left out of the scene is None."""
 
     scene: Scene
     given: Given
@@ -72,7 +72,7 @@ class Calculation:
         return float(self.motion.phi_deg[self.at(phi_deg)])
 
     def steps(self, end: int) -> range:
-        """The steps before one that are written out: every 30°."""
+        """The steps up to the given one that are written out: every 30°."""
         return range(0, end, max(1, round(30 / self.given.step_deg)))
 
     @property

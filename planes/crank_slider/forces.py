@@ -1,7 +1,7 @@
-"""Kinetostatics in closed form: the text's (17)–(26) put right, the replaced masses, torque and work.
+"""Kinetostatics in closed form: the text's (17)–(26) corrected, the replacement masses, torque and work.
 
-The text's moment equation lacks the crank's torque, and its balance of the rod lacks the vertical force in B; here
-the slider's push N follows from moments of rod and slider about A, then everything else by adding up forces.
+The text's moment equation lacks the crank's torque, and its balance of the rod lacks the vertical force in B; here the
+slider's push N follows from moments of rod and slider about A, then all the others by adding up forces.
 """
 
 import math
@@ -64,7 +64,8 @@ def balance(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleFor
 
 
 def _push(shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, beta: Array) -> tuple[Array, Array]:
-    """N and the friction: N(1 − σ·s·f·tan β) = m₃g − P-part·tan β − own, σ the side that bears, s the sliding."""
+    """N and the friction: N(1 − σ·s·f·tan β) = m₃g − P-part·tan β − own, with σ the bearing side, s the sense of
+    sliding."""
     speed = way.v["B"].real
     sense = np.where(np.abs(speed) > 1e-12 * np.max(np.abs(speed)), np.sign(speed), 0.0)
     still = shape.m3 * shape.g - along * np.tan(beta) - own
@@ -76,7 +77,7 @@ def _push(shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, bet
 
 @frozen
 class Replacement:
-    """The rod as two points (A, B) and as three (A, C, B), kg; the error of the first in kg·m²."""
+    """The rod as two point masses (A, B) and as three (A, C, B), kg; the error of the first in kg·m²."""
 
     at_a: float
     at_b: float
@@ -91,7 +92,7 @@ class Replacement:
 
 
 def replaced(shape: CrankSliderShape) -> Replacement:
-    """Masses with the rod's mass and mass centre; three of them have its moment of inertia too."""
+    """Masses with the rod's total and mass centre; the three also have its moment of inertia."""
     b = shape.l - shape.c
     at_a, at_b = shape.m2 * b / shape.l, shape.m2 * shape.c / shape.l
     two = shape.m2 * shape.c * b
@@ -104,12 +105,13 @@ def replaced(shape: CrankSliderShape) -> Replacement:
 
 
 def classical(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleForces:
-    """The usual engine formulas: the rod as two points, no weights; P, N = P·tan β, S = P/cos β, T, K by φ + β."""
+    """The usual engine formulas: the rod as two point masses, no weights; P, N = P·tan β, S = P/cos β, T, K by φ +
+    β."""
     beta, parts = swing(shape, m.phi), replaced(shape)
     p = m.gas + (shape.m3 + parts.at_b) * way.a["B"].real
     n, s = p * np.tan(beta), p / np.cos(beta)
     t, k = p * np.sin(m.phi + beta) / np.cos(beta), p * np.cos(m.phi + beta) / np.cos(beta)
-    k = k - parts.at_a * m.omega**2 * shape.r  # the rod's turning mass pulls the pin outwards
+    k = k - parts.at_a * m.omega**2 * shape.r  # the rod's rotating mass pulls the pin outwards
     t = t - parts.at_a * m.epsilon * shape.r
     zero = np.zeros_like(p)
     on_pin = (-k + 1j * t) * np.exp(1j * m.phi)

@@ -1,8 +1,9 @@
-"""What ``crank_slider:`` of a scene gives: the indicator diagram, the law of rotation, and the sizes of the parts.
+"""The data under ``crank_slider:`` of a scene: the indicator diagram, the law of rotation, and the dimensions of the
+parts.
 
 The diagram is the pressure over the cycle from tables of its stages, by monotone interpolation. Between two points the
-curve never leaves their pressures (Fritsch and Carlson's cubic with harmonic slopes), so no pressure is invented that
-the table does not bound.
+curve never leaves their pressures (Fritsch and Carlson's cubic with harmonic slopes), so no pressure is outside the
+bounds of the table.
 """
 
 from collections.abc import Callable, Mapping
@@ -17,7 +18,7 @@ from planes.words.frozen import field, frozen
 FOUR = ("intake", "compression", "expansion", "exhaust")
 TWO = ("compression", "expansion")
 UNITS = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "bar": 1e5}
-AWAY = ("intake", "expansion")  # the stages in which the piston goes away from its top dead centre
+AWAY = ("intake", "expansion")  # the stages in which the piston moves away from its top dead centre
 
 Points = tuple[tuple[float, float], ...]
 
@@ -42,7 +43,8 @@ class Indicator:
 
     @property
     def start_deg(self) -> float:
-        """The crank angle at which the cycle begins: top dead centre is 0°; two strokes begin at the bottom."""
+        """The crank angle at the beginning of the cycle: top dead centre is 0°; two-stroke cycles begin at the
+        bottom."""
         return 0.0 if "intake" in self.stages else 180.0
 
     def pressure(self, turned_deg: Array, path: Array) -> Array:
@@ -61,7 +63,7 @@ class Indicator:
 
 
 def span(stage: str, over: str, names: tuple[str, ...]) -> tuple[float, float]:
-    """Where the table of a stage must begin and end."""
+    """The required beginning and end of a stage's table."""
     if over == "path":
         return (0.0, 1.0) if stage in AWAY else (1.0, 0.0)
     k = names.index(stage)
@@ -69,7 +71,7 @@ def span(stage: str, over: str, names: tuple[str, ...]) -> tuple[float, float]:
 
 
 def monotone(x: list[float], y: list[float]) -> Callable[[Array], Array]:
-    """The cubic through the points that has no bump between them."""
+    """The cubic through the points without overshoot between them."""
     xs, ys = np.array(x, float), np.array(y, float)
     h, d = np.diff(xs), np.diff(ys) / np.diff(xs)
     slopes = _slopes(h, d)
@@ -137,13 +139,13 @@ class Shaft:
         return self.pin_from_b - self.webs
 
     def static_moment(self, radius: float) -> float:
-        """Of the masses that go round, kg·m; ``radius`` is the crankpin's."""
+        """Of the rotating masses, kg·m; ``radius`` is the crankpin's."""
         return self.pin_mass * radius + self.web_mass * self.web_radius
 
 
 @frozen
 class Counterweights:
-    """Radius of both counterweights, their masses if they are chosen, and the part of the translating mass balanced."""
+    """Radius of both counterweights, their masses if they are chosen, and the balanced part of the translating mass."""
 
     radius: float
     masses: tuple[float, float] | None = None
@@ -172,7 +174,8 @@ class Concentration:
 
 @frozen
 class Limits:
-    """Factors a part must reach: against yield, against fatigue from–to, against buckling; pressure on the pin, MPa."""
+    """Required factors of a part: against yield, against fatigue from–to, against buckling; pressure on the pin,
+    MPa."""
 
     static: float = 2.0
     fatigue: tuple[float, float] = (1.5, 3.0)
@@ -183,7 +186,7 @@ class Limits:
 
 @frozen
 class Given:
-    """All that the calculation starts from. A part that is None has not been given, its chapter is left out."""
+    """All input of the calculation. A part that is None was not given; its chapter is left out."""
 
     shape: CrankSliderShape
     bore: float

@@ -1,8 +1,8 @@
 """Motion of A, B, C over the cycle in three ways, every crank angle at once: by the general plans (one program), and by
 the two ways of the text, as points (1)–(3) and as plane motion of the rod (4)–(13).
 
-The text's (3) holds for steady rotation only; here it has the terms with ε too. Its (5) and (7) are 0·∞ where the
-crank stands across the guide (cos φ = 0); here ω_AB is taken from (5*), which has no such place.
+The text's (3) holds for steady rotation only; here it has the terms with ε too. Its (5) and (7) are 0·∞ where the crank
+is perpendicular to the guide (cos φ = 0); here ω_AB is taken from (5*), which has no such position.
 """
 
 import numpy as np
@@ -48,9 +48,9 @@ class RodMotion:
 
 @frozen
 class Found(RodMotion):
-    """What the plans give, SI, places from the crank's pivot; a force is on the first-named link.
+    """Results of the plans, SI, places from the crank's pivot; a force acts on the first-named link.
 
-    ``push`` is the normal push of the guide on the slider, up positive; ``torque`` the moment the crank gives off.
+    ``push`` is the normal push of the guide on the slider, up positive; ``torque`` the moment delivered by the crank.
     """
 
     on_rod_from_crank: Complexes
@@ -68,7 +68,7 @@ def loaded(mechanism: Mechanism, shape: CrankSliderShape, gas: float = 0.0) -> M
 
 
 def follow(scene: Scene, shape: CrankSliderShape, motion: EngineCycle) -> Found:
-    """Draw the plans of every position of the cycle."""
+    """Draw the plans of every position in the cycle."""
     assert scene.mechanism is not None
     plans = plans_of(loaded(scene.mechanism, shape), scene.file)
     moved = {
@@ -123,7 +123,7 @@ def _check(scene: Scene, shape: CrankSliderShape, motion: EngineCycle, drawn: Fo
 
 
 def swing(shape: CrankSliderShape, phi: Array) -> Array:
-    """β: how far the rod leans down from A to B."""
+    """β: the inclination of the rod, downwards from A to B."""
     return np.arcsin(shape.r * np.sin(phi) / shape.l)
 
 
@@ -141,7 +141,7 @@ def as_points(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     }
     first = {"A": r * (-sin + 1j * cos), "B": -r * sin + drop + 0j, "C": -r * sin + k * drop + 1j * (1 - k) * r * cos}
     second = {"A": -r * (cos + 1j * sin), "B": -r * cos + bend + 0j, "C": -r * cos + k * bend - 1j * (1 - k) * r * sin}
-    turn = -r * cos / root  # dβ/dφ with the sign of the rod's turning
+    turn = -r * cos / root  # dβ/dφ with the sign of the rod's rotation
     speed = w * turn
     rate = e * turn + w**2 * (r * sin / root + r * cos * drop / root**2)
     velocities = {n: w * first[n] for n in first}
@@ -173,11 +173,11 @@ def as_plane_motion(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
 
 
 def text_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Complexes:
-    """a_B by the text's (3) as printed, without the terms with ε: how wrong it is when ω varies."""
+    """a_B by the text's (3) as printed, without the terms with ε: its error where ω varies."""
     still = EngineCycle(m.phi_deg, m.omega, np.zeros_like(m.epsilon), m.gas)
     return as_points(shape, still).a["B"]
 
 
 def apart(one: dict[str, Complexes], other: dict[str, Complexes], unit: float) -> float:
-    """The largest difference of two ways over all points and angles, in parts of ``unit``."""
+    """The largest difference of two methods over all points and angles, relative to ``unit``."""
     return max(float(np.max(np.abs(one[n] - other[n]) / unit)) for n in ("A", "B", "C"))

@@ -1,8 +1,8 @@
 """The writer of a report: fills a document in one language from ``report.txt`` and the table of words.
 
-A line of ``report.txt`` is a heading (``#``, ``##``), a formula (``$ … № number``), a mistake of the text (``!``) or a
-sentence, by its key and the values of its places; ``?name`` before it: only where that value is something, ``?!name``:
-where it is not. In a formula ‹name› is a value, ‹(name)› one that stands in brackets if it is negative.
+A line of ``report.txt`` is a heading (``#``, ``##``), a formula (``$ … № number``), an error of the source text (``!``)
+or a sentence, by its key and the values of its placeholders; ``?name`` before it: only where that value is present,
+``?!name``: where it is not. In a formula ‹name› is a value, ‹(name)› one in brackets if it is negative.
 """
 
 import re
@@ -52,11 +52,11 @@ class ChapterWriter:
         return say(key, self.lang, **shown)
 
     def number(self, value: float, digits: int = 4, near: float = 0.0) -> str:
-        """A number as it stands in a text; rounding noise of numbers ``near`` that large is zero."""
+        """A number for a text; rounding noise of numbers ``near`` that large is zero."""
         return number(0.0 if abs(value) < 1e-12 * near else float(value), self.lang, digits)
 
     def tex(self, value: float) -> str:
-        """A number as it stands in a formula."""
+        """A number for a formula."""
         text = quantity(float(value))
         mantissa, times, power = text.partition("·10")
         if times:
@@ -65,7 +65,7 @@ class ChapterWriter:
         return text.replace(".", "{,}") if say("decimal_sign", self.lang) == "," else text
 
     def write(self, part: str, values: object) -> None:
-        """A part of ``report.txt``: its headings, sentences and formulas, their places filled with ``values``."""
+        """A part of ``report.txt``: its headings, sentences and formulas, with ``values`` for their placeholders."""
         for line in _parts()[part]:
             flag, line = line.split(" ", 1) if line[0] == "?" else ("", line)
             if not flag or bool(_value(flag.strip("?!"), values)) != flag.startswith("?!"):
@@ -84,7 +84,7 @@ class ChapterWriter:
             self.blocks.append(Paragraph(self.say(key, **parts), mistake=mark == "!"))
 
     def _placed(self, path: str, values: object) -> str:
-        """What stands at the place of a formula."""
+        """The text for a placeholder of a formula."""
         value = _value(path.strip("()"), values)
         text = value if isinstance(value, str) else self.tex(value)
         return f"({text})" if path[0] == "(" and value < 0 else text
@@ -96,21 +96,21 @@ class ChapterWriter:
             tex = tex.replace(f"[{unit}]", f"\\ \\mathrm{{{say(unit, self.lang)}}}")
         tex = tex.replace(r"\frac", r"\dfrac").replace(r"\tan", rf"\,\mathrm{{{say('tangent', self.lang)}}}\,")
         tex = re.sub(r"\\(sin|cos)(?=[^a-z]|$)", r"\\,\\\1\\,", tex).replace(r"\,^", "^")
-        self.blocks.append(Formula(tex, number))
+        self.blocks.append(Formula(tuple(re.split(r"(?=\\quad)", tex)), number))
 
     def words(self, *keys: str) -> tuple[str, ...]:
         """The words of several keys."""
         return tuple(map(self.say, keys))
 
     def table(self, key: str, head: Sequence[str], rows: Iterable[Sequence[str | float]]) -> None:
-        """A table with its number; numbers stand in it as in a text."""
+        """A table with its number; numbers in it are written as in a text."""
         self.tables += 1
         title = f"{self.say('table')} {self.tables}. {self.say(key)}"
         cells = (tuple(x if isinstance(x, str) else self.number(x) for x in row) for row in rows)
         self.blocks.append(DocumentTable(title, (tuple(head), *cells)))
 
     def sizes(self, part: str, values: object) -> list[tuple[str, str, str]]:
-        """Rows of a table of ``report.txt``: what it is, its sign, its value with the unit."""
+        """Rows of a table of ``report.txt``: the name, the symbol, the value with the unit."""
         rows = ([cell.strip() for cell in line.split("|")] for line in _parts()[part])
         sizes = ((key, sign, self.number(_value(path, values)), unit) for key, sign, path, unit in rows)
         return [(self.say(key), sign, f"{x} {self.say(unit)}" if unit else x) for key, sign, x, unit in sizes]
@@ -140,11 +140,11 @@ def _parts() -> dict[str, list[str]]:
 
 
 def _value(path: str, values: object) -> Any:
-    """The value at a path: ``-`` stands before one turned about, ``|`` around one whose size is meant."""
+    """The value at a path: ``-`` before a reversed one, ``|`` around one of which the magnitude is meant."""
     value = attrgetter(path.strip("|-"))(values)
     return abs(value) if path[0] == "|" else -value if path[0] == "-" else value
 
 
 def lines(x: Array, named: Mapping[str, Array]) -> list[PlottedLine]:
-    """Curves over the same x, each in the next look."""
+    """Curves over the same x, each in the next style."""
     return [PlottedLine(x, y, name, k) for k, (name, y) in enumerate(named.items())]

@@ -17,11 +17,11 @@ from planes.solving.document import Chart, DrawnViews, PlottedLine
 from planes.words.names import kind_of
 
 FITS = {"position": 110.0, "velocity": 58.0, "acceleration": 58.0, "force": 78.0, "motion": 58.0}
-"""How large a plan may be in the report, mm."""
+"""The size of a plan in the report, mm."""
 
 
 def write_given(w: ChapterWriter, c: Calculation) -> None:
-    """What the calculation starts from."""
+    """The input of the calculation."""
     g, s = c.given, c.given.shape
     w.write("given", g)
     sizes = w.sizes("sizes", SimpleNamespace(given=g, s=s, p0=g.ambient / 1e6, strokes=float(len(g.indicator.names))))
@@ -41,14 +41,14 @@ def chosen(c: Calculation) -> float:
 
 
 def drawn_at(w: ChapterWriter, c: Calculation, phi_deg: float) -> tuple[Scene, Position]:
-    """The plans of one position, the gas force of that moment on the piston."""
+    """The plans of one position, with the gas force of that moment on the piston."""
     scene = scene_at(c, phi_deg)
     plans, wanted = plans_of(scene)
     return scene, position(scene, plans, wanted, phi_deg, None, w.lang, FITS)
 
 
 def scene_at(c: Calculation, phi_deg: float) -> Scene:
-    """The scene in one position of the cycle, the gas force of that moment as its load."""
+    """The scene in one position of the cycle, with the gas force of that moment as its load."""
     k = c.at(phi_deg)
     assert c.scene.mechanism is not None
     mechanism = loaded(c.scene.mechanism, c.given.shape, float(c.motion.gas[k]))
@@ -58,7 +58,7 @@ def scene_at(c: Calculation, phi_deg: float) -> Scene:
 
 
 def values_at(c: Calculation, phi_deg: float, **more: object) -> SimpleNamespace:
-    """What the text of one position names: the numbers of the calculation at its step, and ``more``."""
+    """Values for the text of one position: the numbers of the calculation at its step, and ``more``."""
     k, s = c.at(phi_deg), c.given.shape
     records = {name: at_step(getattr(c, name), k) for name in ("motion", "points", "plane", "forces")}
     motion = records["motion"]
@@ -75,7 +75,7 @@ def at_step(record: object, k: int) -> SimpleNamespace:
 
 
 def write_kinematics(w: ChapterWriter, c: Calculation) -> None:
-    """Both ways, the plans, the results over a turn."""
+    """Both methods, the plans, the results over a turn."""
     s, phi = c.given.shape, chosen(c)
     v = values_at(c, phi)
     v.k, v.twice, v.lean, v.printed_3 = s.c / s.l, 2 * phi, phi + v.beta, _mistake_3(w, c)
@@ -93,7 +93,7 @@ def write_kinematics(w: ChapterWriter, c: Calculation) -> None:
 
 
 def _mistake_3(w: ChapterWriter, c: Calculation) -> str:
-    """How far off the text's (3) is."""
+    """The error of the text's (3)."""
     if not c.given.speed.unevenness:
         return w.say("m_3_none")
     s = c.given.shape
@@ -121,7 +121,7 @@ def _results(w: ChapterWriter, c: Calculation) -> None:
 
 
 def worked(c: Calculation) -> float:
-    """The position whose forces are written out: of those asked, the one with the largest T."""
+    """The position whose forces are written out: of those requested, the one with the largest T."""
     asked = c.given.positions or (chosen(c),)
     return max((c.angle(p) for p in asked), key=lambda p: abs(float(c.forces.T[c.at(p)])))
 
@@ -171,7 +171,7 @@ def _equations(w: ChapterWriter, c: Calculation) -> None:
 
 
 def _off(true: Array, simple: Array) -> float:
-    """How far the largest of one is from the largest of the other, per cent."""
+    """The difference of the maxima of two curves, per cent."""
     largest, other = (float(np.max(np.abs(x))) for x in (true, simple))
     return 100 * abs(other - largest) / largest
 

@@ -13,7 +13,7 @@ from planes.crank_slider.shaft import Section, along
 from planes.solving.document import Chart, PlottedLine, ShaftSketch
 
 WRONG = {"3": "3", "5": "5), (7", "20": "20), (21", "22": "22", "24": "24)–(26", "32": "31), (32", "35": "35"}
-"""Errors of the source text: the key of what is wrong, and its formulas."""
+"""Errors of the source text: the key of the explanation, and the formulas."""
 
 
 def write_balance(w: ChapterWriter, c: Calculation) -> None:
@@ -73,7 +73,7 @@ def cases(c: Calculation) -> dict[str, int]:
 
 
 def shaft_sketch(c: Calculation, **shown: Mapping[Any, str]) -> ShaftSketch:
-    """The crankshaft, with masses, forces or sizes."""
+    """The crankshaft, with masses, forces or dimensions."""
     shaft, weights, r = c.given.shaft, c.given.counterweights, c.given.shape.r
     assert shaft
     low = weights.radius if weights else r
@@ -81,7 +81,7 @@ def shaft_sketch(c: Calculation, **shown: Mapping[Any, str]) -> ShaftSketch:
 
 
 def _bearings(w: ChapterWriter, c: Calculation) -> None:
-    """The bearings, and the moments along the shaft in both cases."""
+    """The bearing reactions, and the moments along the shaft in both cases."""
     shaft, held, cw = c.given.shaft, c.supports, w.say("sub_cw")
     assert shaft and held
     weights = {(f"weight_{k}", "down"): f"Φ_{{{k + 1}{cw}}}" for k in (0, 1)}
@@ -175,7 +175,7 @@ def write_summary(w: ChapterWriter, c: Calculation) -> None:
 
 
 def checks(c: Calculation) -> Iterator[tuple[str, float, float | None, float | None, bool]]:
-    """Name, value found, bounds, whether it holds."""
+    """Name, value found, bounds, whether it passes."""
     for name, value, low, high in _found(c):
         yield name, value, low, high, (low is None or value >= low) and (high is None or value <= high)
 

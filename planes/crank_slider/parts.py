@@ -1,4 +1,4 @@
-"""What parts are made of: their cross-sections (area and section moduli, SI) and their steels.
+"""The sections of parts (area and section moduli, SI) and their steels.
 
 Strength and yield are the least values of ГОСТ 1050 (carbon steels, normalised) and ГОСТ 4543 (alloy steels, hardened
 and tempered). Fatigue limits: σ₋₁ = 0.43 σ_B of carbon and 0.35 σ_B + 120 MPa of alloy steels, τ₋₁ = 0.58 σ₋₁, the
@@ -19,7 +19,7 @@ _ALPHA = (0.208, 0.219, 0.231, 0.246, 0.258, 0.267, 0.282, 0.291, 0.312, 0.333)
 
 @frozen
 class Round:
-    """A round section of diameter d with a bore in its middle."""
+    """A round section of diameter d with a central bore."""
 
     d: float
     bore: float = 0.0
@@ -30,7 +30,7 @@ class Round:
 
     @property
     def modulus(self) -> float:
-        """W in bending; in torsion it is twice as much."""
+        """W in bending; in torsion it is twice this value."""
         return math.pi * self.d**3 / 32 * (1 - (self.bore / self.d) ** 4)
 
 
@@ -57,7 +57,7 @@ class Web:
 
     @property
     def torsion(self) -> float:
-        """α·h·b²: what a torque is divided by for the largest shear (Saint-Venant)."""
+        """α·h·b²: a torque over this is the largest shear stress (Saint-Venant)."""
         long, short = max(self.width, self.thickness), min(self.width, self.thickness)
         return torsion_factor(long / short) * long * short**2
 
@@ -102,7 +102,7 @@ def torsion_factor(ratio: float) -> float:
 ELASTICITY_MPA = 2.1e5
 
 STEELS: dict[str, tuple[float, float, bool]] = json.loads(Path(__file__).with_name("steels.json").read_text("utf-8"))
-"""By the name of a steel its strength and yield (MPa), and whether it is alloyed."""
+"""For the name of a steel its strength and yield (MPa), and whether it is alloyed."""
 
 
 @frozen
@@ -128,7 +128,7 @@ def made(
     torsion: float | None = None,
     elasticity: float = ELASTICITY_MPA,
 ) -> Material:
-    """A material; the fatigue limits not given are estimated from the strength."""
+    """A material; missing fatigue limits are estimated from the strength."""
     bending = fatigue or (0.35 * strength + 120.0 if alloyed else 0.43 * strength)
     psi = 0.02 + 2e-4 * strength
     return Material(name, strength, yields, bending, torsion or 0.58 * bending, psi, psi / 2, elasticity)

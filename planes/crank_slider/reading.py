@@ -1,4 +1,4 @@
-"""Reads ``crank_slider:``; every value is checked, every refusal is a sentence with its line."""
+"""Reads ``crank_slider:``; every value is checked, every error is a sentence with its line."""
 
 import math
 from collections.abc import Mapping
@@ -41,11 +41,11 @@ KEYS: Mapping[str, tuple[str, ...]] = {
     "concentration": ("k_sigma", "k_tau", "size_sigma", "size_tau"),
     "limits": ("static", "fatigue", "buckling", "bush_MPa", "boss_MPa"),
 }
-"""The keys of the section and of the tables in it, by the name of the table."""
+"""The keys of the section and of its tables, by the name of the table."""
 
 
 def read(scene: Scene) -> Given:
-    """All that the calculation of a scene starts from."""
+    """All input for the calculation of a scene."""
     shape = shape_of(scene)
     assert scene.crank_slider is not None
     reader, what = Reader(scene.file, scene.parameters), section("crank_slider")
@@ -80,7 +80,7 @@ def read(scene: Scene) -> Given:
 
 
 def _check_parts(scene: Scene, top: Values, given: Given) -> None:
-    """Whatever a part needs is there, and the crank weighs what its shaft does."""
+    """Check that each part has all its data, and that the crank's mass is that of its shaft."""
     shaft, shape = given.shaft, given.shape
     if given.counterweights and not shaft:
         raise top.error(Phrase("cs_needs", what="shaft", other="counterweights"), "counterweights")
@@ -183,7 +183,7 @@ def _pin(table: Values) -> PistonPin:
 
 
 def _material(table: Values, key: str) -> Material:
-    """The steel of a part: a name of the table or its own numbers in MPa."""
+    """The steel of a part: a name of the table, or numbers in MPa."""
     if isinstance(table.required(key), SourceScalar):
         name = table.text(key)
         if known_steel := steel(name):

@@ -19,7 +19,7 @@ class Values(Fields):
     """Reads the keys of one table within their bounds."""
 
     def part(self, key: str, keys: Sequence[str], read: Callable[[Values], Part]) -> Part | None:
-        """What is read from the table under a key, None if it is not there."""
+        """The part read from the table under a key, None if it is missing."""
         return None if self.optional(key) is None else read(self.inner(key, keys))
 
     def above(self, key: str, usual: float | None = None) -> float:
@@ -45,7 +45,7 @@ class Values(Fields):
 
 
 def read_indicator(top: Values) -> Indicator:
-    """The diagram with every stage it needs, each over the whole of its stroke, joined to the next."""
+    """The diagram with all required stages, each over its whole stroke, joined to the next."""
     table = top.inner("indicator", INDICATOR)
     over, unit = table.word("over", ("path", "angle")), table.word("unit", tuple(UNITS))
     names = FOUR if "intake" in table or "exhaust" in table else TWO

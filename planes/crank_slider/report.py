@@ -42,7 +42,7 @@ def summary(c: Calculation, lang: Lang) -> str:
 
 
 def as_json(c: Calculation) -> Json:
-    """What ``planes crank-slider --json`` prints."""
+    """The output of ``planes crank-slider --json``."""
     report: Json = {
         "planes": 1,
         "scene": c.scene.file,
@@ -66,7 +66,7 @@ def as_json(c: Calculation) -> Json:
 
 
 def _plain(value: object) -> object:
-    """What a program can read; what is not finite becomes null."""
+    """Data for a program; a number that is not finite becomes null."""
     match value:
         case dict():
             return {k: _plain(v) for k, v in value.items()}

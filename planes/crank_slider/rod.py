@@ -16,7 +16,7 @@ from planes.words.frozen import frozen
 
 @frozen
 class Buckling:
-    """One plane: the reduced length's factor μ, slenderness, critical stress (MPa), whether Euler's, factor."""
+    """One plane: the length factor μ, slenderness, critical stress (MPa), whether by Euler, safety factor."""
 
     mu: float
     slenderness: float
@@ -96,7 +96,7 @@ def rod_strength(
 
 
 def _bending(shape: CrankSliderShape, way: RodMotion, beta: Array) -> Array:
-    """The largest moment along a rod of even mass, hinged at both ends, under its own inertia across it."""
+    """The largest moment along a rod of uniform mass, hinged at both ends, under its transverse inertia forces."""
     across = 1j * np.exp(-1j * beta)
     q_a, q_b = ((-(way.a[n] * across.conj()).real * shape.m2 / shape.l) for n in ("A", "B"))
     x = np.linspace(0.0, shape.l, 201)[:, None]
@@ -105,7 +105,7 @@ def _bending(shape: CrankSliderShape, way: RodMotion, beta: Array) -> Array:
 
 
 def moment_along(q_a: Array, q_b: Array, x: Array, length: float) -> Array:
-    """M(x) of a hinged beam under a load that goes evenly from q_a to q_b (N/m)."""
+    """M(x) of a hinged beam under a load that varies linearly from q_a to q_b (N/m)."""
     falling = length * x / 3 - x**2 / 2 + x**3 / (6 * length)
     rising = length * x / 6 - x**3 / (6 * length)
     return q_a * falling + q_b * rising
@@ -122,7 +122,7 @@ def _buckling(mu: float, length: float, radius: float, limit: float, stress: flo
 
 
 def pin_strength(m: EngineCycle, f: CycleForces, pin: PistonPin, steel: Material) -> PinStrength:
-    """The pin as a beam: an even load from the rod's bush, loads from the bosses that fall to zero at its ends."""
+    """The pin as a beam: a uniform load from the rod's bush, loads from the bosses that fall to zero at its ends."""
     force = np.abs(f.on_rod_at_b)
     at = int(np.argmax(force))
     q = float(force[at])
@@ -130,6 +130,6 @@ def pin_strength(m: EngineCycle, f: CycleForces, pin: PistonPin, steel: Material
     d, a = pin.section.d, pin.section.bore / pin.section.d
     tau = 4 / 3 * q / 2 / pin.section.area * (1 + a + a**2) / (1 + a**2) * MPA
     sigma = moment / pin.section.modulus * MPA
-    worst = max(sigma, 2 * tau)  # they do not meet in one point: bending at the edge, shear at the middle
+    worst = max(sigma, 2 * tau)  # not at the same point: bending at the edge, shear at the middle
     bush, boss = q / (d * pin.bush) * MPA, q / (d * (pin.length - pin.gap)) * MPA
     return PinStrength(q, float(m.phi_deg[at]), moment, sigma, tau, worst, factor(steel.yields, worst), bush, boss)

@@ -1,10 +1,10 @@
-"""The crankshaft: its balancing by two counterweights, (27)–(30), and what they do to first-order forces; then as a
-broken bar on two supports, (31)–(34): reactions, moments, stresses, every angle at once.
+"""The crankshaft: its balancing by two counterweights, (27)–(30), and their effect on first-order forces; then as a
+cranked bar on two supports, (31)–(34): reactions, moments, stresses, every angle at once.
 
-z runs from the shaft's axis to the crank pin, y along the pin's motion, x along the shaft from bearing A to B; power
-is taken off at B. The text's A′, B′ are opposed to z, A″, B″ to y. The rod's rotating mass is in the pin's load
-already (the plans give that load whole), so Φ holds the crank's own masses alone. Fatigue, (35): the cycle of stress at
-the worst point of a round section's edge.
+z runs from the shaft's axis to the crank pin, y along the pin's motion, x along the shaft from bearing A to B; power is
+taken off at B. The text's A′, B′ are opposite to z, A″, B″ to y. The rod's rotating mass is already in the pin's load
+(the plans give that load in full), so Φ is of the crank's own masses alone. Fatigue, (35): the stress cycle at the
+worst point on the edge of a round section.
 """
 
 import math
@@ -25,7 +25,7 @@ MPA = 1e-6
 
 @frozen
 class Shaking:
-    """Inertia force of the whole machine on its frame with some counterweights, N.
+    """Inertia force of the whole machine on its frame with given counterweights, N.
 
     ``curve`` over one turn; amplitudes of its first harmonic along and across the guide, of the second along it;
     ``expected`` the same three by the formulas m·r·ω².
@@ -42,7 +42,7 @@ class Shaking:
 
 @frozen
 class Balance:
-    """Masses in kg at the crank's radius, counterweights, what is left unbalanced."""
+    """Masses in kg at the crank's radius, counterweights, the remaining unbalance."""
 
     rotating: float
     of_rod: float
@@ -105,7 +105,7 @@ def _shaking(
 
 
 def _harmonic(curve: Complexes, phi: Array, order: int) -> tuple[float, float]:
-    """Amplitudes of one harmonic of the parts along and across the guide."""
+    """Amplitudes of one harmonic of the components along and across the guide."""
     wave = np.exp(-1j * order * phi)
     return tuple(float(abs(2 * np.mean(part * wave))) for part in (curve.real, curve.imag))  # type: ignore[return-value]
 
@@ -186,14 +186,14 @@ def _round(name: str, z: Array, y: Array, torque: Array, round_part: Round) -> S
 
 
 def _web(name: str, z: Array, y: Array, torque: Array, force: Array, shaft: Shaft) -> Section:
-    """All of a web's stresses added as if they met in one point: never too small."""
+    """All stresses of a web added as if they met at one point: always on the safe side."""
     web = shaft.web
     sigma = (np.abs(z) / web.along + np.abs(y) / web.across + np.abs(force) / web.area) * MPA
     return Section(name, z, y, torque, sigma, np.abs(torque) / web.torsion * MPA)
 
 
 def along(shaft: Shaft, cut: Mapping[str, Section], k: int) -> tuple[Array, Array, Array, Array]:
-    """The diagrams of moments for position ``k`` of the cycle along the unbent length of the bar: distance from A, M_z,
+    """The moment diagrams in position ``k`` of the cycle along the developed length of the bar: distance from A, M_z,
     M_y, M_x."""
     m, middle, end = shaft.webs, shaft.span - shaft.pin_from_b, shaft.span
     x = np.array([0.0, m, m, middle, end - m, end - m, end])

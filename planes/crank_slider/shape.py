@@ -1,4 +1,4 @@
-"""Which mechanism it is: the crank, the rod and the slider of a scene, with their sizes and masses."""
+"""The crank, the rod and the slider of a scene, with their dimensions and masses."""
 
 import math
 
@@ -42,7 +42,7 @@ class CrankSliderShape:
 
 
 def shape_of(scene: Scene) -> CrankSliderShape:
-    """The crank-slider of a scene, or a sentence saying why it is none."""
+    """The crank-slider of a scene, or a sentence why it is not one."""
     if scene.mechanism is None or scene.crank_slider is None:
         raise SceneError(Phrase("cs_missing"), scene.file, 1)
     return _Recogniser(scene, scene.mechanism, analyse(scene.mechanism, scene.file)).shape()
@@ -60,13 +60,13 @@ class _Recogniser:
         self.pivot, self.pin, self.hinge = structure.drive_pair.point, g.first_outer.point, g.inner.point
 
     def error(self, phrase: Phrase, *path: str) -> SceneError:
-        """A refusal at a key of the file."""
+        """An error at a key of the file."""
         where = self.m.where
         line = next((where[path[:n]] for n in range(len(path), 0, -1) if path[:n] in where), None)
         return SceneError(phrase, self.scene.file, line)
 
     def shape(self) -> CrankSliderShape:
-        """Everything read off the mechanism, checked."""
+        """All data of the mechanism, checked."""
         self.check_guide()
         self.check_motion()
         r, c = self.check_crank(), self.check_rod()
@@ -137,7 +137,7 @@ class _Recogniser:
         return share.real * abs(b - a)
 
     def check_motion(self) -> None:
-        """A crank that turns counter-clockwise, steadily, loaded by the diagram alone."""
+        """A crank that turns counter-clockwise and steadily, loaded by the diagram alone."""
         drive = self.m.drive
         if drive.velocity <= 0.0:
             raise self.error(Phrase("cs_omega", value=drive.velocity), "drive", "omega")

@@ -1,6 +1,5 @@
-"""Shear and bending moment of a straight beam from place to place: as its string polygon gives them at its points, and
-between these by the loads spread there.
-"""
+"""Shear and bending moment along a straight beam: from the string polygon at its points, and from the distributed loads
+between them."""
 
 from itertools import pairwise
 
@@ -12,13 +11,13 @@ from planes.solving import Position
 from planes.words.frozen import frozen
 from planes.words.names import at, mu_of
 
-PIECES = 16  # of a curve under a distributed load
+PIECES = 16  # points of a curve under a distributed load
 Outline = list[tuple[float, float]]  # m along the beam, N or N·m
 
 
 @frozen
 class BeamOutlines:
-    """Points along the beam with their distances, m, and both outlines from the first of them to the last."""
+    """Points along the beam with their distances, m, and both outlines from the first point to the last."""
 
     stops: dict[str, float]
     shears: Outline
@@ -47,13 +46,13 @@ class _Beam:
 
     @property
     def told(self) -> bool:
-        """Whether every distributed load lies all along whatever it touches between two places of known moments."""
+        """Whether every distributed load covers each interval between known moments wholly or not at all."""
         known = sorted(self.stops[p] for p, _ in self.figure.moments)
         ends = [sorted(self.stops[p] for p in x.spread or ()) for x in self.figure.spread]
         return all((low <= a and b <= high) or b <= low or high <= a for low, high in ends for a, b in pairwise(known))
 
     def value(self, name: str) -> float:
-        """A value as it was found."""
+        """A value as found."""
         return float(self.position.drawing[name])
 
     def outlines(self) -> BeamOutlines:
@@ -89,12 +88,12 @@ class _Beam:
         return first, last
 
     def sag(self, load: StaticLoad, start: float, end: float, t: float) -> float:
-        """How much the moment exceeds the chord."""
+        """The excess of the moment over the chord."""
         first, last = self.ordinates(load, start, end)
         return (end - start) ** 2 / 6 * t * (1 - t) * (first * (2 - t) + last * (1 + t))
 
     def slope(self, load: StaticLoad, start: float, end: float, t: float) -> float:
-        """How much the shear exceeds that of the chord: the derivative of the same."""
+        """The excess of the shear over that of the chord: the derivative of the former."""
         first, last = self.ordinates(load, start, end)
         rise = first * (2 - 6 * t + 3 * t * t) + last * (1 - 3 * t * t)
         return (end - start) / 6 * rise

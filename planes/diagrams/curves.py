@@ -1,8 +1,8 @@
-"""The quantities of a mechanism as curves over the driver's place: their names, units, and how each is read.
+"""The quantities of a mechanism as curves over the driver's position: their names, units, and columns.
 
 A curve is read from columns of the batch program; "q:" before a column means the run with a unit drive, where a
-velocity is the analogue of velocity (transfer function) dr/dφ₁ and an acceleration the analogue d²r/dφ₁².
-Names: r_C_x, phi_3, s_5 (place) · vq_C, u_31, aq_C, epsilonq_3 (analogues) · v_C, omega_3, a_C (rates) · F_21, M_1.
+velocity is the analogue of velocity (transfer function) dr/dφ₁ and an acceleration the analogue d²r/dφ₁². Names: r_C_x,
+phi_3, s_5 (positions) · vq_C, u_31, aq_C, epsilonq_3 (analogues) · v_C, omega_3, a_C (rates) · F_21, M_1.
 """
 
 import math
@@ -34,8 +34,8 @@ FULL = 360.0
 
 @frozen
 class Curve:
-    """One quantity over the cycle. ``slope`` has the sign of its derivative by the driver's place, where that is known
-    exactly; ``angular`` values may be told only up to a full turn (degrees)."""
+    """One quantity over the cycle. ``slope`` has the sign of its derivative by the driver's position, where that is
+    known exactly; ``angular`` values are only defined up to a full turn (degrees)."""
 
     name: str
     unit: str
@@ -47,7 +47,7 @@ class Curve:
 
 @frozen
 class CycleVector:
-    """A vector over the cycle, as complex numbers: what a path or a hodograph is drawn from."""
+    """A vector over the cycle, as complex numbers: for a path or a hodograph."""
 
     name: str
     unit: str
@@ -59,7 +59,7 @@ class CycleVector:
 
 
 def needs_of(things: Iterable[Curve | CycleVector], slopes: bool = True) -> list[str]:
-    """The columns that curves, with their ``slopes`` or without, and vectors are read from."""
+    """The columns for curves, with their ``slopes`` or without, and for vectors."""
     asked = AskedFor()
     for one in things:
         one.read(asked)
@@ -69,8 +69,8 @@ def needs_of(things: Iterable[Curve | CycleVector], slopes: bool = True) -> list
 
 
 def curves_of(plans: Plans) -> dict[str, Curve]:
-    """Every curve of a mechanism by its name, in the order they are listed; a reaction's other name leads to it too, as
-    does an analogue's as it is lettered."""
+    """Every curve of a mechanism by its name, in listing order; a reaction's second name is included too, as is the
+    lettered name of an analogue."""
     curves = {c.name: c for c in (*_places(plans), *_motions(plans, "q"), *_motions(plans), *_forces(plans))}
     for r in plans.reactions.values():
         curves.setdefault(force_name(r.pair.other, r.pair.link), curves[r.key])
@@ -93,12 +93,12 @@ def arrows_of(plans: Plans) -> dict[str, CycleVector]:
 
 
 def named(written: str, known: Mapping[str, T], plans: Plans, file: str) -> T:
-    """The curve or vector that a written name means. :class:`PlanesError` names those there are."""
+    """The curve or vector for a typed name. :class:`PlanesError` lists the valid ones."""
     names = plans.naming.names(known, poles=False)
     return known[names.one(written, "no_curve", lambda name: known[name].name, file=file)]
 
 
-# the parts of the list
+# the groups of the list
 
 
 def _places(plans: Plans) -> Iterator[Curve]:
@@ -117,7 +117,7 @@ def _places(plans: Plans) -> Iterator[Curve]:
 
 
 def _along(plans: Plans, link: str) -> Callable[[Sample], Real]:
-    """The place of a slider's first point along its guide, from the guide's own through point."""
+    """The position of a slider's first point along its guide, from the point that defines the guide."""
     m = plans.mechanism
     guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner(plans.velocity_slides[link].guide)
     first, way = m.links[link].first_point, np.exp(1j * math.radians(guide.angle_deg))
@@ -136,7 +136,7 @@ def _along(plans: Plans, link: str) -> Callable[[Sample], Real]:
 
 def _motions(plans: Plans, q: str = "") -> Iterator[Curve]:
     """Rates of links, sliders and points, or with "q" their analogues: the same columns of the run with a unit drive.
-    A velocity's slope is that run's acceleration."""
+    The derivative of a velocity is that run's acceleration."""
     rate, run, units = plans.mechanism.drive.velocity, "", RATE_UNITS
     if q:
         rate, run, units = 1.0, UNIT, analogue_units(plans.mechanism.drive.kind == "phi")
@@ -176,7 +176,7 @@ def _scalar(name: str, unit: str, group: Group, need: str, slope: str = "", fact
 
 
 def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", factor: float = 1.0) -> Iterator[Curve]:
-    """The size of a vector, then its components."""
+    """The magnitude of a vector, then its components."""
     speed = slope.replace(":a_", ":v_")  # the vector is ``factor`` times its analogue, and so are their slopes
 
     def growing(s: Sample) -> Real:
@@ -188,20 +188,20 @@ def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", fact
 
 
 def output_curves(plans: Plans) -> tuple[str, ...]:
-    """The curves of a mechanism's driven link that are drawn first: its place, velocity and acceleration."""
+    """The principal curves of a mechanism's driven link: its position, velocity and acceleration."""
     link, slides = driven(plans)
     letters = ("s", "v_slide", "a_slide") if slides else ("phi", "omega", "epsilon")
     return tuple(f"{letter}_{link}" for letter in letters)
 
 
 def transfer_curves(plans: Plans) -> tuple[str, ...]:
-    """The analogues of the driven link: of velocity (or its ratio of speeds), and of acceleration."""
+    """The analogues of the driven link: of velocity (or its transfer ratio), and of acceleration."""
     link, slides = driven(plans)
     return (f"vq_slide_{link}", f"aq_slide_{link}") if slides else (ratio_name(plans, link), f"epsilonq_{link}")
 
 
 def driven(plans: Plans) -> tuple[str, bool]:
-    """The link that a mechanism drives, and whether it slides on the frame: the last group's."""
+    """The output link of a mechanism, and whether it slides on the frame: that of the last group."""
     m, structure = plans.mechanism, plans.structure
     group = next(g for g in reversed(structure.groups) if not structure.is_drive(g))
     for name in group.ends:
@@ -217,17 +217,17 @@ def driven(plans: Plans) -> tuple[str, bool]:
 
 @frozen
 class WorkingRange:
-    """The driver's working range (degrees or metres) about its place; ``whole``: it goes round."""
+    """The driver's working range (degrees or metres) about its position; ``whole``: a full turn."""
 
     start: float
     end: float
     whole: bool = False
 
     def inner(self, margin: float) -> Self:
-        """The range without a part of it at each end, where rates grow without bounds."""
+        """The range without a part at each end, where rates grow without bound."""
         away = margin * (self.end - self.start)
         return replace(self, start=self.start + away, end=self.end - away, whole=False)
 
     def values(self, count: int) -> list[float]:
-        """So many values and one more, evenly from end to end."""
+        """So many values plus one, evenly spaced from end to end."""
         return [self.start + (self.end - self.start) * k / count for k in range(count + 1)]

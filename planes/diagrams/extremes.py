@@ -1,9 +1,9 @@
 """Extremes of curves, refined between the positions of a grid, for many curves at once.
 
-Where a curve's derivative is in the program (a place's is its analogue of velocity, a velocity's its analogue of
-acceleration) the extreme is where that crosses zero. Where the curve is smooth beside the grid's step, a polynomial
-through the places around tells where (:mod:`planes.diagrams.smooth`), and the program is asked there once; else a
-bracket is closed in on, by the derivative, or on the value itself, which fixes the value to the last digits and the
+Where a curve's derivative is in the program (a position's is its analogue of velocity, a velocity's its analogue of
+acceleration) the extreme is at its zero. Where the curve is smooth on the scale of the grid, a polynomial through the
+neighbouring nodes gives the place (:mod:`planes.diagrams.smooth`), and the program is evaluated there once. Otherwise a
+bracket is narrowed down, by the derivative, or by the value itself, which gives the value to the last digits and the
 place to about 10⁻⁶ of a degree.
 """
 
@@ -17,18 +17,18 @@ from planes.diagrams.turn import Grid, WholeTurn
 from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
 
-CELLS = 32  # parts a bracket is cut into, each round
+CELLS = 32  # parts of a bracket in each round
 ROUNDS = 8
-BATCH = 48  # brackets closed in on together: what bounds the memory
-TOWARDS = 1e-3, 1e-7, 0.0  # of the way from a limit to the position beside it
-STILL = 1e-11  # a curve that varies less than this, beside its size, is constant
-GROWS = 3.0  # how many times larger ten thousand times nearer to a limit: without bound
+BATCH = 48  # brackets refined together: limits the memory
+TOWARDS = 1e-3, 1e-7, 0.0  # of the distance from a limit to the position beside it
+STILL = 1e-11  # relative to its size: a curve that varies less is constant
+GROWS = 3.0  # growth when ten thousand times nearer to a limit: more is unbounded
 
 
 @frozen
 class Extreme:
-    """A least (``sense`` −1) or greatest (+1) value of a curve and where it is; ``at`` an "end" of the range or a
-    "limit" of assembly, or inside (""). A value of ±inf grows without bound towards the limit."""
+    """A least (``sense`` −1) or greatest (+1) value of a curve and its place; ``at`` an "end" of the range or a "limit"
+    of assembly, or inside (""). A value of ±inf grows without bound towards the limit."""
 
     place: float
     value: float
@@ -40,16 +40,16 @@ class Extreme:
 class _Bracket:
     curve: int
     sense: int
-    index: int  # the place of the grid between low and high
+    index: int  # the node between low and high
     low: float
     high: float
-    near: float  # the grid's own value
-    angular: bool  # to be told near it
+    near: float  # the value at that node
+    angular: bool  # needed close to it
 
 
 @dataclass
 class _Limit:
-    """A limit of assembly: the position of the grid beside it, where it is, and what all curves do towards it."""
+    """A limit of assembly: the position of the grid beside it, its place, and the behaviour of all curves near it."""
 
     index: int
     limit: float
@@ -63,7 +63,7 @@ class _Limit:
 
 
 def extremes(g: Grid) -> list[list[Extreme]]:
-    """For every curve of the turn its extremes, in the order of the driver's places; none for a constant curve."""
+    """The extremes of every curve of the turn, in the order of the driver's positions; none for a constant curve."""
     of_curves: list[list[Extreme]] = [[] for _ in g.turn.curves]
     brackets, limits = list[_Bracket](), [_Limit.of(g, i, limit) for i, limit in g.limits]
     for k, curve in enumerate(g.turn.curves):
@@ -96,8 +96,8 @@ def _inside(g: Grid, brackets: list[_Bracket]) -> list[tuple[_Bracket, float, fl
 
 
 def _joined(g: Grid, brackets: list[_Bracket], places: Array) -> list[tuple[_Bracket, float, float]]:
-    """The extremes a curve comes up to: at a dead point where a load turns about, not the single value it has there but
-    that of the nearer side, if the curve comes up to it; where it grows without bound, infinity."""
+    """One-sided extremes: at a dead point where a load reverses, the limit from the nearer side instead of the single
+    value there, if the curve tends to it; infinity where it grows without bound."""
     beside = 1e-8 * (g.places[-1] - g.places[0])
     around = (places + beside * np.array([[-1], [1], [-1000], [1000]])).ravel()
     values, (near, far) = _values(g.turn, brackets, places), _values(g.turn, brackets * 4, around).reshape(2, 2, -1)
@@ -117,7 +117,7 @@ def _joined(g: Grid, brackets: list[_Bracket], places: Array) -> list[tuple[_Bra
 
 
 def _grows(b: _Bracket, value: float, near: Array, far: Array) -> bool:
-    """Whether a curve grows towards a place from a thousand times farther, and goes on growing."""
+    """Whether a curve grows towards a place from a thousand times farther, and keeps growing."""
     if b.angular:
         return False
     away, close = (np.nanmax(b.sense * z, initial=0.0) for z in (far, near))
@@ -125,13 +125,13 @@ def _grows(b: _Bracket, value: float, near: Array, far: Array) -> bool:
 
 
 def varies(y: Array, noise: float) -> bool:
-    """Whether a curve is more than a constant, and than the rounding of larger numbers."""
+    """Whether a curve varies, by more than the rounding of larger numbers."""
     good = y[np.isfinite(y)]
     return bool(len(good) > 2 and np.ptp(good) > STILL * (np.abs(good).max() + 1e-300) + noise)
 
 
 def _brackets(g: Grid, k: int, y: Array) -> list[_Bracket]:
-    """Places of the grid that are above, or below, both their neighbours."""
+    """Nodes of the grid above, or below, both their neighbours."""
     x, step = g.places, g.places[1] - g.places[0]
     if g.closed:
         period = y[-1] - y[0] if g.turn.curves[k].angular else 0.0
@@ -162,7 +162,7 @@ def _edges(g: Grid, curve: Curve, y: Array, limits: list[_Limit]) -> list[Extrem
 
 
 def _at_limit(curve: Curve, y: float, at: _Limit) -> list[Extreme]:
-    """What a curve does at a limit of assembly: it ends there, or grows without bound."""
+    """The behaviour of a curve at a limit of assembly: it ends there, or grows without bound."""
     far, close, last = curve.read(at.near) + np.zeros(len(TOWARDS))
     limit = at.limit
     if curve.group != "place" and np.isfinite(far) and np.isfinite(close) and abs(close) > GROWS * abs(far):
@@ -176,8 +176,8 @@ def _at_limit(curve: Curve, y: float, at: _Limit) -> list[Extreme]:
 
 
 def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> Array:
-    """Places of the bracketed extremes, all closed in on together: on where the slope is positive no more,
-    or, if it is not known or has one sign throughout (a value passes through infinity), on the value itself."""
+    """Places of the bracketed extremes, all narrowed down together: to the zero of the slope, or, if that is unknown or
+    has one sign throughout (a value passes through infinity), by the value itself."""
     low, high = np.array([b.low for b in brackets]), np.array([b.high for b in brackets])
     owner = np.array([b.curve for b in brackets])
     sense = np.array([b.sense for b in brackets])
@@ -211,12 +211,12 @@ def _values(turn: WholeTurn, brackets: list[_Bracket], place: Array) -> Array:
 
 
 def _unknown(sample: Sample) -> float:
-    """The slope of a curve whose slope is in no column."""
+    """The slope of a curve without a column for it."""
     return np.nan
 
 
 def _crossing(slope: Array) -> tuple[Array, Array]:
-    """The first cell in which a slope, positive before a top, is positive no more."""
+    """The first cell in which a slope, positive before a top, is no longer positive."""
     down = ~(slope > 0)
     down[:, 0], down[:, -1] = False, True
     last = down.argmax(axis=1)
@@ -224,6 +224,6 @@ def _crossing(slope: Array) -> tuple[Array, Array]:
 
 
 def _top(y: Array) -> tuple[Array, Array]:
-    """The cells beside the highest of the values."""
+    """The cells on either side of the highest value."""
     best = np.where(np.isfinite(y), y, -np.inf).argmax(axis=1)
     return np.maximum(best - 1, 0), np.minimum(best + 1, y.shape[1] - 1)

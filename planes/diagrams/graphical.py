@@ -1,10 +1,10 @@
 """Graphical differentiation by chords and integration by a pole, as programs of steps drawn by any instrument.
 
-The abscissa is the time t of a uniform turn, divided into equal sections. Differentiation: from a pole P at the
-distance H to the left of the origin rays are drawn parallel to the chords of the curve; what a ray cuts off on the axis
-of ordinates is carried to the middle of its section. Similar triangles give the scale: with μ in mm per unit
-μ_v = H·μ_s/μ_t, with μ in units per mm μ_v = μ_s/(H·μ_t). Integration is the same backwards: the ordinate of the middle
-of a section is carried to the axis, and a parallel to the ray from P through it continues the curve over the section.
+The abscissa is the time t of a uniform turn, divided into equal sections. Differentiation: rays parallel to the chords
+of the curve are drawn from a pole P at the distance H to the left of the origin; the intercept of a ray on the axis of
+ordinates is carried to the middle of its section. Similar triangles give the scale: with μ in mm per unit μ_v =
+H·μ_s/μ_t, with μ in units per mm μ_v = μ_s/(H·μ_t). Integration is the reverse: the ordinate of the middle of a section
+is carried to the axis, and a parallel to the ray from P through it continues the curve over the section.
 """
 
 import math
@@ -25,8 +25,8 @@ from planes.words.frozen import frozen
 from planes.words.names import at, mu_of
 from planes.words.units import standard_mu
 
-WIDE_MM = 156.0  # of the whole turn on the axis of time
-TALL_MM = 42.0  # the largest ordinate a diagram may have
+WIDE_MM = 156.0  # length of the whole turn on the time axis
+TALL_MM = 42.0  # the largest ordinate of a diagram
 POLES_MM = (10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 40.0, 50.0, 60.0)
 RIGHT, UP = "→", "↑"
 TIME, PAPER = "mu_t", "mu_paper"
@@ -34,8 +34,8 @@ TIME, PAPER = "mu_t", "mu_paper"
 
 @frozen
 class Stage:
-    """One diagram of a construction: its ``rank`` (0 place, 1 velocity, 2 acceleration), μ (mm per SI unit), the
-    distance of its pole (None: it has none), and its points: (half sections from the start, label)."""
+    """One diagram of a construction: its ``rank`` (0 position, 1 velocity, 2 acceleration), μ (mm per SI unit), its
+    pole distance (None: no pole), and its points: (half sections from the start, label)."""
 
     plan: str
     rank: int
@@ -47,7 +47,7 @@ class Stage:
 
 @dataclass
 class Construction:
-    """A drawing program with its givens and diagrams in the order they are drawn."""
+    """A drawing program with its givens and diagrams in drawing order."""
 
     motion: Motion
     kind: str  # "differentiation" or "integration"
@@ -65,7 +65,7 @@ class Construction:
         return Program(tuple(self.draft.steps.values()))
 
     def drawn(self, instrument: Instrument | None = None, more: Mapping[str, Point] | None = None) -> Drawing:
-        """The construction drawn with an instrument, exactly if none is named."""
+        """The construction drawn with an instrument, by default exactly."""
         return run(self.program, {**self.draft.given, **(more or {})}, instrument)
 
     def exact(self, stage: Stage) -> list[float]:
@@ -75,10 +75,10 @@ class Construction:
         return [m.middles[stage.rank][half // 2 % m.sections] if half % 2 else ends[half // 2] for half in halves]
 
     def measured(self, drawing: Drawing, stage: Stage) -> list[Real]:
-        """What is measured on a drawing at the points of a diagram, SI."""
+        """The measured values at the points of a diagram, SI."""
         return [drawing[_value(stage.plan, label)] for _, label in stage.points]
 
-    # what is drawn
+    # the quantity
 
     def __post_init__(self) -> None:
         """The two directions of all axes, and the length of a second."""
@@ -99,7 +99,7 @@ class Construction:
             d.step(LayOff(at(plan, "P"), at(plan, "o"), "←", d.give(f"H_{plan}", pole_mm), PAPER))
 
     def foot(self, plan: str, half: int) -> str:
-        """The point of the axis so many half sections from the origin: the axis is divided into equal parts."""
+        """The point of the axis at so many half sections from the origin: the axis is divided into equal parts."""
         part = self.draft.give(f"part_{half}", complex(half / (2 * self.motion.sections)))
         return self.draft.step(Similar(at(plan, f"t{half}"), at(plan, "o"), at(plan, "t"), part))
 
@@ -119,7 +119,8 @@ class Construction:
             self.measure(plan, half, label)
 
     def carried(self, plan: str, source: str, half: int, label: str) -> None:
-        """A point over a foot, as high as a mark on the axis of ordinates: the ordinate carried with dividers."""
+        """A point above a foot, at the height of a mark on the axis of ordinates: the ordinate carried with
+        dividers."""
         self.draft.step(Carry(at(plan, label), self.foot(plan, half), at(plan, "o"), source))
 
 
@@ -128,7 +129,8 @@ def _value(plan: str, label: str) -> str:
 
 
 def differentiated(motion: Motion, pole_mm: float | None = None) -> Construction:
-    """The place differentiated twice by chords: velocities at the middles of sections, accelerations at their ends."""
+    """The position differentiated twice by chords: velocities at the middles of sections, accelerations at their
+    ends."""
     c = Construction(motion, "differentiation")
     place, plan = motion.ends[0], "diagram:s"
     mu = standard_mu(max(place) - min(place), TALL_MM)
@@ -142,7 +144,7 @@ def differentiated(motion: Motion, pole_mm: float | None = None) -> Construction
 
 
 def _derived(c: Construction, plan: str, rank: int, pole_mm: float | None) -> None:
-    """The next diagram: rays parallel to the chords, their cuts on the axis carried to the middles between points."""
+    """The next diagram: rays parallel to the chords, their intercepts carried to the middles between points."""
     d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
     steepest = max(abs(b - a) for a, b in pairwise(c.exact(before))) / (c.motion.time[1] - c.motion.time[0])
     pole = pole_mm or _pole(steepest, c.mu_t, before.mu)
@@ -176,7 +178,7 @@ def _pole(steepest: float, mu_t: float, mu: float) -> float:
 
 
 def integrated(motion: Motion, pole_mm: float | None = None) -> Construction:
-    """The acceleration integrated twice, from rest at the start: velocities, then places at the ends of sections."""
+    """The acceleration integrated twice, from rest at the start: velocities, then positions at the ends of sections."""
     c = Construction(motion, "integration")
     values, plan = motion.middles[2], "diagram:a"
     mu = standard_mu(max(map(abs, values)), TALL_MM)
@@ -200,7 +202,7 @@ def integrated(motion: Motion, pole_mm: float | None = None) -> Construction:
 
 
 def _level(c: Construction, mu: float, sums: Sequence[float]) -> float:
-    """A round pole distance with which the integral fits its diagram: the shortest that does."""
+    """The shortest round pole distance with which the integral fits its diagram."""
     least = max(map(abs, sums)) * mu * c.mu_t / TALL_MM
     return min([h for h in POLES_MM if h >= least], default=math.ceil(least / 10.0) * 10.0)
 

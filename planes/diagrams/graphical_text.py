@@ -1,4 +1,4 @@
-"""What a graphical construction gave, beside the exact values: a table for the terminal, with its scales and errors."""
+"""The results of a graphical construction beside the exact values: a table for the terminal, with scales and errors."""
 
 import math
 
@@ -22,7 +22,7 @@ LETTERS = {True: ("s", "v", "a"), False: ("φ", "ω", "ε")}
 
 @frozen
 class MeasuredDiagram:
-    """One diagram as measured: at every point what was found, the exact value, and a pencil's standard deviation."""
+    """One measured diagram: at every point the reading, the exact value, and a pencil's standard deviation."""
 
     stage: Stage
     found: list[float]
@@ -31,13 +31,13 @@ class MeasuredDiagram:
 
     @property
     def rows(self) -> list[tuple[int, str, float, float, float]]:
-        """Half sections, label, what was found, the exact value, the deviation; the last middle is not told twice."""
+        """Half sections, label, reading, exact value, deviation; the last middle is not repeated."""
         rows = zip(self.stage.points, self.found, self.exact, self.pencil, strict=True)
         return [(half, label, measured, exact, spread) for (half, label), measured, exact, spread in rows if half >= 0]
 
     @property
     def worst(self) -> float:
-        """The largest error of the method itself, as a part of the largest exact value."""
+        """The largest error of the method itself, relative to the largest exact value."""
         size = max(map(abs, self.exact)) or 1.0
         return max(abs(f - e) for f, e in zip(self.found, self.exact, strict=True)) / size
 
@@ -51,7 +51,7 @@ def constructed(scene: Scene, sections: int, pole_mm: float | None = None) -> li
 
 
 def readings(c: Construction, pencil: Pencil | None = None) -> list[MeasuredDiagram]:
-    """Every diagram of a construction: drawn without an error of hand, and by many draughtsmen."""
+    """The readings of every diagram of a construction: drawn without hand errors, and by many draughtsmen."""
     import numpy
 
     drawing: Drawing = c.drawn(Exact())
@@ -64,7 +64,7 @@ def readings(c: Construction, pencil: Pencil | None = None) -> list[MeasuredDiag
 
 
 def scales(c: Construction, lang: Lang) -> list[str]:
-    """The scales of the diagrams, each with the formula it follows from; μ in mm per unit."""
+    """The scales of the diagrams, each with its formula; μ in mm per unit."""
     letters, units, mm = LETTERS[c.motion.slides], RATES[c.motion.slides], say("mm", lang)
     lines = [f"μ_t = {quantity(c.mu_t)} {mm}/{say('s', lang)}"]
     previous: Stage | None = None
@@ -84,7 +84,7 @@ def scales(c: Construction, lang: Lang) -> list[str]:
 
 
 def as_json(constructions: list[Construction]) -> Json:
-    """The constructions as plain things: scales, poles, and every point with what was found and what is exact, SI."""
+    """The constructions as plain data: scales, poles, and every point with its reading and exact value, SI."""
     rows = []
     for c in constructions:
         diagrams = [_diagram(c, r) for r in readings(c)]

@@ -1,5 +1,5 @@
-"""Positions of a cycle one by one: as a table of many, with a progress bar and the ranges that failed in words, and as
-a listing of a few, as text and as JSON."""
+"""Positions of a cycle one by one: as a long table, with a progress bar and the failed ranges in words, and as a short
+listing, as text and as JSON."""
 
 import math
 import sys
@@ -29,12 +29,12 @@ from planes.words.records import Json, or_none
 from planes.words.waiting import bar
 
 FULL_TURN = Span(0.0, 1.0, 361)
-TOLD = 20  # how many failed ranges are told in words
+TOLD = 20  # failed ranges described in words
 
 
 @dataclass
 class Gap:
-    """Successive positions that failed for one reason."""
+    """Successive positions that failed for the same reason."""
 
     code: int
     first: float
@@ -45,7 +45,7 @@ class Gap:
 def write_cycle(
     scene: Scene, values: Span | None, output: str, lang: Lang, fast: bool | None = None, errors: bool = False
 ) -> int:
-    """Write the table, with ``errors`` the ± of every result after the results; the exit status."""
+    """Write the table, with ``errors`` the ± of every result after the results; returns the exit status."""
     plans = scene_plans(scene)
     table = Cycle(plans, scene.find)
     span = values or whole(plans)
@@ -57,14 +57,14 @@ def write_cycle(
 
 
 def write_curves(turn: WholeTurn, values: Span | None, output: str, lang: Lang, fast: bool | None = None) -> int:
-    """Write a table of chosen curves, analogues among them if they are asked for; the exit status."""
+    """Write a table of chosen curves, analogues too where requested; returns the exit status."""
     span = values or whole(turn.plans)
     heads = [(c.name, c.unit) for c in turn.curves]
     return _written(turn.cycles[0][1], heads, turn.reasons, turn.blocks(span, fast=fast), len(span), output, lang)
 
 
 def whole(plans: Plans) -> Span:
-    """The places that are tabulated when none are asked for: a full turn, or the one place of a slider."""
+    """The default range of a table: a full turn, or the given position of a slider."""
     drive = plans.mechanism.drive
     return FULL_TURN if drive.kind == "phi" else Span(drive.position, 0.0, 1)
 
@@ -92,7 +92,7 @@ def _written(
 
 
 def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]:
-    """The blocks, with a bar where a person waits at a terminal."""
+    """The blocks, with a progress bar for a user at a terminal."""
     done = 0
     with bar(unit=f" {say('positions', lang)}", unit_scale=True) as step:
         for block in blocks:
@@ -103,7 +103,7 @@ def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]
 
 
 def collect(gaps: list[Gap], block: Block) -> None:
-    """Join the failed positions of a block to the ranges found so far."""
+    """Merge the failed positions of a block into the ranges found so far."""
     codes = block.codes
     if not codes.any():
         gaps.append(Gap(0, 0.0, 0.0, 0)) if gaps and gaps[-1].code else None
@@ -118,7 +118,7 @@ def collect(gaps: list[Gap], block: Block) -> None:
 
 
 def tell(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, lang: Lang) -> None:
-    """Say on stderr where and why positions failed."""
+    """Report on stderr where and why positions failed."""
     failed = [gap for gap in gaps if gap.code]
     for gap in failed[:TOLD]:
         first, last = (told(v, kind, lang) for v in (gap.first, gap.last))
@@ -129,7 +129,7 @@ def tell(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, 
 
 
 def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> str:
-    """The sentence of the first position of a range, drawn by itself at full size."""
+    """The sentence about the first position of a range, drawn singly at full size."""
     given = {**table.given, **dict.fromkeys(table.mus, 1000.0), table.plans.drive_given: gap.first}
     try:
         proved(table.program, given, run(table.program, given))
@@ -145,13 +145,13 @@ DECIMALS = 5
 
 
 def listed(turn: WholeTurn, values: Any) -> dict[str, list[float]]:
-    """Every curve at each value of the drive, by its name."""
+    """Every curve at each position of the drive, by its name."""
     sample = turn.sample(values)
     return {c.name: [float(x) for x in c.read(sample) + np.zeros(len(values))] for c in turn.curves}
 
 
 def listed_json(turn: WholeTurn, values: Any) -> Json:
-    """The listing for a program: None where a curve has no value."""
+    """The listing as JSON data: None where a curve has no value."""
     rows, key = listed(turn, values), key_of(turn.plans)
     positions = [
         {key: float(v), "values": {n: or_none(row[k]) for n, row in rows.items()}} for k, v in enumerate(values)
@@ -160,7 +160,7 @@ def listed_json(turn: WholeTurn, values: Any) -> Json:
 
 
 def unsolved(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
-    """Why positions cannot be drawn, a sentence for each that cannot."""
+    """A sentence for each position that cannot be drawn."""
     plans, sentences = turn.plans, []
     given = {**plans.given, **dict.fromkeys(unit_scales(plans), 1000.0)}
     nearest = Nearest(plans)
@@ -194,7 +194,7 @@ def _chapters(curves: tuple[Curve, ...]) -> list[tuple[str, list[Curve]]]:
 
 
 def five_decimals(value: float) -> str:
-    """A number with five decimals, the zeros at its end left out, as a calculating sheet prints it."""
+    """A number with five decimals, without trailing zeros, as a calculating sheet prints it."""
     if not math.isfinite(value):
         return "—"
     text = f"{value:.{DECIMALS}f}".rstrip("0").rstrip(".")

@@ -1,5 +1,5 @@
-"""The driven link's motion through a uniform turn, in equal sections: what graphical diagrams start from; and the
-driver's places from which curves are drawn: runs between dead points, where forces may jump, and stations."""
+"""The driven link's motion through a uniform turn, in equal sections, as the start of graphical diagrams; and the
+driver's positions for curves: runs between dead points, where forces may jump, and stations."""
 
 from math import isfinite
 
@@ -14,18 +14,18 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
 
-DENSE = 10  # places of the drawn curve within a section
+DENSE = 10  # points of the drawn curve per section
 FEWEST, MOST = 6, 72
-INSET = 0.02  # of a range that ends at limits of assembly
+INSET = 0.02  # part left off a range that ends at limits of assembly
 
 
 @frozen
 class Motion:
-    """A uniform motion over one turn: ``time`` (s) at the ends of the sections, ``closed`` if it comes back; ``driver``
-    is the name of the driver's angle.
+    """A uniform motion over one turn: ``time`` (s) at the ends of the sections, ``closed`` if it returns to its start;
+    ``driver`` is the name of the driver's angle.
 
-    ``ends`` and ``middles`` hold for each rank (0 place, 1 velocity, 2 acceleration) the exact values at the ends and
-    at the middles of the sections, SI (an angle in radians); ``curves`` the same over a dense time, for drawing.
+    ``ends`` and ``middles`` hold for each rank (0 position, 1 velocity, 2 acceleration) the exact values at the ends
+    and at the middles of the sections, SI (an angle in radians); ``curves`` the same over a dense time, for drawing.
     """
 
     link: str
@@ -41,14 +41,14 @@ class Motion:
 
     @property
     def sections(self) -> int:
-        """How many sections the turn is divided into."""
+        """The number of sections."""
         return len(self.time) - 1
 
 
 def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
-    """The motion of the driven link from its extreme position on, the driver turning uniformly the way it does.
+    """The motion of the driven link from its extreme position on, with the driver turning uniformly in its sense.
 
-    Where the mechanism does not assemble all the way round it is the working part of the turn that is divided.
+    Where the mechanism does not assemble all the way round, the working range is divided instead.
     """
     drive = plans.mechanism.drive
     if drive.kind != "phi" or not drive.velocity:
@@ -72,7 +72,7 @@ def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
 
 
 def _values(turn: WholeTurn, angles: Array, slides: bool, rate: float) -> list[list[float]]:
-    """Place (counted from the start), velocity v_q·ω₁ and acceleration a_q·ω₁² of a uniform turn, SI."""
+    """Position (from the start), velocity v_q·ω₁ and acceleration a_q·ω₁² of a uniform turn, SI."""
     sample = turn.sample(angles)
     place, v, a = (c.read(sample) + np.zeros(len(angles)) for c in turn.curves)
     if not slides:
@@ -81,8 +81,9 @@ def _values(turn: WholeTurn, angles: Array, slides: bool, rate: float) -> list[l
 
 
 def ends_of(plans: Plans) -> tuple[float, float, bool]:
-    """Where diagrams begin and end, and whether they come back: a whole turn from the driven link's first extreme
-    position, or the working range about the scene's own place, less a little where rates grow without bound."""
+    """The beginning and the end of diagrams, and whether the motion is periodic: a whole turn from the driven link's
+    first extreme position, or the working range about the scene's position, less a little where rates grow without
+    bound."""
     span = span_of(plans)
     if not span.whole:
         inner = span.inner(INSET)
@@ -92,29 +93,29 @@ def ends_of(plans: Plans) -> tuple[float, float, bool]:
 
 
 def driven_grid(plans: Plans, start: float, end: float) -> Grid:
-    """The driven link's place between two places of the driver."""
+    """The driven link's position between two positions of the driver."""
     return grid(turn_of(plans, output_curves(plans)[:1]), start, end)
 
 
 def dead_points(g: Grid) -> list[float]:
-    """Where the driven link turns back, in order: not where it turns over, nor at ends of the range and of assembly."""
+    """Where the driven link reverses, in order; without ends of the range, and places where it turns over."""
     cell = 1.01 * (g.places[-1] - g.places[0]) / max(1, len(g.places) - 1)
     turned = (e.place for e in extremes(g)[0] if not e.at and isfinite(e.value))
     return [place for place in turned if all(_apart(place, z, g) > cell for _, z in g.flips)]
 
 
 def _apart(one: float, two: float, g: Grid) -> float:
-    """How far two places of the driver are apart, the short way round where it goes round."""
+    """The distance between two positions of the driver, the short way round where it turns fully."""
     return abs((one - two + FULL / 2) % FULL - FULL / 2) if g.closed else abs(one - two)
 
 
-BESIDE = 1e-6  # degrees (or metres) on either side of a dead point, where what depends on the sense of motion jumps
+BESIDE = 1e-6  # degrees (or metres) to either side of a dead point, where quantities may jump with the sense of motion
 STEPS = 720
 STATIONS = 12
 
 
 class Runs:
-    """Places of the driver between two ends, split where the driven link stands still."""
+    """Positions of the driver between two ends, split where the driven link stands still."""
 
     def __init__(self, plans: Plans, start: float, end: float) -> None:
         self.plans, self.start, self.end = plans, start, end
@@ -122,7 +123,7 @@ class Runs:
         self.dead, self.closed = dead_points(places), places.closed
 
     def pieces(self) -> list[Array]:
-        """Places in runs between dead points, each run up to the very point."""
+        """Positions in runs between dead points, each run up to the dead point itself."""
         dead = self._dead()
         inside = sorted(d for d in dead if self.start + BESIDE < d < self.end - BESIDE)
         first, last = (BESIDE * any(abs(d - end) <= BESIDE for d in dead) for end in (self.start, self.end))
@@ -136,9 +137,10 @@ class Runs:
         return {d + FULL * k for d in self.dead for k in ((-1, 0, 1) if self.closed else (0,))}
 
     def stations(self) -> Array:
-        """Places of the numbered positions: every twelfth part of the range (of a turn, 30°), from the start."""
+        """The numbered positions: every twelfth part of the range (of a turn, 30°), from the start."""
         return np.linspace(self.start, self.end, STATIONS + 1)
 
     def read_stations(self) -> Array:
-        """The same, those on a dead point just past it: on the point itself a load that opposes motion is nothing."""
+        """The same, with those on a dead point moved just past it: on the point itself a load that opposes motion is
+        zero."""
         return np.array([z + BESIDE * any(abs(z - d) < BESIDE for d in self._dead()) for z in self.stations()])

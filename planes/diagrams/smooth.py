@@ -1,8 +1,8 @@
-"""Where a smooth curve has an extreme: by polynomials through the places of a grid around it.
+"""Extremes of a smooth curve, by polynomials through the neighbouring nodes of a grid.
 
 Central interpolation of equally spaced values (Stirling; Fikhtengolts, vol. II; Abramowitz & Stegun, 25.2). Two
-polynomials are laid, one through two places fewer: where they tell one place, it is told, else nothing is. Whoever has
-the derivative lays them through that.
+polynomials are used, one with two nodes fewer: where they agree on a place, it is returned. Where the derivative is
+known, they interpolate the derivative.
 """
 
 from functools import cache
@@ -14,16 +14,16 @@ from planes.diagrams.curves import FULL, Curve
 from planes.diagrams.turn import Grid
 from planes.geometry.arrays import Array, Indices
 
-HALF = 5  # places to each side
+HALF = 5  # nodes on each side
 STEPS = 8  # of Newton's method, from the middle
-ALIKE = 1e-9, 1e-7  # of the grid's step: how far the two places may differ, by the derivative, and by the value
-BENT_ALIKE = 1e-3  # how far the two may bend otherwise: a single value that stands out makes it a thirtieth
-AT_PLACE = 1e-10  # of the grid's step: nearer to a place of the grid, it is that place
+ALIKE = 1e-9, 1e-7  # of the grid's step: largest difference of the two places, by the derivative, and by the value
+BENT_ALIKE = 1e-3  # largest difference of curvature between the two: an outlier changes it by a thirtieth
+AT_PLACE = 1e-10  # of the grid's step: closer to a node than this, it is that node
 
 
 def flat_places(g: Grid, curve: Curve, index: Indices, sense: Indices) -> Array:
-    """The driver's places of extremes (shape of ``index``, the grid's places beside them; ``sense`` +1 of a greatest),
-    in degrees or metres; NaN where the curve is not smooth enough to tell."""
+    """The driver's positions of extremes (shape of ``index``, the nodes beside them; ``sense`` +1 for a maximum), in
+    degrees or metres; NaN where the curve is not smooth enough."""
     rows, step = _around(g, curve, index), g.places[1] - g.places[0]
     ways = (_root(_polynomials(rows, half, bool(curve.slope))) for half in (HALF - 1, HALF))
     (coarse, coarse_bend), (fine, bend) = ways
@@ -35,9 +35,9 @@ def flat_places(g: Grid, curve: Curve, index: Indices, sense: Indices) -> Array:
 
 
 def _around(g: Grid, curve: Curve, index: Indices) -> Array:
-    """The curve's slopes, or where there are none its values, at the places around each of these; NaN past an end.
+    """The curve's slopes, or failing them its values, at the nodes around each of these; NaN past an end.
 
-    Of what is never less than nothing the squares: a vector's size has a corner where it nearly vanishes.
+    A non-negative curve is squared: a vector's magnitude has a corner where it nearly vanishes.
     """
     count = len(g.places)
     at = index[:, None] + np.arange(-HALF, HALF + 1)
@@ -52,7 +52,7 @@ def _around(g: Grid, curve: Curve, index: Indices) -> Array:
 
 @cache
 def _lagrange(half: int) -> Array:
-    """What each of 2·half + 1 values gives to each coefficient of their polynomial, the lowest power first."""
+    """The weights of 2·half + 1 values in each coefficient of their polynomial, the lowest power first."""
     nodes = np.arange(-half, half + 1.0)
     others = [np.delete(nodes, k) for k in range(len(nodes))]
     return np.array(
@@ -61,14 +61,14 @@ def _lagrange(half: int) -> Array:
 
 
 def _polynomials(rows: Array, half: int, slopes: bool) -> Array:
-    """The coefficients of the slope, the lowest power first, a column for each row of values around."""
+    """The coefficients of the slope, the lowest power first, a column for each row of neighbouring values."""
     middle = rows.shape[1] // 2
     laid: Array = (rows[:, middle - half : middle + half + 1] @ _lagrange(half)).T
     return laid if slopes else np.asarray(polynomial.polyder(laid))
 
 
 def _root(slope: Array) -> tuple[Array, Array]:
-    """Where each polynomial crosses zero near the middle, and how steeply."""
+    """The zero of each polynomial near the middle, and its slope there."""
     place = np.zeros(slope.shape[1])
     bend: Array = np.asarray(polynomial.polyder(slope), float)
 

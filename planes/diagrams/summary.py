@@ -22,25 +22,25 @@ SAME = 1e-12
 
 @frozen
 class CurveSummary:
-    """A curve (or several that are one: ``names``) with its least and greatest values, one number if it is constant."""
+    """A curve (or several equal ones: ``names``) with its least and greatest values, one number if it is constant."""
 
     names: tuple[str, ...]
     unit: str
     group: str
     least: Extreme
     greatest: Extreme
-    size: float  # the largest finite size at the places of the grid: what is nothing beside it is zero
+    size: float  # the largest finite magnitude on the grid: a value negligible beside it is zero
     rounds: bool  # an angle of a link that turns all the way round
     constant: bool
 
 
 @frozen
 class DrivenStroke:
-    """The driven link between its two extreme positions (``dead``: the driver's places and the link's own there).
+    """The driven link between its two extreme positions (``dead``: the driver's positions and the link's own there).
 
     ``swing`` is in metres or degrees. ``forth`` and ``back`` are the parts of the driver's turn (degrees) in which it
     goes from the first extreme position to the second, and returns; their ratio, the larger over the smaller, is ``K``.
-    A link that turns all the way round has no extreme positions, nor one that goes off without bound (``swing`` inf).
+    A link that turns all the way round has no extreme positions, nor does one that moves without bound (``swing`` inf).
     """
 
     link: str
@@ -55,7 +55,7 @@ class DrivenStroke:
 
     @property
     def K(self) -> float | None:
-        """The time ratio at a constant speed of the driver: of the longer to the shorter way between the extremes."""
+        """The time ratio at a constant speed of the driver: the longer of the two strokes over the shorter."""
         if not self.forth or not self.back:
             return None
         return max(self.forth, self.back) / min(self.forth, self.back)
@@ -63,7 +63,7 @@ class DrivenStroke:
 
 @frozen
 class Path:
-    """A point's path: its length, and the box it lies in."""
+    """A point's path: its length and its bounding box."""
 
     point: str
     length: float
@@ -73,7 +73,7 @@ class Path:
 
 @frozen
 class Summary:
-    """What is known of a cycle, all of it read off one :class:`Grid`; ``names``: the curves a person asked for."""
+    """The figures of a cycle, all read from one :class:`Grid`; ``names``: the curves that the user asked for."""
 
     scene: Scene
     plans: Plans
@@ -111,7 +111,7 @@ class Summary:
 
     @cached_property
     def rows(self) -> tuple[CurveSummary, ...]:
-        """The curves a person reads: of vectors the sizes; equal ones in one row; nothing that is always zero."""
+        """The curves to show: of vectors the magnitudes; equal ones in one row; no curve that is always zero."""
         rows_with_values: list[tuple[Array, CurveSummary]] = []
         for curve in self.grid.turn.curves:
             if not self._shown(curve):
@@ -130,7 +130,7 @@ class Summary:
     def _row(self, curve: Curve, y: Array) -> CurveSummary:
         some, size, rounds = self.extremes[curve.name], float(np.nanmax(np.abs(y))), self.grid.rounds(curve)
         k = int(np.flatnonzero(np.isfinite(y))[0])
-        extremes = some or [Extreme(float(self.grid.places[k]), float(y[k]), 1)]  # a constant's only one
+        extremes = some or [Extreme(float(self.grid.places[k]), float(y[k]), 1)]  # the only value of a constant
         low, high = _first_most(extremes, -1, size), _first_most(extremes, 1, size)
         still = not some and not rounds
         return CurveSummary((curve.name,), curve.unit, curve.group, low, high, size, rounds, still)
@@ -160,14 +160,14 @@ class Summary:
         return tuple(paths)
 
     def _most(self, name: str, sense: int) -> float:
-        """The greatest (or least, −1) coordinate there is."""
+        """The greatest (or least, −1) coordinate."""
         row = self.grid.sample[name]
         some = [e.value for e in self.extremes[name]] or [float(row[np.isfinite(row)][0])]
         return sense * max(sense * value for value in some)
 
 
 def _first_most(some: Sequence[Extreme], sense: int, size: float) -> Extreme:
-    """The greatest (or least, −1) of extremes; of those that are alike but for rounding the first."""
+    """The greatest (or least, −1) of extremes; of those equal within rounding the first."""
     most = max(sense * e.value for e in some)
     return next(e for e in some if sense * e.value >= most - SAME * size)
 
@@ -191,7 +191,7 @@ def _same(y: Array, other: Array, curve: Curve, row: CurveSummary) -> bool:
 
 
 def of_cycle(scene: Scene, ends: tuple[float, float] | None = None, names: Iterable[str] | None = None) -> Summary:
-    """The cycle of a scene between two places of the driver, or its own: a turn, a slider's reach.
+    """The cycle of a scene between two positions of the driver, or by default a turn, or a slider's reach.
     :class:`PlanesError` where the mechanism assembles nowhere."""
     plans = scene_plans(scene)
     start, end = ends or ((0.0, FULL) if plans.mechanism.drive.kind == "phi" else reach(plans))
@@ -204,10 +204,10 @@ def of_cycle(scene: Scene, ends: tuple[float, float] | None = None, names: Itera
 def summary(
     scene: Scene, plans: Plans, start: float = 0.0, end: float = FULL, names: Iterable[str] | None = None
 ) -> Summary:
-    """The cycle between two places of the driver (degrees, or metres): every curve, read at 721 places or more;
-    ``names`` are those that are told of.
+    """The cycle between two positions of the driver (degrees, or metres): every curve, read at 721 positions or more;
+    ``names`` are those to show.
 
-    A full turn in which the mechanism stops somewhere is begun there, so that a working range is one piece.
+    A full turn in which the mechanism stops somewhere begins there, so that a working range is one piece.
     """
     count = max(721, round(abs(end - start) / 0.5) + 1) if plans.mechanism.drive.kind == "phi" else 721
     shown = () if names is None else tuple(c.name for c in turn_of(plans, names, file=scene.file).curves)

@@ -1,4 +1,4 @@
-"""The figures of a cycle as a person reads them in a terminal, and as JSON."""
+"""The figures of a cycle as tables for a terminal, and as JSON."""
 
 import math
 
@@ -33,7 +33,7 @@ def report(s: Summary, lang: Lang) -> str:
 
 
 def drive_name(s: Summary) -> str:
-    """The letter of the driver's place: φ1, or s1."""
+    """The letter of the driver's coordinate: φ1, or s1."""
     return Naming().plain(s.plans.mechanism.drive.letters[0])
 
 
@@ -60,7 +60,7 @@ def _assembles(s: Summary, lang: Lang) -> list[str]:
 
 
 def _flips(s: Summary, lang: Lang) -> list[str]:
-    """Where links turn over, those of one place together."""
+    """Where links turn over, grouped by position."""
     links_at: dict[str, list[str]] = {}
     for name, place in s.grid.flips:
         links_at.setdefault(_place(s, place, lang), []).append(index_of(name))
@@ -118,7 +118,7 @@ def _paths(s: Summary, lang: Lang) -> list[str]:
 
 
 class Extremes(Json):
-    """A cycle's figures, a dict as :func:`as_json` makes it; printed, the tables of ``planes cycle``."""
+    """A cycle's figures, a dict from :func:`as_json`; printed, the tables of ``planes cycle``."""
 
     def __init__(self, summary: Summary) -> None:
         super().__init__(as_json(summary))
@@ -132,7 +132,7 @@ class Extremes(Json):
 
 
 def as_json(s: Summary) -> Json:
-    """The whole summary as plain things; every extreme of every curve is there."""
+    """The whole summary as plain data, with every extreme of every curve."""
     drive, stroke = s.plans.mechanism.drive, s.stroke
     report: Json = {
         "planes": 1,

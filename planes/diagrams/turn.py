@@ -1,6 +1,6 @@
 """The mechanism turned through its cycle: the one batch program, run with the drive's motion and with a unit drive.
 
-Sampled at evenly spaced places it shows how far the driver can go, where a link turns over and where nothing assembles.
+Evenly spaced samples show the driver's range, where a link turns over and where the mechanism does not assemble.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -18,13 +18,13 @@ from planes.words.frozen import frozen
 from planes.words.names import letter_of
 from planes.words.units import RATES
 
-FLIP = 90.0  # degrees a link cannot turn by from one place to the next
-CLOSINGS, HALVES = 11, (8, 4, 2, 1)  # a limit is closed in on so often, each time by so many of 16 parts
-ROUNDING = 1e-13  # what is left of numbers that cancel, beside them
+FLIP = 90.0  # degrees: a link cannot turn this far between neighbouring nodes
+CLOSINGS, HALVES = 11, (8, 4, 2, 1)  # rounds of narrowing down a limit, each into so many of 16 parts
+ROUNDING = 1e-13  # of numbers that cancel: the rest that counts as zero
 
 
 class WholeTurn:
-    """Curves and vectors of a mechanism, ready to be read at any places of its driver (degrees, or metres)."""
+    """Curves and vectors of a mechanism, ready to be read at any positions of its driver (degrees, or metres)."""
 
     def __init__(
         self, plans: Plans, curves: Sequence[Curve], arrows: Sequence[CycleVector] = (), slopes: bool = True
@@ -34,8 +34,8 @@ class WholeTurn:
 
     @cached_property
     def cycles(self) -> tuple[tuple[str, Cycle], ...]:
-        """The runs there are, each with the prefix of its columns: the drive's own motion, and the unit drive's, ω₁ = 1
-        and ε₁ = 0 (or v = 1 and a = 0), velocities of which are analogues, dr/dφ₁."""
+        """The runs, each with the prefix of its columns: with the drive's given motion, and with a unit drive, ω₁ = 1
+        and ε₁ = 0 (or v = 1 and a = 0), where velocities are analogues, dr/dφ₁."""
         columns = {c.name: c for c in columns_of(self.plans)}
         unit = dict(zip(self.plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
         own = [columns[n] for n in self.needs if not n.startswith(UNIT)]
@@ -45,11 +45,12 @@ class WholeTurn:
 
     @property
     def reasons(self) -> tuple[Reason, ...]:
-        """What each code of a block means, of both runs: code k is the reason k - 1."""
+        """The reasons for the codes of a block, of both runs: code k is reason k - 1."""
         return tuple(r for _, c in self.cycles for r in c.reasons)
 
     def sample(self, values: Sequence[float] | Array, bare: bool = False) -> dict[str, Array]:
-        """Every column needed, at every value; NaN where it cannot be drawn, or, if not ``bare``, has no digits."""
+        """Every column needed, at every position; NaN where it cannot be drawn, or, unless ``bare``, has no correct
+        digits."""
         return self._run(np.asarray(values, float), bare)[0]
 
     def _run(self, values: Array, bare: bool = False, fast: bool = False) -> tuple[dict[str, Array], Indices]:
@@ -65,8 +66,8 @@ class WholeTurn:
         return columns, codes
 
     def blocks(self, values: Span | Array, chunk: int = CHUNK, fast: bool | None = None) -> Iterator[Block]:
-        """The curves (one row each) of successive positions, in blocks: what a long table is written from. ``fast``
-        says whether to compile; by itself when that pays."""
+        """The curves (one row each) of successive positions, in blocks: for a long table. ``fast`` says whether to
+        compile; by default, where that pays."""
         fast = pays(len(values)) if fast is None else fast
         for start in range(0, len(values), chunk):
             part = np.asarray(values[start : start + chunk], float)
@@ -84,8 +85,8 @@ def turn_of(
 
 
 def unwound(angles: Array) -> Array:
-    """Angles without jumps of a full turn, most of them as they were told; NaN stays, and what follows it goes on from
-    the last angle before."""
+    """Angles without jumps of a full turn, most of them unchanged; NaN stays, and the angles after it continue from the
+    last one before."""
     jumping = np.array(angles, float)
     unwrapped, good = jumping.copy(), np.flatnonzero(np.isfinite(jumping))
     if len(good):
@@ -104,7 +105,7 @@ def _assembled(sample: Mapping[str, Array], places: Array) -> Booleans:
 
 @frozen
 class Grid:
-    """A turn sampled at evenly spaced places; ``closed``: the first and the last are one position."""
+    """A turn sampled at evenly spaced positions; ``closed``: the first and the last are one position."""
 
     turn: WholeTurn
     places: Array
@@ -112,12 +113,12 @@ class Grid:
 
     @cached_property
     def sample(self) -> dict[str, Array]:
-        """The columns at every place."""
+        """The columns at every position."""
         return self.turn.sample(self.places)
 
     @cached_property
     def works(self) -> Booleans:
-        """Where the mechanism assembles: a mask, by the columns of places."""
+        """Where the mechanism assembles: a mask, by the columns of positions."""
         return _assembled(self.sample, self.places)
 
     def values(self, curve: Curve) -> Array:
@@ -126,17 +127,17 @@ class Grid:
         return unwound(row) if curve.angular else row
 
     def rounds(self, curve: Curve) -> bool:
-        """Whether a link goes round with the driver: its angle has no least value, nor a greatest."""
+        """Whether a link turns fully with the driver: its angle has no extreme."""
         y = self.values(curve)
         return bool(self.closed and curve.angular and abs(y[-1] - y[0]) > FULL / 2)
 
     def noise(self, curve: Curve) -> float:
-        """What a curve may vary by rounding alone, where larger numbers of its unit cancel."""
+        """The variation of a curve by rounding alone, where larger numbers of its unit cancel."""
         return ROUNDING * self._sizes.get(curve.unit, 0.0)
 
     @cached_property
     def _sizes(self) -> dict[str, float]:
-        """How large the numbers of each unit commonly are; those of the driver's own motion count too."""
+        """Typical magnitudes in each unit, including those with the driver's given motion."""
         drive, sizes = self.turn.plans.mechanism.drive, {"°": FULL}
         if drive.kind == "phi":
             sizes |= {"1": 1.0, "rad/s": abs(drive.velocity), "rad/s²": abs(drive.acceleration)}
@@ -151,7 +152,7 @@ class Grid:
 
     @cached_property
     def limits(self) -> tuple[tuple[int, float], ...]:
-        """Limits of assembly: the last working place of the grid beside each, and the limit itself (to 10⁻¹²)."""
+        """Limits of assembly: the last working node of the grid beside each, and the limit itself (to 10⁻¹²)."""
         inside = np.flatnonzero(self.works[1:] != self.works[:-1])
         good, every = np.where(self.works[inside], inside, inside + 1), np.arange(len(inside))
         low, high = self.places[good], self.places[np.where(self.works[inside], inside + 1, inside)]
@@ -169,7 +170,7 @@ class Grid:
 
     @cached_property
     def ranges(self) -> tuple[tuple[float, float], ...]:
-        """The parts in which the mechanism assembles."""
+        """The ranges in which the mechanism assembles."""
         edges = [z for _, z in self.limits]
         if self.works[0]:
             edges.insert(0, float(self.places[0]))
@@ -179,7 +180,7 @@ class Grid:
 
     @cached_property
     def flips(self) -> tuple[tuple[str, float], ...]:
-        """Curves of angles that turn over, and where: a slider passes through its hinge, the assembly changes."""
+        """Angles of links that turn over, and where: a slider passes through its hinge, the assembly changes."""
         flips = []
         for curve in (c for c in self.turn.curves if c.angular):
             for i in np.flatnonzero(np.abs(np.diff(self.values(curve))) > FLIP):
@@ -197,14 +198,14 @@ class Grid:
 
 
 def grid(turn: WholeTurn, start: float, end: float, least: int = 721) -> Grid:
-    """A grid of at least so many places; closed if it is a whole turn of a crank that works all the way."""
+    """A grid of at least so many positions; closed if it is a whole turn of a crank that works all the way."""
     count = max(least, 2) if end > start else 1
     g = Grid(turn, np.linspace(start, end, count), False)
     return Grid(turn, g.places, bool(_is_turn(g) and g.works.all()))
 
 
 def in_one_piece(g: Grid) -> Grid:
-    """A turn in which the mechanism stops somewhere begun there, so that a working range is one piece."""
+    """A turn in which the mechanism stops somewhere, begun there, so that a working range is one piece."""
     works = g.works
     if not _is_turn(g) or works.all() or not (works[0] and works[-1]):
         return g
@@ -214,13 +215,13 @@ def in_one_piece(g: Grid) -> Grid:
 
 
 def _is_turn(g: Grid) -> bool:
-    """Whether a grid goes once round."""
+    """Whether a grid covers exactly one turn."""
     return g.turn.plans.mechanism.drive.kind == "phi" and abs(float(g.places[-1] - g.places[0]) - FULL) < 1e-9
 
 
 def reach(plans: Plans) -> tuple[float, float]:
-    """Between what places of the driver its range is looked for: a turn from the scene's own, or twice the longest link
-    to either side of it."""
+    """The range of the driver to search: one turn from the scene's position, or twice the longest link to either side
+    of it."""
     drive = plans.mechanism.drive
     if drive.kind == "phi":
         return drive.position, drive.position + FULL
@@ -228,7 +229,7 @@ def reach(plans: Plans) -> tuple[float, float]:
 
 
 def span_of(plans: Plans) -> WorkingRange:
-    """The range in which the mechanism assembles about the scene's own place of the drive."""
+    """The range in which the mechanism assembles about the drive's position in the scene."""
     turn = WholeTurn(plans, [c for c in curves_of(plans).values() if c.group == "place"])
     g, here = in_one_piece(grid(turn, *reach(plans))), plans.mechanism.drive.position
     away = lambda ends: max(ends[0] - here, here - ends[1])  # noqa: E731

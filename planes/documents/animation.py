@@ -1,4 +1,4 @@
-"""A mechanism that turns, with its plans beside it, as a moving picture: GIF, SVG or MP4."""
+"""A moving mechanism, with its plans beside it, as an animation: GIF, SVG or MP4."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -34,17 +34,17 @@ NEAR_END = 0.05
 """Part of a limited range left out at each end, where velocities grow without bound."""
 GAP_MM, MARGIN_MM = 12.0, 6.0
 LINE = 1.6
-"""From one line of a title to the next, in heights of its letters."""
+"""The line spacing of a title, in letter heights."""
 ASPECT = 16 / 9
-"""Width to height that a slide has; figures are arranged to come near it."""
+"""The aspect ratio of a slide; figures are arranged to come close to it."""
 
 Frame = tuple[Mark, ...]
 
 
 def animate(scene: Scene, output: str | Path, lang: Lang, frames: int = FRAMES, seconds: float = 6.0) -> None:
-    """Write the moving picture of a scene; one turn (or one way there and back) lasts so many seconds.
+    """Write the animation of a scene; one turn (or one way there and back) takes a given time in s.
 
-    :class:`PlanesError` for a suffix that is not known, fewer than two frames, or a scene in which nothing moves.
+    :class:`PlanesError` for an unknown suffix, fewer than two frames, or a scene in which nothing moves.
     """
     suffix = Path(output).suffix.lower()
     if suffix not in moving.SUFFIXES:
@@ -62,7 +62,7 @@ def animate(scene: Scene, output: str | Path, lang: Lang, frames: int = FRAMES, 
 
 
 def positions(scene: Scene, frames: int, lang: Lang) -> tuple[list[Position], bool]:
-    """Positions at one μ a plan, evenly over the turn; True if there is none, and they go from end to end."""
+    """Positions with one μ per plan, evenly over the turn; True if the mechanism moves to and fro instead."""
     plans = scene_plans(scene)
     span = span_of(plans)
     reach = span if span.whole else span.inner(NEAR_END)
@@ -73,14 +73,14 @@ def positions(scene: Scene, frames: int, lang: Lang) -> tuple[list[Position], bo
         try:
             drawn.append(position(replace(scene, mu=scales), plans, None, value, None, lang))
         except PlanFailure:
-            continue  # a position in which the method fails has no picture
+            continue  # a failed position has no picture
     if len(drawn) < 2:
         raise PlanesError(Phrase("animation_still", file=scene.file))
     return drawn, not span.whole
 
 
 def common_scales(scene: Scene, values: Sequence[float]) -> dict[str, float | None]:
-    """The μ of each kind of plan: the largest standard one at which it fits in all positions."""
+    """The μ of each kind of plan: the largest standard one with which it fits in all positions."""
     plans, sizes = scene_plans(scene), dict[str, float]()
     for value in values:
         try:
@@ -95,7 +95,7 @@ def common_scales(scene: Scene, values: Sequence[float]) -> dict[str, float | No
 
 
 def laid_out(scene: Scene, drawn: Sequence[Position], lang: Lang) -> tuple[list[Frame], tuple[float, float]]:
-    """The marks of each frame, and the size of the picture in mm: figures side by side, their poles at rest."""
+    """The marks of each frame, and the size of the picture in mm: figures side by side, with fixed poles."""
     composer = Composer(scene, lang, drawn[0].plans)
     names = figures_of(drawn)
     frames = [{name: figure(composer, one, name) for name in names} for one in drawn]
@@ -115,7 +115,7 @@ def cell(views: Sequence[View]) -> Bounds:
 
 
 def arrangement(cells: Mapping[str, Bounds], columns: int) -> tuple[dict[str, complex], tuple[float, float]]:
-    """Where the origin of each figure lies, with so many in a row; and the size of the whole."""
+    """The origin of each figure, with so many in a row; and the size of the whole."""
     names, corners = list(cells), dict[str, complex]()
     y, wide = 0.0, 0.0
     for row in (names[k : k + columns] for k in range(0, len(names), columns)):
@@ -131,7 +131,7 @@ def arrangement(cells: Mapping[str, Bounds], columns: int) -> tuple[dict[str, co
 
 
 def placed(frame: Mapping[str, View], cells: Mapping[str, Bounds], places: Mapping[str, complex]) -> Iterator[Mark]:
-    """The marks of one frame, each figure at its place under its title."""
+    """The marks of one frame, each figure in its place under its title."""
     for name, one in frame.items():
         for k, line in enumerate(one.title.split(", ")):
             at = complex(cells[name][0], cells[name][3] - (k + 0.7) * LINE * TITLE_MM)

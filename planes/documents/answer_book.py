@@ -1,4 +1,4 @@
-"""What is made of a whole course at once: the teacher's book of answers, the question files of learning platforms."""
+"""Documents of a whole course: the teacher's book of answers, the question files of learning platforms."""
 
 import hashlib
 import io
@@ -19,7 +19,7 @@ _OWN_NAME = re.compile(rb"(?<=[\[>])<[0-9A-F]{32}>(?=[<\]])")
 
 
 def together(course: Course, folder: Path, places: Sequence[str], lang: Lang) -> Iterator[tuple[str, bytes]]:
-    """The files of a course that hold everybody's work, by their names within the folder."""
+    """The files of a course with everybody's work, by their names within the folder."""
     here = [folder / "teacher" / place for place in places]
     if "book" in course.documents:
         keys = [file for one in here if (file := one / "key.pdf").is_file()]
@@ -37,7 +37,7 @@ def together(course: Course, folder: Path, places: Sequence[str], lang: Lang) ->
 
 
 def unasked(folder: Path, places: Sequence[str], lang: Lang) -> Iterator[str]:
-    """What quizzes leave out, an assignment a sentence."""
+    """The questions that quizzes leave out, one sentence per assignment."""
     for name, names in too_wide(_quizzes(folder, places)).items():
         yield say("quiz_too_wide", lang, scene=name, names=", ".join(names))
 
@@ -48,7 +48,7 @@ def _quizzes(folder: Path, places: Sequence[str]) -> list[Quiz]:
 
 
 def book(keys: Sequence[Path]) -> bytes:
-    """The pages of everybody's key, one after another in the order of the list."""
+    """The pages of everybody's key, in the order of the list."""
     pages, held = pypdfium2.PdfDocument.new(), io.BytesIO()
     for key in keys:
         with pypdfium2.PdfDocument(key) as one:
@@ -56,5 +56,5 @@ def book(keys: Sequence[Path]) -> bytes:
     pages.save(held)
     pages.close()
     named = hashlib.sha256(b"".join(key.read_bytes() for key in keys)).hexdigest()[:32].upper().encode()
-    plain = _OWN_NAME.sub(b"<" + named + b">", held.getvalue())  # the library names a file by chance, and dates it
+    plain = _OWN_NAME.sub(b"<" + named + b">", held.getvalue())  # the library gives a file a random name and a date
     return _DATE.sub(lambda date: b"0" * len(date[0]), plain)

@@ -1,4 +1,4 @@
-"""The command ``planes chart``: measures the methods on a scene and has the charts drawn, with their table."""
+"""The command ``planes chart``: measures the methods on a scene and draws the charts, with their table."""
 
 import math
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ from planes.words.errors import PlanesError, choices
 from render.charts import METADATA
 from render.charts.method_charts import draw
 
-DIGITS = "30"  # of the numbers on the way to a limit
+DIGITS = "30"  # positions on the way to a limit
 
 
 def draw_chart(
@@ -32,8 +32,8 @@ def draw_chart(
     others: Sequence[OtherProgram] = (),
     length: str | None = None,
 ) -> None:
-    """Draw speed against accuracy, stability, and turning curves as a ``length`` varies (None: that which is altered
-    the least until something turns) into a file, programs by ``others`` beside ours."""
+    """Draw speed against accuracy, stability, and turning curves as a ``length`` varies (None: the one that needs the
+    least change until something turns) into a file, with programs by ``others``."""
     path = Path(output)
     if path.suffix.lower() not in METADATA:
         raise PlanesError(Phrase("chart_suffix", file=output, suffixes=", ".join(METADATA)))
@@ -55,7 +55,7 @@ def draw_chart(
 
 
 def turning_of(plans: Plans, length: str | None) -> Turning | None:
-    """The turning curves of a length, or of the one nearest to turning something."""
+    """The turning curves of a length, or of the one closest to a turning point."""
     names = alterable(plans, [n for n in plans.program.givens if n in plans.lengths])
     if length is None:
         return turned(plans, names)
@@ -65,7 +65,7 @@ def turning_of(plans: Plans, length: str | None) -> Turning | None:
 
 
 def turning_text(turn: Turning | None, kind: str, lang: Lang) -> str:
-    """The turning curves as CSV: a number for each curve, the drive's value and the length."""
+    """The turning curves as CSV: a number for each curve, the drive's position and the length."""
     if turn is None:
         return ""
     lines = ["", f'"{say("chart_curve", lang)}","{say(f"chart_drive_{kind}", lang)}","{turn.name}, m"']
@@ -75,13 +75,13 @@ def turning_text(turn: Turning | None, kind: str, lang: Lang) -> str:
 
 
 def moving(mechanism: Mechanism) -> Mechanism:
-    """The mechanism, a driver at rest moving by 1 rad/s or 1 m/s: nothing is to be seen of velocities that are 0."""
+    """The mechanism, with a stationary driver set to 1 rad/s or 1 m/s: zero velocities show nothing."""
     drive = mechanism.drive
     return mechanism if drive.velocity else replace(mechanism, drive=replace(drive, velocity=1.0))
 
 
 def axis(limit: Limit, lang: Lang) -> str:
-    """What distances to a limit are, in words."""
+    """The kind of distance to a limit, in words."""
     way, value = limit.way, f"{round(float(limit.value), 12):.7g}".replace("-", "−")
     kind = way.bench.plans.mechanism.drive.kind
     if way.held is None:

@@ -1,4 +1,4 @@
-"""The roof over checking: blanks to draw on, reports of checked drawings, tracing paper."""
+"""Documents for checking: blanks to draw on, reports of checked drawings, tracing paper."""
 
 import json
 from collections.abc import Callable
@@ -47,8 +47,8 @@ def write_blank(asked: Asked, output: str, lang: Lang) -> None:
 
 
 def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = None) -> tuple[list[Mark], str]:
-    """The marks of a sheet to draw a plan on, and its title; ``more`` lines stand beneath it. Its code says whose it
-    is, by the names of the scene if ``mark`` does not tell; a name nobody knows is written by hand."""
+    """Marks of a sheet to draw a plan on, and its title; ``more`` lines follow beneath. Its code identifies the
+    student, by the names in the scene if ``mark`` does not; an unknown name is written by hand."""
     bench = roomy(prepare(asked))
     asked, own = bench.asked, mark or SheetMark.of(bench.asked)
     mark = replace(own, mu=own.mu or bench.said_mu, pole=blank_pole(bench))
@@ -63,7 +63,7 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
 
 
 def _given(bench: PreparedPlan, lang: Lang) -> list[str]:
-    """What the plan is drawn by, the numbers as they are not to be broken."""
+    """The data of the plan, with numbers that must not be broken across lines."""
     asked, plans = bench.asked, bench.plans
     cut = sliced(plans, [step.makes for step in plans.program.marks[asked.plan]])
     value = plans.mechanism.drive.position if asked.value is None else asked.value
@@ -74,7 +74,7 @@ def _given(bench: PreparedPlan, lang: Lang) -> list[str]:
 
 
 def _whose(asked: Asked, mark: SheetMark, lang: Lang) -> list[str]:
-    """The line beneath the title: the student and the variant, as far as they are told."""
+    """The line beneath the title: the student and the variant, if known."""
     said = []
     if mark.student:
         said.append(student_said(mark.student, asked.scene, lang))
@@ -90,12 +90,12 @@ def _write(page: Page, output: str, kinds: tuple[str, ...] = KINDS) -> None:
 
 
 def write_trace(asked: Asked, output: str, lang: Lang) -> None:
-    """The right plans as a page to lay over a picture."""
+    """Write the correct plans as a page to lay over a picture."""
     keep(check_pages.trace_page(tracing_data(asked, lang), lang).encode(), output)
 
 
 def write_report(outcome: Outcome, output: str, lang: Lang) -> None:
-    """The report by the file's suffix: a page, a sheet, a picture or the object."""
+    """Write the report by the file's suffix: a page, a sheet, a picture or the object."""
     suffix = Path(output).suffix.lower()
     if suffix == ".json":
         keep(json.dumps(as_json(outcome, lang), ensure_ascii=False, allow_nan=False).encode(), output)
@@ -107,7 +107,7 @@ def write_report(outcome: Outcome, output: str, lang: Lang) -> None:
 
 
 def _overlay(outcome: Outcome, lang: Lang) -> check_sheet.Overlay:
-    """What a sheet shows: both plans, the table and the sentence."""
+    """The contents of a sheet: both plans, the table and the sentence."""
     asked, plans = outcome.bench.asked, outcome.bench.plans
     kind, naming = kind_of(asked.plan), Naming(lang, **lettering(asked.scene, plans))
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(outcome)}
@@ -118,7 +118,7 @@ def _overlay(outcome: Outcome, lang: Lang) -> check_sheet.Overlay:
     first, said = outcome.first_wrong or "", outcome.sentence.told(lang)
     name_shown, shown = name(first) if first in verdicts else naming.vector(first), shown_plans(outcome)
     photo = Photo(outcome.paper.picture, outcome.paper.box) if outcome.paper.picture and outcome.paper.box else None
-    laid = photo is None or max(photo.box[:2]) < -1  # on a picture its pole must be known, or it stands at the corner
+    laid = photo is None or max(photo.box[:2]) < -1  # without a known pole it would be in the picture's corner
     return check_sheet.Overlay(
         own=shown.own,
         true=shown.true if laid else [],
@@ -139,7 +139,7 @@ def _overlay(outcome: Outcome, lang: Lang) -> check_sheet.Overlay:
 
 
 def _tables(outcome: Outcome, name: Callable[[str], str], naming: Naming) -> list[check_sheet.Table]:
-    """The steps, and the results that were written down."""
+    """The steps, and the results that the student wrote down."""
     lang = naming.lang
     head = [say(k, lang) for k in ("check_mark", "check_deviation", "check_tolerance", "check_verdict")]
     rows = [[name(label), off, limit, verdict] for _, label, off, limit, _, verdict in report.rows_of(outcome, lang)]

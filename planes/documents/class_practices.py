@@ -1,4 +1,4 @@
-"""Practices among what a class has handed in: whose each is, and a row for it in the one table."""
+"""Practices in the work of a class: their owners, and a row for each in the common table."""
 
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
@@ -14,8 +14,8 @@ from planes.words.records import Json
 
 @dataclass
 class PracticeSorter:
-    """Judges practices by the scenes that were handed out: by the one the name of the file or of the pupil means, else
-    by the only one whose numbers the answers agree with."""
+    """Judges practices by the scenes handed out: by the one that the name of the file or of the student means, else by
+    the only one whose numbers fit the answers."""
 
     handed: HandedOut
     lang: Lang
@@ -23,7 +23,7 @@ class PracticeSorter:
     known: dict[tuple[Task, str | None], PracticeJudge] = field(default_factory=dict)
 
     def row(self, sheet: HandedSheet) -> tuple[ClassRow, Task | None]:
-        """The row of a practice; one that is damaged, altered or of another scene says so."""
+        """The row of a practice; a damaged or altered one, or one of another scene, says so."""
         try:
             with guarded("check_broken", sheet.name):
                 task, practice = self._judged(sheet)
@@ -47,7 +47,7 @@ class PracticeSorter:
         return fits[0]
 
     def _tasks(self, sheet: HandedSheet) -> Iterator[Task]:
-        """The scenes it may be of."""
+        """The scenes it may belong to."""
         name = str(read_code(str(sheet.file))["name"])
         named = self.handed.named(sheet.file.stem) or self.handed.named(name)
         yield from (named,) if named else self.handed.tasks
@@ -64,7 +64,8 @@ class PracticeSorter:
 def practice_row(
     sheet: HandedSheet, verdict: str, result: Phrase | PlanesError, lang: Lang, more: Json | None = None
 ) -> ClassRow:
-    """The row of a practice: whose it is as the pupil says, how much was right at once or why it is refused."""
+    """The row of a practice: the student's name as entered, how many answers were right at once or why it is
+    refused."""
     place, more = f"{sheet.file}: ", more or {}
     said = {one: result.told(one).removeprefix(place) for one in {*langs("check"), lang}}
     whose = str(more.get("name", ""))

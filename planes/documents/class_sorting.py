@@ -1,11 +1,12 @@
-"""Whose each sheet of a class is, and of which plan: by its mark, else by the name of its file, else by the options."""
+"""The owner and the plan of each sheet of a class: by its mark, else by the name of its file, else by the options."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from planes.check.grading.paper import read_table
+from planes.check.grading.paper import ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import TABLES, HandedSheet, opened
+from planes.check.outcome import Outcome, check
 from planes.check.saved_marks import saved_as
 from planes.check.sheet_mark import SheetMark, mark_on
 from planes.course.handed_out import HandedOut, Task, of_several, plan_named, variant_named
@@ -17,20 +18,21 @@ from planes.words.errors import PlanesError, shown
 from planes.words.frozen import frozen, replace
 
 THUMB_PX = 300
+CLOSE, SEVERAL = 0.01, 3  # of so many numbers, and by that share of each: three of another's by chance are rare
 Asking = Callable[[Scene, str, float | None, float | None], Asked]
 
 
 @frozen
 class Glance:
-    """A first look at a sheet: its mark if it has one, and a small picture of it (JPEG)."""
+    """A first look at a sheet: its mark, if any, and a small picture of it (JPEG)."""
 
     mark: SheetMark | None = None
     picture: bytes = b""
-    blanks: int = 1  # on the picture, with one that is seen in part
+    blanks: int = 1  # on the picture, including one that is only partly visible
 
 
 def glance(file: str, page: int | None = None) -> Glance:
-    """The first look; :class:`PlanesError` where a file does not open."""
+    """The first look; :class:`PlanesError` for a file that cannot be opened."""
     picture = opened(file, page)
     if picture is None:
         return Glance()
@@ -44,7 +46,7 @@ def glance(file: str, page: int | None = None) -> Glance:
 
 @dataclass
 class Sorter:
-    """Says of each sheet what is asked of it. ``variant`` and ``plan`` are of the options, ``asking`` is the rest."""
+    """Settles the question for each sheet. ``variant`` and ``plan`` are from the options, ``asking`` is the rest."""
 
     handed: HandedOut
     asking: Asking
@@ -53,7 +55,7 @@ class Sorter:
     known: dict[tuple[object, ...], Asked] = field(default_factory=dict)
 
     def asked(self, sheet: HandedSheet, mark: SheetMark | None) -> tuple[Task, Asked, str]:
-        """The task, what is asked, and whose it is in words; :class:`PlanesError` where nothing tells."""
+        """The task, the question, and the owner in words; :class:`PlanesError` where nothing identifies it."""
         stem = sheet.file.stem
         task = self._task(sheet, mark)
         variant = mark.variant if mark else variant_named(stem, task.variant(None).variants) or self.variant
@@ -68,6 +70,18 @@ class Sorter:
             self.known[key] = replace(asked, answers=answers_of(scene, value))
         return task, self.known[key], whose(scene, mark, task.scene if of_several(self.handed.tasks) else "")
 
+    def owner(self, task: Task, asked: Asked, outcome: Outcome) -> str:
+        """The student whose work it is, where it is not right for its own task and is right for one other's, in all of
+        several results or in a whole plan; "" where nobody's."""
+        paper = replace(outcome.paper, signs=[], notes=[])
+        if outcome.verdict not in ("wrong", "unreadable") or not (paper.results or paper.spots):
+            return ""
+        theirs = [t for t in self.handed.tasks if t.scene == task.scene and t.student not in ("", task.student)]
+        owners = [
+            str(scene.sheet.get("student", t.student)) for t in theirs if _fits(paper, asked, scene := t.variant(None))
+        ]
+        return owners[0] if len(owners) == 1 else ""
+
     def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
         task = self.handed.marked(mark) if mark else self.handed.named(sheet.file.stem)
         if task is None and mark:
@@ -81,8 +95,16 @@ class Sorter:
         return task
 
 
+def _fits(paper: ReadPaper, asked: Asked, scene: Scene) -> bool:
+    """Whether a work is right for another's scene: the whole plan, or numbers no hand would hit by chance."""
+    outcome = check(replace(asked, scene=scene, answers=()), paper)
+    scored = outcome.results.scored if outcome.results else []
+    close = all(s.off <= CLOSE * abs(s.true) for s in scored)
+    return outcome.verdict == "right" and close and (bool(paper.spots) or len(scored) >= SEVERAL)
+
+
 def _of_results(sheet: HandedSheet, scene: Scene) -> str:
-    """The plan a table of results alone is judged by: it needs none of its own."""
+    """The plan for a table with results only: velocities, if there is such a plan; "" for any other sheet."""
     if sheet.file.suffix.lower() not in TABLES:
         return ""
     paper = read_table(sheet.file)

@@ -1,8 +1,8 @@
-"""The drawings of a class: rows of what was found, as a page with reports beside it, as a spreadsheet or as objects;
-which plans came twice, and whose did not come.
+"""The drawings of a class: rows of outcomes, as a page with reports, as a spreadsheet or as objects; duplicate plans,
+and missing students.
 
-Into a folder the rows go with a ledger: what an earlier run has judged is taken up as it was, if neither the drawing,
-its corrected marks, its scene nor the program has changed.
+In a folder the rows have a ledger: an earlier judgement is reused if the drawing, its corrected marks, its scene and
+the program are unchanged.
 """
 
 import hashlib
@@ -35,7 +35,7 @@ INDEX, MOST_BYTES = "index.html", 200
 
 @dataclass
 class ClassWork:
-    """All drawings of a folder. ``output`` is a file, or a folder that keeps what was found."""
+    """All drawings of a folder. ``output`` is a file, or a folder that keeps the outcomes."""
 
     title: str
     lang: Lang
@@ -43,7 +43,7 @@ class ClassWork:
     rows: list[ClassRow] = field(default_factory=list)
     ledger: Ledger | None = None
     wanted: list[str] = field(default_factory=list)
-    tasks: tuple[Task, ...] = ()  # all that were handed out
+    tasks: tuple[Task, ...] = ()  # all scenes handed out
     command: str = ""  # that checks them all once more
 
     def __post_init__(self) -> None:
@@ -59,7 +59,7 @@ class ClassWork:
         return STATUS[max((row.verdict for row in self.rows), key=[*STATUS].index, default="unreadable")]
 
     def add(self, one: Checked, source: str = "", task: Task | None = None) -> None:
-        """A drawing that was looked at; into a folder goes its report, and what the next run takes up."""
+        """Add a checked drawing; in a folder with its report, and the data for the next run."""
         name = f"{kept_as(one.file)}.html"
         one = replace(one, report=quote(name)) if self.ledger and one.found else one
         row = ClassRow.of(one, self.lang)
@@ -71,7 +71,7 @@ class ClassWork:
         self.add_row(row, source, task)
 
     def add_row(self, row: ClassRow, source: str = "", task: Task | None = None) -> None:
-        """A row; into a folder goes what the next run takes up."""
+        """Add a row; in a folder with the data for the next run."""
         row = replace(row, task=str(task.file)) if task else row
         self.rows.append(row)
         if self.ledger and task:
@@ -85,7 +85,7 @@ class ClassWork:
         self.wanted.append(name)
 
     def taken_up(self, name: str, source: str, tasks: tuple[Task, ...]) -> bool:
-        """Whether an earlier run has judged the very same; then its row stands."""
+        """Whether an earlier run judged exactly the same input; then its row is reused."""
         files = [f"rows/{kept_as(name)}.json", f"{kept_as(name)}.html"]
         if not self.ledger or not source or not self.ledger.fresh(files[0], source):
             return False
@@ -101,7 +101,7 @@ class ClassWork:
         return False
 
     def link(self, sheet: HandedSheet) -> str:
-        """The way from the page to the drawing itself, for one without a report."""
+        """The path from the page to the drawing itself, for one without a report."""
         folder = Path(self.output) if self.ledger else Path(self.output).parent
         if not self.output:
             return ""
@@ -112,7 +112,7 @@ class ClassWork:
         return quote(way.encode("utf-8", "surrogateescape"))
 
     def close(self) -> None:
-        """Write it all."""
+        """Write everything."""
         suffix = Path(self.output).suffix.lower()
         if self.ledger:
             data = self.page().encode()
@@ -133,12 +133,12 @@ class ClassWork:
         return names, [typed(row, cells, self.lang) for row, cells in rows]
 
     def _cells(self, rows: Sequence[ClassRow], keys: Sequence[str]) -> list[list[str]]:
-        """The cells of rows; beside what was found stands where the same plan of the same person is once more."""
+        """The cells of rows; beside an outcome a note if the same person handed in the same plan twice."""
         again = {f: Phrase("check_again", names=", ".join(more)).told(self.lang) for f, more in self._again().items()}
         return [cells(row.also(again.get(row.file, "")), keys, self.lang) for row in rows]
 
     def _again(self) -> dict[str, list[str]]:
-        """By file the others of the same plan of the same student."""
+        """By file the other drawings of the same plan by the same student."""
         own, same = {str(t.file) for t in self.tasks if t.student}, dict[tuple[str, str, str], list[str]]()
         for row in self.rows:
             if row.plan and row.task in own:
@@ -146,7 +146,7 @@ class ClassWork:
         return {f: [one for one in files if one != f] for files in same.values() if len(files) > 1 for f in files}
 
     def missing(self) -> str:
-        """Whose drawings there are none of, with the assignments where there are several."""
+        """The students without any drawing, with the assignments where there are several."""
         came, several = {row.task for row in self.rows}, of_several(self.tasks)
         names: dict[str, list[str]] = {}
         for task in self.tasks:
@@ -155,12 +155,12 @@ class ClassWork:
         return ", ".join(f"{name} ({', '.join(scenes)})" if several else name for name, scenes in names.items())
 
     def csv(self) -> str:
-        """The table for a spreadsheet, begun so that it knows the letters."""
+        """The table for a spreadsheet, with a prefix that declares its encoding."""
         head, rows = self.table()
         return f"\ufeff{as_csv([head, *rows])}"
 
     def page(self) -> str:
-        """The page, what needs a look at the top."""
+        """The page, with doubtful drawings at the top."""
         counts = Counter(row.verdict for row in self.rows)
         ranked = sorted(self.rows, key=lambda row: row.rank)
         shown = [v for v in reversed(STATUS) if counts[v] or v not in ("confirmed", "right_as_seen")]
@@ -174,7 +174,7 @@ class ClassWork:
         return check_pages.class_page(title, verdict_counts, self._often(), absent, head, rows, self.lang)
 
     def _often(self) -> list[tuple[str, list[tuple[str, str]]]]:
-        """Mistakes that more than one drawing has (what came twice is one), with whose these are, and their reports."""
+        """Mistakes in more than one drawing (a duplicate counts once), with the students and their reports."""
         common, again = dict[str, dict[object, tuple[str, str]]](), self._again()
         for row in self.rows:
             if row.mistake:
@@ -185,7 +185,7 @@ class ClassWork:
 
 
 def source_of(sheet: HandedSheet, options: object) -> str:
-    """The hash of all that what is found in a sheet depends on, but its scene; "" of one that cannot be opened."""
+    """The hash of all inputs of a sheet's outcome except its scene; "" for a sheet that cannot be opened."""
     try:
         hashes = [_hash(file) for file in (sheet.file, sheet.marks) if file.is_file()]
     except OSError:
@@ -200,11 +200,11 @@ def _hash(file: Path) -> str:
 
 @lru_cache(maxsize=2)
 def _hash_of(file: Path, _size: int, _time: int) -> str:
-    """The hash of a file, taken once for all of its pages."""
+    """The hash of a file, computed once for all of its pages."""
     with file.open("rb") as opened:
         return hashlib.file_digest(opened, "sha256").hexdigest()
 
 
 def kept_as(name: str) -> str:
-    """The name under which a drawing is kept: a disk takes no longer ones."""
+    """The stored name of a drawing: file systems limit its length."""
     return name if len(name.encode()) < MOST_BYTES else f"{name[:60]}-{digest(name.encode())[:8]}"

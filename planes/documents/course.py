@@ -41,14 +41,14 @@ from render.sheet.composer import Composer
 from render.sheet.studio_code import back
 
 FIGURE_MM = (75.0, 60.0, 45.0, 36.0)
-"""Sizes of the scheme on a task: the largest that leaves room for the rest of the page is taken."""
-_ONE = threading.Lock()  # a worker may have several threads; the libraries that draw like one better
+"""Sizes of the scheme on a task: the largest that leaves room for the rest of the page is used."""
+_ONE = threading.Lock()  # a worker may have several threads; the drawing libraries prefer one
 
 
 @frozen
 class Order:
-    """What is to be made of a student's scene: the names of ``files``, what stands above them, plans of blanks; whose
-    it is: assignment, variant, student, as blanks say it."""
+    """The order for a student's scene: the names of ``files``, the heads, plans of blanks; the owner: assignment,
+    variant, student, as on blanks."""
 
     scene: str
     heads: tuple[str, ...]
@@ -61,8 +61,7 @@ class Order:
 
 @frozen
 class Made:
-    """The contents of files by name; of those that could not be made, the sentence why; ``said``: what must be said of
-    those that were."""
+    """The contents of files by name; for a failed file a sentence with the reason; ``said``: remarks on the others."""
 
     files: dict[str, bytes] = field(default_factory=dict)
     faults: dict[str, str] = field(default_factory=dict)
@@ -70,7 +69,7 @@ class Made:
 
 
 def names_of(course: Course) -> dict[str, str]:
-    """The files each student gets: name -> the folder it is in, "students" or "teacher"."""
+    """The files for each student: name -> its folder, "students" or "teacher"."""
     known = {"sheets": [f"sheet-{n}.{f}" for n in (1, 2) for f in course.formats], "lesson": ["lesson.html"]}
     known |= {"scorm": ["scorm.zip"], "book": ["key.pdf"]} | {key: ["quiz.json"] for key in PLATFORMS}
     side = {"task": "students", "blank": "students"}
@@ -83,7 +82,7 @@ def due(names: Mapping[str, str], scene: Scene) -> tuple[str, ...]:
 
 
 def make(order: Order) -> Made:
-    """Every file asked for; one that cannot be made does not stop the rest."""
+    """Every file requested; a failure does not stop the rest."""
     if order.program and order.program != fingerprint():
         fault = Phrase("course_other_program").told(order.lang)
         return Made({}, dict.fromkeys(order.files, fault))
@@ -99,7 +98,7 @@ def make(order: Order) -> Made:
 
 @dataclass
 class Desk:
-    """Where one student's documents are made; what several of them need is made once."""
+    """Makes one student's documents; shared parts are made once."""
 
     order: Order
     sheets: dict[int, Sheet] = field(default_factory=dict)
@@ -111,11 +110,11 @@ class Desk:
 
     @cached_property
     def drawn(self) -> Position:
-        """The position the student works with."""
+        """The student's position."""
         return placed(self.scene, None, self.order.lang)
 
     def file(self, name: str) -> tuple[bytes, tuple[str, ...]]:
-        """The contents of one file, and what must be said of it."""
+        """The contents of one file, and the remarks about it."""
         kind, _, suffix = name.partition(".")
         if kind.startswith("sheet-"):
             sheet = self.sheet(int(kind[-1]))
@@ -132,7 +131,7 @@ class Desk:
         return self.sheets[number]
 
     def task(self) -> bytes:
-        """The sheet of the task, its scheme drawn in another position; one page, if that is to be had."""
+        """The sheet of the task, its scheme drawn in another position; one page, if possible."""
         made = list[bytes]()
         for size in FIGURE_MM:
             shown = self.shown({**FIT_MM, "position": size}, size < FIGURE_MM[0])
@@ -143,7 +142,7 @@ class Desk:
 
     @cached_property
     def other(self) -> float:
-        """The value of the drive at which the scheme is shown, told by all that can be drawn of it."""
+        """The position of the drive in which the scheme is shown, chosen over all that can be drawn."""
         return clearest(scene_plans(self.scene), self.drawn.at)
 
     def shown(self, fits: Mapping[str, float] | None = None, smaller: bool = False) -> Position:
@@ -152,7 +151,7 @@ class Desk:
         return position(scene, self.drawn.plans, [], self.other, None, self.order.lang, fits)
 
     def key(self) -> bytes:
-        """The answers to be read."""
+        """The answers as a document."""
         return self.set(answers(self.scene, self.drawn, self.order.heads, self.order.lang))
 
     def set(self, blocks: Iterable[Block]) -> bytes:
@@ -182,7 +181,7 @@ class Desk:
 
     @cached_property
     def told(self) -> Quiz:
-        """What platforms tell of the student's scene, without questions."""
+        """The task for platforms, without questions."""
         table = given_of(self.scene, self.drawn, self.order.lang, steady=True)
         said = said_of(self.scene, self.drawn, self.order.lang)
         return Quiz(
@@ -196,13 +195,13 @@ class Desk:
         )
 
     def quiz(self) -> bytes:
-        """What platforms ask, with the scheme in another position as a picture."""
+        """The questions for platforms, with the scheme in another position as a picture."""
         asked = questions(self.scene, self.order.lang)
         held = replace(self.told, questions=asked, picture=self.asked_of().rendered(".png"))
         return (json.dumps(held.json(), ensure_ascii=False, indent=1) + "\n").encode()
 
     def asked_of(self) -> Page:
-        """What a question shows: the scheme in another position; of stated vectors their equations."""
+        """The picture of a question: the scheme in another position; for stated vectors their equations."""
         if not self.drawn.plans.moves:
             return view_of(self.scene, "asked", None, self.order.lang)
         return picture(self.shown(), None, self.order.lang)

@@ -1,7 +1,7 @@
-"""The whole course in one run: numbers settled, documents made by many workers, each file kept as soon as it is there.
+"""The whole course in one run: numbers drawn, documents made by several workers, each file stored as soon as it exists.
 
-Only this process writes. What an earlier run has finished is verified by its hash and kept, if it was made from the
-same; so a run that was cut short goes on where it was.
+Only this process writes. Files of an earlier run are verified by their hash and kept, if they were made from the same
+inputs; so an interrupted run continues where it stopped.
 """
 
 import json
@@ -25,7 +25,7 @@ from planes.words import Lang, Phrase
 from planes.words.naming import Naming
 from render.report import rendered
 
-COPIES = 100  # how often numbers may fall together with somebody else's before it is said that there are too few
+COPIES = 100  # how often numbers may coincide with somebody else's before they are reported as too few
 KEY = "key.json"
 
 Step = Callable[[int, int], None]
@@ -33,8 +33,8 @@ Step = Callable[[int, int], None]
 
 @dataclass
 class Report:
-    """What a run did: files made, files kept, and (place, file, sentence) of what could not be made; ``said``: of files
-    that are there, what must be said of them."""
+    """The result of a run: files made, files kept, and (place, file, sentence) of failures; ``said``: remarks on
+    existing files."""
 
     made: int = 0
     kept: int = 0
@@ -44,7 +44,7 @@ class Report:
 
 @dataclass
 class Conductor:
-    """One run over one folder. ``program`` is what workers elsewhere must have, "" where they are this very one."""
+    """One run over one folder. ``program`` is the version that remote workers must have, "" for local ones."""
 
     course: Course
     ledger: Ledger
@@ -60,7 +60,7 @@ class Conductor:
         self.total = len(self.given) * (len(self.names) + 2)
 
     def run(self) -> Report:
-        """Everything, and the manifest."""
+        """Make everything, and the manifest."""
         self.tell(0)
         settled = self.settle()
         orders = {s: self.order(s, settled[s].scene) for s in self.given if not settled[s].fault}
@@ -82,7 +82,7 @@ class Conductor:
     # numbers
 
     def settle(self) -> dict[Share, Settled]:
-        """Everybody's numbers, no two alike in one assignment."""
+        """Everybody's numbers, no two students alike in one assignment."""
         asked = {s: question(self.course, s, self.lang) for s in self.given}
         settled: dict[Share, Settled] = {}
         todo = list(self.given)
@@ -98,7 +98,7 @@ class Conductor:
         return settled
 
     def answered(self, asked: dict[Share, Question]) -> dict[Share, Settled]:
-        """Answers read from the folder where they are there, worked out where not."""
+        """Answers read from the folder where they exist, otherwise computed."""
         answers = {s: known for s, q in asked.items() if (known := self.read(s, q))}
         todo = [s for s in asked if s not in answers]
         for k, answer in self.each(settle, [replace(asked[s], program=self.program) for s in todo]):
@@ -114,7 +114,7 @@ class Conductor:
         return Settled((folder / scene).read_text("utf-8"), (folder / key).read_text("utf-8"))
 
     def kept_or_written(self, share: Share, q: Question, answer: Settled) -> None:
-        """The scene and the key in the folder; or the fault."""
+        """The scene and the key in the folder; or the error."""
         if answer.fault:
             self.report.faults.append((share.place, "", answer.fault))
             return
@@ -122,7 +122,7 @@ class Conductor:
             self.keep(self.place(share, name), made_of(q, ""), text.encode())
 
     def keep(self, name: str, source: str, data: bytes, said: tuple[str, ...] = ()) -> None:
-        """Write a file, unless it is there."""
+        """Write a file, unless it exists."""
         if self.ledger.fresh(name, source):
             self.report.kept += 1
         else:
@@ -131,7 +131,7 @@ class Conductor:
         self.tell(1)
 
     def tell(self, more: int) -> None:
-        """Move the bar on."""
+        """Advance the progress bar."""
         self.done += more
         if self.step:
             self.step(self.done, self.total)
@@ -139,7 +139,7 @@ class Conductor:
     # documents
 
     def order(self, share: Share, text: str) -> Order:
-        """What is to be made for a student."""
+        """The order for a student."""
         heads = self.heads(share, text)
         whose = share.assignment.name, share.variant or "", share.folder
         files = due(self.names, loads(text, SCENE))
@@ -147,7 +147,7 @@ class Conductor:
         return Order(text, heads, files, self.course.plans, self.lang, whose)
 
     def heads(self, share: Share, text: str) -> tuple[str, ...]:
-        """What stands above a task: the scene's title, the course, the student, the variant."""
+        """The heads of a task: the scene's title, the course, the student, the variant."""
         scene = loads(text, SCENE)
         who = student_said(share.student.name, scene, self.lang)
         own = Phrase("task_variant", variant=share.variant) if share.variant else Phrase("task_drawn")
@@ -155,7 +155,7 @@ class Conductor:
         return title, self.course.title.get(self.lang, ""), f"{who.removesuffix('.')}. {own.told(self.lang)}."
 
     def documents(self, orders: dict[Share, Order]) -> None:
-        """Every document that is not there yet."""
+        """Every document that does not exist yet."""
         todo: list[tuple[Share, Order]] = []
         for share, order in orders.items():
             left = tuple(n for n in order.files if not self.ledger.fresh(self.place(share, n), order_of(order, n)))
@@ -168,11 +168,11 @@ class Conductor:
             self.written(todo[k][0], orders[todo[k][0]], made)
 
     def written(self, share: Share, order: Order, made: Made) -> None:
-        """One student's documents in the folder."""
+        """One student's documents, written to the folder."""
         for name, data in made.files.items():
             self.keep(self.place(share, name), order_of(order, name), data, made.said.get(name, ()))
         for name, sentence in made.faults.items():
-            self.ledger.forget(self.place(share, name))  # an earlier one would be of other numbers
+            self.ledger.forget(self.place(share, name))  # an earlier one would have other numbers
             self.report.faults.append((share.place, name, sentence))
 
     def summary(self, settled: dict[Share, Settled]) -> list[str]:
@@ -184,32 +184,32 @@ class Conductor:
         return self.kept(made)
 
     def kept(self, files: Mapping[str, bytes]) -> list[str]:
-        """Files for the teacher, those that are new written; their names."""
+        """Files for the teacher, new ones written; returns their names."""
         for name, data in files.items():
             if not self.ledger.fresh(name, digest(data)):
                 self.ledger.keep(name, digest(data), data)
         return list(files)
 
     def together(self, made: Sequence[Share]) -> list[str]:
-        """What is made of everybody's files: the book of answers, the questions of platforms."""
+        """Documents from everybody's files: the book of answers, the questions of platforms."""
         files = dict(together(self.course, self.ledger.folder, [s.place for s in made], self.lang))
         return self.kept(files)
 
 
 def made_of(thing: object, name: str) -> str:
-    """The hash of all a file depends on."""
+    """The hash of all inputs of a file."""
     return digest(repr((thing, name, fingerprint())).encode())
 
 
 def order_of(order: Order, name: str) -> str:
-    """The hash of all one document of an order depends on."""
+    """The hash of all inputs of one document in an order."""
     return made_of(replace(order, files=()), name)
 
 
 def alike(given: Sequence[Share], settled: dict[Share, Settled]) -> Iterator[Share]:
-    """Who drew the numbers somebody before has."""
+    """Students with the same numbers as somebody before."""
     seen = set()
-    for share in sorted(given, key=lambda s: s.variant is None):  # given variants stay what they are
+    for share in sorted(given, key=lambda s: s.variant is None):  # given variants stay as they are
         if (answer := settled[share]).fault:
             continue
         numbers = json.dumps([share.assignment.name, *loads(answer.scene, SCENE).parameters.items()])
@@ -221,7 +221,7 @@ def alike(given: Sequence[Share], settled: dict[Share, Settled]) -> Iterator[Sha
 def conduct(
     course: Course, folder: Path, each: Each, lang: Lang, step: Step | None = None, abroad: bool = False
 ) -> Report:
-    """Make the whole course in a folder; ``abroad`` where workers may have a program of their own."""
+    """Make the whole course in a folder; ``abroad`` where workers may have their own copy of the program."""
     ledger = Ledger(folder)
     with closing(ledger.journal):
         return Conductor(course, ledger, each, lang, step, fingerprint() if abroad else "").run()

@@ -1,4 +1,4 @@
-"""The roof over the integrated calculation: a scene in, a report, an object or a summary out."""
+"""The integrated calculation as documents: a scene in, a report, an object or a summary out."""
 
 import json
 import sys
@@ -33,7 +33,7 @@ def run(scene: Scene, args: Namespace, lang: Lang) -> int:
 
 
 def _sheet(calculation: Calculation, path: str, phi: float | None, lang: Lang) -> None:
-    """The drawing sheet of one position, the gas force on the piston."""
+    """The drawing sheet of one position, with the gas force on the piston."""
     from planes.documents.drawn import draw_sheet
 
     low, high = float(calculation.motion.phi_deg[0]), float(calculation.motion.phi_deg[-1])

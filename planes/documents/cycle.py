@@ -1,5 +1,5 @@
-"""A whole cycle drawn: diagrams of chosen curves, hodographs and paths, read off the one program; those a sheet shows,
-and a page of their own."""
+"""A whole cycle drawn: diagrams of chosen curves, hodographs and paths, read from the one program; those on a sheet,
+and a separate page."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -39,7 +39,7 @@ SHOWN = ("diagrams", "hodographs")
 
 
 class Turned:
-    """A turn read at the driver's places of its runs, and at the numbered positions, as it is drawn."""
+    """A turn read at the driver's positions of its runs, and at the numbered positions, as drawn."""
 
     def __init__(self, turn: WholeTurn, runs: Runs, naming: Naming) -> None:
         self.turn, self.runs, self.naming = turn, runs, naming
@@ -47,7 +47,7 @@ class Turned:
         self.stations = turn.sample(runs.read_stations())
 
     def curve(self, curve: Curve, ends: Sequence[Extreme] = ()) -> DiagramCurve:
-        """A curve, with the values that are marked; an angle is unwound, and so are these."""
+        """A curve, with its marked values; angles are unwound in both."""
         places, values = self.joined(curve)
         at, marked_values = [e.place for e in ends], numpy.array([e.value for e in ends])
         if curve.angular:
@@ -67,7 +67,7 @@ class Turned:
         return Hodograph(name, arrow.unit, known(self.joined(arrow)[1]), at, point)
 
     def joined(self, curve: Curve | CycleVector) -> tuple[Array, Array]:
-        """A curve's runs as one row of places and one of values, with nothing between them."""
+        """A curve's runs as one row of positions and one of values, with gaps between them."""
         x = numpy.concatenate([part for places, _ in self.pieces for part in (places, places[-1:])][:-1])
         rows = [curve.read(sample) + numpy.zeros(len(places)) for places, sample in self.pieces]
         return x, numpy.concatenate([part for row in rows for part in (row, [numpy.nan])][:-1])
@@ -81,7 +81,7 @@ def known(values: Array) -> tuple[Real, ...]:
 def over_cycle(
     scene: Scene, plans: Plans, angles: Sequence[float], naming: Naming
 ) -> tuple[tuple[DiagramCurve, ...], tuple[Hodograph, ...]]:
-    """The diagrams and hodographs that ``sheet:`` of a scene asks for, over the angles of a turn."""
+    """The diagrams and hodographs named in ``sheet:`` of a scene, over the angles of a turn."""
     names, loops = (asked(scene.sheet, key) for key in SHOWN)
     if not names and not loops:
         return (), ()
@@ -91,7 +91,7 @@ def over_cycle(
 
 
 def check_names(scene: Scene, plans: Plans | None) -> None:
-    """Whether there is every diagram and hodograph that ``sheet:`` names, on whichever sheet they are drawn."""
+    """Check that every diagram and hodograph named in ``sheet:`` exists, on whichever sheet it is drawn."""
     for key, names in ((key, asked(scene.sheet, key)) for key in SHOWN):
         line = scene.where.get(("sheet", key))
         if names and plans is None:
@@ -106,7 +106,7 @@ def check_names(scene: Scene, plans: Plans | None) -> None:
 
 
 def unready(scene: Scene) -> Iterator[PlanesError]:
-    """What ``sheet:`` asks for and there is not: a font, diagrams, hodographs."""
+    """Entries of ``sheet:`` that do not exist: a font, diagrams, hodographs."""
     for look in (lambda: face_of(scene), lambda: check_names(scene, scene_plans(scene) if scene.mechanism else None)):
         try:
             look()
@@ -115,7 +115,7 @@ def unready(scene: Scene) -> Iterator[PlanesError]:
 
 
 def asked(sheet: Mapping[str, object], key: str) -> list[str]:
-    """Names under a key of ``sheet:``, as a list or with commas between them."""
+    """Names under a key of ``sheet:``, as a list or separated by commas."""
     said = sheet.get(key)
     names = said if isinstance(said, list) else str(said or "").split(",")
     return [str(n).strip() for n in names if str(n).strip()]
@@ -129,11 +129,11 @@ def cycle_page(
     paths: Sequence[str] | None,
     lang: Lang,
 ) -> Page:
-    """A page with diagrams of the curves, those joined by a plus on the same axes, hodographs and paths."""
+    """A page with diagrams of the curves, those joined by a plus on common axes, hodographs and paths."""
     if span is not None and span.count < 2:
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
     plans = scene_plans(scene)
-    if show is None:  # the driven link's motion, and what balances the driver
+    if show is None:  # the driven link's motion, and the balancing load
         drive = plans.mechanism.drive
         balancing = f"{'M' if drive.kind == 'phi' else 'Fb'}_{drive.link}"
         show = () if hodographs or paths else (*output_curves(plans), balancing)
@@ -150,14 +150,14 @@ def cycle_page(
 
 
 def _title(text: str) -> list[View]:
-    """What the scene is called, in lines no wider than the diagrams."""
+    """The title of the scene, in lines no wider than the diagrams."""
     lines = wrapped(text, SECTIONS * SECTION_MM, TITLE_MM)
     marks = [Text(line, -1.7j * TITLE_MM * k, TITLE_MM, "middle") for k, line in enumerate(lines)]
     return [view("title", "", marks)] if marks else []
 
 
 def _diagrams(turned: Turned, panels: Sequence[Sequence[str]]) -> list[View]:
-    """The diagrams, one beneath the other."""
+    """The diagrams, one beneath another."""
     turn, runs, by_name = turned.turn, turned.runs, {c.name: c for c in turned.turn.curves}
     if not panels:
         return []
@@ -176,7 +176,7 @@ def _ends(curve_extremes: Sequence[Extreme]) -> list[Extreme]:
 
 
 def _loops(turned: Turned) -> list[View]:
-    """Hodographs and paths in rows; those of a whole turn come back."""
+    """Hodographs and paths in rows; those of a whole turn are closed."""
     loops = [turned.loop(arrow) for arrow in turned.turn.arrows]
     if turned.runs.closed:
         loops = [replace(loop, path=(*loop.path, None, loop.path[0])) for loop in loops]

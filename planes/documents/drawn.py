@@ -1,4 +1,4 @@
-"""What is drawn of a scene: it is solved, its sheet or view composed, and the file written."""
+"""Drawings of a scene: it is solved, its sheet or view composed, and the file written."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
@@ -27,7 +27,7 @@ from render.views import stacked
 
 
 def shown(thing: Drawing | Scene | Position) -> str | None:
-    """What a notebook shows: a drawing with the lines it was found by, or a scheme; nothing if it cannot be drawn."""
+    """The picture for a notebook: a drawing with its construction lines, or a scheme; empty if it cannot be drawn."""
     try:
         page = traced(thing) if isinstance(thing, Drawing) else picture(thing)
     except PlanesError:
@@ -36,7 +36,7 @@ def shown(thing: Drawing | Scene | Position) -> str | None:
 
 
 class DrawnSheet(NamedTuple):
-    """What was drawn: the format and the size of the paper ("A2, 594 × 420 mm"), and what must be said of it."""
+    """The drawn sheet: the format and the size of the paper ("A2, 594 × 420 mm"), and the remarks."""
 
     size: str
     said: tuple[str, ...]
@@ -51,14 +51,13 @@ def draw_sheet(
     view: str | None = None,
     text: Lettered = "text",
 ) -> DrawnSheet:
-    """Draw the sheet of a scene into a file; :class:`PlanesError` in one sentence, and no file, if it cannot be.
+    """Draw the sheet of a scene into a file; on failure :class:`PlanesError` in one sentence, and no file.
 
-    Returns its format and size, and a sentence for each thing that must be said of it: what found no room, or cannot
-    be seen or read.
+    Returns its format and size, and remarks: parts without room, or that cannot be seen or read.
 
-    ``number`` 1 or 2 is that sheet of a course project; without it everything stands on one page. ``view`` is one
-    view alone, without a frame. ``text`` "pieces" writes the indices of a DXF as texts of their own, "strokes" draws
-    its letters by lines.
+    ``number`` 1 or 2 is that sheet of a course project; without it everything is on one page. ``view`` is a single
+    view, without a frame. ``text`` "pieces" writes the indices of a DXF as separate texts, "strokes" draws its letters
+    by lines.
     """
     suffix, others = Path(output).suffix.lower(), constructed.suffixes()
     if suffix not in (*SUFFIXES, *others):
@@ -76,7 +75,8 @@ def draw_sheet(
 
 
 def _by_hand(scene: Scene, values: Iterable[float] | None, lang: Lang) -> Iterator[str]:
-    """That rates on the sheet cannot be told for sure from a drawing by hand, as a check of one would say."""
+    """The remark that velocities and accelerations on the sheet are uncertain in a drawing by hand, as in a check of
+    one."""
     for position in solve(scene, values, lang=lang).positions if scene.mechanism else ():
         if names := ", ".join(unsure(position)):
             yield say("unsure_by_hand", lang, names=names)
@@ -91,9 +91,9 @@ def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, outpu
 
 
 def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None = None) -> Page:
-    """One view (the scheme, unless another is named) of a scene, or of a position solved before, for a notebook.
+    """One view (by default the scheme) of a scene, or of a position already solved, for a notebook.
 
-    A position is drawn as it is, by whatever instrument; what a scene says of its sheet is not known then.
+    A position is drawn as it is, by whatever instrument; the sheet settings of a scene are unknown then.
     """
     lang = lang or home_lang()
     if isinstance(drawn, Scene):
@@ -104,7 +104,7 @@ def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None 
 
 
 def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
-    """One view of a scene on a page of its own, by name (the first, if none is named)."""
+    """One view of a scene on a separate page, by name (by default the first)."""
     shown = _view_of(scene, view, values, lang)
     return replace(shown, marks=coloured(shown.marks)) if scene.sheet.get("colour") else shown
 

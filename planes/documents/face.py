@@ -1,4 +1,4 @@
-"""What ``import planes`` gives: a scene solved, turned, drawn and checked, as one would type it in a notebook."""
+"""The public functions of ``import planes``: a scene solved, turned, drawn and checked, for typing in a notebook."""
 
 from collections.abc import Iterable, Mapping
 from itertools import product
@@ -46,12 +46,13 @@ def cycle(
     **parameters: Any,
 ) -> Table:
     """Results for many positions, as arrays by name. ``names`` are results such as "v_C", "omega_2", "F_21", "M_1" or
-    the place "r_C" (None: everything). Where a position cannot be drawn, there is NaN, and ``failed`` has the reason
-    in short ("C: arcs apart"); :func:`solve` for that position gives the full sentence.
+    the position vector "r_C" (None: everything). Where a position cannot be drawn, there is NaN, and ``failed`` has the
+    reason in short ("C: arcs apart"); :func:`solve` for that position gives the full sentence.
 
-    ``phi`` (degrees; ``s``, in m, of a sliding driver) is an array of values, a whole turn by degrees if left out (of a
-    sliding driver: its own place). Any other keyword is a parameter of the scene and its value or values: each
-    combination is run for all values of the drive. The table has a column for the drive and one for each parameter.
+    ``phi`` (degrees; ``s``, in m, for a sliding driver) is an array of values, by default a whole turn in steps of a
+    degree (for a sliding driver its given position). Any other keyword is a parameter of the scene with its value or
+    values: each combination is run for all positions of the drive. The table has a column for the drive and one for
+    each parameter.
 
     >>> import planes
     >>> scene = planes.load("samples/kind-1-rrr.yaml")
@@ -74,7 +75,7 @@ def cycle(
 
 
 def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str, float]) -> Table:
-    """The results of one set of parameters."""
+    """The results for one set of parameters."""
     plans = scene_plans(scene)
     drive, run = plans.mechanism.drive, Cycle(plans, names)
     if values is None:
@@ -92,7 +93,7 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
 
 
 def _place(scene: Scene, phi: Any, s: Any) -> float | None:
-    """The one place of the drive that is asked for."""
+    """The one position of the drive requested."""
     at = asked_of_drive(scene, phi, s)
     return None if at is None else float(finite(at, "s" if phi is None else "phi", several=False))
 
@@ -109,14 +110,13 @@ def check(
     marks: Mapping[str, complex] | None = None,
     page: int | None = None,
 ) -> Outcome:
-    """Check a person's drawing of a plan ("position", "velocity", "acceleration", "force:2-3", "force:1").
+    """Check a drawing of a plan by hand ("position", "velocity", "acceleration", "force:2-3", "force:1").
 
-    ``drawing`` is a table (.csv), a drawing of lines (.svg, .dxf, .pdf) or a picture; ``mu`` its scale, as
-    "30 mm/(m/s)", if known; ``pole`` and ``marks`` are places in pixels or the drawing's own units, x + iy
-    with y down; ``page`` of several counts from 1. The outcome has a ``verdict`` ("right", "right_as_seen",
-    "wrong", "unreadable"), ``first_wrong``, ``mistake``, ``sentence``. Results alone are right where none of the plan's
-    main ones is left out.
-    Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
+    ``drawing`` is a table (.csv), a drawing of lines (.svg, .dxf, .pdf) or a picture; ``mu`` its scale, as "30
+    mm/(m/s)", if known; ``pole`` and ``marks`` are places in pixels or the drawing's own units, x + iy with y down;
+    ``page`` of several counts from 1. The outcome has a ``verdict`` ("right", "right_as_seen", "wrong", "unreadable"),
+    ``first_wrong``, ``mistake``, ``sentence``. A table of results alone is right if none of the plan's main ones is
+    missing. Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
     scene = read(scene)
     at, known_mu = _place(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
@@ -136,10 +136,10 @@ def sheet(
     view: str | None = None,
     lang: Lang | None = None,
 ) -> Sheet | Page:
-    """The drawing sheet of one position, written to ``output`` if it is given (.svg, .pdf, .png, .dxf).
+    """The drawing sheet of one position, written to ``output`` if given (.svg, .pdf, .png, .dxf).
 
-    ``number`` 1 or 2 is a sheet of a course project, ``view`` a single view; otherwise everything is on one sheet.
-    A notebook shows what is returned. Raises :class:`PlanesError` where it cannot be drawn or written.
+    ``number`` 1 or 2 is a sheet of a course project, ``view`` a single view; otherwise everything is on one sheet. A
+    notebook shows the returned value. Raises :class:`PlanesError` where it cannot be drawn or written.
     """
     scene = read(scene)
     lang, at = lang or home_lang(), _place(scene, phi, s) if scene.mechanism else None
@@ -153,8 +153,8 @@ def sheet(
 def lesson(
     scene: Scene | Linkage, output: str | Path | None = None, lang: Lang | None = None, centres: bool = False
 ) -> Lesson:
-    """The construction step by step as a web page, with a chapter on instantaneous ``centres`` if wanted; written to
-    ``output`` if it is given. A notebook shows it."""
+    """The construction step by step as a web page, optionally with a chapter on instantaneous ``centres``; written to
+    ``output`` if given. A notebook shows it."""
     page = Lesson(read(scene), lang or home_lang(), centres=centres)
     if output is not None:
         page.write(str(output))
@@ -164,16 +164,16 @@ def lesson(
 def extremes(scene: Scene | Linkage) -> "Extremes":
     """Stroke, dead points, time ratio, and the extremes of every curve over the cycle.
 
-    A dict of the shape ``planes cycle --json`` prints, its numbers at full precision; printed, it is the tables of
-    ``planes cycle``. Places of the driver (``at``) are in degrees, of a sliding driver in m.
+    A dict in the shape of ``planes cycle --json``, with numbers at full precision; printed, it is the tables of
+    ``planes cycle``. Positions of the driver (``at``) are in degrees, of a sliding driver in m.
 
-    - ``range``: [first, last] place of the driver; ``assembles``: the ranges in which the mechanism assembles.
-    - ``driven``: the last link before the frame: ``link``, ``curve`` (its place), ``rotates``, ``stroke`` (m, degrees;
-      None if unbounded), ``extreme_positions``, ``forth_deg`` and ``back_deg`` of the driver, ``time_ratio``. Not there
-      where no link is driven.
-    - ``curves``: by name, ``unit``, ``group`` ("place", "analogue", "rate", "force"), ``extremes``; ``rotates`` if it
-      goes round. An extreme is ``{"at", "value", "kind": "greatest" | "least"}``; with ``where`` "end" of the range or
-      "limit" of assembly if it is no turning point, with ``unbounded`` where there is no value.
+    - ``range``: [first, last] position of the driver; ``assembles``: the ranges in which the mechanism assembles.
+    - ``driven``: the last link before the frame: ``link``, ``curve`` (its position), ``rotates``, ``stroke`` (m,
+      degrees; None if unbounded), ``extreme_positions``, ``forth_deg`` and ``back_deg`` of the driver, ``time_ratio``.
+      Missing where no link is driven.
+    - ``curves``: by name, ``unit``, ``group`` ("place", "analogue", "rate", "force"), ``extremes``; ``rotates`` if the
+      link turns fully. An extreme is ``{"at", "value", "kind": "greatest" | "least"}``; with ``where`` "end" of the
+      range or "limit" of assembly if it is not a turning point, with ``unbounded`` where there is no value.
     - ``paths``: by point, ``length`` (m) and the range of ``x`` and ``y``.
 
     Raises :class:`PlanesError` where the mechanism cannot be drawn at all.
@@ -199,7 +199,7 @@ def animate(
     seconds: float = 6.0,
     lang: Lang | None = None,
 ) -> None:
-    """Write a moving picture of the mechanism with its plans: ``output`` ends in .gif, .svg or .mp4 (extra ``check``).
+    """Write an animation of the mechanism with its plans: ``output`` ends in .gif, .svg or .mp4 (extra ``check``).
 
     ``frames`` are the positions of one turn, or of one stroke where the driver only swings. The picture lasts
     ``seconds`` and loops. Raises :class:`PlanesError` where nothing moves, or for another suffix.

@@ -1,4 +1,4 @@
-"""What a sheet shows beside positions: graphical constructions over the cycle, and the self-aligning variant."""
+"""Parts of a sheet beside the positions: graphical constructions over the cycle, and the self-aligning variant."""
 
 from collections.abc import Callable
 from functools import partial
@@ -30,7 +30,7 @@ def constructions(
 
 
 def views_beside(scene: Scene, drawn: Position, composer: Composer) -> Makers:
-    """Views of the mechanism that belong to no one position, by their names."""
+    """Views of the mechanism that do not belong to a position, by their names."""
 
     def graphical(kind: str) -> View:
         return next(v for v in constructions(scene, composer) if v.key == kind)

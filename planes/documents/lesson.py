@@ -20,7 +20,7 @@ from render.sheet.composer import Composer
 
 @frozen
 class Lesson:
-    """A lesson that a notebook shows in its own frame."""
+    """A lesson that a notebook shows in a frame."""
 
     scene: Scene
     lang: Lang = "en"
@@ -28,7 +28,7 @@ class Lesson:
     centres: bool = False
 
     def write(self, output: str) -> None:
-        """The page as a file; :class:`PlanesError`, and no file, if it cannot be."""
+        """Write the page to a file; on failure :class:`PlanesError`, and no file."""
         write_lesson(self.scene, output, self.lang, self.centres)
 
     def _repr_html_(self) -> str:
@@ -37,8 +37,8 @@ class Lesson:
 
 
 def write_lesson(scene: Scene, output: str, lang: Lang, centres: bool = False) -> None:
-    """The lesson of a scene as one page, with its instantaneous ``centres`` if asked; :class:`PlanesError`, and no
-    file, if it cannot be."""
+    """The lesson of a scene as one page, with its instantaneous ``centres`` if requested; on failure
+    :class:`PlanesError`, and no file."""
     if Path(output).suffix.lower() not in (".html", ".htm"):
         raise PlanesError(Phrase("lesson_suffix", file=output))
     with bar() as step:
@@ -47,7 +47,7 @@ def write_lesson(scene: Scene, output: str, lang: Lang, centres: bool = False) -
 
 
 def write_essay(folder: str, lang: Lang) -> None:
-    """The pages of the essay, 1.html to 10.html, in a folder; none of them until all are made."""
+    """The pages of the essay, 1.html to 10.html, in a folder; none is written until all are made."""
     pages = [essay_page(essay_data(k), lang) for k in range(1, len(PAGES) + 1)]
     Path(folder).mkdir(parents=True, exist_ok=True)
     for number, text in enumerate(pages, 1):
@@ -69,7 +69,7 @@ def note(scene: Scene, values: list[float] | None, suffix: str, lang: Lang) -> b
 
 
 def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
-    """The position the note is about, all of it drawn."""
+    """The position of the note, completely drawn."""
     plans, wanted = plans_of(scene, shown=True)
     if values and len(values) != 1:
         raise PlanesError(Phrase("note_one", count=len(values)))

@@ -1,4 +1,4 @@
-"""What a notebook shows: a scene, a position, a table and a check as HTML; and a crank to turn."""
+"""Notebook views of a scene, a position, a table and a check as HTML; and a crank to turn."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from planes.words.units import number, quantity
 if TYPE_CHECKING:
     from anywidget import AnyWidget
 
-ENDS = 4  # rows of a table that are shown from its start, and from its end
+ENDS = 4  # rows of a table shown from its start, and from its end
 _NARROW = "<style>.planes svg{max-width:28em;height:auto;background:#fff}.planes td,.planes th{text-align:left}</style>"
 
 
 def in_notebook(thing: Scene | Position | Table | Outcome) -> str:
-    """A thing as HTML in the language of the system: a title, its picture, its numbers."""
+    """An object as HTML in the system language: a title, its picture, its numbers."""
     lang = home_lang()
     match thing:
         case Scene():
@@ -91,7 +91,7 @@ def _of_check(outcome: Outcome, lang: Lang) -> Iterable[str]:
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Rows as a table of HTML, nothing where there are none."""
+    """Rows as an HTML table, empty without rows."""
     body = [f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>" for row in rows]
     top = f"<tr>{''.join(f'<th>{html.escape(cell)}</th>' for cell in head)}</tr>" if head else ""
     return f"<table>{top}{''.join(body)}</table>" if body else ""
@@ -116,10 +116,11 @@ export default { render({ model, el }) {
 
 
 def crank(scene: Scene, views: Sequence[str] = ("position", "velocity-plan"), lang: Lang | None = None) -> AnyWidget:
-    """A crank to turn in a notebook: a slider for the drive, the views named redrawn at each place of it.
+    """A crank to turn in a notebook: a slider for the drive; the named views are redrawn at each of its positions.
 
-    ``value`` of what is returned is the drive's place (degrees; m of a sliding driver) and may be set or observed;
-    ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget (``planes[notebook]``).
+    ``value`` of the returned object is the drive's position (degrees; m for a sliding driver) and may be set or
+    observed; ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget
+    (``planes[notebook]``).
     """
     try:
         import anywidget
@@ -150,7 +151,7 @@ def crank(scene: Scene, views: Sequence[str] = ("position", "velocity-plan"), la
             self.draw()
 
         def draw(self) -> None:
-            """The views at the drive's place, or why there are none."""
+            """The views at the drive's position, or why there are none."""
             try:
                 self.position = position(scene, plans, wanted, self.value, None, said)
                 pages = [picture(self.position, view, said) for view in views]

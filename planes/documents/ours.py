@@ -1,4 +1,4 @@
-"""The package ``render`` that is found is the one installed beside this: another project may have one of that name."""
+"""Checks that the imported package ``render`` is the one installed with this one: another project may use the name."""
 
 from importlib.util import find_spec
 from pathlib import Path
@@ -10,7 +10,7 @@ HOME = Path(__file__).resolve().parents[2]
 
 
 def _insist() -> None:
-    """Refuse in one sentence to draw with somebody else's ``render``; it is not run."""
+    """Refuse in one sentence to draw with a foreign ``render``; it is not executed."""
     spec = find_spec("render")
     places = [p for p in (spec.origin, *(spec.submodule_search_locations or ())) if p] if spec else []
     if HOME / "render" not in (Path(p).resolve() for p in places):

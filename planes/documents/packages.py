@@ -11,13 +11,13 @@ from planes.course.quiz import Pool, Quiz
 from planes.documents.platforms import PICTURE, asked, stem, xml_file
 from planes.words import Lang
 
-MOMENT = (2020, 1, 1, 0, 0, 0)  # of every file in an archive, so that the same lesson gives the same bytes
+MOMENT = (2020, 1, 1, 0, 0, 0)  # date of every file in an archive, so that the same lesson gives the same bytes
 SCORM = {"": "http://www.imsproject.org/xsd/imscp_rootv1p1p2", "adlcp": "http://www.adlnet.org/xsd/adlcp_rootv1p2"}
 NAMES = uuid.UUID("6f2b1d5e-6d4b-5d0e-9b0e-8a3f0c0d1e2f")
 
 
 def scorm(page: bytes, name: str, title: str) -> bytes:
-    """A lesson with its manifest, as an archive; the page itself tells the platform its score."""
+    """A lesson with its manifest, as an archive; the page itself reports its score to the platform."""
     held = io.BytesIO()
     with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED) as archive:
         for file, data in (("imsmanifest.xml", manifest(name, title)), ("index.html", page)):

@@ -1,7 +1,8 @@
-"""Questions of a course as learning platforms import them: Moodle XML, numerical and calculated questions, and STACK.
+"""Questions of a course in the import formats of learning platforms: Moodle XML, numerical and calculated questions,
+and STACK.
 
-Formats: https://docs.moodle.org/en/Moodle_XML_format; STACK questions stand in the same file format. Numbers carry
-a point, tolerances are what a pupil's pencil may be off by; every picture is in the file.
+Formats: https://docs.moodle.org/en/Moodle_XML_format; STACK questions use the same file format. Numbers have a decimal
+point, tolerances are the errors of a student's pencil; every picture is in the file.
 """
 
 import base64
@@ -25,24 +26,24 @@ UNITLESS = {"unitgradingtype": "0", "unitpenalty": "0.1", "showunits": "3", "uni
 
 
 def indexed(text: str) -> str:
-    """Text with indices in braces as a page has it."""
+    """Text with indices in braces as HTML."""
     return re.sub(r"\^\{(.*?)\}", r"<sup>\1</sup>", re.sub(r"_\{(.*?)\}", r"<sub>\1</sub>", html.escape(text, False)))
 
 
 def signed(name: str, lang: Lang) -> str:
-    """A name as a page letters it: v_C as v with a subscript."""
+    """A name as lettered on a page: v_C as v with a subscript."""
     return indexed(Naming(lang).vector(name))
 
 
 def stem(pool: Pool, opened: str, closed: str) -> str:
-    """Title, task and numbers; what stands for a number that is not everybody's is between two signs."""
+    """Title, task and numbers; the placeholder of an individual number is between two signs."""
     text = indexed(pool.text(lambda key: f"⟦{key}⟧")).replace("⟦", opened).replace("⟧", closed)
     return f"<p>{html.escape(pool.group[0].title)}</p><p>{text}</p>"
 
 
 def moodle(quizzes: Sequence[Quiz], course: str, lang: Lang) -> bytes:
-    """Numerical questions of every student, a category each; and a calculated question for each answer of an
-    assignment, whose data are everybody's numbers."""
+    """Numerical questions for every student, a category each; and a calculated question for each answer of an
+    assignment, with everybody's numbers as its data set."""
     quiz = Element("quiz")
     for one in quizzes:
         _category(quiz, course, one.place)
@@ -56,7 +57,7 @@ def moodle(quizzes: Sequence[Quiz], course: str, lang: Lang) -> bytes:
 
 
 def stack(quizzes: Sequence[Quiz], course: str, lang: Lang) -> bytes:
-    """A STACK question for each assignment: a variant is one student's numbers, every answer has its own input."""
+    """A STACK question for each assignment: a variant has one student's numbers, every answer has its own input."""
     quiz = Element("quiz")
     _category(quiz, course, "STACK")
     for name, group in by_assignment(quizzes).items():
@@ -65,20 +66,20 @@ def stack(quizzes: Sequence[Quiz], course: str, lang: Lang) -> bytes:
 
 
 def xml_file(root: Element) -> bytes:
-    """A file of an element, a line for each that stands in it."""
+    """A file of an element, one line for each child."""
     indent(root, " ")
     return b'<?xml version="1.0" encoding="UTF-8"?>\n' + tostring(root, "unicode").encode() + b"\n"
 
 
 def _text(parent: Element, tag: str, text: str, **how: str) -> Element:
-    """An element whose words stand in a <text>, as Moodle has it."""
+    """An element whose words are in a <text>, as Moodle requires."""
     element = SubElement(parent, tag, how)
     SubElement(element, "text").text = text
     return element
 
 
 def _fields(parent: Element, fields: Mapping[str, str]) -> None:
-    """Elements that hold nothing but their text."""
+    """Elements that contain only text."""
     for tag, text in fields.items():
         SubElement(parent, tag).text = text
 
@@ -89,7 +90,7 @@ def _category(quiz: Element, course: str, name: str) -> None:
 
 
 def _question(quiz: Element, kind: str, name: str, text: str, picture: bytes) -> Element:
-    """The head every question has, with the picture in the file."""
+    """The common head of all questions, with the picture in the file."""
     question = SubElement(quiz, "question", type=kind)
     _text(question, "name", name)
     shown = f'{text}<p><img src="@@PLUGINFILE@@/{PICTURE}" alt="" style="max-width: 100%"/></p>'
@@ -102,7 +103,7 @@ def _question(quiz: Element, kind: str, name: str, text: str, picture: bytes) ->
 
 
 def asked(item: QuizItem, lang: Lang) -> str:
-    """What is asked, with the unit."""
+    """The question, with the unit."""
     return f"<p>{say('quiz_find', lang, name=signed(item.name, lang), unit=say(item.unit, lang))}</p>"
 
 
@@ -116,7 +117,7 @@ def _numerical(quiz: Element, one: Quiz, item: QuizItem, lang: Lang) -> None:
 
 
 def _calculated(quiz: Element, group: Sequence[Quiz], number: int, lang: Lang) -> None:
-    """One answer of an assignment, its numbers drawn from those of the students."""
+    """One answer of an assignment, with numbers drawn from those of the students."""
     first, item = group[0], group[0].questions[number]
     pool = Pool(group, lang)
     text = stem(pool, "{", "}") + asked(item, lang)
@@ -138,7 +139,7 @@ def _calculated(quiz: Element, group: Sequence[Quiz], number: int, lang: Lang) -
 
 
 def _dataset(definitions: Element, name: str, values: Sequence[float]) -> None:
-    """The numbers a wildcard stands for, one for each student."""
+    """The values of a wildcard, one for each student."""
     own = SubElement(definitions, "dataset_definition")
     _text(own, "status", "private")
     _text(own, "name", name)
@@ -193,7 +194,7 @@ def seeds(count: int) -> list[int]:
 
 
 def _variables(pool: Pool) -> str:
-    """Maxima: which student's numbers they are, those numbers, answers and tolerances."""
+    """Maxima code: the student's index, numbers, answers and tolerances."""
     group = pool.group
     lines = [f"k: rand({len(group)}) + 1;"]
     for name, values in pool.varied.items():
@@ -205,7 +206,7 @@ def _variables(pool: Pool) -> str:
 
 
 def _one_of(name: str, numbers: Sequence[str]) -> list[str]:
-    """A variable that is a student's number among those of all."""
+    """A variable with one student's number out of all."""
     return [f"{name}_all: [{', '.join(numbers)}];", f"{name}: {name}_all[k];"]
 
 

@@ -1,7 +1,7 @@
 """JSON Schema of the files people write: a scene, a course, a table for ``planes check``.
 
-The keys are those the readers take, so a key that a reader learns and nobody describes stops the
-schema from being made. What each key means stands in the words, for an editor to show beside it.
+The keys are those of the readers, so a new key without a description stops the schema from being made. The meaning of
+each key is in the words, for an editor to show.
 """
 
 from collections.abc import Iterable, Mapping
@@ -36,7 +36,7 @@ EMPTY: Json = {"type": "null"}
 
 
 def schema(kind: str, lang: Lang) -> Json:
-    """The schema of "scene", "course" or "table", told in a language."""
+    """The schema of "scene", "course" or "table", in a language."""
     return {"$schema": DIALECT, "title": say(f"schema_{kind}", lang), **_KINDS[kind](Schemas(lang))}
 
 
@@ -56,7 +56,7 @@ def many(form: Json, least: int = 1) -> Json:
 
 
 def named(form: Json) -> Json:
-    """A table whose keys are names somebody gives."""
+    """A table whose keys are names chosen by the user."""
     return {"type": "object", "additionalProperties": form}
 
 
@@ -65,18 +65,18 @@ WORDS = one_of(TEXT, {"type": "object", "properties": dict.fromkeys(langs(), TEX
 
 
 class Schemas:
-    """Schemas whose every key says in a language what it means."""
+    """Schemas in which every key has a description in a language."""
 
     def __init__(self, lang: Lang) -> None:
         self.told = under("schema_", lang, "schema")
 
     def of(self, what: str, keys: Iterable[str], forms: Mapping[str, Json], required: Iterable[str] = ()) -> Json:
-        """A table with these keys of a reader, each in its form: a number where none is named."""
+        """A table with these keys of a reader, each with its form: a number by default."""
         own = {key: self.key(what, key, forms.get(key, NUMBER)) for key in keys}
         return {"type": "object", "additionalProperties": False, "properties": own, "required": list(required)}
 
     def key(self, what: str, key: str, form: Json) -> Json:
-        """One key with what it means; it may be left empty."""
+        """One key with its description; it may be left empty."""
         form = form if "type" not in form else {**form, "type": _with_null(form["type"])}
         return {**form, "description": self.told[f"{what}_{key}"]}
 
@@ -89,7 +89,7 @@ class Schemas:
         return {**self.of("scene", KEYS, forms, ("planes",)), "anyOf": needs}
 
     def common(self) -> Json:
-        """What either scene may have."""
+        """The keys common to all scenes."""
         said = dict.fromkeys(("title", "note", "text", "missing"), WORDS)
         find = one_of(TEXT, many(TEXT))
         numbers = named(NUMBER)
@@ -122,7 +122,7 @@ class Schemas:
         return one_of(NUMBER, PAIR, self.of("place", ("r", "angle"), {}, ("r",)))
 
     def guide(self) -> Json:
-        """A guide, straight or round."""
+        """A guide, straight or circular."""
         forms = {"through": one_of(NAME, self.place()), "mark": TEXT, "centre": one_of(NAME, self.place())}
         return self.of("guide", GUIDE_KEYS, forms)
 
@@ -171,7 +171,7 @@ class Schemas:
         }
 
     def sheet(self) -> Json:
-        """What stands on the sheet."""
+        """The texts on the sheet."""
         forms = {key: {"type": ["string", "number"]} for key in SHEET_KEYS}
         forms |= {key: words_of(words) for key, words in SHEET_WORDS.items()}
         forms |= {"positions": words_of([True, False, 12]), **dict.fromkeys(YES_OR_NO, BOOLEAN)}
@@ -224,7 +224,7 @@ class Schemas:
         return self.of("course", COURSE_KEYS, forms, ("course",))
 
     def table(self) -> Json:
-        """The rows of a table, each under the head of its columns."""
+        """The rows of a table, with the heads of its columns."""
         row = self.of("table", COLUMNS, {"mark": TEXT, "segment": TEXT, "result": TEXT, "unit": TEXT})
         return many({**row, "anyOf": [{"required": list(columns)} for columns in TABLES]})
 

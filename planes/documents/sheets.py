@@ -1,5 +1,5 @@
-"""What a scene's sheets are composed of: its position drawn at the sizes asked for, and its driver moved once through
-its range from an extreme position of the driven link, for sheet 1."""
+"""The contents of a scene's sheets: its position drawn at the requested sizes, and its driver moved once through its
+range from an extreme position of the driven link, for sheet 1."""
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
@@ -76,7 +76,7 @@ def _numbered(drawn: "DrawnPosition", composer: Composer, number: int) -> Sheet:
         return [*project.kinematics(drawn.at(sizes), sizes.of("diagrams"), letter, together), *opened(scene, lang)], []
 
     def extents(sizes: Sizes) -> dict[str, float]:
-        """What may grow: the diagrams."""
+        """The parts that can grow: the diagrams."""
         return {"diagrams": section_mm(sizes.of("diagrams")) * SECTIONS} if project.turn else {}
 
     if number == 1:
@@ -86,7 +86,7 @@ def _numbered(drawn: "DrawnPosition", composer: Composer, number: int) -> Sheet:
 
 
 def opened(scene: Scene, lang: Lang) -> list[View]:
-    """The code that opens the scene in a studio, where it names one."""
+    """The QR code that opens the scene in a studio, if it names one."""
     return [v for v in (code_view(scene, lang),) if v]
 
 
@@ -95,7 +95,7 @@ MOST_TIMES = 2.0  # how much larger the scheme with loads may be than its groups
 
 @frozen
 class DrawnPosition:
-    """One position of a scene, drawn at any sizes of its plans; each once."""
+    """One position of a scene, drawn with any sizes of its plans; each once."""
 
     scene: Scene
     values: Iterable[float] | None
@@ -103,12 +103,12 @@ class DrawnPosition:
 
     @cached_property
     def stated(self) -> tuple[Plans, Any]:
-        """The plans, and what the scene asks for."""
+        """The plans, and the requested results."""
         return plans_of(self.scene, shown=True)
 
     @cached_property
     def value(self) -> float:
-        """The value of the drive a sheet is drawn for."""
+        """The position of the drive for a sheet."""
         chosen = [self.stated[0].mechanism.drive.position] if self.values is None else list(self.values)
         if len(chosen) != 1:
             raise PlanesError(Phrase("one_position", count=len(chosen)))
@@ -120,7 +120,7 @@ class DrawnPosition:
         return any(self.scene.mu.get(kind_of(p)) is None for p in self.stated[0].drawn if p != "lever")
 
     def at(self, sizes: Sizes) -> Position:
-        """The position at the scene's scales, or smaller where no paper holds its plans so, each drawn once.
+        """The position at the scene's scales, or smaller where no paper holds its plans at these, each drawn once.
         :class:`PlanesError` where it cannot be drawn."""
         if sizes.factor not in self.kept:
             fits = fits_on(self.scene.sheet, self.stated[0])
@@ -138,8 +138,7 @@ class DrawnPosition:
         return self.at(Sizes())
 
     def extents(self, sizes: Sizes) -> dict[str, float]:
-        """The size in mm of the scheme with loads, if its μ is open: how high it is, or would be on a field as high as
-        wide."""
+        """The size in mm of the scheme with loads, if its μ is open: its height, or its height on a square field."""
         wide, high = (self.times(sizes) * mm for mm in sides(self.at(sizes).drawing, SCHEME))
         return {LOADED: max(high, wide / math.sqrt(2))} if self.scene.mu.get(SCHEME) is None else {}
 
@@ -153,7 +152,7 @@ class DrawnPosition:
         return fitting(SCHEME, size / mu, mm) / mu
 
     def grown(self, sizes: Sizes) -> Position:
-        """The position whose scheme stands alone: nothing is measured on that, so it may have a larger μ."""
+        """The position with a separate, larger scheme: nothing is measured on it, so it may have a larger μ."""
         now, times = self.at(sizes), self.times(sizes)
         mu = times * now.scales[mu_of(SCHEME)]
         if times != 1.0 and mu not in self.alone:
@@ -163,11 +162,11 @@ class DrawnPosition:
 
     @cached_property
     def alone(self) -> dict[float, Position]:
-        """The position for its scheme alone, by the μ of that."""
+        """The position for its scheme alone, with the μ of that."""
         return {}
 
     def reduced(self, mm: float) -> Position:
-        """The position with its scheme no larger than so many mm, whatever its μ is on the sheet."""
+        """The position with its scheme reduced to so many mm, whatever its μ is on the sheet."""
         open_mu = {kind: mu for kind, mu in self.scene.mu.items() if kind != "position"}
         fits = {**fits_on(self.scene.sheet, self.stated[0]), "position": mm}
         return self._drawn(fits, replace(self.scene, mu=open_mu))
@@ -181,15 +180,15 @@ class DrawnPosition:
             raise SceneError(said, self.scene.file) from None
 
 
-FINE = 360  # places of the driver for curves and paths
-MARGIN = 0.04  # of a range that is not a whole turn, left out at each end
-CLOSE = 0.04  # of a section: an extreme position no farther from a numbered one is that one
+FINE = 360  # positions of the driver for curves and paths
+MARGIN = 0.04  # of a partial range: the part left out at each end
+CLOSE = 0.04  # of a section: an extreme position this close to a numbered one coincides with it
 
 Rows = Mapping[str, Array]
 
 
 def turned_once(scene: Scene, plans: Plans, composer: Composer, twelve: bool) -> Project:
-    """A project with the driver moved through its range, and if wanted the numbered positions of the scheme."""
+    """A project with the driver moved through its range, and optionally the numbered positions of the scheme."""
     range_of_drive, motion = span_of(plans), TurningMechanism(plans)
     span = range_of_drive if range_of_drive.whole else range_of_drive.inner(MARGIN)
     dead = dead_points(driven_grid(plans, span.start, span.end)) if span.whole or twelve else []
@@ -204,7 +203,7 @@ def turned_once(scene: Scene, plans: Plans, composer: Composer, twelve: bool) ->
 
 
 class TurningMechanism:
-    """Places of points, and places and rates of links, at any values of the drive: all drawn at once."""
+    """Places of points, and positions and rates of links, at any positions of the drive: all drawn at once."""
 
     def __init__(self, plans: Plans) -> None:
         self.plans = plans
@@ -213,13 +212,13 @@ class TurningMechanism:
         self.cycle = Cycle(plans, columns=columns_of(plans, self.quantities))
 
     def rows(self, values: Sequence[float]) -> Rows:
-        """Every column at each value of the drive, NaN where the mechanism does not work."""
+        """Every column at each position of the drive, NaN where the mechanism does not work."""
         (block,) = self.cycle.blocks(list(values), fast=False)
         table = np.where(block.failed, np.nan, block.table)
         return {c.name: row for c, row in zip(self.cycle.columns, table, strict=True)}
 
     def places(self, rows: Rows) -> list[PlacedMechanism | None]:
-        """Where everything is at each value, None where the mechanism does not work."""
+        """The places of all points at each position, None where the mechanism does not work."""
         points = {p: (rows[f"r_{p}_x"] + 1j * rows[f"r_{p}_y"]).tolist() for p in self.plans.points}
         angles = {q.of: rows[q.name].tolist() for q in self.quantities if q.key == "angle_deg"}
         works = np.isfinite(sum(rows.values())).tolist()
@@ -227,7 +226,7 @@ class TurningMechanism:
         return [PlacedMechanism(where, how) if ok else None for (where, how), ok in zip(at, works, strict=True)]
 
     def curves(self, rows: Rows) -> tuple[DiagramCurve, ...]:
-        """Place, from its least, and rates of the driven link, unless the driver stands."""
+        """Position, from its least, and rates of the driven link, unless the driver is at rest."""
         slides, (place, rate, quick) = driven(self.plans)[1], output_curves(self.plans)
         at = curves_of(self.plans)[place].read(rows)
         at = at if slides else unwound(at)
@@ -238,7 +237,7 @@ class TurningMechanism:
     def numbered(
         self, span: WorkingRange, turn: Sequence[PlacedMechanism | None], extreme: Sequence[float]
     ) -> list[Numbered]:
-        """The numbered positions, and every extreme one, with a prime unless it is a numbered one."""
+        """The numbered positions, and every extreme one, with a prime unless it coincides with a numbered one."""
         section, every = (span.end - span.start) / SECTIONS, FINE // SECTIONS
         last = SECTIONS - 1 if span.whole else SECTIONS
         places = [(v, (v - span.start) / section) for v in extreme]

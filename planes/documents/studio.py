@@ -17,9 +17,9 @@ from render.page.studio_page import answered, files_of
 from render.page.web_page import compact_json
 
 RUNTIME = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
-"""The files of the npm package that a browser asks for."""
+"""The files of the npm package that a browser requests."""
 ENGINE = ("words", "geometry", "scene", "drafting", "plans", "solving", "batch", "lesson", "studio")
-"""The rooms a browser's worker runs, and with them the grading's catalogue of mistakes."""
+"""The rooms that a browser's worker runs, with the grading's catalogue of mistakes."""
 BESIDE = ("planes/__init__.py", "planes/check/__init__.py", "planes/check/grading", "planes/check/reading")
 PAGES = ("__init__.py", "packer.py", "web_page.py", "lesson_page.py", "studio_page.py")
 LETTERS = ("__init__.py", "letters.py")
@@ -53,7 +53,7 @@ def write_studio(folder: str, lang: Lang, runtime: str = "", scenes: Iterable[st
 
 
 def engine() -> bytes:
-    """The packages a worker needs, as they are, in one archive; of other people's, PyYAML alone, which is pure."""
+    """The packages for a worker, unchanged, in one archive; the only foreign one is PyYAML in pure Python."""
     planes, render, own = (Path(str(files(name))) for name in ("planes", "render", "yaml"))
     parts = [planes / room for room in ENGINE] + [planes.parent / name for name in BESIDE] + [render / "__init__.py"]
     parts += [render / "page" / name for name in PAGES] + [render / "paper" / name for name in LETTERS]

@@ -1,7 +1,7 @@
-"""The studio on this machine: a server for one person's browser, the engine behind it.
+"""The local studio: a server for one user's browser, with the engine behind it.
 
-It listens to this machine alone, and answers only a browser that came with its token, from its own page: so no other
-page that is open can ask it anything. What takes long, or opens a stranger's file, runs in a process of its own.
+It listens on this machine only, and answers only a browser that has its token and its own page: so no other open page
+can send it a request. Long work, or work on a foreign file, runs in a separate process.
 """
 
 import asyncio
@@ -29,7 +29,7 @@ from render.page.studio_page import FILES, files_of, written
 
 HOST, COOKIE = "127.0.0.1", "planes"
 MOST_BYTES, MOST_DRAWING = 300_000, 40_000_000
-SECONDS, AT_ONCE = 90, 2  # of a file that is made, how long and how many beside each other
+SECONDS, AT_ONCE = 90, 2  # limits for making a file: seconds, and how many at once
 MADE = {
     "pdf": "application/pdf",
     "svg": "image/svg+xml",
@@ -49,11 +49,11 @@ SAFE = {
     "Cross-Origin-Resource-Policy": "same-origin",
     "Cache-Control": "no-store",
 }
-"""What every answer tells a browser."""
+"""Headers of every answer."""
 
 
 class StudioServer:
-    """The routes, and what they share: the token, the pages, the places where files are made."""
+    """The routes, and their common data: the token, the pages, the folders where files are made."""
 
     def __init__(self, lang: Lang, first: str = "", scenes: tuple[str, ...] = ()) -> None:
         self.lang, self.token = lang, secrets.token_urlsafe(24)
@@ -79,7 +79,7 @@ class StudioServer:
         )
 
     def guarded(self, act: Callable[[Request], Awaitable[Response]]) -> Callable[[Request], Awaitable[Response]]:
-        """A route for the browser that has the token, asked for by this name of the machine and from this page."""
+        """A route for the browser with the token, addressed by this name of the machine and from this page."""
 
         async def answered(request: Request) -> Response:
             here = {f"{name}:{request.url.port}" for name in (HOST, "localhost")}
@@ -99,7 +99,7 @@ class StudioServer:
         return answered
 
     def refused(self, key: str, status: int, **parts: object) -> Response:
-        """A sentence in the studio's language."""
+        """An error sentence in the studio's language."""
         return PlainTextResponse(say(key, self.lang, **parts), status)
 
     async def page(self, request: Request) -> Response:
@@ -110,14 +110,14 @@ class StudioServer:
         return Response(self.pages[name], media_type=KINDS[name.rpartition(".")[2]])
 
     async def gallery(self, _: Request) -> Response:
-        """The scenes of the gallery, made when they are first asked for."""
+        """The scenes of the gallery, made on first request."""
         if not self.shelf:
             scenes = await run_in_threadpool(shelf, self.scenes)
             self.shelf = json.dumps(scenes, ensure_ascii=False).encode()
         return Response(self.shelf, media_type=KINDS["json"])
 
     async def body(self, request: Request, most: int) -> dict[str, object] | None:
-        """The message of a request, no longer than ``most`` bytes; None of anything else."""
+        """The message of a request, of at most ``most`` bytes; None for any other input."""
         data = b""
         async for chunk in request.stream():
             data += chunk
@@ -136,7 +136,7 @@ class StudioServer:
         return Response(await run_in_threadpool(written, message), media_type=KINDS["json"])
 
     async def file(self, request: Request) -> Response:
-        """A file as the command line writes it."""
+        """A file as the command line would write it."""
         message = await self.body(request, MOST_BYTES)
         file = str((message or {}).get("file", ""))
         if message is None or file not in FILES:
@@ -164,14 +164,14 @@ class StudioServer:
         return PlainTextResponse(f"reports/{name}")
 
     async def report(self, request: Request) -> Response:
-        """A report that was made."""
+        """A stored report."""
         page = self.reports.get(request.path_params["name"])
         return Response(page, media_type=KINDS["html"]) if page else self.refused("studio_no_page", 404)
 
     async def made(
         self, message: dict[str, object], line: list[str], output: str, beside: dict[str, bytes] | None = None
     ) -> bytes | Response:
-        """What a command writes of the message's scene, in a process of its own; or why it does not."""
+        """The output of a command for the message's scene, in a separate process; or why it failed."""
         lang = str(message.get("lang", ""))
         with tempfile.TemporaryDirectory() as folder:
             for name, data in {"scene.yaml": str(message.get("text", "")).encode(), **(beside or {})}.items():
@@ -193,7 +193,7 @@ class StudioServer:
 
 
 def serve(lang: Lang, first: str = "", scenes: tuple[str, ...] = (), port: int = 0, browse: bool = True) -> None:
-    """The server, until it is stopped; ``port`` 0 is any that is free."""
+    """The server, until it is stopped; ``port`` 0 means any free one."""
     import socket
 
     import uvicorn
@@ -202,7 +202,7 @@ def serve(lang: Lang, first: str = "", scenes: tuple[str, ...] = (), port: int =
     with socket.socket() as door:
         door.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         door.bind((HOST, port))
-        door.listen(128)  # who reads the address finds it open
+        door.listen(128)  # when the address is printed, it is already open
         address = f"http://{HOST}:{door.getsockname()[1]}/?token={studio.token}"
         print(say("studio_opened", lang, address=address), flush=True)
         if browse:

@@ -1,7 +1,6 @@
-"""Whether the numbers of a drawing are clear of rounding: no lines so blunt, no distance so short, that a few of them
-together leave nothing of a result. It is a cheap look, made at every position; where it finds anything the running
-bound of ``batch.error_bounds`` says of which results digits are left.
-"""
+"""Whether the numbers of a drawing are clear of rounding: no lines that cross so bluntly, no distance so short, that a
+few of them together destroy a result. It is a cheap check, made at every position; where it fails, the running bound of
+``batch.error_bounds`` shows which results have digits left."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -18,17 +17,18 @@ from planes.geometry.plane import square
 from planes.words.names import Meaning, kind_of, plan_of
 
 BLUNT, CLEAR = 0.1, 0.01
-"""A sharpness of ``BLUNT`` takes nothing away; all together may leave no less than ``CLEAR`` of it. An acceleration
-errs by some 5e-15 over the third power of a sharpness: where lines of one group meet at 1e-3, by less than 1e-5."""
-NOTHING = 4e-15  # beside the largest of a plan: what rounding may have made of nothing, or nothing of
-CERTAIN = 1e-12  # beside the largest speed: which way a slower thing goes rounding may have made
-FAR = 1e6  # lengths as many times longer than the shortest: digits go where no line is blunt
-_AGAIN = ("velocity", "motion", "acceleration", "lever")  # plans whose lines are those of the scheme
+"""A sharpness of ``BLUNT`` or more costs no digits; the product of all must be at least ``CLEAR`` of that. The error of
+an acceleration is about 5e-15 over the third power of a sharpness: where lines of one group meet at 1e-3, less than
+1e-5."""
+NOTHING = 4e-15  # of the largest on a plan: below this, rounding may turn zero into a value or a value into zero
+CERTAIN = 1e-12  # of the largest speed: below this, rounding may reverse the sense of a slower motion
+FAR = 1e6  # ratio of the longest length to the shortest: above it digits are lost although no line is blunt
+_AGAIN = ("velocity", "motion", "acceleration", "lever")  # plans with the same lines as the scheme
 
 
 def clear(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iterable[tuple[str, str]] = ()) -> Truth:
-    """Whether a drawing is clear: of one position, of many, or on a tape; and no force of ``sides`` (start, end) is
-    nothing beside the largest of its plan."""
+    """Whether a drawing is clear, for one position, for many, or on a tape; and no force of ``sides`` (start, end)
+    vanishes beside the largest of its plan."""
     ar, scheme, forces = tool.ar, 1.0, 1.0
     for name, sharpness in _apart(program, tool).items():
         plan = kind_of(plan_of(name))
@@ -50,14 +50,14 @@ def clear(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iter
 
 
 def _apart(program: Program, tool: Tool) -> dict[str, Real]:
-    """The sharpness of every mark, once of those that are cut by the same settled link."""
+    """The sharpness of every mark; marks cut by the same settled link count once."""
     cut = {s.makes: s.holds for s in program.steps if isinstance(s, CutTrack)}
     first = {holds: name for name, holds in reversed(cut.items())}
     return {n: sharp for n, sharp in tool.sharpness.items() if n not in cut or first[cut[n]] == n}
 
 
 def _none_faint(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iterable[tuple[str, str]]) -> Truth:
-    """Whether no force is nothing, or next to nothing, beside others."""
+    """Whether no force vanishes, or nearly so, beside others."""
     ar, ok, largest = tool.ar, True, dict[str, Real]()
     for start, end in sides:
         plan = plan_of(start)
@@ -69,7 +69,7 @@ def _none_faint(program: Program, things: Mapping[str, Thing], tool: Tool, sides
 
 
 def far_apart(given: Mapping[str, Thing], means: Mapping[str, Meaning]) -> bool:
-    """Whether given lengths of a mechanism are of such different sizes that no position is clear."""
+    """Whether the given lengths of a mechanism differ so much that no position is clear."""
     sizes = [(means[n].quantity, abs(v)) for n, v in given.items() if n in means]
     longest = max((size for what, size in sizes if what in ("length", "offset", "place")), default=0.0)
     return longest > FAR * min((size for what, size in sizes if what == "length" and size), default=math.inf)

@@ -1,4 +1,4 @@
-"""A given number or place that is reckoned of the dimensions of links."""
+"""A given number or place computed from the dimensions of links."""
 
 from collections.abc import Callable, Hashable
 from typing import Any, NamedTuple
@@ -8,8 +8,8 @@ from planes.geometry.arithmetic import Arithmetic
 
 
 class Dimension(NamedTuple):
-    """What it is, how it is reckoned anew and ``of`` what: two that are one number by chance are not the same
-    dimension."""
+    """The value, the formula for it, and the dimensions ``of`` which it is computed: two that agree by chance are not
+    the same dimension."""
 
     value: Thing
     by: Callable[[Any, Arithmetic], Any]

@@ -1,7 +1,7 @@
-"""The only compiler: vector equations, and what stands between them, into the steps of a program.
+"""The only compiler: vector equations, and the steps between them, into a program.
 
-A :class:`Draft` grows a program in the order a draughtsman would draw it. Each method names what it makes and gives
-the name back; asking twice for the same direction makes one step.
+A :class:`Draft` adds steps in the order in which a draughtsman draws. Each method returns the name of its result;
+asking twice for the same direction makes one step.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -21,12 +21,12 @@ from planes.words.lettering import name_in_words, plan_phrase
 from planes.words.names import AGAIN, POLE, Meaning, Quantity, at, label_of, mu_of, plan_of
 
 _REVERSED: Mapping[Quantity, Quantity] = {"with": "against", "against": "with"}
-_READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values other modules find by their names
+_READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values that other modules find by name
 
 
 @frozen
 class Segment:
-    """A segment of a plan that measures a quantity: from label ``start`` to ``end``, "v_CB" being its name."""
+    """A segment of a plan that measures a quantity: from label ``start`` to ``end``, with a name such as "v_CB"."""
 
     plan: str
     start: str
@@ -35,7 +35,7 @@ class Segment:
 
 
 class Draft:
-    """A program in the making, with its givens, equations, moment equations and measured segments."""
+    """A program under construction, with its givens, equations, moment equations and measured segments."""
 
     def __init__(self) -> None:
         self.steps: dict[str, Step] = {}
@@ -45,17 +45,17 @@ class Draft:
         self.equations: list[Equation] = []
         self.moments: list[Moments] = []
         self.segments: list[Segment] = []
-        self.laws: dict[str, Law] = {}  # givens that hold where the drive stands in the file alone
+        self.laws: dict[str, Law] = {}  # givens valid only at the drive's position in the file
         self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
 
     def apart(self) -> "Draft":
-        """Another draft that goes on from here, of which this one knows nothing."""
+        """A copy of this draft that can be continued without changing it."""
         other = copy(self)
         vars(other).update({name: copy(kept) for name, kept in vars(self).items()})
         return other
 
     def give(self, name: str, value: Thing, means: Meaning | None = None) -> str:
-        """State a given value (SI, degrees, ±1) or place (complex, m); a name taken by another is primed."""
+        """State a given value (SI, degrees, ±1) or place (complex, m); a name already in use gets a prime."""
         while name in self.steps or name in self.reckoned or self.given.setdefault(name, value) != value:
             name += "′"
         if means:
@@ -63,7 +63,7 @@ class Draft:
         return name
 
     def reckon(self, name: str, dimension: Dimension, means: Meaning | None = None) -> str:
-        """State a given that is reckoned of the dimensions of links; it is there already where it is of the same."""
+        """State a given computed from the dimensions of links; an equal one is reused."""
         while name in self.given and (name not in self.reckoned or self.reckoned[name].of != dimension.of):
             name += "′"
         if name not in self.reckoned:
@@ -72,12 +72,12 @@ class Draft:
         return name
 
     def law(self, name: str, law: Law | None) -> None:
-        """Note that a given, or a direction, holds where the drive stands in the file alone."""
+        """Record that a given or a direction is valid only at the drive's position in the file."""
         if law:
             self.laws[name] = law
 
     def step(self, step: Step) -> str:
-        """Add a step, unless it is there already; a direction or value named as another one is marked so."""
+        """Add a step unless it exists; a direction or value named by another one is recorded."""
         while step.makes in self.given or self.steps.setdefault(step.makes, step) != step:
             if step.kind == "mark" or step.makes.startswith(_READ_BY_NAME):
                 mark, plan = name_in_words(step.makes), plan_of(step.makes)
@@ -105,7 +105,7 @@ class Draft:
     def aim(
         self, name: str, angle_deg: float | Dimension, means: Meaning | None = None, given: Meaning | None = None
     ) -> str:
-        """A direction at an angle, which may itself be ``given`` as something."""
+        """A direction at an angle, which may itself be ``given`` under a name."""
         return self.step(Aim(name, self._angle(name, angle_deg, given), means=means))
 
     def through(self, name: str, start: str, end: str, means: Meaning | None = None) -> str:
@@ -120,7 +120,7 @@ class Draft:
     def turn(
         self, name: str, line_name: str, angle_deg: float | Dimension, means: Meaning, given: Meaning | None = None
     ) -> str:
-        """A direction turned by an angle, which may itself be ``given`` as something."""
+        """A direction turned by an angle, which may itself be ``given`` under a name."""
         return self.step(Turn(name, line_name, 0, self._angle(name, angle_deg, given), means=means))
 
     def _angle(self, name: str, angle: float | Dimension, means: Meaning | None) -> str:
@@ -128,11 +128,11 @@ class Draft:
         return self.reckon(given, angle, means) if isinstance(angle, Dimension) else self.give(given, angle, means)
 
     def lay_off(self, plan: str, label: str, start: str, along: str, length: str, means: Meaning | None = None) -> str:
-        """A length (SI value by name) laid off from a mark."""
+        """Lay off a length (SI value by name) from a mark."""
         return self.step(LayOff(at(plan, label), start, along, length, mu_of(plan), means=means))
 
     def measure(self, name: str, start: str, end: str, along: str | None = None) -> str:
-        """A segment read off its plan, in SI."""
+        """Measure a segment on its plan, in SI."""
         return self.step(Measure(name, start, end, along, mu_of(plan_of(start))))
 
     def product(self, name: str, coefficient: float = 1.0, **factors: int) -> str:
@@ -144,7 +144,7 @@ class Draft:
         return self.step(Calculate(name, tuple(terms), means=means))
 
     def arm(self, force: str, point: str, along: str, about: str, link: str = "", name: str = "") -> str:
-        """The arm of a force at a mark about another one, dropped and measured."""
+        """The arm of a force at one mark about another: the perpendicular, drawn and measured."""
         means = Meaning("arm", force, about, link)
         name = name or f"h_{force}_{label_of(about)}"
         return self.step(Drop(name, point, along, about, mu_of(plan_of(point)), means=means))
@@ -158,7 +158,7 @@ class Draft:
         arm: str = "",
         means: Meaning | None = None,
     ) -> str:
-        """Solve the moments about a mark for one unknown: a force by its ``arm``, a couple without."""
+        """Solve the moment equation about a mark for one unknown: a force with its ``arm``, or a couple without."""
         value = self.total(unknown, [product for _, _, product in terms], means)
         shown = tuple((name, lever) for name, lever, _ in terms)
         self.moments.append(Moments(label_of(about), links, shown, value, arm))
@@ -169,7 +169,7 @@ class Draft:
         return self.step(Turn(f"{two}→{one}", self.ray(plan, one, two), 2, means=Meaning("towards", two, one)))
 
     def show(self, plan: str, start: str, end: str, name: str) -> None:
-        """Name a segment as the image of a quantity."""
+        """Name a segment as the representation of a quantity."""
         self.segments.append(Segment(plan, start, end, name))
 
     def draw(self, equation: Equation) -> None:
@@ -180,15 +180,16 @@ class Draft:
         self.conclude(equation)
 
     def meet(self, plan: str, chain: Iterable[Term], last: Term, back: Term) -> None:
-        """A vector on from where a chain ends and one back from its beginning meet, the line of either being known."""
+        """Lay off a vector forwards from the end of a chain and one backwards from its beginning until they meet; the
+        line of either is known."""
         self.draw(Equation(plan, ((*chain, last), (back,))))
 
     def close(self, plan: str, chain: Iterable[Term], name: str, start: str, end: str = POLE) -> None:
-        """A vector of that name closes a polygon: its length and direction are read."""
+        """Draw the closing vector of a polygon, with that name; its length and direction are measured."""
         self.conclude(Equation(plan, ((*chain, Term(name, start, end)), ())))
 
     def conclude(self, equation: Equation) -> None:
-        """Measure what an equation was drawn for, its last mark being there."""
+        """Measure the results of an equation once its last mark exists."""
         self.equations.append(equation)
         for term in equation.terms:
             self.show(equation.plan, *term.ends, term.name)
@@ -199,7 +200,7 @@ class Draft:
             self.show(equation.plan, equation.chains[0][0].start, equation.chains[0][-1].end, equation.total)
 
     def _advance(self, plan: str, chain: tuple[Term, ...]) -> tuple[str, list[Term]]:
-        """Lay off the known terms; the mark reached and the terms still open."""
+        """Lay off the known terms; returns the mark reached and the terms still open."""
         mark = at(plan, chain[0].start) if chain else ""
         unknown = []
         for term in chain:
@@ -210,7 +211,7 @@ class Draft:
         return mark, unknown
 
     def lay(self, plan: str, term: Term, start: str | None = None) -> str:
-        """Lay a known vector off (or find it drawn already); the mark it ends at."""
+        """Lay off a known vector (or find it on the plan); returns the mark at its end."""
         if not term.drawn and term.length and term.direction:
             place = start or at(plan, term.start)
             along = term.direction if term.sign > 0 else self.reversed(term.direction)
@@ -218,7 +219,7 @@ class Draft:
         return at(plan, term.end)
 
     def reversed(self, line_name: str) -> str:
-        """A direction the other way."""
+        """The opposite direction."""
         line = self.steps[line_name].means
         turned = line and replace(line, quantity=_REVERSED.get(line.quantity, line.quantity))
         if turned and turned.quantity == "towards":
@@ -230,7 +231,7 @@ class Draft:
         if len(open_terms[0]) == 1:
             (one,), (two,) = open_terms
             start, other = ends
-        else:  # both open terms stand in one chain: come to meet them from its far end
+        else:  # both open terms are in one chain: work back from its far end
             one, two = open_terms[0] or open_terms[1]
             start, other = ends if open_terms[0] else reversed(ends)
         mark, mu, side = at(equation.plan, one.end), mu_of(equation.plan), equation.side or ""
@@ -244,6 +245,6 @@ class Draft:
             self.step(CrossArcs(mark, start, one.length, other, two.length, mu, side))
 
     def _arm(self, mark: str) -> tuple[str, str, str] | None:
-        """How a mark was laid off, if it was: from which mark, along which direction, which length."""
+        """How a mark was laid off, if it was: the start mark, the direction, the length."""
         step = self.steps[mark]
         return (step.start, step.along, step.length) if isinstance(step, LayOff) else None

@@ -16,15 +16,15 @@ from planes.words.errors import Contradiction, PlanFailure, ProgramError, choice
 from planes.words.lettering import name_in_words, plan_phrase
 from planes.words.records import Pictured
 
-LEAST = 1e-290  # SI: smaller numbers have fewer digits than doubles
+LEAST = 1e-290  # SI: smaller numbers have fewer digits than a normal double
 SHAKEN = range(4)  # seeds of the blunter drawings
-Instead = Mapping[str, Sequence[Step]]  # steps in the place of the one that makes the name; the last makes it too
+Instead = Mapping[str, Sequence[Step]]  # steps that replace the step for a name; the last of them makes that name too
 NOTHING: Instead = {}
 
 
 @dataclass
 class Drawing(Pictured):
-    """What was drawn: everything by name, and the tool that drew it."""
+    """The result of a run: every object by name, and the tool that drew it."""
 
     program: Program
     things: dict[str, Thing]
@@ -42,11 +42,11 @@ class Drawing(Pictured):
 
     @property
     def sharpness(self) -> dict[str, Real]:
-        """How sharply lines met at each crossed mark: the sine of the angle."""
+        """How sharply lines meet at each crossed mark: the sine of the angle."""
         return self.tool.sharpness
 
     def failed(self) -> Truth:
-        """Of many drawings, which failed: a mask (False when every one came out)."""
+        """Of many drawings, those that failed: a mask (False when all succeeded)."""
         mask: Truth = False
         for _, _, ok, _ in self.tool.failures:
             mask = mask | ~ok
@@ -56,9 +56,9 @@ class Drawing(Pictured):
 def run(program: Program, given: Mapping[str, Thing], instrument: Instrument | None = None) -> Drawing:
     """Draw every step. With an array among the givens many drawings are made at once.
 
-    Raises :class:`ProgramError` when something is not given, :class:`PlanFailure` when a single drawing cannot go on,
-    :class:`Contradiction` where its two balancing loads differ;
-    of many, those that cannot are NaN and named by :meth:`Drawing.failed`.
+    Raises :class:`ProgramError` when a given is missing, :class:`PlanFailure` when a single drawing cannot continue,
+    :class:`Contradiction` where its two balancing loads differ; of many drawings, failed ones are NaN and listed by
+    :meth:`Drawing.failed`.
     """
     drawing, failure = reached(program, given, instrument)
     if failure:
@@ -69,7 +69,7 @@ def run(program: Program, given: Mapping[str, Thing], instrument: Instrument | N
 def reached(
     program: Program, given: Mapping[str, Thing], instrument: Instrument | None = None
 ) -> tuple[Drawing, PlanFailure | None]:
-    """A drawing as far as it goes, and why it goes no further."""
+    """The drawing up to the first failure, and that failure."""
     missing = [n for n in program.givens if n not in given]
     if missing:
         raise ProgramError(Phrase("give_first", names=tuple(missing)))
@@ -89,9 +89,9 @@ def reached(
 
 
 def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead = NOTHING) -> dict[str, Thing]:
-    """Draw steps one after another into ``things``, in the place of some those of ``instead``; what each has made.
+    """Draw steps one after another into ``things``, some replaced by those of ``instead``; returns the result of each.
 
-    What is drawn on from is what the tool leaves in ``things``; of many drawings, those in which a step fails are NaN.
+    Later steps use the entries that the tool leaves in ``things``; of many drawings, failed ones are NaN.
     """
     name, made = "", {}
     try:
@@ -99,14 +99,14 @@ def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead 
             for step in steps:
                 name = step.makes
                 made[name] = tool.make(step, instead.get(name, (step,)), things)
-    except (OverflowError, ZeroDivisionError):  # numbers so far apart that no double holds them
+    except (OverflowError, ZeroDivisionError):  # overflow of a double
         raise PlanFailure("no_digits", makes=name_in_words(name)) from None
     return made
 
 
 def proved(program: Program, given: Mapping[str, Thing], drawn: Drawing | None = None) -> None:
-    """Refuse a single position whose exact drawing (``drawn``, if it is there already) fails any proof; one that cannot
-    be drawn proves nothing."""
+    """Refuse a single position whose exact drawing (``drawn``, if it exists) fails any proof; a position that cannot be
+    drawn is not checked."""
     try:
         drawing = drawn or run(program, given)
     except PlanFailure:
@@ -115,12 +115,12 @@ def proved(program: Program, given: Mapping[str, Thing], drawn: Drawing | None =
 
 
 def prove_many(drawing: Drawing, given: Mapping[str, Thing]) -> None:
-    """Of many exact drawings, mask those that fail any proof; balancing loads were compared as they were drawn."""
+    """Mask those of many exact drawings that fail any proof; balancing loads were compared when they were drawn."""
     _prove(drawing, given, [p for p in drawing.program.proofs if not isinstance(p, Twofold)])
 
 
 def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
-    """Refuse, or mask, what is apart by more than drawings a thousand times blunter can tell."""
+    """Refuse, or mask, gaps larger than drawings with a thousand times the rounding error can explain."""
     tool, blunter = drawing.tool, None
     apart, shown = [], Facts(drawing.things, tool.ar)
     with tool.ar.quiet():
@@ -140,7 +140,7 @@ def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]
 
 
 def _blunter(program: Program, given: Mapping[str, Thing]) -> list[Mapping[str, Thing]]:
-    """Drawings a thousand times blunter than doubles; none of what cannot be drawn so."""
+    """Drawings with a thousand times the rounding error of doubles; those that fail are left out."""
     try:
         return [run(program, given, Shaken(seed)).things for seed in SHAKEN]
     except PlanFailure:
@@ -148,7 +148,7 @@ def _blunter(program: Program, given: Mapping[str, Thing]) -> list[Mapping[str, 
 
 
 def _doubt(blunter: list[Mapping[str, Thing]], proof: Proof, gap: Real, size: Real, tool: Tool) -> Real:
-    """How much they move a gap; without end where there are none, or where they are of another size altogether."""
+    """How much the gap varies among them; infinite where there are none, or where their sizes differ altogether."""
     with tool.ar.quiet():
         drawn = [proof.compared(Facts(things, tool.ar)) for things in blunter]
         moved = [tool.ar.where(abs(big - size) > size / 2, math.inf, abs(off - gap)) for off, big in drawn]
@@ -156,7 +156,7 @@ def _doubt(blunter: list[Mapping[str, Thing]], proof: Proof, gap: Real, size: Re
 
 
 def _mask(drawing: Drawing, proof: Proof, ok: Truth) -> None:
-    """Of many drawings, nothing is left of those a proof refuses."""
+    """Of many drawings, set those that a proof refuses to NaN."""
     tool, before = drawing.tool, len(drawing.tool.failures)
     tool.require(ok, proof, proof.reason)
     for step in drawing.program.steps:

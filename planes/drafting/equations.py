@@ -1,7 +1,7 @@
 """Planar vector equations: terms with known and unknown parts, the chain check, and the four kinds.
 
-The state of a term is the textbook's underlining: two lines for a vector known in length and direction, one for a
-vector of which one of the two is known (Chace, 1963; Bauman conventions of the underlines).
+The state of a term is shown by the textbook's underlines: two for a vector known in length and direction, one for a
+vector with one of the two known (Chace, 1963; the underline convention of Bauman).
 """
 
 from itertools import pairwise
@@ -20,9 +20,9 @@ EquationKind = Literal["close", "cross", "arc", "arcs"]
 class Term:
     """One vector of an equation, from mark ``start`` to mark ``end`` of its plan.
 
-    ``length`` and ``direction`` name a value and a direction of the program, or are None where unknown. ``action``
-    is the line of action as written beneath: "⊥BC", "∥y-y", "C→B", "=0", "∠⊥y-y" at an angle to that (friction).
-    ``drawn`` terms are on the plan already.
+    ``length`` and ``direction`` name a value and a direction of the program, or are None where unknown. ``action`` is
+    the line of action as written beneath: "⊥BC", "∥y-y", "C→B", "=0", "∠⊥y-y" at an angle to that (friction). ``drawn``
+    terms are already on the plan.
     """
 
     name: str
@@ -33,7 +33,7 @@ class Term:
     action: str = ""
     drawn: bool = False
     sign: int = 1
-    means: Meaning | None = field(default=None, compare=False, repr=False)  # what the mark is that it ends at
+    means: Meaning | None = field(default=None, compare=False, repr=False)  # the meaning of the mark at its end
 
     @property
     def known(self) -> int:
@@ -42,7 +42,7 @@ class Term:
 
     @property
     def ends(self) -> tuple[str, str]:
-        """The marks its vector goes from and to: in a difference the other way."""
+        """The start and end marks of its vector; reversed in a difference."""
         return (self.start, self.end) if self.sign > 0 else (self.end, self.start)
 
 
@@ -51,10 +51,10 @@ SignedTerm = tuple[int, Term]
 
 @frozen
 class Equation:
-    """Two chains of vectors on one plan with one start and one end, and exactly two unknowns between them.
+    """Two chains of vectors on one plan with the same start and end, and exactly two unknowns between them.
 
-    ``total`` names the vector both chains add up to ("v_C"); without it the chains are one closed polygon. ``side``
-    names the given ±1 that chooses between two crossings of arcs.
+    ``total`` names the sum of either chain ("v_C"); without it the chains form a closed polygon. ``side`` names the
+    given ±1 that selects one of two crossings of arcs.
     """
 
     plan: str
@@ -77,7 +77,7 @@ class Equation:
 
     @property
     def terms(self) -> tuple[Term, ...]:
-        """All terms, the first chain's first."""
+        """All terms, those of the first chain first."""
         return self.chains[0] + self.chains[1]
 
     @property
@@ -94,7 +94,7 @@ class Equation:
 
     @property
     def kind(self) -> EquationKind:
-        """Which construction solves it: close the polygon, cross two lines, a line and an arc, or two arcs."""
+        """The construction that solves it: close the polygon, cross two lines, a line and an arc, or two arcs."""
         (name, part), (other, other_part) = self.unknowns
         if name == other:
             return "close"
@@ -104,12 +104,12 @@ class Equation:
 
     @property
     def closed(self) -> bool:
-        """Whether it is written as a closed polygon: all vectors add up to nothing."""
+        """Whether it is written as a closed polygon: the sum of all vectors is zero."""
         return not self.total and all(t.sign < 0 for t in self.chains[1])
 
     @property
     def written(self) -> tuple[tuple[SignedTerm, ...], ...]:
-        """The sides as they are written, each term with its sign: of a closed polygon one."""
+        """The sides as written, each term with its sign; a closed polygon has one side."""
         one, two = self.chains
         if self.closed:
             return (tuple((t.sign, t) for t in one) + tuple((-t.sign, t) for t in two),)
@@ -117,13 +117,13 @@ class Equation:
 
     @property
     def text(self) -> str:
-        """The equation in a line of text."""
+        """The equation as a line of text."""
         sides = [_sum(side) for side in self.written if side]
         return " = ".join([self.total, *sides] if self.total else [*sides, "0"] if self.closed else sides)
 
 
 def _sum(side: tuple[SignedTerm, ...]) -> str:
-    """A side in a line of text."""
+    """A side as text."""
     text = "".join(f" {'+' if sign > 0 else '−'} {t.name}" for sign, t in side)
     return text.removeprefix(" + ").strip()
 
@@ -142,10 +142,10 @@ def _check_chain(chain: tuple[Term, ...], text: str) -> None:
 
 @frozen
 class Moments:
-    """A moment equation about a point: signed terms (force, arm) or (couple, "") adding up to zero with the unknown.
+    """A moment equation about a point: signed terms (force, arm) or (couple, "") whose sum with the unknown is zero.
 
-    ``unknown`` is the value it is solved for and ``arm`` its arm's name ("" for a couple); ``links`` are those whose
-    equilibrium it states.
+    ``unknown`` is the value to solve for and ``arm`` the name of its arm ("" for a couple); ``links`` are the links in
+    equilibrium.
     """
 
     about: str
@@ -155,4 +155,4 @@ class Moments:
     arm: str
 
 
-MomentTerms = list[tuple[str, str, Product]]  # a force or a couple, its arm, and the product of both
+MomentTerms = list[tuple[str, str, Product]]  # a force or a couple, its arm, and their product

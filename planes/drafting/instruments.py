@@ -1,6 +1,6 @@
 """Instruments that draw a program: exactly, or with a pencil's error; each with its arithmetic and tolerances.
 
-How exact hand drawings are: 77 values of 18 published solutions, careful drafting 0.15 mm, 0.15°, ruler 0.25 mm.
+Accuracy of hand drawings: 77 values of 18 published solutions, careful drafting 0.15 mm, 0.15°, ruler 0.25 mm.
 """
 
 import math
@@ -15,12 +15,12 @@ from planes.geometry.arithmetic import Arithmetic, Many, Point, Real
 from planes.geometry.listed import ListArithmetic
 from planes.words.frozen import frozen
 
-PENCILS = 200  # how many draughtsmen draw a plan to see how far apart they end
+PENCILS = 200  # draughtsmen who draw a plan to show the scatter of results
 ROUNDINGS = 1000 * 2.0**-52
 
 
 class Instrument(Protocol):
-    """What draws: makes a fresh tool for one drawing, or for arrays of ``many``."""
+    """A drawing instrument: it makes a fresh tool for one drawing, or for arrays of ``many``."""
 
     def tool(self, many: bool) -> Tool: ...
 
@@ -31,7 +31,7 @@ def _arithmetic(many: bool) -> Arithmetic:
 
 @frozen
 class Exact:
-    """An instrument without errors but rounding."""
+    """An instrument with no error but rounding."""
 
     def tool(self, many: bool) -> Tool:
         return Tool(_arithmetic(many), many)
@@ -39,15 +39,15 @@ class Exact:
 
 @frozen
 class InLists:
-    """No error but rounding, many positions in lists of Python's own numbers (:mod:`planes.geometry.listed`): slower
-    than numpy, and there without it. What is drawn is not proved."""
+    """No error but rounding, many positions in lists of Python numbers (:mod:`planes.geometry.listed`): slower than
+    numpy, and independent of it. The drawings are not proved."""
 
     def tool(self, many: bool) -> Tool:
         return Tool(ListArithmetic() if many else Arithmetic(), many)
 
 
 def is_exact(instrument: Instrument | None) -> bool:
-    """Whether there is no error but rounding; no instrument is an exact one."""
+    """Whether rounding is the only error; no instrument means the exact one."""
     return instrument is None or isinstance(instrument, Exact)
 
 
@@ -70,8 +70,8 @@ class Pencil:
 
 @frozen
 class Shaken:
-    """A draughtsman whose every mark, direction and reading is off by a thousand roundings: what he cannot tell apart,
-    doubles cannot be asked to."""
+    """A draughtsman whose every mark, direction and reading is off by a thousand roundings: a difference he cannot see
+    is beyond doubles too."""
 
     seed: int = 1
 
@@ -80,7 +80,7 @@ class Shaken:
 
 
 class _Errors:
-    """Normal errors: one, or an array of one for each drawing made at once."""
+    """Normal errors: one, or an array with one for each simultaneous drawing."""
 
     def __init__(self, seed: int, many: bool) -> None:
         if many:
@@ -93,7 +93,7 @@ class _Errors:
         return self.array.standard_normal(shape) if shape else self.one.gauss(0.0, 1.0)
 
     def both(self, shape: tuple[int, ...]) -> Point:
-        """Of a place: to the right, then upwards."""
+        """Errors of a place: to the right, then upwards."""
         return self.normal(shape) + 1j * self.normal(shape)
 
 
@@ -121,7 +121,7 @@ class _PencilTool(Tool):
 @dataclass
 class _ShakenTool(Tool):
     errors: _Errors = field(default_factory=lambda: _Errors(1, False))
-    reach: Real = 0.0  # the farthest of the marks a step draws from: what is near the pole is rounded like them
+    reach: Real = 0.0  # the farthest mark a step draws from: marks near the pole have the same rounding error
 
     def draw(self, step: Step, things: Env) -> Any:
         self.reach = reduce(self.ar.maximum, (abs(things[n]) for n, kind in step.reads() if kind == "mark"), 0.0)

@@ -1,4 +1,4 @@
-"""What must hold of the links of a drawing: rigid bodies, sliders on their guides, every link in equilibrium."""
+"""Conditions on the links of a drawing: rigid bodies, sliders on their guides, equilibrium of every link."""
 
 from collections.abc import Iterator
 from functools import reduce
@@ -16,7 +16,8 @@ ORDER = {"position": 0, "velocity": 1, "acceleration": 2}
 
 @frozen
 class Point:
-    """A point of a link: its own coordinate and its marks on the scheme and on the plans of rates."""
+    """A point of a link: its local coordinate and its marks on the scheme and on the velocity and acceleration
+    plans."""
 
     local: complex
     marks: tuple[str, ...]
@@ -33,7 +34,8 @@ class Point:
 
 @frozen
 class LinkMotion:
-    """How a link lies and turns: a point of it, and names of its x axis, ω and ε ("" where it never turns)."""
+    """The position and rotation of a link: one of its points, and names of its x axis, ω and ε ("" where it never
+    turns)."""
 
     origin: Point
     axis: str = ""
@@ -41,14 +43,14 @@ class LinkMotion:
     epsilon: str = ""
 
     def off(self, plan: str, shown: Facts, point: Point) -> Complex:
-        """How far a point is, on the plan and in SI, from where it were as a point of this link."""
+        """The distance of a point, on the plan and in SI, from its place as a point of this link."""
         vector = shown.vector(self.origin.on(plan), point.on(plan))
         if plan == "position":
             return vector - (shown[self.axis] if self.axis else 1.0) * (point.local - self.origin.local)
         return vector - self.spin(plan, shown) * shown.vector(self.origin.place, point.place)
 
     def spin(self, plan: str, shown: Facts) -> Complex:
-        """iω, or iε - ω²: what the rate of a point is beside its distance."""
+        """iω, or iε - ω²: the relative velocity or acceleration of a point divided by its distance."""
         return shown.once((self.omega, self.epsilon, plan), lambda: self._spin(plan, shown))
 
     def _spin(self, plan: str, shown: Facts) -> Complex:
@@ -60,7 +62,8 @@ class LinkMotion:
 
 @frozen
 class Rigid(Proof):
-    """The points of a link keep their distances, and their rates are those of one turning body."""
+    """The points of a link keep their distances, and their velocities or accelerations are those of one rotating
+    body."""
 
     body: LinkMotion
     points: tuple[Point, ...]
@@ -75,14 +78,15 @@ class Rigid(Proof):
             return
         yield from (shown.size(p.on(self.plan)) for p in self.points)
         reach = sum(shown.size(p.place) + abs(p.local) for p in self.points) + abs(self.body.origin.local)
-        yield shown.ar.size(self.body.spin(self.plan, shown)) * reach  # one about its hinge is no less long
+        yield shown.ar.size(self.body.spin(self.plan, shown)) * reach  # no smaller for a turn about its hinge
 
 
 @frozen
 class Slid(Proof):
-    """A point of a slider stays on its guide: nothing of its motion against the guide's link is across the guide."""
+    """A point of a slider stays on its guide: its motion relative to the guide's link has no component across the
+    guide."""
 
-    slider: Point  # where it would lie as a point of the guide's link, were it at the guide's own place
+    slider: Point  # its place as a point of the guide's link, if the guide were where it belongs
     owner: LinkMotion
     turn: complex  # the guide's direction in its link's axes
     offset: float
@@ -108,8 +112,8 @@ class Slid(Proof):
 
 @frozen
 class Balanced(Proof):
-    """All forces on a link add up to nothing, and so do their moments: ``forces`` (size, direction, point), sides of
-    ``reactions`` (start, end, ±1, point, couple), ``couples`` (value, ±1)."""
+    """All forces on a link have zero sum and zero moment: ``forces`` (size, direction, point), sides of ``reactions``
+    (start, end, ±1, point, couple), ``couples`` (value, ±1)."""
 
     forces: tuple[tuple[str, str, str], ...]
     reactions: tuple[tuple[str, str, int, str, str], ...]
@@ -117,7 +121,7 @@ class Balanced(Proof):
     reason: ClassVar[str] = "link_unbalanced"
 
     def nothing(self, shown: Facts) -> list[Complex]:
-        """The forces added up, and the moments about the pole divided by the largest distance from it."""
+        """The sum of the forces, and the moments about the pole divided by the largest distance from it."""
         at: dict[str, Complex] = {}
         for force, sign, point in self._acting(shown):
             before = at.get(point, 0.0)
@@ -132,6 +136,6 @@ class Balanced(Proof):
         yield from (shown.ar.size(force) for force, _, _ in self._acting(shown))
 
     def _acting(self, shown: Facts) -> Iterator[tuple[Complex, int, str]]:
-        """The forces, each with its sign and the point it acts at."""
+        """The forces, each with its sign and its point of application."""
         yield from ((shown.vector(start, end), sign, point) for start, end, sign, point, _ in self.reactions)
         yield from ((shown.along(size, along), 1, point) for size, along, point in self.forces)

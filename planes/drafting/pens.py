@@ -1,9 +1,9 @@
-"""Pens and arrowheads of a drawn plan, mm of paper: what a sheet is drawn with, and what is looked for on a print."""
+"""Pens and arrowheads of a drawn plan, mm of paper: used to draw a sheet and to find lines on a print."""
 
 from typing import NamedTuple
 
 HEADLESS_MM = 1.2  # an arrow shorter than this has no head
-LEAST_WIDTH = 1.7  # of a head on a short arrow, over the width of its pen
+LEAST_WIDTH = 1.7  # length of the head on a short arrow, over the width of its pen
 
 
 class HeadShape(NamedTuple):
@@ -14,8 +14,8 @@ class HeadShape(NamedTuple):
     pen: float
 
     def on(self, length_mm: float) -> "HeadShape | None":
-        """The head of an arrow of that length: no longer than half of it, so that a piece of the shaft is seen; none
-        on a very short one."""
+        """The head of an arrow of that length: at most half of it, so that some of the shaft shows; None on a very
+        short arrow."""
         if length_mm < HEADLESS_MM:
             return None
         shrink = min(1.0, 0.5 * length_mm / self.long)
@@ -25,7 +25,7 @@ class HeadShape(NamedTuple):
 THICK = HeadShape(5.0, 1.6, 0.6)
 """Links and the results of a plan: the main line s of ГОСТ 2.303."""
 MEDIUM = HeadShape(4.5, 1.0, 0.35)
-"""Forces, and the vectors a result is made of."""
+"""Forces, and the components of a result."""
 THIN = HeadShape(3.0, 0.8, 0.2)
-"""Everything that only helps: construction, arms, leaders, tables, hatching; s/3, the least ГОСТ 2.303 allows."""
+"""Auxiliary lines: construction, arms, leaders, tables, hatching; s/3, the least that ГОСТ 2.303 allows."""
 SHAPES = (THICK, MEDIUM, THIN)

@@ -1,4 +1,4 @@
-"""A program: steps in the order they are drawn, checked by name and kind before any number exists, and sliced."""
+"""A program: steps in drawing order, checked by name and kind before any number exists, and sliced."""
 
 from collections.abc import Container, Iterable
 from functools import cached_property
@@ -15,10 +15,10 @@ from planes.words.names import plan_of
 
 @frozen
 class Program:
-    """A straight line of steps. What no step makes must be given (a value or a place) when it is run."""
+    """A straight sequence of steps. Names that no step makes must be given (a value or a place) for a run."""
 
     steps: tuple[Step, ...]
-    # what must hold of what they draw, said by the scene's own numbers: no part of what a program depends on
+    # conditions on the result, in the scene's own numbers; the program does not depend on them
     proofs: tuple[Proof, ...] = field(default=(), compare=False)
 
     def __post_init__(self) -> None:
@@ -39,17 +39,17 @@ class Program:
 
     @cached_property
     def made(self) -> frozenset[str]:
-        """Names of everything the steps make."""
+        """Names of all results of the steps."""
         return frozenset(s.makes for s in self.steps)
 
     @cached_property
     def makers(self) -> dict[str, Step]:
-        """The steps by the names of what they make."""
+        """The steps by the names of their results."""
         return {s.makes: s for s in self.steps}
 
     @cached_property
     def givens(self) -> tuple[str, ...]:
-        """Names of what must be given, in the order they are first needed."""
+        """Names of the required givens, in the order of first use."""
         names = (name for s in self.steps for name, _ in s.reads())
         return tuple(dict.fromkeys(n for n in names if n not in self.made))
 
@@ -64,12 +64,12 @@ class Program:
 
     @cached_property
     def trials(self) -> frozenset[str]:
-        """Marks that are only suppositions (friction): nothing is read off them but which came true."""
+        """Marks that are only assumptions (friction): they serve to find which assumption holds."""
         return frozenset(s.makes for s in self.steps if isinstance(s, Cross) and s.supposed)
 
     @cached_property
     def readers(self) -> dict[str, list[Step]]:
-        """The steps that need each thing."""
+        """The steps that use each name."""
         readers: dict[str, list[Step]] = {}
         for step in self.steps:
             for name in dict.fromkeys(name for name, _ in step.reads()):
@@ -78,12 +78,12 @@ class Program:
 
     @cached_property
     def vanishing(self) -> frozenset[str]:
-        """Directions between two marks, along which only what grows with their distance is laid off: where the marks
-        coincide there is nothing to lay off, and any direction will do."""
+        """Directions between two marks that only carry lengths proportional to their distance: where the marks coincide
+        the length is zero, and any direction will do."""
         return frozenset(s.makes for s in self.steps if isinstance(s, Through) and self._vanishes(s))
 
     def _vanishes(self, ray: Through) -> bool:
-        """Whether a direction is only turned, to lay off what grows with the distance of its marks."""
+        """Whether a direction is only turned, to lay off lengths proportional to the distance of its marks."""
         turns = self.readers.get(ray.makes, [])
         laid = [s for turn in turns for s in self.readers.get(turn.makes, [])]
         ends = {ray.start, ray.end}
@@ -100,8 +100,8 @@ class Program:
     def touched(
         self, changed: Iterable[str], instead: Container[str] = (), fixed: Container[str] = ()
     ) -> tuple[Step, ...]:
-        """The steps drawn anew when what is given as ``changed`` changes, or other steps are drawn ``instead`` of some;
-        what is ``fixed`` stays, whatever leads to it."""
+        """The steps to redraw when the givens ``changed`` change, or other steps are drawn ``instead`` of some; results
+        in ``fixed`` stay, whatever they depend on."""
         dirty, steps = set(changed), []
         for step in self.steps:
             if step.makes in instead or any(name in dirty for name, _ in step.reads()):
@@ -112,13 +112,13 @@ class Program:
 
     @cached_property
     def corners(self) -> frozenset[str]:
-        """Marks where a part of a vector ends, the normal, the Coriolis one or a drive's: no point of a link."""
+        """Marks at the end of a vector component (normal, Coriolis or a drive's): not points of a link."""
         return frozenset(s.makes for s in self.steps if s.quantity in ("normal", "coriolis", "relative"))
 
     def sliced(self, wanted: Iterable[str]) -> "Program":
-        """The program without the steps that lead to none of the wanted names; it proves what it still draws."""
+        """The program without steps that the wanted names do not need; it still proves all it draws."""
         needed = set(wanted)
-        for proof in self.proofs:  # a balancing load is never drawn without the other to check it
+        for proof in self.proofs:  # a balancing load is always drawn with the other one that checks it
             if isinstance(proof, Twofold) and needed & {proof.one, proof.two}:
                 needed |= {proof.one, proof.two}
         kept: list[Step] = []

@@ -1,8 +1,8 @@
-"""What must hold of every drawing: checks of its numbers that share no construction with the steps that made them.
-Those of links are in ``link_proofs``.
+"""Conditions on every drawing: checks of its numbers that share no construction with the steps. Those of links are in
+``link_proofs``.
 
-A proof compares what was drawn with a definition (a rigid link, a sliding pair, a link in equilibrium, a polygon whose
-vectors are what was stated) or with another way to the same number (the force plan's balancing load and the lever's).
+A proof compares the drawing with a definition (a rigid link, a sliding pair, a link in equilibrium, a polygon with the
+stated vectors) or with a second way to the same number (the balancing load from the force plan and from the lever).
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -17,12 +17,12 @@ from planes.words.frozen import field, frozen
 from planes.words.names import mu_of, plan_of
 
 Made = TypeVar("Made")
-TOLD_APART = 1e-9  # relative: nearer than this, two ways to a number agree
-VectorRow = tuple[str, str, str, int, str]  # where it starts and ends, its direction, its sign, its length
+TOLD_APART = 1e-9  # relative: within this, two ways to a number agree
+VectorRow = tuple[str, str, str, int, str]  # its start and end, its direction, its sign, its length
 
 
 class Facts:
-    """What a drawing shows, as proofs read it: whatever several of them need is worked out once."""
+    """The data of a drawing, as proofs read them: whatever several of them need is computed once."""
 
     def __init__(self, things: Mapping[str, Thing], ar: Arithmetic) -> None:
         self.things, self.ar = things, ar
@@ -32,70 +32,70 @@ class Facts:
         return self.things[name]
 
     def once(self, key: tuple[str, ...], make: Callable[[], Made]) -> Made:
-        """What is made the first time it is asked for."""
+        """A result computed on first request."""
         if key not in self.known:
             self.known[key] = make()
         return self.known[key]  # type: ignore[no-any-return]
 
     def mark(self, name: str) -> Point:
-        """What a mark shows, in SI."""
+        """The quantity of a mark, in SI."""
         return self.things[name] / self.things[_scale(name)]
 
     def size(self, mark: str) -> Real:
-        """How large that is."""
+        """Its magnitude."""
         return self.once((mark, "size"), lambda: self.ar.size(self.mark(mark)))
 
     def vector(self, start: str, end: str) -> Point:
-        """What the vector from one mark to another is, in SI."""
+        """The vector from one mark to another, in SI."""
         return self.once((start, end, "vector"), lambda: self.mark(end) - self.mark(start))
 
     def along(self, length: str, direction: str) -> Point:
-        """A vector of a length along a direction."""
+        """A vector of a given length along a direction."""
         return self.once((length, direction, "along"), lambda: self.things[length] * self.things[direction])
 
 
 @frozen
 class Proof:
-    """One thing that must hold, shown on ``plan``; ``about`` names what it is of."""
+    """A condition that must hold, on ``plan``; ``about`` names its subject."""
 
     plan: str
     about: str
-    beside: tuple[str, ...] = field(default=(), kw_only=True)  # the marks its plan is driven by: how fast things move
+    beside: tuple[str, ...] = field(default=(), kw_only=True)  # the marks that drive its plan: the scale of speeds
     reason: ClassVar[str]
-    makes: ClassVar[str] = ""  # nothing of a position that is refused is to be trusted
+    makes: ClassVar[str] = ""  # a position that fails it gives no results at all
 
     @cached_property
     def reads(self) -> frozenset[str]:
-        """Names of the program it looks at."""
+        """Names of the program it reads."""
         asked = AskedFor()
         self.compared(Facts(asked, Arithmetic()))
         return frozenset(asked)
 
     def nothing(self, shown: Facts) -> list[Point]:
-        """What must be nothing: vectors or numbers, in SI."""
+        """The residuals, which must be zero: vectors or numbers, in SI."""
         raise NotImplementedError
 
     def sizes(self, shown: Facts) -> Iterator[Real]:
-        """How large what that is made of is, in SI."""
+        """The magnitudes of their terms, in SI."""
         raise NotImplementedError
 
     def gap(self, shown: Facts) -> Real:
-        """How far it is from holding, in SI."""
+        """The size of the residual, in SI."""
         return sum(map(shown.ar.size, self.nothing(shown)))
 
     def compared(self, shown: Facts) -> tuple[Real, Real]:
-        """The gap, and the size it is small beside: a gap that is not is looked at again."""
+        """The gap, and the magnitude it must be small beside: a larger gap is examined again."""
         moving = sum(shown.size(mark) for mark in self.beside if mark in shown.things)
         return self.gap(shown), sum(self.sizes(shown)) + moving
 
     def numbers(self, things: Mapping[str, Thing], gap: Real, size: Real) -> dict[str, object]:
-        """What a sentence says of its failure."""
+        """The numbers for the sentence about its failure."""
         return {"about": self.about, "gap": float(gap), "size": float(size)}
 
 
 @frozen
 class Twofold(Proof):
-    """The balancing load by the force plans (``one``) and by the lever (``two``): also the balance of powers."""
+    """The balancing load by the force plans (``one``) and by the lever (``two``); it is also the balance of powers."""
 
     one: str
     two: str
@@ -115,8 +115,8 @@ class Twofold(Proof):
 
 @frozen
 class VectorProof(Proof):
-    """Every vector of an equation is as long as stated, and points where stated: rows of (start, end, direction,
-    signed length's sign, length), either "" where it is not stated."""
+    """Every vector of an equation has its stated length and direction: rows of (start, end, direction, signed length's
+    sign, length), with "" for an unstated one."""
 
     rows: tuple[VectorRow, ...]
     reason: ClassVar[str] = "polygon_open"
@@ -133,7 +133,7 @@ class VectorProof(Proof):
             return vector - stated if sign > 0 else vector + stated
         if along:
             return plane.cross(shown[along], vector)
-        stated = abs(shown[length])  # half the difference of lengths is small beside them, and has no root in it
+        stated = abs(shown[length])  # half the difference of the lengths is small beside them, and needs no square root
         return (plane.dot(vector, vector) - stated * stated) / (stated + (stated == 0))
 
     def sizes(self, shown: Facts) -> Iterator[Real]:

@@ -1,11 +1,11 @@
-"""How far off people and computers draw: the one place that holds the errors of a hand, a pencil and CAD."""
+"""Errors of people and computers in drawing: the only place with the errors of a hand, a pencil and CAD."""
 
 import math
 
 from planes.words.frozen import frozen
 
-UNSURE = 1 / 6  # of a value: by so much nobody can tell a right number from a wrong one
-ZERO = 1e-6  # beside its own error a number so small is nothing, and is judged as that
+UNSURE = 1 / 6  # of a value: a difference this small cannot tell right from wrong
+ZERO = 1e-6  # relative to its own error: a number this small is zero, and is judged as zero
 SIGMAS = 3.0
 
 
@@ -13,7 +13,7 @@ SIGMAS = 3.0
 class Skill:
     """Standard deviations of a draughtsman: a mark (each way), a reading, a carried direction.
 
-    Beyond ``far`` tolerances a number is wrong however near a dead point it is: of 82 500 that pencils drew where a
+    Beyond ``far`` tolerances a number is wrong even near a dead point: of 82 500 numbers drawn by pencils where a
     tolerance exceeds a sixth, 0.1 % are beyond one.
     """
 
@@ -24,10 +24,10 @@ class Skill:
 
 
 HAND = Skill()
-"""A pupil with pencil and set squares, whose work is checked and whose answers are asked for."""
+"""A student with pencil and set squares, whose work is checked and whose answers are graded."""
 PENCIL = Skill(0.15, 0.15, 0.15)
-"""A careful draughtsman, by whom ``--pencil`` draws: half of a pupil's errors."""
-RULER_MM = 0.5  # to which he reads
+"""A careful draughtsman, used for ``--pencil``: half of a student's errors."""
+RULER_MM = 0.5  # resolution of his readings
 
 
 def cad(extent_mm: float) -> Skill:
@@ -36,5 +36,5 @@ def cad(extent_mm: float) -> Skill:
 
 
 def too_near(value: float, sigma: float) -> bool:
-    """Whether a number's tolerance exceeds a sixth of it, so near a dead point is the drawing."""
+    """Whether a number's tolerance exceeds a sixth of it: the drawing is that near a dead point."""
     return abs(value) > ZERO * sigma and SIGMAS * sigma > UNSURE * abs(value)

@@ -1,4 +1,4 @@
-"""The instrument at work: what a step asks of it, and what the runner does."""
+"""The instrument at work: the operations that steps and the runner ask of it."""
 
 import math
 from collections.abc import Sequence
@@ -10,14 +10,14 @@ from planes.words import Told
 from planes.words.errors import PlanFailure
 from planes.words.lettering import line_in_words, name_in_words
 
-NOWHERE = complex("nan+nanj")  # the mark of a drawing of many that could not be drawn
+NOWHERE = complex("nan+nanj")  # placeholder for a failed mark of many drawings
 Step = Any  # of planes.drafting.steps: a step knows the tool that draws it
 Thing = Real | Point  # a mark (mm), a direction, or a value (SI): of one drawing, or of many
-Env = dict[str, Thing]  # things by name
+Env = dict[str, Thing]  # objects by name
 
 
 class AskedFor(dict[str, Thing]):
-    """Stands for things that are not there yet, every one of them 1: its keys are those that were asked for."""
+    """Stands for missing objects, each equal to 1; its keys are the names that were asked for."""
 
     def __missing__(self, name: str) -> Thing:
         return self.setdefault(name, 1.0)
@@ -25,8 +25,8 @@ class AskedFor(dict[str, Thing]):
 
 @dataclass
 class Tool:
-    """An instrument at work on one drawing, or on an array of ``many``: it marks exactly, remembers how sharply lines
-    met, and raises (one) or masks (many) what cannot be drawn."""
+    """An instrument at work on one drawing, or on an array of ``many``: it marks exactly, records how sharply lines
+    meet, and raises (one) or masks (many) failures."""
 
     ar: Arithmetic
     many: bool = False
@@ -34,19 +34,19 @@ class Tool:
     flat: float = 2e-15  # sharpness at or below which two lines count as parallel
     still: float = 2e-14  # relative: a speed at or below this is a standstill
     doubt_mm: float = 0.0  # marks no farther apart than this may be one mark
-    plans: int = 12  # drawn one after another, each with what those before lead to, until nothing changes
-    settled: float = 0.01  # what the last of them may change, to the root of what rounding makes
-    shape: tuple[int, ...] = ()  # of what is drawn at once; () for one
+    plans: int = 12  # plans drawn in succession, each with the results of those before, until they agree
+    settled: float = 0.01  # the change allowed in the last of them is the root of the rounding error
+    shape: tuple[int, ...] = ()  # shape of a simultaneous drawing; () for one
     sharpness: dict[str, Real] = field(default_factory=dict)
     notes: list[tuple[str, object, Truth]] = field(default_factory=list)
     failures: list[tuple[str, object, Truth, dict[str, Real]]] = field(default_factory=list)
 
     def given(self, value: Thing) -> Thing:
-        """A given number or place as the instrument's own."""
+        """A given number or place in the instrument's type."""
         return value
 
     def make(self, step: Step, way: Sequence[Step], things: Env) -> Thing:
-        """Draw a step by those of ``way`` into ``things``; what it has made, whatever is left there instead."""
+        """Draw a step by the steps of ``way`` into ``things``; returns its own result, whatever entries they leave."""
         thing = None
         for one in way:
             before = len(self.failures)
@@ -57,40 +57,39 @@ class Tool:
         return thing
 
     def draw(self, step: Step, things: Env) -> Thing:
-        """The thing itself."""
+        """The result itself."""
         return self.spread(step.draw(things, self))
 
     def spread(self, thing: Any) -> Any:
-        """What does not depend on what moves, in the shape of what is drawn at once: no constant reaches an array's
-        method."""
+        """Constants in the shape of the simultaneous drawing, so that no constant reaches a method of an array."""
         if not self.shape or getattr(thing, "shape", None) == self.shape:
             return thing
         return self.ar.spread(thing, self.shape)
 
     def masked(self, thing: Thing, step: Step, before: int) -> Thing:
-        """What a step made of many drawings, NaN in those that failed since there were ``before`` failures."""
+        """The result of a step for many drawings, NaN in those that failed since there were ``before`` failures."""
         for _, _, ok, _ in self.failures[before:]:
             thing = self.ar.where(ok, thing, math.nan if step.kind == "value" else NOWHERE)
         return thing
 
     def mark(self, place: Point) -> Point:
-        """A mark made on the paper: exact, or off by a pencil's width."""
+        """A mark on the paper: exact, or off by a pencil's width."""
         return place
 
     def ray(self, direction: Point) -> Point:
-        """A direction carried to where it is needed."""
+        """A direction transferred to where it is needed."""
         return direction
 
     def read(self, length_mm: Real) -> Real:
-        """A length read off the ruler."""
+        """A length read from the ruler."""
         return length_mm
 
     def sharpen(self, name: str, sharpness: Real) -> None:
-        """Remember how sharply the lines met at a mark."""
+        """Record how sharply the lines meet at a mark."""
         self.sharpness[name] = sharpness
 
     def calm(self) -> "Tool":
-        """A tool that draws aside, without the errors of hand and ruler; what it fails at, this one does."""
+        """A tool that draws aside, without the errors of hand and ruler; its failures count as failures of this one."""
         limits = self.slack, self.flat, self.still
         return Tool(
             self.ar,
@@ -111,7 +110,8 @@ class Tool:
             self.failures.append((reason, step, ok, numbers))
 
     def prefer(self, ok: Truth, step: object, reason: str) -> None:
-        """Where ``ok`` is false other plans draw the same better: a loop of positions is told, a drawing goes on."""
+        """Where ``ok`` is false, other plans are sharper: a loop over positions switches to them, a drawing
+        continues."""
 
     def note(self, ok: Truth, step: object, reason: str) -> None:
         """Warn where ``ok`` is false."""
@@ -120,7 +120,7 @@ class Tool:
 
 
 def names_of(step: Step) -> dict[str, Told]:
-    """The names a sentence about the step may use; ``line`` and ``other_line`` are what it crosses."""
+    """The names that a sentence about the step may use; ``line`` and ``other_line`` are the crossed lines."""
     named = {f.name: value for f in fields(step) if isinstance(value := getattr(step, f.name), str)}
     words = {name: name_in_words(value) for name, value in named.items()}
     for line, along, start in (("line", "along", "start"), ("other_line", "across", "other")):

@@ -1,1 +1,1 @@
-"""Points and directions as complex numbers, and the arithmetic that draws with them."""
+"""Points and directions as complex numbers, and the arithmetic of the constructions."""

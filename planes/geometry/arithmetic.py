@@ -1,8 +1,9 @@
-"""Arithmetics an instrument can calculate in, one number at a time or arrays of many; and sines and their kin of angles
-in degrees, exact where the answer is a round number; sums, products and differences of squares that lose next to none.
+"""Arithmetics for the constructions, with one number at a time or with arrays; trigonometric functions of angles in
+degrees, exact where the answer is a round number; sums, products and differences of squares with almost no rounding
+loss.
 
-The geometry of ``plane`` and the steps are written once and given one of these arithmetics. What rounding takes away
-is itself a float (D. E. Knuth; T. J. Dekker, A floating-point technique for extending the available precision, 1971).
+The geometry of ``plane`` and the steps are written once and take one of these arithmetics. A rounding error is itself a
+float (D. E. Knuth; T. J. Dekker, A floating-point technique for extending the available precision, 1971).
 """
 
 import cmath
@@ -13,7 +14,7 @@ from typing import Any, TypeVar
 
 from planes.geometry.arrays import Array
 
-HALVES = 134217729.0  # 2²⁷ + 1 halves a number of 53 bits (Veltkamp)
+HALVES = 134217729.0  # 2²⁷ + 1 splits a number of 53 bits in half (Veltkamp)
 SHORT_HALVES = 4097.0  # 2¹² + 1 one of 24
 EPS, SHORT_EPS = 2.0**-52, 2.0**-23
 N = TypeVar("N", float, Array)
@@ -64,13 +65,13 @@ def atan2_deg(y: float, x: float) -> float:
     return math.degrees(math.atan2(y, x))
 
 
-Real = Any  # float or array of floats, or a longer number
+Real = Any  # float, array of floats, or a number of higher precision
 Point = Any  # complex or array of complex: a place, a vector or a direction
 Truth = Any  # bool or array of bools
 
 
 class Arithmetic:
-    """The functions constructions need beyond + - * /: of Python's own float and complex, one position at a time."""
+    """The functions that constructions need beyond + - * /, for Python's float and complex: one position at a time."""
 
     eps: Real = 2.0**-52
     size: Callable[[Point], Real] = staticmethod(abs)
@@ -102,7 +103,7 @@ class Arithmetic:
         return float((x > 0) - (x < 0))
 
     def guess(self, x: Real) -> Real:
-        """A number that only begins a search: what it is off by goes no further."""
+        """The start value of a search: its error does not affect the result."""
         return x
 
     def power(self, x: Real, n: int) -> Real:
@@ -111,24 +112,24 @@ class Arithmetic:
         return 1 / x**-n if x else math.nan
 
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
-        """(r + s)² - |d - c|², with all its digits."""
+        """(r + s)² - |d - c|², without cancellation."""
         return float(gap(c.real, c.imag, d.real, d.imag, r, s))
 
     def shape_of(self, shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
-        """The shape of all that is drawn at once."""
+        """The common shape of all numbers in a construction."""
         return max(shapes)
 
     def spread(self, thing: Any, shape: tuple[int, ...]) -> Any:
-        """A constant, as many times as there are positions."""
+        """A constant repeated for every position."""
         return thing
 
     def quiet(self) -> AbstractContextManager[None]:
-        """Where nothing is said of numbers that are none."""
+        """A context in which invalid operations give no warnings."""
         return nullcontext()
 
 
 class Many(Arithmetic):
-    """numpy arrays: many positions at once, the same formulas."""
+    """numpy arrays: many positions at once, by the same formulas."""
 
     def __init__(self) -> None:
         import numpy
@@ -137,7 +138,7 @@ class Many(Arithmetic):
 
     @staticmethod
     def size(z: Point) -> Real:
-        """How large a vector is: no less than its length, nor more than √2 of it; quicker than that."""
+        """An estimate of a vector's length, from the length itself to √2 times it; quicker to compute."""
         return abs(z.real) + abs(z.imag)
 
     def sqrt(self, x: Real) -> Real:
@@ -182,14 +183,14 @@ class Many(Arithmetic):
 
 
 def two_sum(a: N, b: N) -> tuple[N, N]:
-    """a + b and what rounding lost of it."""
+    """a + b and its rounding error."""
     s = a + b
     t = s - a
     return s, (a - (s - t)) + (b - t)
 
 
 def two_product(a: N, b: N) -> tuple[N, N]:
-    """a·b and what rounding lost of it."""
+    """a·b and its rounding error."""
     p = a * b
     (a1, a2), (b1, b2) = _halves(a), _halves(b)
     return p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
@@ -202,10 +203,10 @@ def _halves(a: N) -> tuple[N, N]:
 
 
 def gap(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
-    """(r + s)² - |d - c|², right to its last place until it is as small as the square of one.
+    """(r + s)² - |d - c|², correct to the last place until it is as small as the square of one.
 
-    It says whether circles of radii r and s about c and d meet. The distance itself is never formed: rounded, it would
-    leave nothing of a small difference. Nothing is what rounding the six numbers may have made: circles that touch.
+    It shows whether circles of radii r and s about c and d meet. The distance is never formed: once rounded, it would
+    spoil a small difference. The result is 0 where rounding of the six numbers may account for it: the circles touch.
     """
     (x, x_lost), (y, y_lost), (t, t_lost) = two_sum(dx, -cx), two_sum(dy, -cy), two_sum(r, s)
     (xx, xx_lost), (yy, yy_lost), (tt, tt_lost) = two_product(x, x), two_product(y, y), two_product(t, t)
@@ -216,6 +217,6 @@ def gap(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
 
 
 def doubt(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
-    """What may be nothing in such a gap: as much as one unit in the last place of each number makes, all together."""
+    """The largest gap that still counts as zero: one unit in the last place of each number, added up."""
     size = abs(cx) + abs(cy) + abs(dx) + abs(dy) + abs(r) + abs(s)
     return size * abs(r + s) * (SHORT_EPS if getattr(size, "itemsize", 8) == 4 else EPS)

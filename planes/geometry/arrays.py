@@ -12,10 +12,10 @@ if TYPE_CHECKING:
     Indices = NDArray[np.intp]
     Texts = NDArray[np.str_]
     Greys = NDArray[np.uint8]
-    """A picture: grey, or any other numbers of a byte."""
+    """A picture: grey, or another array of bytes."""
     Floats = float | Array
-    """A number of one position, or an array with one for each of many."""
+    """A number of one position, or an array with one for each position."""
     Points = complex | Complexes
-    """A place or a vector of one position, or an array with one for each of many."""
+    """A place or a vector of one position, or an array with one for each position."""
 else:
     Array = Complexes = Booleans = Indices = Texts = Greys = Floats = Points = object

@@ -1,4 +1,4 @@
-"""In how many ways links assemble on their ties: by what can be said of so many."""
+"""The number of ways in which links assemble on their ties, with the method that suits the number of links."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,8 @@ from planes.geometry.two_tracks import both_assemblies
 
 
 def all_assemblies(ties: Sequence[Tie], size: float) -> Counted:
-    """All of one link on three ties, or of two hinged to each other: counted exactly; of more those that are met."""
+    """All assemblies of one link on three ties, or of two links in a hinge: an exact count; for more links, those
+    found."""
     if all(t.link == 0 for t in ties):
         same = parallel(ties)
         return same.assemblies() if same else assemblies(ties)

@@ -1,7 +1,7 @@
-"""Lists of numbers, one for each of many positions, in plain Python: a lesson draws with them, with or without numpy.
+"""Lists of numbers, one per position, in plain Python: lessons draw with them, with or without numpy.
 
-They answer + - * /, comparisons and & | ~ number by number, as arrays do, one number standing for as many as there
-are; what has no value is NaN. Ten times slower than arrays, and ready at once.
+They support + - * /, comparisons and & | ~ element by element, as arrays do; a single number is repeated to match. A
+missing value is NaN. They are ten times slower than arrays, but need no import.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ NOWHERE = complex(math.nan, math.nan)
 
 
 def over(a: Any, b: Any) -> Any:
-    """a / b; NaN where b is nothing, or no double holds it."""
+    """a / b; NaN where b is zero, or the quotient overflows."""
     try:
         return a / b
     except (ZeroDivisionError, OverflowError):
@@ -25,7 +25,7 @@ def over(a: Any, b: Any) -> Any:
 
 
 def or_nothing(act: Callable[..., Any], nothing: Any = math.nan) -> Callable[..., Any]:
-    """A function, ``nothing`` where it has no value."""
+    """The function, with ``nothing`` where it has no value."""
 
     def tried(*numbers: Any) -> Any:
         try:
@@ -37,12 +37,12 @@ def or_nothing(act: Callable[..., Any], nothing: Any = math.nan) -> Callable[...
 
 
 def _both(act: Callable[..., Any]) -> tuple[Callable[[Listed, Any], Listed], Callable[[Listed, Any], Listed]]:
-    """A method of a list and another thing, and that of the other first."""
+    """A method of a list and another operand, and its reflected version."""
     return (lambda self, other: each(act, self, other)), (lambda self, other: each(act, other, self))
 
 
 class Listed:
-    """Numbers side by side: floats, complex numbers, or yes and no."""
+    """Numbers in a list: floats, complex numbers or booleans."""
 
     __slots__ = ("numbers",)
 
@@ -51,7 +51,7 @@ class Listed:
 
     @property
     def shape(self) -> tuple[int]:
-        """How many there are."""
+        """The number of elements."""
         return (len(self.numbers),)
 
     @property
@@ -102,7 +102,7 @@ class Listed:
 
 
 def each(act: Callable[..., Any], *things: Any) -> Any:
-    """A function of numbers, of lists of them."""
+    """The function applied to lists element by element."""
     count = next((len(x) for x in things if isinstance(x, Listed)), None)
     if count is None:
         return act(*things)
@@ -110,7 +110,7 @@ def each(act: Callable[..., Any], *things: Any) -> Any:
 
 
 class ListArithmetic(Arithmetic):
-    """The functions of single numbers, of lists of them."""
+    """The functions of single numbers, applied to lists."""
 
     def sqrt(self, x: Real) -> Real:
         return each(super().sqrt, x)
@@ -144,10 +144,10 @@ class ListArithmetic(Arithmetic):
 
 
 def greater(a: float, b: float) -> float:
-    """The greater of two, NaN where one is none."""
+    """The greater of two, NaN where one is NaN."""
     return math.nan if a != a or b != b else max(a, b)
 
 
 def less(a: float, b: float) -> float:
-    """The less of two, NaN where one is none."""
+    """The less of two, NaN where one is NaN."""
     return math.nan if a != a or b != b else min(a, b)

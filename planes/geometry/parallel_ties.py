@@ -1,7 +1,7 @@
-"""All assemblies of a link of which two ties keep parallel lines, none missed: the general polynomial is a square.
+"""All assemblies of a link with two ties along parallel lines, where the general polynomial is a perfect square.
 
-Along those lines the link is free of both, so they alone say its angle: a polynomial of the second degree in
-t = tan θ/2. The third tie then says where along them it lies: an arc in two places, a line in one.
+The link can move freely along these lines, so the two ties alone determine its angle: a polynomial of the second degree
+in t = tan θ/2. The third tie then fixes its place along them: an arc in two places, a line in one.
 """
 
 from __future__ import annotations
@@ -17,11 +17,12 @@ from planes.geometry.sturm import caught, common, each_once, isolated, sign_at, 
 from planes.geometry.tracks import Pose, Tie
 from planes.words.frozen import frozen, replace
 
-FLAT = 2e-15  # the sine of an angle between lines that a drawing takes to be parallel
+FLAT = 2e-15  # the sine of an angle between lines that counts as parallel in a drawing
 
 
 def parallel(ties: Sequence[Tie]) -> Parallel | None:
-    """Two of three ties whose lines are parallel however the link lies, and the third; None where no two are."""
+    """Two of three ties whose lines are parallel at every angle of the link, and the third; None where there are
+    none."""
     for k in range(3):
         one, two = ties[k - 2], ties[k - 1]
         if one.kind == two.kind != "arc" and abs(plane.cross(one.turn, two.turn)) <= FLAT:
@@ -32,7 +33,7 @@ def parallel(ties: Sequence[Tie]) -> Parallel | None:
 
 @frozen
 class Parallel:
-    """Two ties that keep lines along one direction, and the one ``beside`` them."""
+    """Two ties with lines of one direction, and the third one, ``beside`` them."""
 
     ties: tuple[Tie, ...]
     beside: Tie
@@ -41,13 +42,13 @@ class Parallel:
 
     @property
     def rows(self) -> tuple[Laurent, Laurent]:
-        """One of them as 2 Re(ā Y) + b = 0, Y being told against the tie beside."""
+        """One of them as 2 Re(ā Y) + b = 0, with Y relative to the third tie."""
         return row(self.one, self.beside)
 
     @property
     def limit(self) -> Laurent:
-        """What is positive where an arc beside is reached, and nothing where that can just be; of a line, nothing where
-        it is parallel to both."""
+        """Positive where an arc beside can be reached, zero where it is just reached; for a line, zero where it is
+        parallel to both."""
         a, b = self.rows
         if self.beside.kind == "arc":
             reach, four = Laurent.of({0: self.beside.reach}), Laurent.of({0: 4})
@@ -56,10 +57,10 @@ class Parallel:
         return (e.bar() * a - e * a.bar()).turned()
 
     def assemblies(self) -> Counted:
-        """Every pose, by growing angle from -180°."""
+        """All poses, by growing angle from -180°."""
         apart, limit = row(self.two, self.beside)[1] - self.rows[1], self.limit
         (poly, lost), (bound, _) = in_tangent(apart), in_tangent(limit)
-        if not poly or not bound:  # one line kept twice, or three parallel ones
+        if not poly or not bound:  # one line given twice, or three parallel ones
             return Counted((), 0, True)
         (own, double), far = each_once(poly), _at_half_turn(limit)
         if len(common(own, bound)) > 1 or (lost and not far):
@@ -70,7 +71,7 @@ class Parallel:
         return Counted(tuple(p for pose in poses for p in settled(self.ties, pose)), len(poses), double or lost > 1)
 
     def _along(self, axis: complex, sign: int) -> Iterator[Pose]:
-        """The poses of an angle; ``sign`` is that of the limit."""
+        """The poses at an angle; ``sign`` is that of the limit."""
         one, two = self.rows
         a, b, base = one.at(axis), two.at(axis).real, self.beside
         if base.kind != "arc":
@@ -85,5 +86,5 @@ class Parallel:
 
 
 def _at_half_turn(trigonometric: Laurent) -> Fraction:
-    """A real trigonometric polynomial at θ = 180°, exactly."""
+    """The value of a real trigonometric polynomial at θ = 180°, exactly."""
     return sum((-x if k % 2 else x for k, (x, _) in trigonometric.terms.items()), Fraction(0))

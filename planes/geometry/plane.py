@@ -1,8 +1,8 @@
-"""Geometry of the drawing plane: where lines and arcs meet, written to keep its digits near failure.
+"""Geometry of the drawing plane: intersections of lines and arcs, computed without loss of digits near failure.
 
-Places, vectors and directions are complex numbers, single or arrays. Each meeting returns the place and its
-*sharpness*: the sine of the angle at which the two lines meet (for arcs, of the angle between tangents).
-Nothing is raised here: a sharpness of zero or less says there is no honest answer.
+Places, vectors and directions are complex numbers, single or arrays. Each function returns the intersection and its
+*sharpness*: the sine of the angle at which the two lines meet (for arcs, of the angle between tangents). No error is
+raised here: a sharpness of zero or less means that there is no valid answer.
 """
 
 from collections.abc import Collection, Iterable
@@ -26,15 +26,15 @@ def square(v: Point) -> Real:
 
 
 def sine(u: complex, v: complex) -> float:
-    """The sine of the angle between two lines, 0 where one is nothing."""
+    """The sine of the angle between two lines, 0 where a direction is zero."""
     size = abs(u) * abs(v)
     return abs((u * v.conjugate()).imag) / size if size else 0.0
 
 
 def unit(v: Point, ar: Arithmetic) -> Point:
-    """The direction of ``v``; of a zero vector, the x axis (a zero vector is laid off anywhere)."""
+    """The direction of ``v``; of a zero vector, the x axis (any direction will do for a vector of zero length)."""
     length = abs(v)
-    nothing = length == 0  # what failed before (NaN) must stay so
+    nothing = length == 0  # an earlier failure (NaN) must remain one
     return ar.where(nothing, 1 + 0j, v / ar.where(nothing, 1.0, length))
 
 
@@ -44,26 +44,26 @@ def toward(start: complex, end: complex) -> complex:
 
 
 def corners(places: Iterable[complex]) -> tuple[complex, complex]:
-    """The lower left and the upper right corner of the box about some places."""
+    """The lower left and the upper right corner of the bounding box of some places."""
     xs, ys = zip(*((z.real, z.imag) for z in places), strict=True)
     return complex(min(xs), min(ys)), complex(max(xs), max(ys))
 
 
 def dropped(place: complex, through: complex, along: complex) -> complex:
-    """The foot of a place on the line through another along a direction."""
+    """The foot of the perpendicular from a place to the line through another along a direction."""
     return through + ((place - through) * along.conjugate()).real * along
 
 
 def spread(places: Collection[complex]) -> float:
-    """The distance of the two places farthest apart."""
+    """The distance between the two places farthest apart."""
     return max(abs(a - b) for a in places for b in places)
 
 
 def lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:
     """Where the line through ``p`` along ``u`` meets the one through ``q`` along ``w`` (unit directions).
 
-    Returns the place, the signed sharpness, and the distance between the lines were they parallel. The place is
-    meaningless where the sharpness is 0; callers ask before they use it.
+    Returns the place, the signed sharpness, and the distance between the lines if they were parallel. The place is
+    meaningless where the sharpness is 0; callers check before they use it.
     """
     sharpness = cross(u, w)
     gap = cross(u, q - p)
@@ -71,17 +71,17 @@ def lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:
     return p + u * (cross(q - p, w) / safe), sharpness, gap
 
 
-Arm = tuple[Point, Point, Real]  # a place, a direction, a length: how another place was reached
+Arm = tuple[Point, Point, Real]  # a place, a direction, a length: how another place was found
 
 
 def line_arc(
     p: Point, u: Point, centre: Point, radius: Real, side: Real, ar: Arithmetic, arm: Arm | None = None
 ) -> tuple[Point, Real, Real]:
-    """Where a line meets a circle, ahead (``side`` +1) or behind (-1) of the foot of its centre.
+    """Where a line meets a circle, ahead (``side`` +1) or behind (-1) of the foot of the perpendicular from its centre.
 
-    Returns the place, the sharpness and by how much the line misses the circle (negative: it does not).
-    The half chord is √((r-h)(r+h)): h is never squared. Where the ``arm`` leads to the centre, r-h is made of
-    lengths that are known: a crank as long as its rod folds without losing digits.
+    Returns the place, the sharpness and by how much the line misses the circle (negative: it does not). The half chord
+    is √((r-h)(r+h)): h is never squared. Where the ``arm`` leads to the centre, r-h is formed from known lengths: a
+    crank as long as its rod folds without loss of digits.
     """
     height = cross(u, centre - p)
     miss = abs(height) - radius
@@ -104,10 +104,10 @@ def _folded(p: Point, u: Point, radius: Real, arm: Arm, ar: Arithmetic) -> tuple
 def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real, Real]:
     """Where two circles meet, left (``side`` +1) or right (-1) of the way from ``c`` to ``d``.
 
-    Returns the place, the sharpness, and by how much they are too far apart and by how much one lies inside the
-    other (negative: they are not). The triangle's area is 4K = √(((r + s)² - q²)(q² - (r - s)²)), each difference
-    formed of the places themselves without loss: the distance q between them, once rounded, leaves of a needle-like
-    triangle less than Kahan's formula (Miscalculating Area and Angles of a Needle-like Triangle, 1986) could save.
+    Returns the place, the sharpness, the gap between the circles and the depth of one inside the other (negative where
+    there is none). The triangle's area is 4K = √(((r + s)² - q²)(q² - (r - s)²)), each difference formed from the
+    places without loss. The rounded distance q would spoil a needle-like triangle even with Kahan's formula
+    (Miscalculating Area and Angles of a Needle-like Triangle, 1986).
     """
     apart = abs(d - c)
     far, near = apart - (r + s), abs(r - s) - apart
@@ -126,7 +126,7 @@ def tangent(c: Point, a: Point, offset: Real, side: Real, ar: Arithmetic) -> tup
     """
     apart = abs(a - c)
     safe = apart + (apart == 0)
-    through = isinstance(offset, float) and offset == 0  # the line through both
+    through = isinstance(offset, float) and offset == 0  # the line through both places
     ahead = side * (apart if through else ar.sqrt(-ar.gap(c, a, offset, 0.0)))
     u = (a - c) * (ahead - 1j * offset) / (safe * safe)
     size = abs(u)

@@ -1,21 +1,21 @@
-"""The real roots of a polynomial in whole numbers, each in a range of its own: none is missed.
+"""The real roots of a polynomial with integer coefficients, each isolated in an interval; none is missed.
 
-By R. Descartes' rule of signs in ranges halved until it is exact, as G. E. Collins and A. G. Akritas do.
+By R. Descartes' rule of signs on intervals halved until the count is exact (G. E. Collins and A. G. Akritas).
 """
 
 from fractions import Fraction
 from itertools import pairwise
 
-DEPTH = 400  # ranges are halved so often at most; beyond that two roots are one
-NARROW = 8  # and as often beyond whole numbers, to catch a root
-Line = list[int]  # a polynomial, from the lowest power
+DEPTH = 400  # most halvings of an interval; if two roots are still together, they count as one
+NARROW = 8  # further halvings below whole numbers, to narrow down a root
+Line = list[int]  # a polynomial, lowest power first
 
 
 def isolated(poly: Line) -> list[tuple[Fraction, Fraction]] | None:
-    """Ranges of u with one real root each; None where two roots are one."""
+    """Intervals of u with one real root each; None where two roots coincide."""
     lead = poly[-1].bit_length()
     more = [-((lead - 2 - q.bit_length()) // k) for k, q in enumerate(reversed(poly[:-1]), 1)]
-    edge = 3 << max(0, *more, 0)  # beyond twice the largest of |a/lead|^(1/k) there is none (M. Fujiwara)
+    edge = 3 << max(0, *more, 0)  # no root exceeds twice the largest |a/lead|^(1/k) (M. Fujiwara)
     start = _stretched(_shifted_by(poly, -edge), 2 * edge)
     ranges, left = list[tuple[Fraction, Fraction]](), [(start, Fraction(-edge), Fraction(2 * edge), 0)]
     while left:
@@ -34,7 +34,7 @@ def isolated(poly: Line) -> list[tuple[Fraction, Fraction]] | None:
 
 
 def _shifted(poly: Line) -> Line:
-    """At one more."""
+    """The polynomial of u + 1."""
     shifted = poly[:]
     for k in range(len(shifted) - 1):
         for j in reversed(range(k, len(shifted) - 1)):
@@ -47,7 +47,7 @@ def _shifted_by(poly: Line, by: int) -> Line:
 
 
 def _stretched(poly: Line, by: int) -> Line:
-    """With the unknown so many times as large."""
+    """The polynomial of the unknown times a factor."""
     return [q * by**k for k, q in enumerate(poly)]
 
 
@@ -57,7 +57,7 @@ def _changes(poly: Line) -> int:
 
 
 def caught(poly: Line, low: Fraction, high: Fraction) -> Fraction:
-    """The one root of a range, narrowly."""
+    """The only root in an interval, narrowed down."""
 
     def above(u: Fraction) -> bool:
         total, power = 0, 1

@@ -1,8 +1,8 @@
-"""Assemblies of links hinged to each other whose number nobody knows: looked for from many places, each one proved.
+"""Assemblies of several links in hinges, whose number is unknown: searched from many start places, each one proved.
 
-With the cosine and the sine of every link for unknowns all ties are of the second degree. So what R. Krawczyk's test
-asks about a place near a root can be told exactly, in rationals: that Newton's steps from anywhere in a small box stay
-in it and draw together, so that there is one root in it and no other.
+With the cosine and the sine of every link as unknowns, all ties are of the second degree. The test of R. Krawczyk near
+a root is then exact, in rationals: Newton's steps from anywhere in a small box stay in it and converge, so the box
+contains exactly one root.
 """
 
 from collections.abc import Sequence
@@ -12,15 +12,15 @@ from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, advanced, hung_on
 from planes.words.frozen import frozen, replace
 
-STARTS, ROUNDS = 2048, 5  # places looked from, doubled while one was met but once or twice, and more of them each time
+STARTS, ROUNDS = 2048, 5  # start places; doubled, up to so many rounds, while any pose was found too seldom
 STEPS = 60
 OFTEN = 3
-SAME = 1e-6  # of the size: two poses nearer than this are one
+SAME = 1e-6  # of the size: two poses closer than this are one
 BOX = Fraction(1, 1 << 30)  # of the size, and of a cosine
 
 
 def searched(ties: Sequence[Tie], size: float) -> Counted:
-    """Every pose met from many places that is proved to be one; that there are no others is not proved."""
+    """All proved poses found from many start places; it is not proved that there are no others."""
     links = len(hung_on(ties))
     over = [replace(t, local=t.local / size, place=t.place / size, reach=t.reach / size) for t in ties]
     met: list[tuple[Pose, int]] = []
@@ -33,7 +33,7 @@ def searched(ties: Sequence[Tie], size: float) -> Counted:
 
 
 def _met(ties: Sequence[Tie], links: int, count: int) -> list[tuple[Pose, int]]:
-    """Where Newton's steps end from ``count`` places, and how often."""
+    """Where Newton's steps converge from ``count`` start places, and how often."""
     import numpy as np
 
     rng = np.random.default_rng(count)
@@ -55,23 +55,23 @@ def _met(ties: Sequence[Tie], links: int, count: int) -> list[tuple[Pose, int]]:
     return places
 
 
-Affine = list[Fraction]  # the factors of the unknowns, and what is added
+Affine = list[Fraction]  # the factors of the unknowns, and the constant term
 Product = tuple[Affine, Affine]
 
 
 @frozen
 class Quadratic:
-    """An equation of the second degree: products of affine forms, and one such form besides, add up to nothing."""
+    """An equation of the second degree: products of affine forms plus one more affine form, equal to zero."""
 
     products: tuple[Product, ...]
     rest: Affine
 
     def value(self, x: Sequence[Fraction]) -> Fraction:
-        """What is left of it at a place."""
+        """The residual at a place."""
         return sum((_at(a, x) * _at(b, x) for a, b in self.products), _at(self.rest, x))
 
     def slopes(self, x: Sequence[Fraction]) -> list[Fraction]:
-        """Its slopes there."""
+        """The gradient at a place."""
         slopes = self.rest[:-1]
         for a, b in self.products:
             at_a, at_b = _at(a, x), _at(b, x)
@@ -80,7 +80,7 @@ class Quadratic:
 
     @property
     def bend(self) -> Fraction:
-        """How much of it is of the second degree, at most, where no unknown is more than 1 off."""
+        """An upper bound of the second-degree part where no unknown is off by more than 1."""
         return sum((_sum_of(a) * _sum_of(b) for a, b in self.products), Fraction(0))
 
 
@@ -93,7 +93,7 @@ def _sum_of(form: Affine) -> Fraction:
 
 
 def proved(ties: Sequence[Tie], pose: Pose) -> bool:
-    """Whether there is one assembly, and no other, within a box about a pose; lengths over the size of the links."""
+    """Whether exactly one assembly lies in a box about a pose; lengths are divided by the size of the links."""
     import numpy as np
 
     equations = equations_of(ties, len(pose) - 1)
@@ -117,7 +117,7 @@ def proved(ties: Sequence[Tie], pose: Pose) -> bool:
 
 
 def equations_of(ties: Sequence[Tie], links: int) -> list[Quadratic]:
-    """The ties, and that every axis is as long as 1; of where the first origin is and both parts of every axis."""
+    """The ties, and unit length of every axis; unknowns are the first origin and both components of every axis."""
     width = 3 + 2 * links
     axes = [(_unknown(2 + 2 * k, width), _unknown(3 + 2 * k, width)) for k in range(links)]
     places = [(_unknown(0, width), _unknown(1, width))] * min(links, 2)
@@ -133,7 +133,7 @@ Spot = tuple[Affine, Affine]
 
 
 def _held(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
-    """A tie, as ``Tie.wrench`` has it."""
+    """A tie, by the definition of ``Tie.wrench``."""
     width, place, turn, reach = len(origin[0]), exact_parts(t.place), exact_parts(t.turn), Fraction(t.reach)
     fixed = _fixed(place[0], width), _fixed(place[1], width)
     if t.kind == "arc":
@@ -145,12 +145,12 @@ def _held(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
         return Quadratic((), [*height[:-1], height[-1] - reach])
     (x, y), (u, v) = _minus(fixed, origin), _turned(axis, t.turn)
     local = exact_parts(t.local)
-    beside = turn[0] * local[1] - turn[1] * local[0]  # of the guide, in the link's own axes
+    beside = turn[0] * local[1] - turn[1] * local[0]  # direction of the guide, in the link's axes
     return Quadratic(((u, y), ([-q for q in v], x)), _fixed(-beside - reach, width))
 
 
 def exact_parts(z: complex) -> tuple[Fraction, Fraction]:
-    """Both parts of a complex number, as they are in binary."""
+    """Both parts of a complex number, as exact binary fractions."""
     return Fraction(complex(z).real), Fraction(complex(z).imag)
 
 
@@ -172,6 +172,6 @@ def _minus(one: Spot, two: Spot) -> Spot:
 
 
 def _turned(axis: Spot, local: complex) -> Spot:
-    """A place of a link from its origin."""
+    """A place of a link relative to its origin, turned with the link."""
     (x, y), (c, s) = exact_parts(local), axis
     return [x * p - y * q for p, q in zip(c, s, strict=True)], [x * q + y * p for p, q in zip(c, s, strict=True)]

@@ -1,7 +1,7 @@
-"""All assemblies of a link on three ties, none missed: the place eliminated, a polynomial in the angle is left.
+"""All assemblies of a link on three ties: with the place eliminated, a polynomial in the angle remains; none is missed.
 
-It is of degree six at most in t = tan θ/2, and made of the ties' numbers in rationals, without rounding; so J. C. F.
-Sturm's theorem counts its real roots exactly, and each is caught between two places where its sign differs.
+Its degree in t = tan θ/2 is six at most, and it is formed from the numbers of the ties in rationals, without rounding.
+So J. C. F. Sturm's theorem counts its real roots exactly, and each is bracketed by a change of sign.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Laurent:
 
     @classmethod
     def of(cls, terms: dict[int, complex]) -> Laurent:
-        """From complex doubles, taken as they are."""
+        """From complex doubles, taken as exact."""
         return cls({k: (Fraction(complex(z).real), Fraction(complex(z).imag)) for k, z in terms.items()})
 
     def __add__(self, other: Laurent) -> Laurent:
@@ -55,13 +55,14 @@ class Laurent:
         return Laurent({k: (-y, x) for k, (x, y) in self.terms.items()})
 
     def at(self, z: complex) -> complex:
-        """Its number at e^{iθ}, rounded once of all."""
+        """The value at e^{iθ}, rounded only once."""
         return sum((complex(float(x), float(y)) * z**k for k, (x, y) in self.terms.items()), 0j)
 
 
 @frozen
 class Counted:
-    """The poses found, how many roots are proved (each once), whether any is double, and whether these are all."""
+    """The poses found, the number of proved roots (each counted once), whether any is double, and whether these are
+    all."""
 
     poses: tuple[Pose, ...]
     count: int
@@ -70,12 +71,12 @@ class Counted:
 
     @property
     def proved(self) -> bool:
-        """Whether every root was found as a pose, each single."""
+        """Whether every root gave a pose, and all are single."""
         return len(self.poses) == self.count and not self.double
 
 
 def assemblies(ties: Sequence[Tie]) -> Counted:
-    """Every pose of a link on three ties, by growing angle from -180°."""
+    """All poses of a link on three ties, by growing angle from -180°."""
     base, one, two = _order(ties)
     (eliminant, place, divisor) = _eliminated(base, one, two)
     poly, lost = in_tangent(eliminant)
@@ -83,7 +84,7 @@ def assemblies(ties: Sequence[Tie]) -> Counted:
         return Counted((), 0, True)
     own, double = each_once(poly)
     axes = [axis_at(float(caught(own, low, high))) for low, high in isolated(sturm(own))]
-    axes += [-1 + 0j] * bool(lost)  # the highest power is gone: a root at θ = 180°
+    axes += [-1 + 0j] * bool(lost)  # the highest power vanishes: a root at θ = 180°
     poses = []
     for axis in axes:
         below = divisor.at(axis)
@@ -97,7 +98,7 @@ def axis_at(t: float) -> complex:
 
 
 def settled(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
-    """The pose by Newton's steps; nothing where they do not settle near it."""
+    """The pose refined by Newton's steps; None where they do not converge nearby."""
     origin, axis = pose
     size = max(t.size for t in ties)
     for _ in range(STEPS):
@@ -110,14 +111,14 @@ def settled(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
 
 
 def _order(ties: Sequence[Tie]) -> tuple[Tie, Tie, Tie]:
-    """An arc first, if there is one: the others are told against it."""
+    """The arc first, if there is one: the other ties are written relative to it."""
     first = next((t for t in ties if t.kind == "arc"), ties[0])
     one, two = (t for t in ties if t is not first)
     return first, one, two
 
 
 def row(t: Tie, base: Tie) -> tuple[Laurent, Laurent]:
-    """A tie as 2 Re(ā Y) + b = 0 for Y, where the base's point is against the base's place."""
+    """A tie as 2 Re(ā Y) + b = 0 for Y, the base's point relative to the base's place."""
     r, c = t.local - base.local, t.place - base.place
     if t.kind == "guide":
         iw = 1j * t.turn
@@ -142,7 +143,7 @@ def _cross(a: complex, b: complex) -> Laurent:
 
 
 def _eliminated(base: Tie, one: Tie, two: Tie) -> tuple[Laurent, Laurent, Laurent]:
-    """What is nothing where the link lies, and Y = place / divisor."""
+    """The polynomial that vanishes at an assembly, and Y = place / divisor."""
     (a, b), (c, d) = row(one, base), row(two, base)
     divisor, place = a.bar() * c - a * c.bar(), d * a - b * c
     if base.kind == "arc":
@@ -155,8 +156,8 @@ def _eliminated(base: Tie, one: Tie, two: Tie) -> tuple[Laurent, Laurent, Lauren
 
 
 def in_tangent(trigonometric: Laurent) -> tuple[Polynomial, int]:
-    """A real trigonometric polynomial as one in t = tan θ/2, e^{iθ} = (1 + it) / (1 - it), its sign kept; and how many
-    of its highest powers are gone: so many roots are at θ = 180°."""
+    """A real trigonometric polynomial as one in t = tan θ/2, e^{iθ} = (1 + it) / (1 - it), with its sign; and how many
+    of its highest powers vanish: the number of roots at θ = 180°."""
     n = max((abs(k) for k, z in trigonometric.terms.items() if any(z)), default=0)
     plus, minus = Laurent.of({0: 1, 1: 1j}), Laurent.of({0: 1, 1: -1j})  # in powers of t
     total = Laurent({})

@@ -6,12 +6,12 @@ from functools import reduce
 from itertools import pairwise
 from math import gcd
 
-CLOSE = Fraction(1, 1 << 40)  # how narrowly a root is caught before Newton's steps
-Polynomial = list[Fraction]  # coefficients from the lowest power
+CLOSE = Fraction(1, 1 << 40)  # width of a bracket before Newton's steps
+Polynomial = list[Fraction]  # coefficients, lowest power first
 
 
 def trimmed(poly: Polynomial) -> Polynomial:
-    """Without the highest powers that are nothing, in whole numbers without a common factor."""
+    """Without vanishing highest powers, in whole numbers without a common factor."""
     while poly and not poly[-1]:
         poly = poly[:-1]
     if not poly:
@@ -23,7 +23,7 @@ def trimmed(poly: Polynomial) -> Polynomial:
 
 
 def value(poly: Polynomial, t: Fraction) -> Fraction:
-    """Its number at t."""
+    """The value at t."""
     total = Fraction(0)
     for q in reversed(poly):
         total = total * t + q
@@ -31,7 +31,7 @@ def value(poly: Polynomial, t: Fraction) -> Fraction:
 
 
 def sturm(poly: Polynomial) -> list[Polynomial]:
-    """Sturm's chain: the polynomial, its slope, and the remainders with their signs turned."""
+    """Sturm's chain: the polynomial, its derivative, and the remainders with reversed signs."""
     chain = [poly, trimmed([k * q for k, q in enumerate(poly)][1:])]
     while len(chain[-1]) > 1:
         rest = divided(chain[-2], chain[-1])[1]
@@ -42,7 +42,7 @@ def sturm(poly: Polynomial) -> list[Polynomial]:
 
 
 def divided(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Polynomial]:
-    """The quotient of two polynomials and what is left."""
+    """The quotient and the remainder of two polynomials."""
     rest, quotient = list(poly), list[Fraction]()
     while len(rest) >= len(by):
         factor, shift = rest[-1] / by[-1], len(rest) - len(by)
@@ -52,13 +52,13 @@ def divided(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Polynomial]:
 
 
 def changes(chain: list[Polynomial], t: Fraction) -> int:
-    """How often the signs of a chain change at t."""
+    """The number of sign changes in a chain at t."""
     signs = [s for s in (value(c, t) for c in chain) if s]
     return sum((one > 0) != (two > 0) for one, two in pairwise(signs))
 
 
 def isolated(chain: list[Polynomial]) -> list[tuple[Fraction, Fraction]]:
-    """Ranges (low, high] with one root each."""
+    """Intervals (low, high] with one root each."""
     poly = chain[0]
     bound = 1 + max((abs(q / poly[-1]) for q in poly[:-1]), default=Fraction(0))
     edge = Fraction(1 << (int(bound) + 1).bit_length())
@@ -75,7 +75,7 @@ def isolated(chain: list[Polynomial]) -> list[tuple[Fraction, Fraction]]:
 
 
 def caught(poly: Polynomial, low: Fraction, high: Fraction) -> Fraction:
-    """The one root of a range, narrowly; where a double root leaves no change of sign, the middle."""
+    """The only root of an interval, narrowed down; for a double root without a change of sign, the middle."""
     above = value(poly, high)
     if not above:
         return high
@@ -91,21 +91,21 @@ def caught(poly: Polynomial, low: Fraction, high: Fraction) -> Fraction:
 
 
 def each_once(poly: Polynomial) -> tuple[Polynomial, bool]:
-    """A polynomial with every root once, and whether any was there more often: where a multiple one lies Sturm's whole
-    chain vanishes and counts nothing."""
+    """A polynomial with every root once, and whether any was multiple: at a multiple root Sturm's whole chain vanishes
+    and the count fails."""
     rest = sturm(poly)[-1]
     return (divided(poly, rest)[0], True) if len(rest) > 1 else (poly, False)
 
 
 def common(one: Polynomial, two: Polynomial) -> Polynomial:
-    """The greatest polynomial that divides both, by Euclid."""
+    """The greatest common divisor, by Euclid."""
     while two:
         one, two = two, trimmed(divided(one, two)[1])
     return one
 
 
 def sign_at(poly: Polynomial, low: Fraction, high: Fraction, other: Polynomial) -> int:
-    """The sign of another polynomial at the one root of this in (low, high], where it is not nothing."""
+    """The sign of another polynomial at the only root of this one in (low, high], where it is not zero."""
     chain = sturm(other)
     while changes(chain, low) != changes(chain, high) or not value(other, low):
         middle = (low + high) / 2

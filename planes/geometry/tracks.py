@@ -1,5 +1,5 @@
-"""A link held by three ties: where it can lie. Each tie holds a point of it on an arc or a line, or keeps its own guide
-at a distance from a place; the wrench of a tie is a force along its line, and a moment about the link's origin.
+"""The poses of a link held by three ties. A tie holds a point of the link on an arc or a line, or keeps a guide of the
+link at a distance from a place; its wrench is a force along its line, with a moment about the link's origin.
 
 Newton's steps on the three closures are written for any arithmetic; ``sextic`` finds all assemblies of one position.
 """
@@ -16,12 +16,12 @@ TieKind = Literal["arc", "line", "guide", "hinge"]
 
 @frozen
 class Tie:
-    """``local`` is the point of the link (of "guide": a place of its guide), ``place`` what it is held from.
+    """``local`` is the point of the link (for "guide": a place of its guide), ``place`` the fixed reference.
 
-    "arc": it stays ``reach`` from the place. "line": ``reach`` to the left of the line through the place along
-    ``turn``. "guide": the place stays ``reach`` to the left of the link's line along ``turn`` in its own axes.
-    Of links hinged to each other ``link`` says which it holds: 0 and 1 are hinged at their origins, each further one at
-    its own to the place that a "hinge" tells, one after another.
+    "arc": the point stays at ``reach`` from the place. "line": it stays ``reach`` to the left of the line through the
+    place along ``turn``. "guide": the place stays ``reach`` to the left of the link's line along ``turn``, in the
+    link's axes. With several links ``link`` is the index of the one held: 0 and 1 have a hinge at their origins; each
+    further one has its origin in a hinge at the place given by a "hinge" tie, one after another.
     """
 
     kind: TieKind
@@ -33,11 +33,11 @@ class Tie:
 
     @property
     def size(self) -> Real:
-        """How far its points are and reach, together: what errors are weighed against."""
+        """The sum of the coordinates and the reach: the scale for errors."""
         return abs(self.place) + abs(self.local) + abs(self.reach)
 
     def wrench(self, origin: Point, axis: Point) -> tuple[Real, Point, Real]:
-        """By how much the tie is missed, the direction it pulls in, and the moment of that about the origin."""
+        """The error of the tie, the direction of its force, and the moment of that force about the origin."""
         if self.kind == "guide":
             way = self.turn * axis
             off = self.place - origin
@@ -53,18 +53,18 @@ class Tie:
         return miss, gap / length, plane.cross(arm, gap) / length
 
     def held(self, origin: Point, axis: Point) -> Point:
-        """Where the link is held."""
+        """The place at which the link is held."""
         return self.place if self.kind == "guide" else origin + self.local * axis
 
 
-Pose = tuple[Point, ...]  # where the origin is, and the direction of the link's x axis, or of both links'
+Pose = tuple[Point, ...]  # the place of the origin, and the direction of the link's x axis, or of both links'
 
 
 def advanced(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
-    """One step of Newton's from a pose, how far it went, and the determinant with its sign.
+    """One step of Newton's method from a pose, the length of the step, and the determinant with its sign.
 
-    Links beyond the first are held by two ties and hang on a hinge: one combination of both has no moment about
-    that, and holds the link it hangs on. So the first one has three, and from it on every hinge is known.
+    A link after the first has two ties and a hinge. One combination of both ties has no moment about the hinge, so it
+    holds the link that carries the hinge. Thus the first link has three ties, and all hinges follow from it.
     """
     axes, places = pose[1:], origins(ties, pose)
     held = [[t.wrench(places[k], axes[k]) for t in ties if t.link == k and t.kind != "hinge"] for k in range(len(axes))]
@@ -91,12 +91,13 @@ def advanced(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
 
 
 def hung_on(ties: Sequence[Tie]) -> list[int]:
-    """Which link every one hangs on: the first on none, the second on that, at both origins, the others as ties say."""
+    """The link that carries each one: none for the first, the first for the second, at both origins; ties give the
+    others."""
     return [0, 0, *(t.link for t in ties if t.kind == "hinge")]
 
 
 def origins(ties: Sequence[Tie], pose: Pose) -> list[Point]:
-    """Where the origins of the links are."""
+    """The places of the links' origins."""
     origin, *axes = pose
     places = [origin, origin][: len(axes)]
     for t in ties:
@@ -109,7 +110,7 @@ Wrench = tuple[Real, Point, Real]
 
 
 def _solved(one: Wrench, two: Wrench, three: Wrench) -> tuple[Point, Real, Real]:
-    """By how much a link on three ties is to be moved and turned, and their determinant."""
+    """The displacement and rotation of a link on three ties, and their determinant."""
     (f, n, m), (g, k, p), (h, w, q) = one, two, three
     kw, wn, nk = plane.cross(k, w), plane.cross(w, n), plane.cross(n, k)
     det = m * kw + p * wn + q * nk
@@ -119,13 +120,13 @@ def _solved(one: Wrench, two: Wrench, three: Wrench) -> tuple[Point, Real, Real]
 
 
 def _turned(angle: Real) -> Point:
-    """About the direction at a small angle, radians; of length 1."""
+    """A direction turned by a small angle, radians; of length 1."""
     half = 0.5 * angle
     return (1 + 1j * half) * (1 + 1j * half) / (1 + half * half)
 
 
 def closure(ties: Sequence[Tie], axis: Point) -> Real:
-    """What is left of three ties when the link lies along ``axis``, its place eliminated: nothing where it can lie so.
+    """The residual of three ties for a link along ``axis``, its place eliminated: zero at an assembly.
 
     It is a trigonometric polynomial of the link's angle, of a degree below ``DEGREE``; not scaled.
     """
@@ -142,7 +143,7 @@ DEGREE = 5
 
 
 def _row(tie: Tie, base: Tie, axis: Point) -> tuple[Point, Real]:
-    """A tie as dot(a, Y) = p, where Y is how the base's point lies to the base's place."""
+    """A tie as dot(a, Y) = p, where Y is the base's point relative to the base's place."""
     off = (tie.local - base.local) * axis - (tie.place - base.place)
     if tie.kind == "guide":
         way = tie.turn * axis

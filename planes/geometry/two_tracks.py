@@ -1,10 +1,9 @@
-"""All assemblies of two links hinged to each other on two ties each, none missed: both draw tracks with their hinge,
-and the tracks cross there.
+"""All assemblies of two links in a hinge, on two ties each: each link traces a curve with the hinge, and the curves
+cross there; none is missed.
 
-With the hinge at (x, y) a tie is linear in the cosine and the sine of its link's angle; so two of them give both, and
-that their squares add up to one is the equation of the track, of degree six at most. What y is left out of by the
-determinant of J. J. Sylvester is made of the ties' numbers in whole numbers, without rounding; so its real roots are
-counted exactly.
+With the hinge at (x, y) a tie is linear in the cosine and the sine of its link's angle. So two ties give both, and cos²
++ sin² = 1 is the equation of the curve, of degree six at most. J. J. Sylvester's determinant, which eliminates y, is
+formed from the numbers of the ties in whole numbers, without rounding; so its real roots are counted exactly.
 """
 
 import cmath
@@ -21,14 +20,14 @@ from planes.geometry.searched import exact_parts
 from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, advanced
 
-SLANT = (53, 31)  # u = 53x + 31y is what is left: no two crossings of a symmetrical figure have the same
+SLANT = (53, 31)  # the unknown u = 53x + 31y: no two crossings of a symmetrical figure share it
 STEPS = 40
-SETTLING = 200  # rounds, of which a pair of near roots needs fifty
-Plane = dict[tuple[int, int], int]  # a polynomial in x and y: whole coefficients by powers
+SETTLING = 200  # rounds; a pair of near roots needs fifty
+Plane = dict[tuple[int, int], int]  # a polynomial in x and y: integer coefficients by powers
 
 
 def both_assemblies(ties: Sequence[Tie]) -> Counted:
-    """Every pose of the two links: where their hinge is, and both axes."""
+    """All poses of the two links: the place of their hinge and both axes."""
     lengths = [x for t in ties for x in (*exact_parts(t.local), *exact_parts(t.place), Fraction(t.reach))]
     unit = lcm(*(x.denominator for x in lengths))
     tracks = [_slanted(_track([_row(t, unit) for t in ties if t.link == k])) for k in (0, 1)]
@@ -77,7 +76,7 @@ def _times(one: Plane, two: Plane) -> Plane:
 
 
 def _track(rows: list[tuple[Plane, Plane, Plane]]) -> Plane:
-    """Where the hinge can be on two ties of a link."""
+    """The curve of the hinge that two ties of a link allow."""
     (a, b, c), (d, e, f) = rows
     cos, sin = _sum((1, _times(c, e)), (-1, _times(f, b))), _sum((1, _times(a, f)), (-1, _times(d, c)))
     both = _sum((1, _times(a, e)), (-1, _times(d, b)))
@@ -89,7 +88,7 @@ def _degree(track: Plane) -> int:
 
 
 def _slanted(track: Plane) -> Plane:
-    """The same in u and y."""
+    """The same curve in u and y."""
     along, up = SLANT
     degree, slanted = _degree(track), Plane()
     for (i, j), q in track.items():
@@ -100,7 +99,7 @@ def _slanted(track: Plane) -> Plane:
 
 
 def _in_y(track: Plane, u: int | Fraction) -> list[int | Fraction]:
-    """A track's polynomial in y at one u, from the lowest power; of the same length for every u."""
+    """The polynomial in y of a curve at one u, lowest power first; equally long for every u."""
     coefficients: list[int | Fraction] = [0] * (1 + max((j for _, j in track), default=0))
     for (k, j), q in track.items():
         coefficients[j] += q * u**k
@@ -108,7 +107,7 @@ def _in_y(track: Plane, u: int | Fraction) -> list[int | Fraction]:
 
 
 def _left(tracks: list[Plane]) -> Line:
-    """What is left of both tracks without y: a polynomial in u, through its values."""
+    """The resultant of both curves, with y eliminated: a polynomial in u, by interpolation."""
     degree = _degree(tracks[0]) * _degree(tracks[1])
     values = [_determinant(_sylvester(*(_in_y(track, u) for track in tracks))) for u in range(degree + 1)]
     differences, table = list[Fraction](), values
@@ -117,7 +116,7 @@ def _left(tracks: list[Plane]) -> Line:
         differences.append(Fraction(table[0], factorial))
         table, factorial = [b - a for a, b in pairwise(table)], factorial * (k + 1)
     poly: list[Fraction] = []
-    for k in reversed(range(degree + 1)):  # Newton's form, opened from within
+    for k in reversed(range(degree + 1)):  # Newton's form, expanded from the inside
         shifted = [Fraction(0), *poly]
         poly = [s - k * p for s, p in zip(shifted, [*poly, Fraction(0)], strict=True)]
         poly[0] += differences[k]
@@ -136,7 +135,7 @@ def _sylvester(one: list[int | Fraction], two: list[int | Fraction]) -> list[lis
 
 
 def _determinant(rows: list[list[int]]) -> int:
-    """Without fractions, by E. H. Bareiss."""
+    """The determinant without fractions, by E. H. Bareiss."""
     sign, last, size = 1, 1, len(rows)
     for k in range(size - 1):
         pivot = next((i for i in range(k, size) if rows[i][k]), None)
@@ -151,7 +150,7 @@ def _determinant(rows: list[list[int]]) -> int:
 
 
 def _posed(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, unit: int) -> Iterator[Pose]:
-    """The pose where both tracks have the same u, by Newton's steps; nothing where they do not settle there."""
+    """The pose where both curves have the same u, by Newton's steps; None where they do not converge there."""
     one, two = (_roots(_in_y(track, u), unit) for track in tracks)
     a, b = min(product(one, two), key=lambda pair: abs(pair[0] - pair[1]))
     y = (a + b).real / 2
@@ -170,7 +169,7 @@ def _posed(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, unit: int) -> 
 
 
 def _roots(poly: list[int | Fraction], unit: int) -> list[complex]:
-    """All roots, near enough to begin Newton's steps (Weierstrass; Durand, Solutions numériques, 1960)."""
+    """All roots, close enough to start Newton's steps (Weierstrass; Durand, Solutions numériques, 1960)."""
     scaled = [Fraction(q) * unit**k for k, q in enumerate(poly)]
     most = max(map(abs, scaled))
     shares = [float(q / most) for q in scaled]
@@ -192,7 +191,7 @@ def _roots(poly: list[int | Fraction], unit: int) -> list[complex]:
 
 
 def _axis(ties: Sequence[Tie], hinge: complex) -> complex:
-    """The axis of a link on two ties, its hinge being there."""
+    """The axis of a link on two ties, with its hinge given."""
     rows = []
     for t in ties:
         right, up, left, down = (float(t.wrench(hinge, axis)[0]) for axis in (1 + 0j, 1j, -1 + 0j, -1j))

@@ -1,6 +1,6 @@
-"""A lesson: the program and its drawing as numbered frames, each a sentence of what is done and one of why.
+"""A lesson: the program and its drawing as numbered frames, each with a sentence on the action and one on the reason.
 
-Numbers stand in slots (:mod:`planes.lesson.formulas`), so a frame serves every position of the mechanism.
+Numbers are in slots (:mod:`planes.lesson.formulas`), so a frame serves every position of the mechanism.
 """
 
 from functools import partial
@@ -34,8 +34,8 @@ NOTHING: Names = {}
 
 
 class Teller:
-    """Tells the steps of one drawing; ``cycle`` is the drawing (of many positions, and of links of many lengths) by
-    which a term counts as nothing."""
+    """Words the steps of one drawing; ``cycle`` is the drawing (of many positions, and of links of many lengths) that
+    decides which terms count as zero."""
 
     def __init__(
         self, plans: Plans, drawing: Drawing, cycle: Drawing | None = None, convention: Convention = "mm_per_unit"
@@ -46,7 +46,7 @@ class Teller:
         self.made = drawing.program.makers
         self.rates = {rate for link in plans.links.values() for rate in (link.omega, link.epsilon)}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
-        self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured for the lesson alone
+        self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured only for the lesson
         self.trials = drawing.program.trials | {c.mark for c in plans.centres}  # no frames of the scheme
         drawn = (x for x in drawing.program.steps if x.kind == "mark" and x.makes not in self.trials)
         self.ends = {p: x.makes for x in drawn if kind_of(p := shown_on(x)) == "force"}  # the last mark of each
@@ -58,7 +58,7 @@ class Teller:
         self.stating, self.bodies = Stating(plans), FreeBodies(plans, drawing)
 
     def frames(self) -> list[Frame]:
-        """All frames, in the order of the drawing."""
+        """All frames, in drawing order."""
         put: list[s.Step] = [step for step in self.drawing.program.steps if isinstance(step, s.Put) and step.at]
         fixed: Names = {"names": ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put if not p.helper)}
         key = "points" if self.plans.figure else "fixed"
@@ -81,7 +81,8 @@ class Teller:
         return self.in_order(CentreFrames(self.plans, self.frame, self.reading).among(opened))
 
     def in_order(self, frames: list[Frame]) -> list[Frame]:
-        """The frames, each after one that finds whatever number it needs and none before it told."""
+        """The frames in an order in which every number is found before it is used, and each frame that finds one comes
+        just before its first use."""
         reckoning, ordered = self.reckoning, list[Frame]()
         for f in frames:
             if steps := reckoning.missing(f):
@@ -95,12 +96,12 @@ class Teller:
         return in_chapters(standing(ordered, self.plans))
 
     def stands(self, plan: str) -> bool:
-        """Whether every mark of a plan stands in its pole in every position: there is nothing to draw."""
+        """Whether every mark of a plan is at its pole in every position: there is nothing to draw."""
         own = [s.makes for s in self.drawing.program.steps if s.kind == "mark" and shown_on(s) == plan]
         return all(not size >= 1e-6 for mark in own for size in many(abs(self.cycle[mark])))
 
     def shown(self, step: s.Step) -> bool:
-        """Whether a step has a frame of its own."""
+        """Whether a step has its own frame."""
         if kind_of(shown_on(step)) == "motion" or step.makes == at("position", POLE) or shown_on(step) in self.still:
             return False
         return isinstance(step, crossings.Touch) or step.kind == "mark"
@@ -116,7 +117,7 @@ class Teller:
         moments: int | None = None,
         names: Names = NOTHING,
     ) -> Frame:
-        """A frame with its words in both languages; what is callable is asked per language."""
+        """A frame with its words in both languages; callables are evaluated per language."""
         index, equation_terms = self.equation_of(plan, makes)
         rows = tuple(row for said in names.values() if isinstance(said, tuple) for row in said)
         own = ((m[1], m[2]) for said in names.values() if isinstance(said, str) for m in SLOT.finditer(said))
@@ -152,7 +153,8 @@ class Teller:
         return self.frame(key, shown_on(step), makes, uses, reason, names=names)
 
     def readings(self, values: list[s.Step], before: list[Frame]) -> list[Frame]:
-        """Frames of what was reckoned since the last mark: rates together, each moment equation alone."""
+        """Frames for the values computed since the last mark: angular velocities and accelerations together, each
+        moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
         if self.plans.moves:
             last = next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None)
@@ -165,20 +167,21 @@ class Teller:
         return frames + [f for v in values if v.makes in self.moments for f in self.moment(v)]
 
     def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
-        """What is read off a plan of rates once an equation is solved, and the angular rates that follow."""
+        """The measurements on a velocity or acceleration plan after an equation is solved, and the angular values from
+        them."""
         index = next((f.equation for f in reversed(before) if f.plan == plan and f.equation is not None), None)
         names = sought(self.plans.equations[index]) if index is not None else []
         read_names = {name for f in before if (f.key, f.plan) == ("measured", plan) for name in f.terms}
         return self.read_off("measured", plan, [name for name in names if name not in read_names], rates)
 
     def read_off(self, key: str, plan: str, names: list[str], rates: list[Calculate]) -> Frame:
-        """Segments of a plan measured, and rates with their formula and sense."""
+        """Measured segments of a plan, and velocities or accelerations with their formula and sense."""
         rows = (*(self.reading(n, plan) for n in names), *map(self.reckoned, rates))
         uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
         return self.frame(key, plan, uses=uses, terms=tuple(names), names={"readings": rows})
 
     def reckoned(self, rate: Calculate) -> Row:
-        """A value with its formula; of one that turns its sense."""
+        """A value with its formula; of a rotation also its sense."""
         turns = UNITS.get(letter_of(rate.makes)) in ("rad/s", "rad/s²")
         return reckoned(rate, unit_key="" if self.plans.moves else unit_of_value(rate.makes), turns=turns)
 
@@ -188,7 +191,7 @@ class Teller:
         return (at(plan, segment.start), at(plan, segment.end)) if segment else ()
 
     def reading(self, name: str, plan: str) -> Row:
-        """A segment measured: its millimetres and its value."""
+        """A measured segment: its millimetres and its value."""
         span = self.span(name, plan)
         if not span:
             return Row(name, "", "", "")
@@ -201,7 +204,7 @@ class Teller:
         return f"/ {slot(scale, 'k')}" if self.convention == "mm_per_unit" else f"· {slot(scale, 'i')}"
 
     def closing(self, plan: str) -> list[Frame]:
-        """The reactions read off a force plan that has closed, those inside the group each with the link it closes."""
+        """The reactions read from a closed force polygon, those inside the group each with the link it closes."""
         links = [*links_apart(self.plans, plan)]
         inside = {name: r.key for one in links for name, (r, _) in one.reactions.items() if name == one.force}
         own = (r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan))
@@ -216,14 +219,14 @@ class Teller:
         return frames + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
 
     def rubbing(self, plan: str, r: Reaction) -> Frame:
-        """Both parts of a reaction with friction, or its circle, and the power of friction."""
+        """Both components of a reaction with friction, or its circle, and the power of friction."""
         key, parts = ("friction_circle", []) if r.pair.point else ("friction", [r.normal, r.friction])
         readings = tuple(self.reckoning.reading(self.made[n]) for n in (*parts, r.power))
         names: Names = {"force": r.key, "point": r.pair.point, "readings": readings}
         return self.frame(key, plan, names=names, terms=(r.key,))
 
     def seated(self, r: Reaction) -> Frame:
-        """The arm at which a slider's reaction acts, from its couple."""
+        """The arm at which a slider's reaction acts, by its couple."""
         arm = self.made[r.arm]
         assert isinstance(arm, Calculate)
         names: Names = {"force": r.key, "formula": (reckoned(arm),), "mm": slot(r.arm, "mm", mu_of("position"))}
@@ -243,6 +246,6 @@ class Teller:
 
 
 def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:
-    """A value of a drawing (of one position or many) by the name a slot gives it."""
+    """A value of a drawing (of one position or many) by the name used in a slot."""
     start, end, mu = teller.spans.get(name, ("", "", ""))
     return abs(drawing[end] - drawing[start]) / drawing[mu] if mu else drawing[name]  # type: ignore[no-any-return]

@@ -1,4 +1,4 @@
-"""Instantaneous centres in a lesson: a chapter of its own, after the velocities are found, where it is asked for."""
+"""Instantaneous centres in a lesson: a separate chapter after the velocities, if requested."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -17,7 +17,7 @@ from planes.words.names import lettered
 from planes.words.records import Json
 
 NOTED = ("off", "parallel", "lost")
-"""What a page says of a centre that is not to be seen."""
+"""What a page says of a centre that cannot be seen."""
 
 
 @frozen
@@ -36,7 +36,7 @@ class CentreFrames:
         return [*frames[: last + 1], *(replace(f, chapter=CENTRES) for f in self.told()), *frames[last + 1 :]]
 
     def told(self) -> Iterator[Frame]:
-        """The centres of pairs, then one after another, each with what is checked by it."""
+        """The centres of pairs, then one after another, each with its check."""
         seen = [c for c in self.plans.centres if not c.lines and (c.along or self.joined(c))]
         makes = tuple(c.mark for c in seen if c.mark)
         yield self.make("centres_first", "position", makes, (), names=self.first(seen))
@@ -47,12 +47,12 @@ class CentreFrames:
             yield self.make("centres_left", "position", (), (), names={"names": ", ".join(f"⟨{n}⟩" for n in left)})
 
     def joined(self, centre: Centre) -> bool:
-        """Whether two links have a hinge themselves."""
+        """Whether two links are hinged to each other."""
         i, j = centre.links
         return any(p.joins(i) and p.joins(j) and p.point == centre.point for p in self.plans.structure.pairs)
 
     def first(self, seen: list[Centre]) -> Names:
-        """The names of the centres that are seen at once."""
+        """The names of the centres known at once."""
         hinges = ", ".join(f"⟨{c.name}⟩ = ⟨{c.point}⟩" for c in seen if c.mark)
         far = ", ".join(f"⟨{c.name}⟩ {self.action(c.along)}" for c in seen if c.along)
         return {
@@ -61,7 +61,7 @@ class CentreFrames:
         }
 
     def action(self, direction: str) -> str:
-        """A direction as it is written."""
+        """A direction as written."""
         return self.plans.means[direction].action
 
     def one(self, c: Centre) -> Frame:
@@ -101,5 +101,5 @@ class CentreFrames:
 
 
 def lines_of(plans: Plans) -> Json:
-    """For a page: by centre the lines that cross in it, each by a mark and another, or a direction."""
+    """For a page: by centre the lines that cross in it, each by a mark and another mark, or a direction."""
     return {c.mark: [[x.mark, x.other or x.along] for x in c.lines] for c in plans.centres if c.mark}

@@ -1,7 +1,7 @@
-"""What practice asks to choose: a plan's scale, the group that is next for forces and why, the equation written first.
+"""The choices in practice: a plan's scale, the group that comes next for forces and why, the equation written first.
 
-A choice is data: what is offered, each with why it is not right, or nothing where it is; a scale is judged by how large
-the plan is at it.
+A choice is data: the options, each with the reason why it is wrong, or none if it is right; a scale is judged by the
+size of the plan.
 """
 
 from collections.abc import Mapping, Sequence
@@ -22,15 +22,15 @@ from planes.words.units import UNIT
 
 CHOICES = ("mu", "order", "reason", "first")
 TIMES = (0.1, 0.4, 1.0, 2.5, 10.0)
-"""How large the scales offered are against that of the lesson: both ways too much, and what may do."""
-LATER = 2  # equations of later groups that are offered beside that in hand
+"""The scales offered, relative to that of the lesson: too large and too small both ways, and acceptable ones."""
+LATER = 2  # equations of later groups offered beside the current one
 REASONS = ("last", "driver", "moved", "heavy")
-"""Why a group is first for forces: the first is right."""
+"""Reasons why a group comes first for forces: the first is right."""
 
 
 @frozen
 class Choices:
-    """The choices of one lesson; ``fit_mm`` is how large each kind of plans may be on the paper."""
+    """The choices of one lesson; ``fit_mm`` is the size of each kind of plan on the paper."""
 
     plans: Plans
     drawing: Drawing
@@ -39,7 +39,7 @@ class Choices:
     fit_mm: Mapping[str, float]
 
     def of(self, kind: str, what: str | int, frame: int) -> Json | None:
-        """What a choice offers, by its kind; None where there is nothing to choose."""
+        """The options of a choice, by its kind; None where there is nothing to choose."""
         if kind == "mu":
             return self.scale(str(what), self.frames[frame])
         if not self.plans.moves:
@@ -49,8 +49,8 @@ class Choices:
         return self.order(str(what)) if kind == "order" else self.reason(str(what))
 
     def scale(self, plan: str, frame: Frame) -> Json | None:
-        """Scales of the series about that of the lesson, by which marks it is told how large the plan is, and what is
-        laid off first; None where the first mark asked is found by no given length."""
+        """Scales of the standard series about that of the lesson, the marks that give the size of the plan, and the
+        vector laid off first; None where no given length leads to the first mark asked for."""
         first = self.plans.program.makers[frame.makes[0]]
         long = (getattr(first, "length", "") or getattr(first, "radius", "")) if plan == "position" else ""
         if not long and not isinstance(first, LayOff):
@@ -66,12 +66,12 @@ class Choices:
 
     @cached_property
     def forces(self) -> list[str]:
-        """The force plans in the order they are drawn."""
+        """The force plans in drawing order."""
         return [p for p in self.plans.drawn if kind_of(p) == "force"]
 
     @cached_property
     def waits(self) -> dict[str, dict[str, set[str]]]:
-        """By force plan the plans it waits for, and the reactions that each of them finds for it."""
+        """By force plan the plans it waits for, and the reactions that each of them gives."""
         bodies, waits = FreeBodies(self.plans, self.drawing), dict[str, dict[str, set[str]]]()
         for plan in self.forces:
             waits[plan] = {}
@@ -82,7 +82,7 @@ class Choices:
         return waits
 
     def order(self, plan: str) -> Json | None:
-        """The links whose forces are still to be found, where some of them must wait: a group of one polygon each."""
+        """The links whose forces are still unknown, where some of them must wait: a group of one polygon each."""
         driver, group_links = self.plans.structure.driver, [set(g.whole) for g in self.plans.structure.groups]
         if any(links_of(p) != (driver,) and set(links_of(p)) not in group_links for p in self.forces):
             return None
@@ -94,12 +94,12 @@ class Choices:
         return {"offered": offered}
 
     def early(self, names: Sequence[str]) -> Json:
-        """Why links are too early: forces on them are not found yet."""
+        """Why links come too early: forces on them are still unknown."""
         forces = ", ".join(f"⟨{n}⟩" for n in names)
         return {"why": in_both(partial(say, "lesson_choice_early", forces=forces))} if names else {}
 
     def reason(self, plan: str) -> Json | None:
-        """Why the first links are first."""
+        """Why the first links come first."""
         if plan != self.forces[0] or not self.order(plan):
             return None
         said = {key: in_both(partial(say, f"lesson_choice_{key}")) for key in REASONS}
@@ -108,7 +108,7 @@ class Choices:
         return {"offered": offered}
 
     def first(self, index: int, frame: int) -> Json | None:
-        """Equations of velocities, of which those that begin with a known vector can be written first."""
+        """Velocity equations; those that begin with a known vector can be written first."""
         own = [e for e in self.equations if e["plan"] == "velocity" and e["total"]]
         if self.equations[index] not in own:
             return None
@@ -123,13 +123,13 @@ class Choices:
         return {"offered": [{"value": t, "said": in_both(lambda _: t), **offered[t]} for t in sorted(offered)]}  # noqa: B023
 
     def unknown(self, term: Json, made: set[str]) -> Json:
-        """Why an equation that begins with a vector cannot be written yet: nothing where it can."""
+        """Why an equation that begins with a vector cannot be written yet; empty where it can."""
         if term["action"] == "=0" or term["at"] in made:
             return {}
         return {"why": in_both(partial(say, "lesson_choice_unknown", name=term["name"]))}
 
     def unlinked(self, equation: Json, made: set[str]) -> dict[str, Json]:
-        """The sought point by a known one of no link of its own."""
+        """The unknown point by a known one that is on none of its links."""
         links = self.plans.mechanism.links
         point = next((p for p in self.plans.points if f"v_{p}" == equation["total"]["name"]), "")
         together = {p for x in links.values() if point in x.points for p in x.points}
@@ -143,7 +143,7 @@ class Choices:
 
 
 def lines(equation: Json) -> list[tuple[str, Json]]:
-    """The equation by each of its sides that is a sum, with the vector that side begins with."""
+    """The equation by each of its sides that is a sum, with the first vector of that side."""
     sums = []
     for side in equation["sides"]:
         if len(side) > 1:

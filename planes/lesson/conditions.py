@@ -1,5 +1,5 @@
-"""Under which conditions a mechanism is calculated, in words alone: axes, what of the layout its dimensions leave open,
-loads, weight, friction. Numbers stand in the table of what is given, by their names."""
+"""The conditions of a calculation, in words alone: axes, the parts of the layout that the dimensions leave open, loads,
+weight, friction. Numbers are in the table of given data, by their names."""
 
 from collections.abc import Iterator
 
@@ -13,7 +13,7 @@ from planes.words.units import number
 
 
 def conditions(plans: Plans, lang: Lang) -> Iterator[str]:
-    """Axes and layout; if forces are drawn, loads, centres of mass, weight and friction; nothing of stated vectors."""
+    """Axes and layout; if forces are drawn, loads, centres of mass, weight and friction; empty for stated vectors."""
     mechanism = plans.mechanism
     if not plans.moves:
         return
@@ -38,7 +38,7 @@ def conditions(plans: Plans, lang: Lang) -> Iterator[str]:
 
 
 def _load(load: Load, name: str, mechanism: Mechanism, lang: Lang) -> str:
-    """One force or moment, and which way it acts; what of it is a law, after that."""
+    """One force or moment, and its direction; then its law, if it has one."""
     what = {"link": load.link, "point": f"⟨{load.point}⟩", "name": name, "other": load.direction_link}
     what["angle"] = f"∠⟨{name}^({load.direction_link})⟩"
     way = load.sense or ("link" if load.direction_link else "")
@@ -51,14 +51,14 @@ def _load(load: Load, name: str, mechanism: Mechanism, lang: Lang) -> str:
 
 
 class Layout:
-    """Tells what the dimensions of a mechanism leave open: which assembly is meant, where guides are directed, and the
-    axes of links, in which angles and coordinates are told, what the drive is counted from."""
+    """Words the parts of a layout that the dimensions leave open: which assembly is meant, the directions of guides,
+    the axes of links, to which angles and coordinates refer, and the origin of the drive's coordinate."""
 
     def __init__(self, plans: Plans, lang: Lang) -> None:
         self.plans, self.mechanism, self.lang = plans, plans.mechanism, lang
 
     def sentences(self) -> Iterator[str]:
-        """All of it."""
+        """All sentences."""
         m = self.mechanism
         for name, assembly in m.assembly.items():
             yield self.assembly(name, assembly)
@@ -78,7 +78,7 @@ class Layout:
         return say(f"task_{key}", self.lang, **parts)
 
     def assembly(self, name: str, said: Assembly) -> str:
-        """Which of its places a group takes."""
+        """The position in which a group is assembled."""
         if said.near is not None:
             x, y = (number(v, self.lang, DIGITS) for v in (said.near.real, said.near.imag))
             return self.say("near", name=f"⟨{name}⟩", x=x, y=y)
@@ -88,7 +88,7 @@ class Layout:
         return self.dyad(group, said.order)
 
     def dyad(self, group: Group, order: str) -> str:
-        """Which of its two places a group of class II takes."""
+        """Which of its two positions a group of class II takes."""
         one, two, name = group.first_outer, group.last_outer, group.inner.point
         if order in ("left", "right"):
             return self.say(order, name=name, one=one.point, two=two.point)
@@ -99,7 +99,7 @@ class Layout:
         return self.say(order, name=name, guide=guide.name, way=self.way(guide))
 
     def way(self, guide: Guide) -> str:
-        """Which way a guide is directed."""
+        """The direction of a guide."""
         owner = self.mechanism.owner(guide.name)
         if owner != FRAME:
             return self.say("way_link", guide=guide.name, link=owner)
@@ -107,7 +107,7 @@ class Layout:
         return self.say(upright, guide=guide.name)
 
     def axis(self, link: Link) -> str:
-        """Where the x axis of a link is directed, if anything of it is told in its axes."""
+        """The direction of a link's x axis, if any of its data refer to its axes."""
         drive, first, slide = self.mechanism.drive, link.points[link.first_point], link.slides
         places = {name: z - first for name, z in link.points.items()}
         aimed = [load.direction_link for load in self.mechanism.loads if self.plans.forces]
@@ -126,7 +126,7 @@ class Layout:
         return self.say("way_guide", guide=guide) if guide else ""
 
     def drive(self) -> Iterator[str]:
-        """What the place of a drive is counted from, unless it is the angle of the driver to the x axis."""
+        """The origin of the drive's coordinate, unless it is the angle from the driver to the x axis."""
         m, drive = self.mechanism, self.mechanism.drive
         name = f"⟨{drive.letters[0]}⟩"
         if drive.kind == "phi":
@@ -139,7 +139,7 @@ class Layout:
         yield self.say("stroke", name=name, guide=guide.name, start=self.start(guide), point=link.first_point)
 
     def start(self, guide: Guide) -> str:
-        """The point that a guide is told to run through."""
+        """The point that defines a guide."""
         if guide.through_point:
             return f"⟨{guide.through_point}⟩"
         if not guide.origin_given:

@@ -1,6 +1,6 @@
-"""All a lesson page shows, as one plain object: frames, equations, and the program itself as a tape.
+"""The data of a lesson page as one plain object: frames, equations, and the program itself as a tape.
 
-The page runs the tape for whatever position and numbers are asked, and draws lines between the marks it gives.
+The page runs the tape for any position and numbers, and draws lines between the resulting marks.
 """
 
 from collections.abc import Callable
@@ -33,8 +33,8 @@ Progress = Callable[[int, int], None]
 
 
 def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = False) -> Json:
-    """The lesson of a scene, with its instantaneous ``centres`` if they are asked for; ``progress`` hears how far the
-    catalogue of mistakes is drawn. Errors as :class:`Told`."""
+    """The lesson of a scene, with its instantaneous ``centres`` if requested; ``progress`` is called while the
+    catalogue of mistakes is drawn. Errors as for :class:`Told`."""
     lesson = Told.of(scene, centres)
     plans, drawing, knobs, frames = lesson.plans, lesson.drawing, lesson.knobs, lesson.frames
     kit, more = Kit(plans, drawing), lesson.leaning or {}
@@ -76,7 +76,7 @@ def _shown(frame: Frame, kit: Kit) -> Json:
 
 
 def _live(lesson: Told, results: list[str], progress: Progress | None) -> Json:
-    """The tape, and where on it every mark, direction, value, sharpness and mistake stands; with what is practised."""
+    """The tape, and the places on it of every mark, direction, value, sharpness and mistake; with the practice."""
     plans, frames = lesson.plans, lesson.frames
     live = Live(lesson.knobs.free)
     drawn, own = live.drawing, feet(plans, live.drawing)
@@ -130,7 +130,7 @@ def _blunt(mark: str, lang: Lang) -> str:
 
 
 def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
-    """A plan with its scale, its title and the letters of the fixed points of the scheme that stand in its pole."""
+    """A plan with its scale, its title and the letters of the scheme's fixed points, which are at its pole."""
     prime = {"velocity": "", "acceleration": "'"}.get(plan)
     fixed = [] if prime is None else [p.lower() + prime for p in pivots(plans.mechanism)]
     return {
@@ -143,7 +143,7 @@ def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
 
 
 def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
-    """Each vector of the plans once, by its ends, with every name it goes by; ``sum`` marks one that is no term."""
+    """Each vector of the plans once, by its ends, with all its names; ``sum`` marks one that is not a term."""
     segments: dict[tuple[str, str, str], Json] = {}
     named = {t.name: whole(e, t.name) for e in plans.equations for t in e.terms}
     terms = {(e.plan, *sorted((t.start, t.end))) for e in plans.equations for t in e.terms}
@@ -162,7 +162,7 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
 
 
 def _traces(drawing: Drawing) -> Json:
-    """For each crossed mark, the marks its lines come through, or its arcs are drawn about."""
+    """For each crossed mark, the marks on its lines, or the centres of its arcs."""
     traces: Json = {}
     steps = drawing.program.makers
     for step in drawing.program.steps:
@@ -183,7 +183,7 @@ def _traces(drawing: Drawing) -> Json:
 
 
 def _results(plans: Plans) -> list[Json]:
-    """Rates and balancing loads shown beneath the plans at every position."""
+    """Angular velocities and accelerations, and balancing loads, shown beneath the plans at every position."""
     rates = [*(link.omega for link in plans.links.values()), *(link.epsilon for link in plans.links.values())]
     names = [n for n in dict.fromkeys([*rates, plans.balancing, plans.zhukovsky]) if n in plans.program.made]
     return [{"name": n, "value": n, "unit": in_both(partial(unit, n))} for n in names]

@@ -1,6 +1,5 @@
-"""The numbers a scene is given by, as a reader may change them: of a link the distances of its points and the angles
-between them, of a guide its direction; and from them the given numbers of its program.
-"""
+"""The numbers of a scene that a reader may change: for a link the distances of its points and the angles between them,
+for a guide its direction; and the given numbers of the program computed from them."""
 
 import cmath
 import math
@@ -21,13 +20,13 @@ from planes.words.frozen import frozen
 from planes.words.names import Meaning, given_of
 
 ANGLE = "angle_∠"
-APART = 1e-9  # relative to a link: points nearer than that are one
+APART = 1e-9  # relative to a link: points closer than that are one
 
 
 @frozen
 class Reach:
     """A place of a link by its ``length`` from another and the ``angle`` from the link's first length: names of
-    numbers; the second is "" of that length itself."""
+    numbers; the angle is "" for that first length."""
 
     start: complex
     along: complex
@@ -37,7 +36,7 @@ class Reach:
 
 @dataclass
 class _Asked(SceneDimensions):
-    """Notes which dimensions are asked for."""
+    """Records which dimensions are used."""
 
     def __init__(self, plans: Plans) -> None:
         super().__init__(plans.mechanism, plans.passive)
@@ -50,7 +49,7 @@ class _Asked(SceneDimensions):
         return super().place(spot)
 
     def point(self, spot: OwnPlace) -> OwnPlace:
-        """The point that a guide runs through, where that is one."""
+        """The point on a guide, where it has one."""
         point = self.links[spot.link].guides[spot.guide].through_point if spot.guide else None
         return OwnPlace(spot.link, point) if point else spot
 
@@ -64,7 +63,7 @@ class _Asked(SceneDimensions):
 
 
 class FreeNumbers:
-    """The numbers of a scene that are free, by name: those its program is given by, or what they are reckoned of."""
+    """The free numbers of a scene, by name: the givens of its program, or the numbers these are computed from."""
 
     def __init__(self, plans: Plans, given: Mapping[str, Thing]) -> None:
         self.plans, self.given = plans, given
@@ -79,7 +78,7 @@ class FreeNumbers:
 
     @cached_property
     def home(self) -> dict[str, float]:
-        """Every free number as the scene has it, of a place both coordinates."""
+        """Every free number as in the scene, of a place both coordinates."""
         plain = {n: z for n, z in self.given.items() if n not in self.plans.reckoned}
         flat = {n: float(z) for n, z in given_values(plain).items()}
         means = self.plans.means
@@ -87,7 +86,7 @@ class FreeNumbers:
         return {**places, **self.own, **{n: z for n, z in flat.items() if n not in places}}
 
     def on(self, tape: Tape, ar: Arithmetic) -> dict[str, Thing]:
-        """The given numbers of the program on a tape that has the free ones."""
+        """The given numbers of the program on a tape whose inputs are the free ones."""
         own = {n: Num(tape, tape.leaf("given", n)) for n in self.own}
         plain = {n: given_on(tape, n, z) for n, z in self.given.items() if n not in self.plans.reckoned}
         return self._reckoned(plain, own, ar)
@@ -109,7 +108,7 @@ class FreeNumbers:
         return things
 
     def placing(self, link: str, point: str) -> list[str]:
-        """The numbers that place a point on its link."""
+        """The numbers that fix a point on its link."""
         reach = self.reaches.get(OwnPlace(link, point))
         return [n for n in (reach.length, reach.angle) if n] if reach else []
 
@@ -123,8 +122,8 @@ class FreeNumbers:
         return name in self.plans.reckoned and abs(self.given[name] - value) <= APART * abs(value)
 
     def _reaches(self) -> Iterator[tuple[OwnPlace, Reach]]:
-        """Of every link: its first length, from which the angles are counted (of a slider from its own axis), and where
-        its other points are."""
+        """For every link: its first length, from which the angles are counted (for a slider from its axis), and the
+        places of its other points."""
         for link in (x for x in self.plans.mechanism.links.values() if len(x.points) > 1):
             given = {(m.of, m.about): n for n, m in self.lengths.items() if m.link == link.name}
             base = next(iter(given), ("", ""))[0] or link.first_point
@@ -142,7 +141,7 @@ class FreeNumbers:
 
     @cached_property
     def lengths(self) -> dict[str, Meaning]:
-        """The lengths that the program is given."""
+        """The lengths given to the program."""
         means = self.plans.means
         return {n: means[n] for n in self.plans.program.givens if n in means and means[n].quantity == "length"}
 
@@ -154,7 +153,7 @@ def degrees(z: complex) -> float:
 
 @frozen
 class _Changed(Dimensions):
-    """The dimensions as the free numbers make them."""
+    """The dimensions computed from the free numbers."""
 
     free: FreeNumbers
     things: Mapping[str, Thing]

@@ -1,6 +1,7 @@
-"""An essay on the method of plans: ten short pages, one figure a paragraph, from two vectors to six links with forces.
+"""An essay on the method of plans: ten short pages, one figure per paragraph, from two vectors to six links with
+forces.
 
-A page is the data of a lesson, and of each paragraph its words and what its figure shows of that lesson.
+A page is the data of a lesson, with the words of each paragraph and the part of the lesson in its figure.
 """
 
 from collections.abc import Container, Mapping
@@ -15,7 +16,7 @@ from planes.words.records import Json
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 KEPT = ("key", "plan", "makes", "uses", "equation", "terms", "moments", "turns")
-"""What of a frame a figure needs: its own words are the paragraph's."""
+"""The parts of a frame that a figure needs; the paragraph replaces its words."""
 RAFT = """\
 planes: 1
 vectors: {v_B: {value: 1.4, direction: 12}, v_CB: {value: 1, direction: 80}, v_C: {}}
@@ -77,12 +78,12 @@ PAGES = (
         "lever moments@MI_4 phi",
     ),
 )
-"""Of each page its scene, and its figures: the scheme or a plan, as far as the frame that makes a mark, or that has a
-key and speaks of a name (key@name); then the numbers that stand under it to be slid."""
+"""For each page its scene, and its figures: the scheme or a plan, up to the frame that makes a mark, or that has a key
+and mentions a name (key@name); then the numbers with sliders beneath it."""
 
 
 def essay_data(number: int) -> Json:
-    """All that a page shows, numbered from one."""
+    """The data of every page, numbered from one."""
     name, *shown = PAGES[number - 1]
     data = dict(lesson_data(loads(RAFT, "raft") if name == "raft" else load(str(TEMPLATES / f"{name}.yaml"))))
     frames, paragraphs = data["frames"], list[Json]()
@@ -98,7 +99,7 @@ def essay_data(number: int) -> Json:
 
 
 def _place(frame: str, frames: list[Json]) -> int:
-    """Where a figure's frame stands in the lesson."""
+    """The index of a figure's frame in the lesson."""
     key, _, name = frame.rpartition("@")
     if not key:
         return next(k for k, f in enumerate(frames) if name in f["makes"])
@@ -106,7 +107,7 @@ def _place(frame: str, frames: list[Json]) -> int:
 
 
 def _known(text: str, values: Container[str]) -> str:
-    """A text with lengths of vectors that are given, not measured, by the names of what is given."""
+    """A text in which vectors with given, not measured, lengths have the names of their givens."""
     for name in slots(text):
         text = text if name in values else text.replace(name, name.replace("‖", "|"))
     return text

@@ -1,4 +1,4 @@
-"""The words of false plans: what is supposed, what it leads to, and where the true plan lies between two of them."""
+"""The words of false plans: the assumption, its consequence, and the place of the true plan between two of them."""
 
 from collections.abc import Mapping
 
@@ -10,7 +10,7 @@ from planes.words.names import lettered
 
 
 def false_words(step: s.Step, made: Mapping[str, s.Step]) -> tuple[str, str, dict[str, str]] | None:
-    """The key of the sentence and of its reason, and the names it says; None of a step of no false plan."""
+    """The key of the sentence and of its reason, and the names in it; None for a step outside false plans."""
     if isinstance(step, s.Image) and step.image[1] in made and _supposed(made[step.image[1]]):
         carried = made.get(step.like[1])
         if isinstance(carried, s.Carry):

@@ -1,10 +1,10 @@
 """Formulas of a lesson with slots for numbers, so that one sentence serves every position of the mechanism.
 
 A slot ⟦how¦name¦mu⟧ stands for a number of the drawing: ``v`` its value, ``b`` the value in brackets where it is
-negative, ``mm`` its length on paper, ``s`` its sense of rotation, ``k`` and ``i`` a scale, in mm for a unit and the
-inverse; ``a`` its value without a sign; ``join`` and ``lead`` the sign of a product of values (names by ``*``, after a
-minus of their own), between terms and before the first; ``n`` a number that is its own name. Names of marks, vectors
-and values stand in ⟨…⟩.
+negative, ``mm`` its length on paper, ``s`` its sense of rotation, ``k`` and ``i`` a scale, in mm per unit and inverted;
+``a`` its absolute value; ``join`` and ``lead`` the sign of a product of values (names joined by ``*``, after a possible
+minus), between terms and before the first; ``n`` a number that is written out. Names of marks, vectors and values are
+in ⟨…⟩.
 """
 
 import math
@@ -20,8 +20,8 @@ from planes.words.units import Convention, mu_number, mu_text, number
 One = TypeVar("One")
 LANGS = langs("lesson")
 SLOT = re.compile(r"⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧")
-SIGNS = ("s", "join", "lead")  # slots that give no number
-NOISE = 1e-12  # what is smaller is nothing: an arm that is zero, a force that is not there
+SIGNS = ("s", "join", "lead")  # slots that print no number
+NOISE = 1e-12  # smaller values are zero: a zero arm, an absent force
 SCALES: dict[str, Convention] = {"k": "mm_per_unit", "i": "unit_per_mm"}
 _LETTERS = {
     "rad/s": "omega",
@@ -39,30 +39,30 @@ UNITS = {letter: key for key, letters in _LETTERS.items() for letter in letters.
 
 
 def in_both(say_in: Callable[[Lang], One]) -> dict[Lang, One]:
-    """What is told, in every language of lessons."""
+    """The text in every language of lessons."""
     return {lang: say_in(lang) for lang in LANGS}
 
 
 def unit(name: str, lang: Lang) -> str:
-    """The SI unit of a value by its name, as the language writes it."""
+    """The SI unit of a value by its name, as written in the language."""
     key = UNITS.get(parts_of(name)[0])
     return say(key, lang) if key else ""
 
 
 def slot(name: str, how: str = "v", mu: str = "") -> str:
-    """A slot for a value; of a length in millimetres of paper, with the μ it is drawn at."""
+    """A slot for a value; for a length in millimetres of paper, with the μ of its plan."""
     return f"⟦{how}¦{name}{mu and f'¦{mu}'}⟧"
 
 
 def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
-    """A sentence with its numbers, as ``read`` gives them by name."""
+    """A sentence with its numbers, which ``read`` gives by name."""
 
     def one(match: re.Match[str]) -> str:
         how, name, mu = match.groups()
         if how == "n":
             return decimal(name, lang)
         first, values = -1.0 if name.startswith("−") else 1.0, [*map(read, own(name))]
-        if how in ("join", "lead"):  # the sign of a product: what is nothing has none
+        if how in ("join", "lead"):  # the sign of a product; zero has none
             values = [math.copysign(1.0, v) for v in values if not abs(v) < NOISE]
         size = math.prod(values, start=first)
         size = 0.0 if abs(size) < NOISE else size
@@ -83,12 +83,12 @@ def fill(text: str, read: Callable[[str], float], lang: Lang) -> str:
 
 
 def slots(text: str) -> list[str]:
-    """Names of the values a sentence needs, each time it does."""
+    """Names of the values in a sentence, once for each use."""
     return [part for how, name, _ in SLOT.findall(text) if how != "n" for part in own(name)]
 
 
 def own(name: str) -> list[str]:
-    """The values a slot is of: one, or those of a product."""
+    """The values of a slot: one, or those of a product."""
     return name.removeprefix("−").split("*")
 
 
@@ -101,8 +101,8 @@ def formula(step: Calculate) -> tuple[str, str]:
 def by_sense(
     step: Calculate, size: Callable[[str], str], without: str, arm: str, drop: frozenset[int], sought: str = ""
 ) -> tuple[str, str]:
-    """Both sides of an equation of moments: each term with the sign it has, its arm and sizes without, the
-    sizes written as ``size`` says; what is ``sought`` has an ``arm`` too, and is positive the way it acts."""
+    """Both sides of an equation of moments: each term with its sign, arms and magnitudes unsigned, the magnitudes in
+    the form of ``size``; the unknown ``sought`` has an ``arm`` too, and is positive in its own sense."""
     letters = numbers = ""
     for i, term in enumerate(step.terms):
         if i not in drop:
@@ -142,6 +142,6 @@ def _sum(parts: list[tuple[bool, str]]) -> str:
 
 
 def mu_said(plan: str, lang: Lang, convention: Convention = "mm_per_unit") -> str:
-    """The scale of a plan as the language writes it, its number in a slot; the lever is drawn as velocities are."""
+    """The scale of a plan as written in the language, its number in a slot; the lever has the scale of velocities."""
     how, kind = "k" if convention == "mm_per_unit" else "i", "velocity" if plan == "lever" else kind_of(plan)
     return f"{slot(mu_of(plan), how)} {mu_text(1.0, kind, lang, convention).partition(' ')[2]}"

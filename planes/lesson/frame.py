@@ -1,4 +1,4 @@
-"""One frame of a lesson, told in every language of lessons."""
+"""One frame of a lesson, in every language of lessons."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping
@@ -11,20 +11,19 @@ from planes.words import Lang
 from planes.words.frozen import frozen, replace
 
 CENTRES = "centres"
-"""The chapter of instantaneous centres, which is no plan."""
+"""The chapter of instantaneous centres, which is not a plan."""
 ROW = re.compile(r"⟪(\d+)⟫")
 
 
 @frozen
 class Frame:
-    """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it stands on (full names); ``equation``
-    is the index of the vector equation being solved, ``terms`` the vectors in hand; ``marked`` and ``why`` its words by
+    """One frame of a lesson. ``makes`` are the marks it adds, ``uses`` those it starts from (full names); ``equation``
+    is the index of the vector equation being solved, ``terms`` the current vectors; ``marked`` and ``why`` its words by
     language; ``moments`` the index of the moment equation it states, or leads to; ``turns`` the vector carried to a
-    point of the scheme to see which way it turns about another, and the rate found so. ``rows`` are its lines of
-    reckoning, each ⟪k⟫ where it stands in the words; ``numbers`` are all that it tells: how (see
-    :mod:`planes.lesson.formulas`) and of which value. ``chapter`` is the plan it serves: of moments, that of their
-    group. ``still`` is what is said where its mark lies at the pole.
-    """
+    point of the scheme to show the sense of its rotation about another, and the angular velocity from it. ``rows`` are
+    its lines of calculation, each marked ⟪k⟫ in the words; ``numbers`` are all its numbers: how (see
+    :mod:`planes.lesson.formulas`) and of which value. ``chapter`` is its plan; for moments that of their group.
+    ``still`` is the sentence for a mark at the pole."""
 
     key: str
     plan: str
@@ -43,17 +42,17 @@ class Frame:
 
     @cached_property
     def said(self) -> dict[Lang, str]:
-        """Its words by language, with its lines in them."""
+        """Its words by language, with its lines filled in."""
         return {lang: ROW.sub(lambda k: self.rows[int(k[1])].text(lang), text) for lang, text in self.marked.items()}  # noqa: B023
 
     @property
     def used(self) -> list[str]:
-        """The values it gives as numbers, not by their sense alone."""
+        """The values whose numbers it shows, not only their sense."""
         return [name for how, name in self.numbers if how not in SIGNS]
 
     @property
     def values(self) -> list[str]:
-        """The values its numbers are read off."""
+        """The values that its numbers depend on."""
         return [part for how, name in self.numbers if how != "n" for part in own(name)]
 
 
@@ -61,7 +60,7 @@ Make = Callable[..., Frame]  # a frame with its words in every language
 
 
 def in_chapters(frames: list[Frame]) -> list[Frame]:
-    """The frames, each with the plan it serves; a chapter of its own takes in what is found for it."""
+    """The frames, each with its plan; a separate chapter includes the frames that find its values."""
     frames_with_chapters, here = list[Frame](), "position"
     for f, after in zip_longest(frames, frames[1:]):
         own = after.chapter if f.key == "found_values" and after else f.chapter
@@ -71,5 +70,5 @@ def in_chapters(frames: list[Frame]) -> list[Frame]:
 
 
 def needed(frames: Iterable[Frame]) -> list[str]:
-    """Names of all values the frames need, in order."""
+    """Names of all values in the frames, in order."""
     return list(dict.fromkeys(name for f in frames for name in f.values))

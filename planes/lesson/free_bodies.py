@@ -1,4 +1,4 @@
-"""A group taken by itself before its forces are sought: what acts on it, how much is unknown, what is split in two."""
+"""A group as a free body before its forces are found: the forces on it, the number of unknowns, resolved reactions."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -19,8 +19,8 @@ from planes.words.records import Json
 
 @frozen
 class Split:
-    """A reaction whose direction is unknown, by its part along a line and that across it, which moments find ``about``
-    a point."""
+    """A reaction of unknown direction, by its components along a line and across it; the latter comes from moments
+    ``about`` a point."""
 
     force: str
     normal: Term
@@ -31,13 +31,14 @@ class Split:
 
 @dataclass
 class FreeBodies:
-    """The links of each force polygon by themselves, with what of their forces is drawn."""
+    """The links of each force polygon as free bodies, with the forces drawn so far."""
 
     plans: Plans
     drawing: Drawing
 
     def opened(self, frames: list[Frame], make: Make) -> list[Frame]:
-        """The frames, each force polygon's after the links it is of are taken apart, its pole after its equation."""
+        """The frames with each force polygon preceded by the free bodies of its links, and its pole after its
+        equation."""
         opened, waiting = list[Frame](), dict[str, Frame]()
         for f in frames:
             if f.key == "pole" and kind_of(f.plan) == "force" and self.plans.moves:
@@ -52,7 +53,7 @@ class FreeBodies:
         return opened
 
     def apart(self, plan: str, make: Make) -> Iterator[Frame]:
-        """What acts on the links and what of it is unknown; then the reactions that are split."""
+        """The forces on the links and the unknowns; then the reactions that are resolved."""
         known, sought, balancing = [name for name, _ in self.known(plan)], self.outer(plan), self.balancing(plan)
         names: Names = {
             "links": partial(links_told, plan),
@@ -71,7 +72,7 @@ class FreeBodies:
             yield make("split", plan, (), (), partial(say, "why_split", **parts, about=one.about), terms, names=parts)
 
     def known(self, plan: str) -> Iterator[tuple[str, Json]]:
-        """The forces and couples on the links of a polygon that are given or found before, and how each is drawn."""
+        """The known forces and couples on the links of a polygon, and how each is drawn."""
         own = self.own(plan)
         for link in links_of(plan):
             for f in self.plans.acting.forces.get(link, ()):
@@ -83,21 +84,21 @@ class FreeBodies:
                     yield c.name, {"link": link, "size": c.value, "sign": c.sign}
 
     def own(self, plan: str) -> dict[str, Reaction]:
-        """The reactions found by a polygon, by their names on its links: those inside have both."""
+        """The reactions found from a polygon, by their names on its links: internal ones have both names."""
         reactions = [(r, r.names.items()) for r in self.plans.reactions.values() if r.plan == plan]
         return {name: r for r, names in reactions for name, link in names if link in links_of(plan)}
 
     def outer(self, plan: str) -> dict[str, Reaction]:
-        """Those of them that act from other links."""
+        """Those from other links."""
         return {name: r for name, r in self.own(plan).items() if not {*r.names.values()} <= {*links_of(plan)}}
 
     def balancing(self, plan: str) -> str:
-        """What balances the driver, if it is the link of the polygon."""
+        """The balancing load, if the polygon is the driver's."""
         drive = self.plans.mechanism.drive
         return self.plans.balancing if plan == force_plan(drive.link) and self.plans.balancing else ""
 
     def splits(self, plan: str) -> Iterator[Split]:
-        """The reactions of a polygon that have both parts in its equation."""
+        """The reactions of a polygon with both components in its equation."""
         terms = {t.name: t for e in self.plans.equations if e.plan == plan for t in e.terms}
         about = {m.unknown: label_of(m.about) for m in self.plans.moments}
         for name, tangential in terms.items():
@@ -109,7 +110,7 @@ class FreeBodies:
 
     @cached_property
     def drawn(self) -> Json:
-        """For a page: by polygon what acts on its links, and both parts of the reactions that are split."""
+        """For a page: by polygon the forces on its links, and both components of the resolved reactions."""
         bodies: Json = {}
         for plan in (p for p in self.plans.drawn if kind_of(p) == "force"):
             known = [{"name": n, **how} for n, how in self.known(plan)]

@@ -1,4 +1,4 @@
-"""A practice that was handed in: its code read, the scene drawn anew with its numbers, its answers judged again."""
+"""A returned practice: its code decoded, the scene drawn again with its numbers, its answers judged again."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ HEAD, LARGEST = "planes-practice", 200_000
 
 @frozen
 class HandedPractice:
-    """What a code tells, judged again: whose it is, of which numbers, how many of how many were right at once."""
+    """The contents of a code, judged again: whose it is, with which numbers, how many answers were right at the first
+    attempt."""
 
     name: str
     seed: int
@@ -36,7 +37,7 @@ class HandedPractice:
 
 
 def read_code(file: str) -> Json:
-    """What a file of practice holds; :class:`PlanesError` of one that is damaged, or none."""
+    """The contents of a practice file; :class:`PlanesError` for a damaged or foreign file."""
     try:
         text = Path(file).read_bytes()[:LARGEST].decode().strip()
         head, letters, total = text.split(".")
@@ -59,7 +60,7 @@ def read_code(file: str) -> Json:
 
 
 def checksum(data: bytes) -> int:
-    """By which a slip of copying is found (FNV-1a)."""
+    """Detects copying errors (FNV-1a)."""
     total = 2166136261
     for byte in data:
         total = (total ^ byte) * 16777619 & 0xFFFFFFFF
@@ -67,7 +68,7 @@ def checksum(data: bytes) -> int:
 
 
 def random(seed: int) -> Callable[[], float]:
-    """A stream of numbers from 0 to 1, the same as in a page (mulberry32)."""
+    """A stream of numbers from 0 to 1, identical to that of a page (mulberry32)."""
     state = seed & 0xFFFFFFFF
 
     def draw() -> float:
@@ -102,7 +103,8 @@ class PracticeJudge:
         }
 
     def judged(self, file: str) -> HandedPractice:
-        """:class:`PlanesError` where a file is damaged, of another scene, or says what its answers do not."""
+        """The practice, judged; :class:`PlanesError` where a file is damaged, belongs to another scene, or contradicts
+        its answers."""
         practice = read_code(file)
         if practice["id"] != self.told.practice.id or len(practice["answers"]) != len(self.items):
             raise PlanesError(Phrase("practice_other_scene", file=file, scene=self.told.scene.file))
@@ -125,7 +127,7 @@ class PracticeJudge:
         return self.told.knobs.free.home
 
     def right(self, item: Json, answer: object, numbers: Mapping[str, complex], given: Mapping[str, float]) -> bool:
-        """Whether an answer is right, by the page's own measure."""
+        """Whether an answer is right, by the rule of the page."""
         what, kind = item["what"], item["kind"]
         if kind == "known":
             return answer == goal(self.told.equations[what])
@@ -148,7 +150,7 @@ class PracticeJudge:
         return bool(abs(seen[0] - seen[1]) <= max(JUDGING["number_share"] * abs(value), ruler))
 
     def holds(self, item: Json, scale: float, numbers: Mapping[str, complex], given: Mapping[str, float]) -> bool:
-        """Whether a plan fits its place at a scale, and can be measured: as well as at that of the lesson."""
+        """Whether a plan fits its place at a scale, and can be measured as well as at that of the lesson."""
         mu, places = mu_of(item["what"]), [numbers[f"at {m}"] for m in item["marks"]]
         places = [z for z in places if z == z] + [0j] * (item["what"] != "position")
         wide, high = (max(side, default=math.nan) - min(side, default=math.nan) for side in _sides(places))
@@ -157,23 +159,23 @@ class PracticeJudge:
         return bool(min(least, own / 2) <= size * scale <= max(item["most"], own))
 
     def drawn_at(self, plan: str, scale: float, given: Mapping[str, float]) -> dict[str, float]:
-        """The numbers with a plan's scale, and with those that are tied to it."""
+        """The numbers with a plan's scale, and with the scales tied to it."""
         times, tied = scale / given[mu_of(plan)], [k["tied"] for k in self.told.knobs.all if k["given"] == mu_of(plan)]
         return {**given, mu_of(plan): scale, **{n: given[n] * times for names in tied for n in names}}
 
     def fits(self, mark: str, numbers: Mapping[str, complex]) -> float:
-        """How near a mark must be, mm: nearer to its place than to where any mistake puts it, as far as a hand can."""
+        """The tolerance of a mark, mm: closer to its place than to any mistake, within the limits of a hand."""
         wide = max(JUDGING["fits_mm"], JUDGING["fits_share"] * self.size(plan_of(mark) or "", numbers))
         wrong = (abs(numbers[slip] - numbers[mark]) for at, slip in self.slips if at == mark)
         nearest = min((off for off in wrong if off == off), default=math.inf)
         return float(max(JUDGING["least_mm"], min(wide, nearest / 2)))
 
     def size(self, plan: str, numbers: Mapping[str, complex]) -> float:
-        """How large a plan is: the farthest of its marks, mm."""
+        """The size of a plan: the distance of its farthest mark, mm."""
         return max((abs(numbers[m]) for m in self.marks if plan_of(m) == plan), default=0.0)
 
     def fresh(self, seed: int) -> dict[str, float]:
-        """The numbers of a seed; :class:`PlanesError` where there are none."""
+        """The numbers for a seed; :class:`PlanesError` where there are none."""
         plans = [p for p in self.told.plans.drawn if p != "motion"]
         home = self.live.numbers_of(self.things, self.home)
         sizes, sharp = [self.size(p, home) for p in plans], _bluntest(home)

@@ -1,6 +1,6 @@
-"""Which of a draughtsman's tools a step takes, from where to where: set square, compass, dividers, protractor.
+"""The draughtsman's tools for a step, and where they are placed: set square, compass, dividers, protractor.
 
-A tool is told by marks alone: a page knows where they stand, whatever numbers are given.
+A tool is described by marks alone: a page knows their places, whatever numbers are given.
 """
 
 from collections.abc import Iterator, Mapping
@@ -22,19 +22,19 @@ Handled = Iterator[Json]
 
 @frozen
 class Kit:
-    """The tools of each step of a program: ``from`` are the marks a tool is taken off, none of one that lies aside (of
-    dividers, of a scale); ``guide`` is the guide it is laid to."""
+    """The tools for each step of a program: ``from`` are the marks where a tool takes its setting, none if it
+    is set elsewhere (dividers from a scale); ``guide`` is the guide it is laid against."""
 
     plans: Plans
     drawing: Drawing
 
     @property
     def made(self) -> Mapping[str, s.Step]:
-        """The steps by what they make."""
+        """The steps by their results."""
         return self.drawing.program.makers
 
     def of_frame(self, f: Frame) -> list[Json]:
-        """The tools of a frame: of its mark, of what it measures, of the arms it drops, of the vector it carries."""
+        """The tools for a frame: for its mark, its measurements, the arms it drops, the vector it carries."""
         if f.makes:
             return self.of(self.made[f.makes[0]]) if f.key != "fixed" else []
         if f.turns:
@@ -51,8 +51,8 @@ class Kit:
         return [own[name] for name in f.terms if name in own and own[name][0] != own[name][1]]
 
     def of(self, step: s.Step) -> list[Json]:
-        """The tools of a step, in the order they are taken up."""
-        if isinstance(step, Choose):  # the trials are drawn alike
+        """The tools for a step, in order of use."""
+        if isinstance(step, Choose):  # all trials are drawn the same way
             return self.of(self.made[step.trials[0].mark])
         return list(self.handled(step))
 
@@ -84,7 +84,7 @@ class Kit:
                 yield _dividers((step.first, step.second), (step.start, end))
 
     def line(self, direction: str, start: str, end: str) -> Handled:
-        """A line through two marks: by a set square laid to what it goes along or across, by protractor at an angle."""
+        """A line through two marks: by a set square along or across another line, by protractor at an angle."""
         on = plan_of(end) or "position"
         step = self.made[direction]
         if on != "position":
@@ -97,7 +97,7 @@ class Kit:
         yield {"tool": "protractor" if base or turned else "square", "to": (start, end), "from": base}
 
     def laid(self, step: s.Step) -> Json:
-        """To what a set square is laid: two marks of the scheme, or a guide."""
+        """What a set square is laid against: two marks of the scheme, or a guide."""
         if guide := self.guided(step):
             return {"guide": guide}
         means = self.plans.means.get(step.makes)
@@ -107,14 +107,15 @@ class Kit:
         return self.laid(self.made[step.of]) if isinstance(step, s.Turn) else {}
 
     def guided(self, step: s.Step) -> str:
-        """The guide a direction goes along or across, "" of another."""
+        """The guide that a direction is along or across, "" for another."""
         means = self.plans.means.get(step.makes)
         links = (self.plans.mechanism.frame, *self.plans.mechanism.links.values()) if self.plans.moves else ()
         own = means is not None and any(means.of in link.guides for link in links)
         return means.of if own and means and not means.about else ""
 
     def figure(self, step: s.Similar | s.Image) -> Handled:
-        """A figure like one of the scheme: both its angles by protractor; a point on the line itself by dividers."""
+        """A figure similar to one of the scheme: both its angles by protractor; a point on the line itself by
+        dividers."""
         ends = (step.start, step.end) if isinstance(step, s.Similar) else step.image
         apart = isinstance(step, s.Image) and step.start not in ends
         if apart or (isinstance(step, s.Similar) and not complex(self.drawing[step.ratio]).imag):
@@ -125,7 +126,7 @@ class Kit:
 
 
 def _dropped(step: Drop) -> Json:
-    """The set square that drops an arm: laid to a force, its other edge through the point of the moments."""
+    """The set square that drops an arm: laid along a force, its other edge through the moment point."""
     foot = foot_of(step)
     return {"tool": "square", "to": (step.about, foot), "from": (step.point, foot)}
 

@@ -1,4 +1,4 @@
-"""Which given numbers of a lesson a reader may change, how far, and what a dragged mark changes."""
+"""The given numbers of a lesson that a reader may change, their ranges, and the effect of a dragged mark."""
 
 import random
 from collections.abc import Mapping
@@ -18,15 +18,15 @@ from planes.words.names import aimed, label_of, mu_of, parts_of, plan_of
 from planes.words.records import Json
 
 CARRIED = ("velocity", "motion", "lever")
-"""Plans of one scale: the lever's segments are carried from one of velocities."""
-STROKES = {"‖": "stroke_working", "|": "stroke_idle"}  # loads of a stroke, by how their names begin
-TURNED = 30.0  # degrees: how far from nothing an angle may go
-SHAKEN = 0.07  # of itself: how far a number is changed to see which terms are nothing whatever it is
+"""Plans with a common scale: the lever's segments are carried from the velocity plan."""
+STROKES = {"‖": "stroke_working", "|": "stroke_idle"}  # loads of a stroke, by the beginning of their names
+TURNED = 30.0  # degrees: range of an angle about zero
+SHAKEN = 0.07  # relative: trial change of a number, to find terms that are always zero
 
 
 @frozen
 class Knobs:
-    """Which given numbers a reader may change, and what dragging a mark changes."""
+    """The given numbers that a reader may change, and the effect of dragging a mark."""
 
     plans: Plans
     given: Mapping[str, Thing]
@@ -38,8 +38,8 @@ class Knobs:
 
     @cached_property
     def all(self) -> list[Json]:
-        """Each with its name, its unit and what it is in the scene; ``tied`` are those that change with it as they do,
-        and one that ``stays`` is none of those that fresh numbers are drawn for: guides, and what lies on a line."""
+        """Each with its name, its unit and its value in the scene; ``tied`` are those that change with it in
+        proportion; one that ``stays`` is never drawn anew at random: guides, and points of a straight line."""
         used, knobs = {*self.plans.program.givens, *self.free.own}, []
         for name, value in self.free.home.items():
             given, _, axis = name.partition(".")
@@ -60,8 +60,8 @@ class Knobs:
         return [{**k, **self.around(k, knobs)} for k in knobs if k["at"] or self.around(k, knobs)]
 
     def around(self, knob: Json, knobs: list[Json]) -> dict[str, float]:
-        """Of a number that is nothing how far from it one may go: as far as the largest of its kind, an angular
-        acceleration as far as the square of the speed; not at all where there is none."""
+        """The range of a number that is zero: the largest of its kind, for an angular acceleration the square of the
+        speed; zero where there is none."""
         letter = parts_of(str(knob["name"]))[0] if "name" in knob else ""
         if aimed(str(knob["given"])) and not knob["at"]:
             return {"reach": TURNED}
@@ -71,13 +71,13 @@ class Knobs:
         return {"reach": max(sizes) ** (2 if letter in rates else 1)} if sizes and not knob["at"] else {}
 
     def tied(self, given: str) -> list[str]:
-        """What changes with a scale: those of the plans carried from one another."""
+        """The scales that change with a scale: those of the plans that carry segments from each other."""
         same = [mu_of(p) for p in CARRIED if mu_of(p) in self.given]
         return [mu for mu in same if mu != given] if given in same else []
 
     def shaken(self, count: int, leaning: bool = False) -> dict[str, Listed]:
-        """Given numbers by many others near them: a list for each, every second as it is, since what hangs together
-        by many links may have no place with others. Guides keep their directions, but where they are ``leaning``."""
+        """Given numbers with many others near them: a list for each, every second one unchanged, since a structure of
+        many links may not assemble with others. Guides keep their directions, unless they are ``leaning``."""
         draw, flat = random.Random(1), {n: Listed([v] * count) for n, v in self.free.home.items()}
         for knob in self.all:
             most = SHAKEN * (leaning or "stays" not in knob)
@@ -89,7 +89,7 @@ class Knobs:
         return {n: z for n, z in given.items() if isinstance(z, Listed) and max(abs(z)) > min(abs(z))}
 
     def told(self, given: str, axis: str) -> str:
-        """The name a number is told by, "" where it is not offered."""
+        """The name of a number for the reader, "" where it is not offered."""
         means = self.plans.means.get(given) or self.plans.means.get(given.lstrip("".join(STROKES)))
         letter = parts_of(given)[0]
         if means and means.quantity in ("load", "couple"):
@@ -101,7 +101,7 @@ class Knobs:
         return aimed(given) or given * own
 
     def placed(self, given: str, axis: str) -> str:
-        """The coordinate of a point of the frame, or of a guide of it that runs through none: across it alone."""
+        """The coordinate of a point of the frame, or of a guide of the frame without a point: across it only."""
         name = parts_of(given)[1]
         if "°" not in name:
             return f"{axis}_{name}"
@@ -110,7 +110,7 @@ class Knobs:
         return f"{axis}_{name.strip('°')}" if axis != idle else ""
 
     def drags(self) -> dict[str, list[str]]:
-        """For each mark of the scheme the numbers that place it."""
+        """For each mark of the scheme the numbers that fix it."""
         free, drive = self.free.home, self.plans.drive_given
         placed_by = {}
         for step in self.plans.program.steps:
@@ -120,7 +120,7 @@ class Knobs:
         return placed_by
 
     def placing(self, step: Step) -> list[str]:
-        """The numbers a step places its mark by."""
+        """The numbers by which a step places its mark."""
         drive = self.plans.drive_given
         match step:
             case Put() if step.at:
@@ -142,6 +142,6 @@ class Knobs:
         return []
 
     def own(self, mark: str, *links: str) -> list[str]:
-        """The numbers that place a point on its link, one of some ``links``."""
+        """The numbers that fix a point on its link, one of some ``links``."""
         names_of_links = (self.free.placing(x, label_of(mark)) for x in links or self.plans.mechanism.links)
         return next(filter(None, names_of_links), [])

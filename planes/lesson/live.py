@@ -1,4 +1,4 @@
-"""The program of a lesson as a page runs it: a tape of all that is shown."""
+"""The program of a lesson as a page runs it: a tape of everything shown."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -19,12 +19,13 @@ from planes.words import Lang, Phrase, say
 from planes.words.records import Json
 
 FEW, NEAR = 4, 1e3
-"""Successive plans of a page, which shows four digits, and how near the last of them is, to the root of rounding."""
+"""Successive plans of a page, which shows four digits, and the tolerance of the last of them, relative to the root of
+rounding."""
 
 
 @dataclass
 class _KeepingTool(TracingTool):
-    """Draws on from marks as they are kept, not as it has made them."""
+    """Continues from marks as stored, not from its own results."""
 
     kept: Mapping[str, Thing] = field(default_factory=dict)
 
@@ -35,7 +36,7 @@ class _KeepingTool(TracingTool):
 
 
 class Live:
-    """Every step drawn once on a tape, all that is given free."""
+    """Every step drawn once on a tape, with all givens free."""
 
     def __init__(self, free: FreeNumbers) -> None:
         self.tape, self.home, program = Tape(), free.home, free.plans.program
@@ -43,14 +44,14 @@ class Live:
         things = free.on(self.tape, self.tool.ar)
         draw_steps(program.steps, things, self.tool)
         self.drawing = Drawing(program, things, self.tool)
-        self.numbers: dict[str, Thing] = {}  # that sentences of failures tell
+        self.numbers: dict[str, Thing] = {}  # names used in failure sentences
 
     def another(self, kept: Mapping[str, Thing] = MappingProxyType({})) -> _KeepingTool:
-        """A tool that goes on writing on the tape; marks that are ``kept`` stay, whatever leads there."""
+        """Another tool that continues the tape; marks that are ``kept`` stay, whatever they depend on."""
         return _KeepingTool(PlainRecording(), True, tape=self.tape, plans=FEW, settled=NEAR, kept=kept)
 
     def apart(self, pairs: Sequence[tuple[Thing, Thing]]) -> list[float]:
-        """How far two marks of the tape are apart in the scene, for each of the pairs; NaN of one that fails."""
+        """The distance between two marks of the tape in the scene, for each of the pairs; NaN for one that fails."""
         apart = self.numbers_of({str(k): a - b for k, (a, b) in enumerate(pairs)}, self.home)
         return [abs(z) for z in apart.values()]
 
@@ -63,7 +64,7 @@ class Live:
         return {n: complex(*(float(numbers[p]) for p in own)) for n, own in places.items()}
 
     def failures(self, drive: str, symbol: str) -> list[tuple[Thing, dict[Lang, str]]]:
-        """What must hold, in the order of the drawing, and what is said where it does not."""
+        """The conditions, in drawing order, and the sentences for their failure."""
         failures = []
         for k, (reason, step, ok, numbers) in enumerate(self.tool.failures):
             details = {**getattr(step, "ends", {}), **{n: slot(f"!{n}_{k}") for n in numbers}}
@@ -74,7 +75,7 @@ class Live:
         return failures
 
     def exported(self, things: Mapping[str, Mapping[str, Thing]]) -> tuple[Json, Json]:
-        """The tape, and the places on it of everything by group and name: one of a number, two of a mark."""
+        """The tape, and the places on it of all results by group and name: one for a number, two for a mark."""
         old = {group: {n: self._places(z) for n, z in them.items()} for group, them in things.items()}
         exported_tape, new = exported(
             self.tape, [p for them in old.values() for places in them.values() for p in places]
@@ -87,6 +88,6 @@ class Live:
         return exported_tape, flat
 
     def _places(self, thing: Thing) -> list[int]:
-        """Of a mark or a direction its two coordinates."""
+        """The two coordinates of a mark or a direction."""
         parts = [thing.real, thing.imag] if hasattr(thing, "conjugate") and not isinstance(thing, float) else [thing]
         return [place_of(self.tape, x) for x in parts]

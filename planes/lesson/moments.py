@@ -1,4 +1,4 @@
-"""The words of a moment equation: its terms with their arms and numbers, without those that are nothing."""
+"""The words of a moment equation: its terms with their arms and numbers, without zero terms."""
 
 import math
 from functools import partial, reduce
@@ -14,12 +14,12 @@ from planes.lesson.steps import Names
 from planes.words import Lang, say
 from planes.words.names import lettered, parts_of
 
-NOISE = 1e-9  # of the largest term: nothing
-ARMS = ("h", "H")  # told without a sign wherever they are; other sizes stand in bars where a value has one
+NOISE = 1e-9  # of the largest term: below this it is zero
+ARMS = ("h", "H")  # always written without a sign; other magnitudes are in bars where a value has a sign
 
 
 def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, tuple[str, ...]]:
-    """The key of the sentence, what it says, and the forces it is about."""
+    """The key of the sentence, its contents, and the forces in it."""
     dropped = nothing(step, cycle)
     terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)
     without = [f"⟨{name}⟩" for name, arm in m.terms if m.links != ("lever",) and passes(arm, cycle)]
@@ -28,7 +28,7 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     if len(dropped) == len(step.terms):
         force = step.means.of if step.means else m.unknown
         return "moments_none" if step.means else "moments_zero", {**names, "force": force}, (force,)
-    # every term is divided by the arm of what is sought; a size that stands for a force has its name on this link
+    # every term is divided by the arm of the unknown; a magnitude that stands for a force has its name on this link
     over = next((name for name, power in step.terms[0].factors if power == -1), "")
     forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
 
@@ -40,34 +40,34 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
             else written_size
         )
 
-    reaction = m.unknown if over and over == m.arm else ""  # a force is positive as it acts, a couple to the left
+    reaction = m.unknown if over and over == m.arm else ""  # along the force; a couple counter-clockwise
     letters, numbers = by_sense(step, size, over, m.arm, dropped, reaction)
     head = f"⟨{m.unknown}⟩ · ⟨{over}⟩" if over else ""
-    found_here = over if over in {s.makes for s in cycle.program.steps} else ""  # an arm that each position has
+    found_here = over if over in {s.makes for s in cycle.program.steps} else ""  # an arm that exists in every position
     row = Row(m.unknown, letters, numbers, slot(m.unknown, "a" if reaction else "v"), "moments", head, found_here)
     return "moments", {**names, "row": (row,)}, (*terms, m.unknown) if m.arm else terms
 
 
 def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
-    """Which terms are nothing beside the largest, in every position."""
+    """The terms that vanish beside the largest, in every position."""
     sizes = [_size(term, cycle) for term in step.terms]
     most = NOISE * reduce(partial(each, greater), sizes, 0.0)
     return frozenset(i for i, size in enumerate(sizes) if many((size <= most) | (most != most)).all())
 
 
 def passes(arm: str, cycle: Drawing) -> bool:
-    """Whether a force passes through the point of its moments in every position: its arm there is nothing."""
+    """Whether a force passes through the moment point in every position: its arm is zero there."""
     known = [x for x in many(abs(cycle[arm])) if math.isfinite(x)] if arm else []
     return bool(known) and max(known) <= NOISE
 
 
 def many(thing: Any) -> Listed:
-    """A thing of many positions, or of one."""
+    """A value for many positions, from one of either shape."""
     return thing if isinstance(thing, Listed) else Listed([thing])
 
 
 def _size(term: Product, cycle: Drawing) -> Any:
-    """How large a term is, but for what it is divided by."""
+    """The magnitude of a term, before its division."""
     return abs(math.prod((cycle[name] ** power for name, power in term.factors if power > 0), start=term.coefficient))
 
 

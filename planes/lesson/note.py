@@ -12,7 +12,9 @@ from planes.check.grading.by_hand import unsure
 from planes.lesson import Teller, value_of
 from planes.lesson.conditions import conditions
 from planes.lesson.formulas import NOISE, fill, mu_said, unit
-from planes.lesson.frame import Frame
+from planes.lesson.frame import ROW, Frame
+from planes.lesson.mathematics import Typesetter
+from planes.lesson.rows import remark
 from planes.lesson.standing import still_said
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.apart import links_apart
@@ -23,7 +25,7 @@ from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.solving import Position, told
-from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
+from planes.solving.document import Block, Cover, DocumentTable, DrawnViews, Figure, Formula, Heading, Paragraph
 from planes.solving.given import GivenTable
 from planes.solving.own_equations import own_rows
 from planes.solving.structure_text import alignment_report, group_counted, ways_told
@@ -34,9 +36,11 @@ from planes.words.names import kind_of, links_of
 from planes.words.naming import Naming
 from planes.words.units import number
 
+BLANK = "_" * 24  # a name to be written by hand
+
 
 def student_said(name: str, scene: Scene, lang: Lang) -> str:
-    """Whose a scene is: the student, and the group where it tells one."""
+    """The owner of a scene: the student, and the group if given."""
     group = str(scene.sheet.get("group", ""))
     return say("task_student", lang, name=name) + (say("task_group", lang, group=group) if group else "")
 
@@ -48,7 +52,7 @@ class Note:
     scene: Scene
     position: Position
     lang: Lang
-    task: ClassVar[str] = "note_task"  # words that are other where vectors are stated
+    task: ClassVar[str] = "note_task"  # words that differ where vectors are stated
     given_table: ClassVar[str] = "note_given_table"
     alone: ClassVar[str] = "note_driver"
 
@@ -57,7 +61,7 @@ class Note:
         self.teller = Teller(p.plans, p.drawing, convention=self.scene.mu_convention)
         self.frames = self.teller.frames()
         self.naming = Naming(self.lang, **lettering(self.scene, p.plans))
-        self.tables = self.figures = 0
+        self.tables = self.figures = self.formulas = 0
         self.given: set[str] = set()  # reasons given already
 
     def blocks(self) -> list[Block]:
@@ -65,7 +69,7 @@ class Note:
         return [*self.opening(), *self.structure(), *self.plans(), *self.results()]
 
     def answers(self) -> Iterator[Block]:
-        """What is found, without how."""
+        """The results, without the derivation."""
         return iter([*self.structure(), *self.results()])
 
     def say(self, key: str, **names: object) -> str:
@@ -78,7 +82,7 @@ class Note:
             yield DocumentTable(self.say("note_table", number=self.tables, title=self.say(key)), (head, *rows))
 
     def figure(self, key: str, title: str = "") -> Figure:
-        """A view, numbered where it has a title."""
+        """A view, numbered if it has a title."""
         self.figures += bool(title)
         caption = self.say("note_figure", number=self.figures, title=title) if title else ""
         return Figure(DrawnViews(self.scene, self.position, ((key,),)), caption)
@@ -87,9 +91,7 @@ class Note:
         """Title, task and given numbers."""
         plans, drive = self.position.plans, self.position.plans.mechanism.drive
         title = text_in(self.lang, self.scene.title)
-        yield Heading(f"{self.say('note')}. {title}" if title else self.say("note"), 0)
-        if student := str(self.scene.sheet.get("student", "")):
-            yield Paragraph(student_said(student, self.scene, self.lang).removesuffix(".") + ".")
+        yield self.cover(title)
         yield Heading(self.say("note_given"))
         where = told(self.position.at, drive.kind, self.lang)
         where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
@@ -103,8 +105,19 @@ class Note:
         if remark := text_in(self.lang, self.scene.note):
             yield Paragraph(self.say("note_remark", text=" ".join(remark.split())))
 
+    def cover(self, title: str) -> Cover:
+        """The title page by the cells of the sheet's title block; lines to fill in for whom it does not name."""
+        cells = {key: str(cell) for key, cell in self.scene.sheet.items()}
+        above = tuple(cells[key] for key in ("company", "department") if key in cells)
+        student = ", ".join(cells[key] for key in ("student", "group") if cells.get(key)) or BLANK
+        people = (
+            f"{self.say('note_student')}: {student}",
+            f"{self.say('note_teacher')}: {cells.get('teacher') or BLANK}",
+        )
+        return Cover(self.say("note"), self.say("note_contents"), title, above, people, cells.get("date", ""))
+
     def sought(self) -> Sequence[str]:
-        """What the task names."""
+        """The results that the task asks for."""
         return found_of(self.scene)
 
     def structure(self) -> Iterator[Block]:
@@ -136,12 +149,16 @@ class Note:
     def plans(self) -> Iterator[Block]:
         """Every plan with its equations, its steps in words, and its figure."""
         numbers = count(1)
-        for plan, frames in groupby(self.frames, key=lambda frame: frame.chapter):
+        for plan, chapter in groupby(self.frames, key=lambda frame: frame.chapter):
             yield Heading(self.heading(plan))
-            yield from self.loaded(plan)
+            steps = [[*self.prose(frame, next(numbers))] for frame in chapter]
+            if figures := [*self.loaded(plan)]:  # of the forces that the first step names
+                yield from steps.pop(0)
+            yield from figures
             if plan not in ("position", "lever"):
                 yield self.figure(f"equations {plan}")
-            yield from [self.prose(frame, next(numbers)) for frame in frames]
+            for step in steps:
+                yield from step
             if plan == "lever":
                 yield from self.compared()
                 continue
@@ -153,8 +170,8 @@ class Note:
                 yield from self.transfers()
 
     def loaded(self, plan: str) -> Iterator[Block]:
-        """What a force polygon is of: once the mechanism with its loads, the links with their forces and arms; the
-        lever with its own."""
+        """The free body of a force polygon: first the mechanism with its loads, then the links with their forces and
+        arms; for the lever its forces."""
         plans = self.position.plans
         if not plans.moves:
             return
@@ -170,11 +187,11 @@ class Note:
             yield self.figure(f"group {plan}", title + mu)
 
     def mu(self, plan: str) -> str:
-        """The scale of a plan, as this language writes it."""
+        """The scale of a plan, as written in this language."""
         return fill(mu_said(plan, self.lang, self.scene.mu_convention), self.position.scales.__getitem__, self.lang)
 
     def transfers(self) -> Iterator[Block]:
-        """Analogues of velocities and ratios by segments of the velocity plan."""
+        """Analogues of velocities and ratios, by segments of the velocity plan."""
         rows = [tuple(row) for row in TransferFunctions(self.position, self.naming).rows()]
         head = tuple(map(self.say, ("quantity", "note_by_segments", "value", "note_unit")))
         yield from self.table("of_transfers", head, rows)
@@ -193,16 +210,31 @@ class Note:
             return self.say("note_scheme", mu=mu)
         return self.say("note_plan", plan=say_plan(plan, self.lang), mu=mu)
 
-    def prose(self, frame: Frame, index: int) -> Paragraph:
-        """A frame as a paragraph."""
-        read = lambda name: float(value_of(name, self.teller, self.position.drawing))  # noqa: E731
-        why = frame.why[self.lang] if frame.why[self.lang] not in self.given else ""
-        self.given.add(why)
-        said = fill(frame.said[self.lang], read, self.lang), still_said(frame, self.position.drawing, self.lang)
-        return Paragraph(" ".join(filter(None, said)), why, index, frame.plan)
+    def prose(self, frame: Frame, index: int) -> Iterator[Block]:
+        """A frame in words, its lines of reckoning set apart."""
+        lead, *after = ROW.split(frame.marked[self.lang])
+        yield Paragraph(fill(lead.strip() or self.say("note_reckon"), self.read, self.lang), index, frame.plan)
+        setter = Typesetter(self.read, self.naming, frame.plan)
+        for k, text in zip(after[::2], after[1::2], strict=True):
+            self.formulas += 1
+            row = frame.rows[int(k)]
+            yield Formula(setter.line(row), str(self.formulas))
+            text += "" if row.head else remark(row.kind, self.lang)
+            if words := text.lstrip(".,:; "):
+                yield Paragraph(fill(words, self.read, self.lang), plan=frame.plan)
+        if still := still_said(frame, self.position.drawing, self.lang):
+            yield Paragraph(still, plan=frame.plan)
+        why = frame.why[self.lang]
+        if why and why not in self.given:
+            self.given.add(why)
+            yield Paragraph(why, plan=frame.plan, why=True)
+
+    def read(self, name: str) -> float:
+        """A value by its name."""
+        return float(value_of(name, self.teller, self.position.drawing))
 
     def compared(self) -> Iterator[Block]:
-        """The balancing load two ways."""
+        """The balancing load found in two ways."""
         plans, drawing = self.position.plans, self.position.drawing
         balancing, check = float(drawing[plans.balancing]), float(drawing[plans.zhukovsky])
         percent = 100 * difference(balancing, check)
@@ -211,7 +243,7 @@ class Note:
         yield Paragraph(self.say("note_difference", **names, unit=unit(plans.balancing, self.lang), percent=shown))
 
     def results(self) -> Iterator[Block]:
-        """Tables of what was found, and what must be known of it."""
+        """Tables of the results, and warnings about them."""
         p, angle = self.position, self.say("note_angle")
         if self.scene.find is None and not p.plans.forces:
             yield Paragraph(self.say("note_no_forces"))
@@ -233,14 +265,14 @@ class Note:
         yield from self.warned()
 
     def warned(self) -> Iterator[Block]:
-        """What must be known of the results."""
+        """Warnings about the results."""
         for warning in self.position.results["warnings"]:
             yield Paragraph(self.say("note_warning", text=warning.rstrip(".")))
         if names := ", ".join(f"⟨{name}⟩" for name in unsure(self.position)):
             yield Paragraph(self.say("note_warning", text=self.say("unsure_by_hand", names=names).rstrip(".")))
 
     def vector(self, measured: Measured | None) -> tuple[str, str]:
-        """Size and direction."""
+        """Magnitude and direction."""
         if measured is None:
             return "—", "—"
         size, angle = abs(measured.vector), math.degrees(cmath.phase(measured.vector))

@@ -1,6 +1,6 @@
-"""Practice: what a reader draws and reckons in a lesson, and where each mistake of the catalogue puts a mark.
+"""Practice: what a reader draws and calculates in a lesson, and where each mistake of the catalogue puts a mark.
 
-The catalogue's variants are drawn on the lesson's own tape, so a page knows their places whatever numbers are given.
+The variants of the catalogue are drawn on the lesson's tape, so a page knows their places for any given numbers.
 """
 
 import re
@@ -30,9 +30,9 @@ from planes.words.names import at, letter_of, mu_of, plan_of
 from planes.words.records import Json
 
 Progress = Callable[[int, int], None]
-SHORT_MM = 2.0  # a vector too short to be asked for
-APART_MM = 0.3  # a wrong place nearer than this to the right one is no mistake
-NOTHING = 1e-7  # a value that is nothing
+SHORT_MM = 2.0  # shorter vectors are not asked for
+APART_MM = 0.3  # a wrong place closer than this to the right one is no mistake
+NOTHING = 1e-7  # a smaller value is zero
 PARTS = (
     "mark",
     "line",
@@ -51,7 +51,7 @@ PARTS = (
 NUMBERS = {m: f"mistake_{m}" for m in ("mm_for_value", "mu_inverted", "omega_without_mu_l", "sense_wrong")}
 SENSE, MOMENTS = "↺", ("M", "MI")
 LENGTHS = {m: f"lesson_{m}" for m in ("value_for_mm", "value_over_mu")}
-"""Slips of who reckons: in values, in lengths laid off."""
+"""Errors of calculation: in values, in lengths laid off."""
 JUDGING: Json = {
     "fits_mm": 1.0,
     "fits_share": 0.01,
@@ -62,15 +62,15 @@ JUDGING: Json = {
     "swing": 40.0,
     "draws": 200,
 }
-"""How answers are judged, in a page and where a code is read again: a mark that fits, of its plan's size, never nearer
-than a hand draws; a number; a ruler's reading, by which a plan may be too small as well. Then how far fresh numbers go,
-and how often they are drawn."""
+"""How answers are judged, in a page and where a code is read again: the tolerance of a mark, of its plan's size, but at
+least that of a hand; of a number; of a ruler reading, which also sets the smallest plan. Then the range of fresh
+numbers, and the attempts to draw them."""
 CONSTRUCTED = LayOff | Cross | CrossArc | CrossArcs | Choose | Similar | Image
 
 
 @frozen
 class Practice:
-    """The items of one lesson; ``value`` reads a number by the name its slot has."""
+    """The items of one lesson; ``value`` reads a number by the name in its slot."""
 
     plans: Plans
     given: Mapping[str, Thing]
@@ -82,8 +82,8 @@ class Practice:
     choices: Choices
 
     def items(self) -> list[Json]:
-        """What is asked, in the order of the lesson: what is to be chosen (:class:`Choices`), what is known of an
-        equation's vectors (``known``), a sense (``sense``), numbers (``number``), marks (``mark``)."""
+        """The questions, in the order of the lesson: choices (:class:`Choices`), the known data of an equation's
+        vectors (``known``), a sense (``sense``), numbers (``number``), marks (``mark``)."""
         asked, items = set[object](), list[Json]()
         for k, f in enumerate(self.frames):
             for kind, name in self.of_frame(f):
@@ -96,7 +96,7 @@ class Practice:
         return items
 
     def of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
-        """The kinds and names of what a frame may ask."""
+        """The kinds and names of the questions that a frame allows."""
         if f.chapter == CENTRES:
             return
         if f.key == "free_body":
@@ -122,7 +122,7 @@ class Practice:
 
     @cached_property
     def turning(self) -> dict[str, Floats]:
-        """Which way each tangential reaction turns its link about the point of its moments, of those that do."""
+        """The sense in which each tangential reaction turns its link about the moment point, if it does."""
         moments = self.senses(self.drawing)
         return {n: z for n, z in moments.items() if abs(z) > NOTHING}
 
@@ -138,7 +138,7 @@ class Practice:
 
     @property
     def scaled(self) -> set[str]:
-        """The plans that have a scale of their own."""
+        """The plans with an independent scale."""
         return {p for p in known_plans(self.plans) if mu_of(p) in self.given}
 
     def drawn(self, mark: str) -> bool:
@@ -149,19 +149,19 @@ class Practice:
         return not isinstance(step, LayOff) or abs(self.drawing[mark] - self.drawing[step.start]) >= SHORT_MM
 
     def read_at(self, name: str) -> str:
-        """The scale of the plan a number is measured on, "" of one that is reckoned."""
+        """The scale of the plan that a number is measured on, "" for a computed one."""
         step = self.plans.program.makers.get(name)
         return self.spans[name][2] if name in self.spans else getattr(step, "mu", None) or ""
 
     @property
     def id(self) -> str:
-        """Eight letters by which a practice of another scene is told from this one."""
+        """Eight letters that distinguish this practice from those of other scenes."""
         free = sorted({*self.plans.given} - {*self.plans.reckoned})
         content = [(item["kind"], item["what"]) for item in self.items()], free
         return sha256(repr(content).encode()).hexdigest()[:8]
 
     def lines(self) -> dict[str, str]:
-        """Directions of the drawing a set square is laid to, each with the line it is told by."""
+        """Directions of the drawing for a set square, each with the line that names it."""
         lines_of_directions: dict[str, str] = {}
         for step in self.plans.program.steps:
             for name in (getattr(step, "along", None), getattr(step, "across", None)):
@@ -173,13 +173,13 @@ class Practice:
         return lines_of_directions
 
     def base(self, direction: str) -> str:
-        """The direction a perpendicular was raised on, or the direction itself."""
+        """The direction to which a perpendicular was drawn, or the direction itself."""
         step = self.plans.program.makers.get(direction)
         turned = isinstance(step, Turn) and step.quarter and not step.angle
         return step.of if turned and isinstance(step, Turn) else direction
 
     def slips(self, live: Live, progress: Progress | None = None) -> tuple[list[Json], dict[str, Thing]]:
-        """Every mistake at every mark that is asked, and where on the lesson's tape it puts the mark."""
+        """Every mistake at every mark asked for, and the place on the lesson's tape where it puts the mark."""
         slips = list[tuple[Json, Thing]]()
         asked = {item["what"] for item in self.items() if item["kind"] == "mark"}
         for k, plan in enumerate(plans := known_plans(self.plans)):
@@ -198,7 +198,7 @@ class Practice:
         return [slip for slip, _ in visible], {str(k): thing for k, (_, thing) in enumerate(visible)}
 
     def slip(self, variant: Variant, mark: str) -> Json:
-        """A mistake at a mark, with the names in its sentence in the order of its parts."""
+        """A mistake at a mark, with the names in the order of its sentence."""
         along = getattr(self.plans.program.makers[mark], "along", "")
         line = self.plans.means[along].line if along else ""
         names = {"mark": variant.blames, "line": line, **variant.about}
@@ -208,7 +208,7 @@ class Practice:
 
 
 def sentences(slips: Sequence[Json]) -> Json:
-    """The sentences of the mistakes there are, with places for names, and what stands in them in which order."""
+    """The sentences of the possible mistakes, with placeholders for names, and the contents of these in order."""
     keys = {slip["m"]: f"mistake_{slip['m']}" for slip in slips} | NUMBERS | LENGTHS
     places = {part: f"{{{part}}}" for part in PARTS}
     return {
@@ -217,13 +217,14 @@ def sentences(slips: Sequence[Json]) -> Json:
 
 
 def parts_of_sentence(key: str) -> list[str]:
-    """The names a sentence has places for."""
+    """The placeholders of a sentence."""
     used = set(re.findall(r"{(\w+)", table("en")[key]))
     return [part for part in PARTS if part in used]
 
 
 def goal(equation: Json) -> str:
-    """What is known of each vector of an equation, a digit each, in the order of the terms; the sum's where all is."""
+    """The known data of each vector of an equation, a digit each, in the order of the terms; that of the sum if all
+    else is known."""
     total = equation["total"]
     if not total:
         return ""
@@ -232,6 +233,7 @@ def goal(equation: Json) -> str:
 
 
 def told_values(frame: Frame) -> list[str]:
-    """The values a question about a number tells: those of its sentence but its own, unless that is all."""
+    """The values that a question about a number reveals: those of its sentence except its own, unless that is the only
+    one."""
     values = sorted({*frame.values})
     return values if len(values) == 1 else [n for n in values if n not in frame.terms[:1]]

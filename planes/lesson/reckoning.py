@@ -1,4 +1,4 @@
-"""No number is used before it is found: what a sentence needs and none before it told, and how that is found."""
+"""No number is used before it is found: the missing values of a sentence, and how they are found."""
 
 from collections.abc import Callable, Iterator, Mapping
 
@@ -14,18 +14,18 @@ from planes.plans.force.loads import load_names
 
 
 class Reckoning:
-    """Keeps which values have been told; ``divided`` says how a length on paper becomes a value at a scale."""
+    """Records which values have been shown; ``divided`` says how a length on paper becomes a value at a scale."""
 
     def __init__(self, plans: Plans, made: Mapping[str, Step], divided: Callable[[str], str]) -> None:
         self.plans, self.made, self.divided = plans, made, divided
         self.told = {*plans.given, *load_names(plans.mechanism), *(m.unknown for m in plans.moments)}
 
     def tell(self, frame: Frame) -> None:
-        """A frame has been told."""
+        """Record the values of a frame."""
         self.told |= {*map(plain, frame.used), *(row.name for row in frame.rows)}
 
     def missing(self, frame: Frame) -> list[Step]:
-        """The steps that find what a frame needs, in the order they can be told; they are told now."""
+        """The steps that find the missing values of a frame, in a possible order; they count as shown from now on."""
         own, steps = {row.name for row in frame.rows}, dict[str, Step]()
         for name in frame.used:
             if plain(name) not in own:
@@ -53,11 +53,11 @@ class Reckoning:
         return self.measured(plain(step.makes), step.makes, step.mu, value)
 
     def measured(self, name: str, read: str, mu: str, value: str) -> Row:
-        """A length on paper and what it stands for."""
+        """A length on paper and the quantity it represents."""
         return Row(name, slot(read, "mm", mu), self.divided(mu), value, "measured")
 
     def reduced(self, step: Calculate) -> Row:
-        """The arm that a force has together with another that it calls forth, by sense: it has no sign."""
+        """The combined arm of a force and of another force that depends on it, by sense: it has no sign."""
         sums = by_sense(step, "⟨{}⟩".format, step.makes, step.makes, frozenset())
         return Row(step.makes, *sums, slot(step.makes, "a"), "reduced")
 
@@ -73,17 +73,17 @@ class Reckoning:
 
 
 def factors(step: Calculate) -> Iterator[str]:
-    """The values a sum of products is made of."""
+    """The factors of the values in a sum of products."""
     return (name for term in step.terms for name, _ in term.factors)
 
 
 def products(program: Program, power: int) -> dict[str, tuple[str, str]]:
-    """Values of a program that are one other times (1), or through (-1), a length: both by name."""
+    """Values of a program that are another one times (1), or divided by (-1), a length: both by name."""
     plain = (s for s in program.steps if isinstance(s, Calculate) and len(s.terms) == 1)
     factors = ((s.makes, s.terms[0].factors) for s in plain)
     return {name: (f[0][0], f[1][0]) for name, f in factors if [p for _, p in f] == [1, power]}
 
 
 def plain(name: str) -> str:
-    """A value by the name it is told by."""
+    """A value by its displayed name."""
     return name.strip("|‖")

@@ -1,4 +1,4 @@
-"""A line of reckoning as data: what is found, its formula, the numbers put into it, its value and unit."""
+"""A line of calculation as data: the result, its formula, the numbers substituted, its value and unit."""
 
 from collections.abc import Iterable, Iterator
 from functools import partial
@@ -10,14 +10,16 @@ from planes.words.frozen import frozen
 from planes.words.names import parts_of
 from planes.words.records import Json
 
+REMARKED = ("reduced", "couple", "couple_settled")  # kinds of lines that need a remark
+
 
 @frozen
 class Row:
     """``head = letters = numbers = value unit``, all with slots and names in ⟨…⟩.
 
-    ``name`` is the value that is found. ``kind`` is how the line is worded: "" a formula, "measured" on paper,
-    "moments" (solved for ``name``, whose arm may be named), "reduced" of an arm, "couple" and "couple_settled" of
-    friction. ``unit_key`` is that of the unit where the name does not tell it; ``turns``: its sense is told too.
+    ``name`` is the result. ``kind`` sets the wording of the line: "" a formula, "measured" on paper, "moments" (solved
+    for ``name``, whose arm may be named), "reduced" for an arm, "couple" and "couple_settled" for friction.
+    ``unit_key`` is that of the unit where the name does not show it; ``turns``: its sense is given too.
     """
 
     name: str
@@ -31,7 +33,7 @@ class Row:
     turns: bool = False
 
     def unit(self, lang: Lang) -> str:
-        """Its unit, as the language writes it."""
+        """Its unit, as written in the language."""
         return say(self.unit_said, lang) if self.unit_said else ""
 
     def text(self, lang: Lang) -> str:
@@ -39,7 +41,7 @@ class Row:
         if not self.numbers:
             return f"⟨{self.name}⟩ = 0"
         parts = {k: getattr(self, k) for k in ("name", "letters", "numbers", "value")}
-        parts |= {"head": self.head or f"⟨{self.name}⟩", "unit": self.unit(lang)}
+        parts |= {"head": self.head or f"⟨{self.name}⟩", "unit": self.unit(lang), "remark": remark(self.kind, lang)}
         arm = f" (⟨{self.arm}⟩ = {slot(self.arm, 'a')} {unit(self.arm, lang)})" if self.arm else ""
         lead = f"; ⟨{self.name}⟩" if "·" in parts["head"] else ""
         sense = f" ({slot(self.name, 's')})" if self.turns else ""
@@ -47,16 +49,16 @@ class Row:
 
     @property
     def unit_said(self) -> str:
-        """The key of its unit's word, "" of one without."""
+        """The key of its unit's word, "" without a unit."""
         return self.unit_key or UNITS.get(parts_of(self.name)[0], "")
 
     def json(self) -> Json:
-        """For a page, which words it by :func:`templates` and sets it as mathematics."""
+        """The row for a page, which words it by :func:`templates` and typesets it."""
         keys = ("name", "kind", "head", "letters", "numbers", "value", "arm", "turns")
         return {k: z for k, z in {**{k: getattr(self, k) for k in keys}, "unit": self.unit_said}.items() if z}
 
     def slots(self) -> Iterator[tuple[str, str]]:
-        """How it tells numbers, and of which values."""
+        """Its numbers: how they are written, and of which values."""
         more = slot(self.arm, "a") if self.arm else ""
         sense = slot(self.name, "s") if self.turns else ""
         for how, name, _ in SLOT.findall(f"{self.head}{self.letters}{self.numbers}{more}{self.value}{sense}"):
@@ -68,9 +70,18 @@ def reckoned(step: Calculate, called: str = "", unit_key: str = "", turns: bool 
     return Row(called or step.makes, *formula(step), slot(step.makes), unit_key=unit_key, turns=turns)
 
 
+def remark(kind: str, lang: Lang) -> str:
+    """What must be said of the value of a kind of line besides."""
+    return say(f"lesson_remark_{kind}", lang) if kind in REMARKED else ""
+
+
 def templates(rows: Iterable[Row]) -> Json:
-    """What a page words rows by: the sentence of every kind with its places, and the units."""
+    """The templates for a page: the sentence of every kind with its placeholders, and the units."""
     units = dict.fromkeys(["m", *(row.unit_said for row in rows if row.unit_said)])
-    row_sentences = in_both(partial(under, "lesson_row_"))
-    words = {kind: {lang: row_sentences[lang][kind] for lang in LANGS} for kind in row_sentences["en"]}
+    sentences = in_both(partial(under, "lesson_row_"))
+
+    def template(kind: str, lang: Lang) -> str:
+        return sentences[lang][kind].replace("{remark}", remark(kind, lang))
+
+    words = {kind: {lang: template(kind, lang) for lang in LANGS} for kind in sentences["en"]}
     return {"words": words, "units": {key: in_both(partial(say, key)) for key in units}}

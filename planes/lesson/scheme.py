@@ -1,4 +1,4 @@
-"""What the lesson's scheme is drawn from: links, guides, sliders, forces with their arms, and which name is whose."""
+"""The parts of the lesson's scheme: links, guides, sliders, forces with their arms, and the owners of names."""
 
 from collections.abc import Iterator, Mapping
 from itertools import chain, permutations
@@ -40,8 +40,8 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
 
 
 def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
-    """What is drawn of statics beside links: lines, loads where they act, rollers and walls, and which plan has the
-    letters of regions, with the members that are its lines."""
+    """The parts of statics beside links: lines, loads at their points, rollers and walls, and the plan with the letters
+    of regions, with the members as its lines."""
     strokes = [{"plan": s.plan, "kind": s.kind, "name": s.name, "ends": [s.start, s.end]} for s in figure.strokes]
     loads = [
         {"name": f.name, "mark": f.point, "along": f.along, "size": f.size}
@@ -55,13 +55,13 @@ def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
 
 
 def pivots(m: Mechanism) -> list[str]:
-    """The fixed points that are hinges of a moving link: not those about which a slider's arc is drawn alone."""
+    """The fixed points that are hinges of a moving link, without mere centres of a slider's arc."""
     hinged = {p for x in m.links.values() for p in x.points if not ((g := m.round_guide(x)) and g[0].centre == p)}
     return [p for p in m.frame.points if p in hinged]
 
 
 def arms(plans: Plans) -> list[Json]:
-    """For each moment equation the forces in it: where each acts, its direction and the foot of its arm."""
+    """For each moment equation its forces: the point, the direction and the foot of the arm of each."""
     steps, equations = plans.program.makers, []
     for m in plans.moments:
         plan = "lever" if m.links == ("lever",) else "position"
@@ -82,7 +82,7 @@ def _forces(m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
 
 
 def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
-    """The couples of an equation of links, each about the middle of its own."""
+    """The couples of an equation of links, each at the middle of its link."""
     named = {name for name, arm in m.terms if not arm}
     for link in m.links:
         for c in plans.acting.couples.get(link, ()):
@@ -96,7 +96,7 @@ def foot_of(drop: Drop) -> str:
 
 
 def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
-    """The tangential reaction a moment equation is solved for."""
+    """The tangential reaction found from a moment equation."""
     laid = next((s for s in steps.values() if isinstance(s, LayOff) and s.length == m.unknown), None)
     letter, index, _ = parts_of(m.unknown)
     reaction = plans.reactions.get(f"{letter}_{index}")
@@ -116,7 +116,7 @@ def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:
 
 
 def acting(plans: Plans) -> dict[str, str]:
-    """The mark of the scheme at which each force acts; of a slider's reaction its point, whatever its arm."""
+    """The mark of the scheme at which each force acts; for a slider's reaction its point, whatever its arm."""
     marks = {f.name: f.point for forces in plans.acting.forces.values() for f in forces}
     for r in plans.reactions.values():
         point = at("position", r.pair.point or plans.mechanism.links[r.pair.link].first_point)
@@ -125,8 +125,8 @@ def acting(plans: Plans) -> dict[str, str]:
 
 
 def related(plans: Plans, under: Mapping[str, str]) -> dict[str, list[str]]:
-    """Links and points of the scheme by the names of vectors and values that are theirs; ``under`` are the links of
-    points under sliders."""
+    """Links and points of the scheme by the names of their vectors and values; ``under`` are the links of points under
+    sliders."""
     names = {s.name for s in plans.segments} | {t.name for e in plans.equations for t in e.terms}
     names |= {*plans.links, *plans.program.made}
     acted_on = {name: link for r in plans.reactions.values() for name, link in r.names.items()}
@@ -141,7 +141,7 @@ def special_points(plans: Plans) -> dict[str, str]:
 
 
 def _owner(plans: Plans, name: str, acted_on: Mapping[str, str], under: Mapping[str, str]) -> str:
-    """The point or the link whose vector or value it is, "" where it is nobody's."""
+    """The owner of a vector or value, a point or a link; "" where there is none."""
     links = plans.mechanism.links
     letter, index, _ = parts_of(name)
     if letter in ("v", "a", "r") and any(index in link.points for link in links.values()):

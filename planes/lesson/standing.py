@@ -1,4 +1,4 @@
-"""A point that stands still where the mechanism is shown: its mark lies at the pole, and a sentence says so."""
+"""A point at rest in the position shown: its mark lies at the pole, and a sentence says so."""
 
 from collections.abc import Iterable
 
@@ -11,11 +11,11 @@ from planes.words.frozen import replace
 from planes.words.names import POLE, at, lettered, plan_of
 
 STILL_MM = 1e-4
-"""How near its pole a mark lies there: a page's drive is known to a millionth of a degree."""
+"""Tolerance of a mark at its pole: a page's drive is known to a millionth of a degree."""
 
 
 def standing(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
-    """The frames; those that end the vector of a point know what is said where that is nothing."""
+    """The frames; those that end the vector of a point get the sentence for a zero vector."""
     named = {
         mark: p for p, m in plans.points.items() if p not in plans.standing for mark in (m.velocity, m.acceleration)
     }
@@ -29,7 +29,7 @@ def standing(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
 
 
 def told(mark: str, named: dict[str, str], special: dict[str, str]) -> dict[str, str]:
-    """What the sentence is, and its names."""
+    """The sentence, and its names."""
     plan, point = plan_of(mark) or "", named[mark]
     key = "special" if point in special and plan == "velocity" else plan
     names = {"said": key, "point": point, "mark": lettered(mark), "vector": f"{plan[0]}_{point}"}
@@ -37,7 +37,7 @@ def told(mark: str, named: dict[str, str], special: dict[str, str]) -> dict[str,
 
 
 def still_said(frame: Frame, drawing: Drawing, lang: Lang) -> str:
-    """The sentence, where the point stands still."""
+    """The sentence, where the point is at rest."""
     if not frame.still or not abs(complex(drawing[frame.makes[0]])) < STILL_MM:
         return ""
     return say(f"lesson_still_{frame.still['said']}", lang, **frame.still)

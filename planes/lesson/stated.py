@@ -1,4 +1,4 @@
-"""The words of the steps of a scene that states vectors: what is given, reckoned, divided, sought."""
+"""The words of the steps of a scene of vectors: given, computed, divided, unknown."""
 
 import math
 from cmath import phase
@@ -43,7 +43,7 @@ class StatedWords(StepWords):
         return super().of(step)
 
     def action(self, direction: str) -> Said:
-        """A line of action: of a given angle the angle."""
+        """A line of action; for a given angle the angle."""
         action = super().action(direction)
         if action:
             return action
@@ -85,7 +85,7 @@ class StatedWords(StepWords):
 
 
 def last_marks(plans: Plans) -> dict[str, list[Equation]]:
-    """The equations by the mark with which all they seek is on the paper."""
+    """The equations by the mark that completes all their unknowns on the paper."""
     order = {step.makes: k for k, step in enumerate(plans.program.steps)}
     solved_at = dict[str, list[Equation]]()
     for e in plans.equations:

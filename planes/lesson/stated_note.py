@@ -1,4 +1,4 @@
-"""The explanatory note of a scene that states vectors: no structure, no mechanism, the vectors and values found."""
+"""The explanatory note of a scene of vectors: no structure, no mechanism, only the vectors and values found."""
 
 from collections.abc import Iterator, Sequence
 
@@ -26,7 +26,7 @@ class StatedNote(Note):
         return self.vectors()
 
     def sought(self) -> Sequence[str]:
-        """What is asked, or all vectors that are not given, and the values."""
+        """The requested results, or all vectors without given data, and the values."""
         plans = self.position.plans
         given = {t.name for e in plans.equations for t in e.terms if t.known == 2 and not t.drawn}
         return found_of(self.scene) or [*(n for n in plans.vectors if n not in given), *plans.values]
@@ -35,7 +35,7 @@ class StatedNote(Note):
         return iter(())
 
     def vectors(self) -> Iterator[Block]:
-        """What was found of a scene that states vectors."""
+        """The results of a scene of vectors."""
         yield Heading(self.say("note_results"))
         angle, rows = self.say("note_angle"), []
         for f in self.position.of("vectors").values():
@@ -60,7 +60,7 @@ class StaticsNote(StatedNote):
     task = "note_task_statics"
 
     def sought(self) -> Sequence[str]:
-        """What is asked, or all reactions, and the values."""
+        """The requested results, or all reactions, and the values."""
         plans = self.position.plans
         loads = {f.name for forces in plans.acting.forces.values() for f in forces}
         return found_of(self.scene) or [*(n for n in plans.vectors if n not in loads), *plans.values]
@@ -80,6 +80,6 @@ class StaticsNote(StatedNote):
 
 
 def note_of(scene: Scene, position: Position, lang: Lang) -> Note:
-    """The note of a position, whatever its scene states."""
+    """The note of a position, for any kind of scene."""
     plain = StaticsNote if position.plans.figure else StatedNote
     return (Note if position.plans.moves else plain)(scene, position, lang)

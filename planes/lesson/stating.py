@@ -1,5 +1,5 @@
-"""How a vector equation comes about, and which way a link turns: told before the equation is drawn, before a rate is
-reckoned."""
+"""The origin of a vector equation, explained before it is drawn, and the sense of a link's rotation, before its angular
+velocity."""
 
 from collections.abc import Iterator
 from functools import cached_property, partial
@@ -21,7 +21,7 @@ LETTERS = {"velocity": "v", "acceleration": "a"}
 
 @frozen
 class Under:
-    """The ``other`` point, of a link that carries a guide, under the ``point`` of a slider; "" of the frame."""
+    """The ``other`` point, on the link with a guide, that coincides with the ``point`` of a slider; "" on the frame."""
 
     point: str
     other: str
@@ -31,17 +31,17 @@ class Under:
 
 @frozen
 class Stating:
-    """Tells the equations of a mechanism, and its turning links."""
+    """Explains the equations of a mechanism, and the rotation of its links."""
 
     plans: Plans
 
     def stated(self, frames: list[Frame], make: Make) -> list[Frame]:
-        """The frames, each vector equation written before the first that draws of it."""
+        """The frames, each vector equation before the first frame that draws one of its vectors."""
         frames_with_equations, stated_equations = list[Frame](), set[int]()
         for f in frames:
             new = (
                 f.equation not in stated_equations and kind_of(f.plan) != "position" and self.plans.moves
-            )  # else it is given
+            )  # otherwise it is given
             if f.equation is not None and new:
                 stated_equations.add(f.equation)
                 e = self.plans.equations[f.equation]
@@ -52,21 +52,21 @@ class Stating:
         return frames_with_equations
 
     def written(self, e: Equation) -> str:
-        """The equation in letters, without a side that is the whole itself, along a guide of the frame."""
+        """The equation in letters, without a side that is the total itself, along a guide of the frame."""
         chains = [list(dict.fromkeys(whole(e, t.name) for t in chain)) for chain in e.chains]
         if e.total is None:
             return " + ".join(f"⟨{n}⟩" for chain in chains for n in chain) + " = 0"
-        along = any(t.action == "=0" and t.name.endswith("0") for t in e.terms)  # its own vector, along that guide
+        along = any(t.action == "=0" and t.name.endswith("0") for t in e.terms)  # the absolute vector along that guide
         sides = [names for names in chains if names and not (along and e.total in names)]
         return " = ".join([f"⟨{e.total}⟩", *(" + ".join(f"⟨{n}⟩" for n in names if n != e.total) for names in sides)])
 
     def unknown(self, e: Equation, lang: Lang) -> str:
-        """What is sought, in words."""
+        """The unknowns, in words."""
         parts = dict.fromkeys((whole(e, name), part) for name, part in e.unknowns)
         return ", ".join(say(f"lesson_unknown_{part}", lang, name=name) for name, part in parts)
 
     def why(self, e: Equation, lang: Lang) -> str:
-        """Of forces, what is in equilibrium; of rates, how the motion of a point is made of two."""
+        """For forces, the bodies in equilibrium; for velocities and accelerations, the two motions of a point."""
         if kind_of(e.plan) in LETTERS:
             return " ".join(dict.fromkeys(self.parted(e, lang))) or say("why_equation_circle", lang)
         links: tuple[str, ...] = tuple(links_of(e.plan))
@@ -75,7 +75,7 @@ class Stating:
         return say("why_equation_links" if len(links) > 1 else "why_equation_link", lang, links="–".join(links))
 
     def parted(self, e: Equation, lang: Lang) -> Iterator[str]:
-        """For each relative vector whose motion it is."""
+        """The motion of each relative vector."""
         for term in e.terms:
             _, index, _ = parts_of(term.name)
             if link := self.carrying.get(index):
@@ -87,7 +87,7 @@ class Stating:
 
     @cached_property
     def under(self) -> dict[str, Under]:
-        """The sliders by the names of their motion against the guide: HL, B3B."""
+        """The sliders by the names of their motion relative to the guide: HL, B3B."""
         m, sliders = self.plans.mechanism, {}
         for x in (x for x in m.links.values() if x.slides):
             owner = next((y.name for y in (m.frame, *m.links.values()) if x.slides and x.slides.guide in y.guides), "")
@@ -101,7 +101,7 @@ class Stating:
         return self.driven() | sliders
 
     def driven(self) -> dict[str, Under]:
-        """The hinge that a drive inside a group moves, by the names of its motion against the link on the frame."""
+        """The hinge moved by a drive inside a group, by the names of its motion relative to the link on the frame."""
         for g in self.plans.structure.driven:
             means = (t.means for e in self.plans.equations for t in e.terms if t.means)
             hinge, guide = g.inner.point, g.drive.guide if g.drive else ""
@@ -110,7 +110,7 @@ class Stating:
         return {}
 
     def sliding(self, term: Term) -> Under | None:
-        """Whose motion along a guide a vector is."""
+        """The slider whose motion along a guide a vector is."""
         line = self.plans.means.get(term.direction or "")
         _, index, _ = parts_of(term.name)
         if index in self.under or line is None or line.quantity != "along":
@@ -123,14 +123,15 @@ class Stating:
 
     @cached_property
     def carrying(self) -> dict[str, tuple[str, str, str]]:
-        """The link that carries both points of "CB", and them; the point under a slider is its link's too."""
+        """The link with both points of "CB", and these; a point under a slider is on its link too."""
         own = {x.name: {*x.points} for x in self.plans.mechanism.links.values()}
         for under in self.under.values():
             own[under.link].add(under.other)
         return {a + b: (link, a, b) for link, points in own.items() for a, b in permutations(sorted(points), 2)}
 
     def turns(self, rates: list[Calculate], plan: str, make: Make) -> Iterator[Frame]:
-        """For each rate that is a vector over a length, the vector carried to its point."""
+        """For each angular velocity or acceleration given by a vector over a length, the vector carried to its
+        point."""
         places = {under.other: under.point for under in self.under.values()}
         for rate in rates:
             factors = rate.terms[0].factors if len(rate.terms) == 1 else ()

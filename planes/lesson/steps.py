@@ -1,4 +1,4 @@
-"""The words of one drafting step, and of a moment equation: what is done, with which numbers, and why."""
+"""The words of one drafting step, and of a moment equation: the action, its numbers, and the reason."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
@@ -21,9 +21,9 @@ from planes.words import Lang, say
 from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
 from planes.words.units import number
 
-Said = str | Callable[[Lang], str]  # a text, or what is told in each language
-Names = Mapping[str, Said | tuple[Row, ...]]  # what a sentence says; all its numbers are in its texts and rows
-Words = tuple[str, Said, Names]  # the key of the sentence, of the reason (or the reason), names
+Said = str | Callable[[Lang], str]  # a text, or a callable for each language
+Names = Mapping[str, Said | tuple[Row, ...]]  # the contents of a sentence; all its numbers are in its texts and rows
+Words = tuple[str, Said, Names]  # the key of the sentence, of the reason (or the reason itself), names
 
 
 @dataclass
@@ -35,7 +35,7 @@ class StepWords:
     made: Mapping[str, s.Step]
 
     def of(self, step: s.Step) -> Words:
-        """The key of the sentence of a step, of its reason, and what it says besides the step's own names."""
+        """The key of the sentence of a step, of its reason, and its contents besides the step's own names."""
         if words := false_words(step, self.made):
             return words
         match step:
@@ -72,7 +72,7 @@ class StepWords:
         raise AssertionError(step)
 
     def track(self, step: CutTrack) -> Words:
-        """The crossing of a track with the line of the lead that is taken off; of the others, where they are then."""
+        """The crossing of a track with the line of the removed lead; for the others, their places then."""
         drawn = (x for x in self.made.values() if isinstance(x, CutTrack) and x.holds == step.holds)
         first = next(drawn).makes == step.makes
         key = "track_too" if not first else "track" if len(step.holds) == 3 else "track_both"
@@ -88,7 +88,7 @@ class StepWords:
         return key, key, {**kept, "kept": lambda lang: say(f"lesson_kept_{hold.kind}", lang, **kept)}
 
     def action(self, direction: str) -> Said:
-        """A line of action as it is written."""
+        """A line of action as written."""
         return self.plans.means[direction].action
 
     def similar(self, step: s.Similar) -> Words:
@@ -103,8 +103,8 @@ class StepWords:
         return "similar", "similar", {**names, "ratio": lambda lang: number(ratio.real, lang)}
 
     def image(self, step: s.Image) -> Words:
-        """A figure on the segment of two points; or, from a mark that is neither, a vector that is to the segment as
-        on the scheme."""
+        """A figure on the segment of two points; or, from a mark that is neither, a vector in the same ratio to the
+        segment as on the scheme."""
         key = "image" if step.start == step.image[0] else "carried_image"
         marks = (step.start, *step.image, *step.like, *step.of)
         said = "start", "first", "second", "one", "two", "from", "own"
@@ -113,7 +113,7 @@ class StepWords:
         return key, reason, names
 
     def corners(self, step: s.Similar) -> Iterator[str]:
-        """The points of the link on the scheme whose vectors end at the marks of a similar figure."""
+        """The points of the link on the scheme, in the order of a similar figure's marks."""
         links = self.plans.mechanism.links.values()
         own = next(x.points for x in links for p in x.points if step.ratio == f"ratio_{p}_{x.name}")
         for mark in (step.start, step.end, step.makes):
@@ -125,7 +125,7 @@ class StepWords:
         plan, label = plan_of(mark), label_of(mark)
         kind = kind_of(plan)
         equations = (e for e in self.plans.equations if e.plan == plan)
-        for e in equations:  # that which is drawn first finds the mark
+        for e in equations:  # the line drawn first finds the mark
             sought = [t for t in e.terms if t.direction and not t.length and not t.drawn]
             terms = [t for t in sought if label in (t.start, t.end)]
             if any(t.end == label for t in terms):
@@ -138,12 +138,12 @@ class StepWords:
         return lambda lang: "; ".join(dict.fromkeys(self.reason(t, named[t.name], kind, lang) for t in terms)) + "."
 
     def reason(self, term: Term, name: str, kind: str, lang: Lang) -> str:
-        """Why a vector whose length is sought has its direction."""
+        """Why a vector of unknown length has its direction."""
         line = self.plans.means[term.direction or ""]
         return say(f"why_{line.quantity}_{kind}", lang, name=name, line=line.line)
 
     def lay_off(self, step: s.LayOff) -> Words:
-        """A known vector: with the formula of its length where it was calculated."""
+        """A known vector: with the formula of its length if that was calculated."""
         kind = kind_of(step.makes)
         mm = slot(step.length, "mm", step.mu)
         named: Names = {"mm": mm, "way": lambda lang: way(self.plans.means[step.along], lang)}
@@ -169,7 +169,7 @@ class StepWords:
         return "given", "slide_v", shown
 
     def why_load(self, value: str) -> str | Callable[[Lang], str]:
-        """That a force is given; where it is a law, which."""
+        """That a force is given; with its law, if it has one."""
         law = self.plans.acting.laws.get(f"{value}_given")
         if law is None:
             return "load"
@@ -186,25 +186,25 @@ class StepWords:
 
 
 def apart_words(one: LinkApart, key: str) -> Names:
-    """What is said of a link alone; ``key`` is the reaction that closes its forces as the tables have it."""
+    """The words for a single link; ``key`` is the reaction that closes its forces, as in the tables."""
     force = f"⟨{one.force}⟩" + ("" if key == one.force else f" = −⟨{key}⟩")
     return {"link": one.link, "force": force, "sum": " + ".join(f"⟨{name}⟩" for name in (*one.known, one.force))}
 
 
 def worded(said: Said | tuple[Row, ...], lang: Lang, rows: tuple[Row, ...]) -> str:
-    """What a name of a sentence stands for, in words; a line of reckoning by its number among the ``rows``."""
+    """A name of a sentence in words; a line of calculation by its number among the ``rows``."""
     if isinstance(said, tuple):
         return "; ".join(f"⟪{rows.index(row)}⟫" for row in said)
     return said(lang) if callable(said) else said
 
 
 def shown_on(step: s.Step) -> str:
-    """The plan a mark stands on (a tangent's, the scheme)."""
+    """The plan of a mark (for a tangent, the scheme)."""
     return plan_of(step.makes) or "position"
 
 
 def whole(equation: Equation, name: str) -> str:
-    """The name a term is told by: what a point does against a guide of the frame is its own vector."""
+    """The displayed name of a term: the motion of a point relative to a guide of the frame is its absolute vector."""
     for chain in equation.chains:
         if len(chain) == 2 and chain[0].action == "=0" and chain[0].name.endswith("0") and chain[1].name == name:
             return equation.total or name
@@ -212,13 +212,13 @@ def whole(equation: Equation, name: str) -> str:
 
 
 def way(direction: Meaning, lang: Lang) -> str:
-    """How a vector is laid off, in words."""
+    """The direction in which a vector is laid off, in words."""
     d, line = direction, direction.line
     return say(f"lesson_way_{d.quantity}", lang, line=line, vector=line, one=d.of, other=d.about)
 
 
 def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
-    """Which reason a calculated vector has."""
+    """The reason for a calculated vector."""
     if kind == "force":
         reasons = {"tangential": "projected", "weight": "weight", "inertia": "inertia"}
         return reasons.get(step.quantity or "", "load")

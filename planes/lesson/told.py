@@ -1,4 +1,4 @@
-"""A scene drawn in its own position, and what is told of it."""
+"""A scene drawn in its given position, with the frames of its lesson."""
 
 from collections.abc import Mapping
 from functools import cached_property
@@ -26,12 +26,12 @@ from planes.words.frozen import frozen
 from planes.words.names import at
 from planes.words.records import Json
 
-TRIED = 180  # positions, by which it is told which terms are nothing
+TRIED = 180  # positions that decide which terms are zero
 
 
 @frozen
 class Told:
-    """A scene drawn in its own position, and the frames of its lesson."""
+    """A scene drawn in its given position, and the frames of its lesson."""
 
     scene: Scene
     plans: Plans
@@ -43,7 +43,7 @@ class Told:
 
     @classmethod
     def of(cls, scene: Scene, centres: bool = False) -> "Told":
-        """:class:`SceneError` where there is no mechanism or its own position fails."""
+        """The lesson of a scene; :class:`SceneError` where there is no mechanism or its given position fails."""
         plans, _ = plans_of(scene, shown=True)
         plans = with_centres(plans) if centres else plans
         try:
@@ -58,7 +58,7 @@ class Told:
 
     @cached_property
     def leaning(self) -> dict[int, Frame] | None:
-        """Frames that tell more where guides are turned, by their number; None where there are others altogether."""
+        """Frames with more to say where guides are turned, by their number; None where the frames differ altogether."""
         if not any("stays" in knob for knob in self.knobs.all):
             return {}
         frames = Teller(self.plans, self.drawing, _cycle(self.knobs, True), self.scene.mu_convention).frames()
@@ -68,17 +68,17 @@ class Told:
 
     @cached_property
     def equations(self) -> list[Json]:
-        """The vector equations as they are written."""
+        """The vector equations as written."""
         return [equation_written(self.plans, e) for e in self.plans.equations]
 
     @cached_property
     def drive(self) -> Json:
-        """The driver's number, and from where to where it runs."""
+        """The driver's number, and its range."""
         return drive_of(self.plans)
 
     @cached_property
     def practice(self) -> Practice:
-        """What a reader is asked."""
+        """The questions to a reader."""
         values = {n: float(value_of(n, self.teller, self.drawing)) for n in needed(self.frames)}
         own = self.plans, self.drawing, self.frames, self.equations
         choices = Choices(*own, fits_on(self.scene.sheet, self.plans))
@@ -86,7 +86,7 @@ class Told:
 
 
 def _cycle(knobs: Knobs, leaning: bool = False) -> Drawing:
-    """The drawing of many positions and of numbers near those of the scene."""
+    """The drawing of many positions, and of numbers near those of the scene."""
     plans = knobs.plans
     drive = drive_of(plans)
     start, reach = drive["from"], drive["to"] - drive["from"]
@@ -95,7 +95,7 @@ def _cycle(knobs: Knobs, leaning: bool = False) -> Drawing:
 
 
 def drive_of(plans: Plans) -> Json:
-    """The driver's number, and from where to where it runs: nowhere, where a law holds in its own position alone."""
+    """The driver's number, and its range: a single value, where a law is valid in the given position alone."""
     drive = plans.mechanism.drive
     turns = drive.kind == "phi"
     reach, start = (0.0, drive.position % 1.0) if turns else (plans.reach, drive.position)
@@ -105,13 +105,13 @@ def drive_of(plans: Plans) -> Json:
         return still
     try:
         plans.at(drive.position + 1.0)
-    except SceneError as law:  # a number that holds where the drive stands in the file alone
+    except SceneError as law:  # a number valid only at the drive's position in the file
         return {**still, "held": in_both(PlanesError(law.phrase).told)}
     return {**still, "from": start - reach, "to": start + (reach or 360.0)}
 
 
 def equation_written(plans: Plans, e: Equation) -> Json:
-    """An equation as it is written: without the vectors that are nothing, a vector along the frame's guide itself."""
+    """An equation as written: without zero vectors, with a vector along the frame's guide as itself."""
     if not e.total:
         sides = [[{**_term(plans, e.plan, t), "minus": sign < 0} for sign, t in side] for side in e.written]
         return {"plan": e.plan, "total": None, "closed": e.closed, "sides": sides}

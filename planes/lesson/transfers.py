@@ -1,4 +1,4 @@
-"""Transfer functions as the manuals ask for them: analogues of velocities and ratios, each by segments of the velocity
+"""Transfer functions in the form of the manuals: analogues of velocities and ratios, by segments of the velocity
 plan."""
 
 from collections.abc import Iterable, Iterator
@@ -15,15 +15,15 @@ from planes.words.names import label_of
 from planes.words.naming import Naming
 from planes.words.read_off import measured
 
-NOISE = 1e-9  # a vector that is less of the driver's is rounding noise
+NOISE = 1e-9  # relative to the driver's: a smaller vector is rounding noise
 
 
 @frozen
 class TransferFunctions:
-    """What the velocities of a position are to the driver's, from its plan: v_qC = pc·l_AB/pb,
-    u_21 = bc·l_AB/(pb·l_BC).
+    """The ratios of a position's velocities to the driver's, from its plan: v_qC = pc·l_AB/pb, u_21 =
+    bc·l_AB/(pb·l_BC).
 
-    The program is read backwards: ω₂ was calculated from a measured vector and a length.
+    The program is followed backwards: ω₂ was calculated from a measured vector and a length.
     """
 
     position: Position
@@ -47,15 +47,15 @@ class TransferFunctions:
             yield self.row([one], f"{ends}{times}/{segment}", noise)
 
     def row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:
-        """A row of the table, of quantities that are one and the same; less than ``noise`` is nothing."""
+        """A row of the table, for equal quantities; one below ``noise`` is zero."""
         name = " = ".join(self.naming.curve(f.quantity.name) for f in alike)
         unit, value = alike[0].quantity.columns[0].unit, alike[0].number
         shown = measured(value if abs(value) > noise else 0.0, self.naming.lang)
         return [name, relation, shown, "" if unit == "1" else say(unit, self.naming.lang)]
 
     def turning(self, transfers: Iterable[Measured]) -> Iterator[tuple[list[Measured], str, str]]:
-        """Ratios of links whose angular velocity is read off the plan, those that turn alike together, with the segment
-        and the length it is found by."""
+        """Ratios of links whose angular velocity is measured on the plan, equal ones together, with the segment and the
+        length for each."""
         known, program = list(transfers), self.position.drawing.program
         for rate, (vector, length) in products(program, -1).items():
             alike = [f for f in known if f.quantity.columns[0].value == rate]

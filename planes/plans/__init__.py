@@ -1,4 +1,4 @@
-"""From a mechanism to all it asks for: every plan of it stated, in one program."""
+"""From a mechanism to all its plans, stated in one program."""
 
 from dataclasses import replace
 
@@ -32,10 +32,10 @@ __all__ = ["STILL", "Plans", "PointMarks", "plans_of", "sliced", "structure_of"]
 
 
 def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
-    """State every plan of a mechanism. :class:`StructureError` or :class:`SceneError` where it cannot be done.
+    """State every plan of a mechanism. Raises :class:`StructureError` or :class:`SceneError` where that is impossible.
 
-    Whatever is read of the plans, and however little: a proof of theirs that fails in the scene's own position is a
-    :class:`Contradiction` here.
+    However few results are used later, all proofs are checked here: one that fails in the scene's own position is a
+    :class:`Contradiction`.
     """
     try:
         structure = analyse(mechanism, file)
@@ -53,7 +53,7 @@ def plans_of(mechanism: Mechanism, file: str = "") -> Plans:
 
 
 def structure_of(mechanism: Mechanism, file: str = "") -> Structure:
-    """The structure alone, without its passive links. :class:`StructureError` where it has none."""
+    """The structure alone, without passive links. Raises :class:`StructureError` where there is none."""
     try:
         return analyse(mechanism, file)
     except StructureError:
@@ -70,7 +70,7 @@ def _state(mechanism: Mechanism, structure: Structure, file: str) -> Plans:
 
 
 def _stated(bodies: Bodies) -> Plans:
-    """All plans of a scheme."""
+    """All plans, for a given scheme."""
     mechanism, draft = bodies.mechanism, bodies.draft
     velocity, acceleration = Rates(bodies, "velocity"), Rates(bodies, "acceleration")
     at_rest = mechanism.drive.velocity == 0
@@ -114,7 +114,7 @@ def _stated(bodies: Bodies) -> Plans:
 
 
 def _frozen(mechanism: Mechanism, law: Law, file: str) -> SceneError:
-    """What is said of a number that holds where the drive stands in the file alone."""
+    """The message about a number valid only at the drive's position in the file."""
     drive, key = mechanism.drive, "table" if "table" in law.path else law.path[-1]
     what = Phrase("part", key=key, what=Phrase("section", name=law.path[0]))
     if law.path[0] == "loads":

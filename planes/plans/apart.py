@@ -1,4 +1,4 @@
-"""The links of a group one by one: the equilibrium of a link alone, which gives the reaction inside its group."""
+"""The links of a group one by one: the equilibrium of a single link, which gives the reaction inside its group."""
 
 from collections.abc import Iterator
 
@@ -13,8 +13,8 @@ from planes.words.names import POLE, end_of, force_plan, links_of, mu_of
 
 @frozen
 class LinkApart:
-    """A link alone: the forces known on it, in the order they are laid off, and the ``force`` that closes their plan;
-    each with what is measured of it, and whether that is the opposite."""
+    """A single link: the known forces on it, in the order they are laid off, and the ``force`` that closes their
+    polygon; each with its measured segment, and whether that is reversed."""
 
     link: str
     group: str
@@ -24,30 +24,30 @@ class LinkApart:
 
     @property
     def plan(self) -> str:
-        """The plan of this link, at the scale of its group's."""
+        """The plan of this link, at the scale of its group's plan."""
         return force_plan(self.link)
 
     @property
     def polygon(self) -> bool:
-        """Whether its plan is more than two opposite vectors."""
+        """Whether its polygon has more than two opposite vectors."""
         return len(self.known) > 1
 
     @property
     def drawn(self) -> tuple[str, ...]:
-        """What its vectors are called on the plan of its group, where they close a polygon as they stand."""
+        """The names of its vectors on the group's plan, where they already form a closed polygon there."""
         own = {n: r.key for n, (r, _) in self.reactions.items() if r.plan == self.group}
         return tuple(own.get(n, n) for n in (self.force, *self.known))
 
     @property
     def equation(self) -> Equation:
-        """Its vectors add up to nothing."""
+        """The sum of its vectors is zero."""
         ends = [POLE, *map(end_of, self.known), POLE]
         last = Term(self.force, ends[-2], POLE)
         given = (Term(n, a, b, n, n) for n, a, b in zip(self.known, ends, ends[1:], strict=False))
         return Equation(self.plan, ((*given, last), ()))
 
     def marks(self, plans: Plans, drawing: Drawing) -> dict[str, complex] | None:
-        """Where its vectors end, mm from the pole; None where one is not drawn."""
+        """The end marks of its vectors, mm from the pole; None where one is not drawn."""
         marks, place = {POLE: 0j}, 0j
         for name in self.known:
             vector = self._vector(name, plans, drawing)
@@ -69,8 +69,8 @@ class LinkApart:
 
 
 def links_apart(plans: Plans, plan: str) -> Iterator[LinkApart]:
-    """A link for every reaction inside the group of a force plan: one that no other such reaction acts on, if there is
-    one, and of two of them that with the fewer forces."""
+    """A link for every reaction inside the group of a force plan: preferably one without another such reaction, and of
+    two such links the one with fewer forces."""
     drives = plans.structure.drives
     links, own = links_of(plan), {k: r for k, r in plans.reactions.items() if r.plan == plan}
     inner = {k: r for k, r in own.items() if {r.pair.link, r.pair.other} <= set(links)}

@@ -1,4 +1,4 @@
-"""Instantaneous centres of pairs of links: where each stands, what it is found by, what is checked by it."""
+"""Instantaneous centres of pairs of links: the place, the construction and the check of each."""
 
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
@@ -6,8 +6,8 @@ from planes.words.frozen import frozen
 
 @frozen
 class CentreLine:
-    """A line of centres, of two links and a third: through ``mark`` along a direction, and through ``other`` if that
-    is no direction given, as a centre at infinity has it."""
+    """A line of centres, of two links and a third: through ``mark`` along a direction, and through ``other`` unless a
+    centre at infinity gives the direction."""
 
     third: str
     mark: str
@@ -17,8 +17,8 @@ class CentreLine:
 
 @frozen
 class Centre:
-    """The centre of two links: its ``mark``, or the direction ``along`` which it lies at infinity; where it is found by
-    ``lines``, or the ``point`` that is a hinge of both; "" of its name."""
+    """The centre of two links: its ``mark``, or the direction ``along`` which it lies at infinity; the ``lines`` that
+    give it, or the ``point`` that is a hinge of both; "" if it has its own name."""
 
     links: tuple[str, str]
     name: str
@@ -30,9 +30,9 @@ class Centre:
 
 @frozen
 class Check:
-    """Speeds that are equal: of a centre as a point of each of two links, or of a point by the centre of its link and
-    as the velocity plan has it (``read``): of its link, or of one that ``slides`` and has one velocity everywhere.
-    ``sides`` are those that are an angular velocity times a length, by name."""
+    """Equal speeds: of a centre as a point of each of two links, or of a point by the centre of its link and from the
+    velocity plan (``read``): of its link, or of one that ``slides`` and has one velocity everywhere. ``sides`` are the
+    names of those that are an angular velocity times a length."""
 
     name: str
     centre: Centre
@@ -42,6 +42,6 @@ class Check:
 
 
 def centre_name(one: str, two: str, frame: str) -> str:
-    """P_13; P_16 of a link and the ``frame`` that has the number 6."""
+    """P_13; P_16 for a link and the ``frame`` with the number 6."""
     said = (two, frame) if one == FRAME else (one, two)
     return f"P_{('' if max(map(len, said)) == 1 else ',').join(said)}"

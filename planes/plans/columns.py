@@ -1,4 +1,4 @@
-"""One number of a quantity, and how it is taken from the things drawn."""
+"""One number of a quantity, and how it is taken from the drawing."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -10,7 +10,7 @@ from planes.words.names import mu_of, plan_of
 
 
 class DriverVector(NamedTuple):
-    """The driver's own vector on the velocity plan: its ends, its line, and the length it turns at ("": it slides)."""
+    """The driver's vector on the velocity plan: its ends, its line, and the radius of its rotation ("": it slides)."""
 
     start: str
     end: str
@@ -18,7 +18,7 @@ class DriverVector(NamedTuple):
     length: str
 
     def rate(self, things: Mapping[str, Thing]) -> Real:
-        """The driver's rate as it is drawn: rad/s, or m/s where it slides."""
+        """The driver's speed as drawn: rad/s, or m/s where it slides."""
         drawn, mu = things[self.end] - things[self.start], things[mu_of(plan_of(self.start))]
         speed = plane.dot(things[self.along], drawn) / mu
         return speed / things[self.length] if self.length else speed
@@ -26,8 +26,8 @@ class DriverVector(NamedTuple):
 
 class Column(NamedTuple):
     """One number: a value by its name, or the ``part`` ("x", "y", "size") of the segment from ``start`` to ``end``. A
-    value with ``beside`` (a normal force, then the marks of its plan) is empty where that force is nothing; what is
-    ``per`` the driver's vector is to the rate that tells, a segment to its size."""
+    value with ``beside`` (a normal force, then the marks of its plan) is empty where that force vanishes; one ``per``
+    the driver's vector is divided by the driver's speed, a segment by its length."""
 
     name: str
     unit: str
@@ -40,24 +40,24 @@ class Column(NamedTuple):
 
     @property
     def kind(self) -> str:
-        """What it is weighed against: numbers of its unit; an arm, by itself and those like it."""
+        """The class of numbers it is compared with: those of its unit; an arm only with others like it."""
         return "arm" if self.beside else self.unit
 
     @property
     def needs(self) -> tuple[str, ...]:
-        """The names of the program the column is taken from."""
+        """The names of the program it needs."""
         return tuple(n for n in (self.value, self.start, self.end, *self.beside, *(self.per or ())) if n)
 
     def take(self, things: Mapping[str, Thing], ar: Arithmetic) -> Real:
-        """The column's number (or numbers) from the things drawn."""
+        """The column's number (or numbers) from the drawing."""
         if self.per is None:
             return self.own(things, ar)
         rate = self.per.rate(things)
-        rate = ar.where(rate == 0, float("nan"), rate)  # of a speed that underflows
+        rate = ar.where(rate == 0, float("nan"), rate)  # for a speed that underflows
         return self.own(things, ar) / (abs(rate) if self.part else rate)
 
     def own(self, things: Mapping[str, Thing], ar: Arithmetic) -> Real:
-        """The number itself, beside no driver's."""
+        """The number itself, not divided by the driver's speed."""
         if self.part:
             segment = things[self.end] - things[self.start]
             size = {"x": lambda: segment.real, "y": lambda: segment.imag, "size": lambda: abs(segment)}[self.part]()
@@ -67,7 +67,7 @@ class Column(NamedTuple):
         return ar.where(self.empty(things, ar), float("nan"), things[self.value]) if self.beside else things[self.value]
 
     def empty(self, things: Mapping[str, Thing], ar: Arithmetic) -> Truth:
-        """Where the normal force is nothing beside the largest of its plan's marks that are drawn."""
+        """Where the normal force vanishes beside the largest drawn mark of its plan."""
         normal, *marks = (n for n in self.beside if n in things)
         largest: Real = 0.0
         for mark in marks:

@@ -1,4 +1,4 @@
-"""The law of a load as people read it: 3000·sin(φ₁), a table over s₅, so much in the working stroke."""
+"""The law of a load as people write it: 3000·sin(φ₁), a table over s₅, a value for the working stroke."""
 
 from collections.abc import Callable
 
@@ -13,7 +13,7 @@ Letter = Callable[[str], str]
 
 
 def law_said(value: Amount | StrokeLoad, drive: Drive, letter: Letter, lang: Lang, pairs: bool = True) -> str:
-    """A number of a load in words: ``letter`` writes a name, ``pairs`` says whether a table's are told."""
+    """A number of a load in words: ``letter`` writes a name, ``pairs`` says whether to list those of a table."""
     if isinstance(value, StrokeLoad):
         working, idle = (law_said(x, drive, letter, lang, pairs) for x in (value.working, value.idle))
         way = say(f"stroke_{value.stroke}", lang)

@@ -1,5 +1,5 @@
-"""What is read off a drawing: results by name, in SI, with the segments they were measured on; and how its plans,
-their names and the structure are told."""
+"""Readings from a drawing: results by name, in SI, with the segments measured; and the names of plans and structure in
+words."""
 
 import cmath
 import math
@@ -40,12 +40,12 @@ class DrawingReader:
         return Measured(quantity, tuple(map(self.column, quantity.columns)))
 
     def column(self, c: Column) -> float | None:
-        """One number; none where it is the arm of no force."""
+        """One number; None for the arm of no force."""
         things, ar = self.drawing.things, self.drawing.tool.ar
         return None if c.beside and c.empty(things, ar) else self.finite(c.take(things, ar), c.value or c.end)
 
     def plan_segments(self, plan: str, names: set[str] | None = None) -> dict[str, Segment]:
-        """The measured segments of a plan by their ends ("bc"), each once, of ``names`` alone if given.
+        """The measured segments of a plan by their ends ("bc"), each once, only those of ``names`` if given.
 
         Where one segment is two vectors (v_C and v_CD of a fixed D), it is named as the point's own.
         """
@@ -59,7 +59,7 @@ class DrawingReader:
         return segments
 
     def plans(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> Json:
-        """What was measured on each plan: μ, segments in mm and in SI, sharpness of the crossings."""
+        """The measurements on each plan: μ, segments in mm and in SI, sharpness of the crossings."""
         out: Json = {}
         for plan in self.stated.drawn:
             if plan in ("lever", "motion"):
@@ -91,12 +91,13 @@ class DrawingReader:
         return {label_of(name): float(sharpness[name]) for name in crossed if name not in program.trials}
 
     def bluntest(self, plan: str) -> float:
-        """The least of them by which errors grow. Arcs that touch meet at none, and err by the root of a rounding."""
+        """The smallest sharpness, by which errors grow. Touching arcs have none, and their error is the root of a
+        rounding error."""
         return max(min([1.0, *self.sharpness(plan).values()]), 2 * math.sqrt(self.drawing.tool.ar.eps))
 
 
 def polar(z: complex) -> Json:
-    """A stated vector as the JSON has it."""
+    """A stated vector as in the JSON output."""
     return {"value": abs(z), "direction_deg": math.degrees(cmath.phase(z)), "xy": [z.real, z.imag]}
 
 
@@ -106,20 +107,20 @@ def say_plan(plan: str, lang: Lang) -> str:
 
 
 def title_of(plan: str, lang: Lang) -> str:
-    """The name of a plan as a title begins."""
+    """The name of a plan for the beginning of a title."""
     return capital(say_plan(plan, lang))
 
 
 def counted(s: Structure) -> tuple[str, str]:
-    """W and q with the numbers put in; p_{1} are pairs of one freedom."""
+    """W and q with numbers filled in; p_{1} are pairs of one freedom."""
     n, p = 1 + sum(len(g.links) for g in s.groups), len(s.pairs)
     redundant = f"q = W − 6n + 5p_{{1}} = {s.W} − 6·{n} + 5·{p} = {s.q}"
     return f"W = 3n − 2p_{{1}} = 3·{n} − 2·{p} = {s.W}", redundant.replace("-", "−")
 
 
 def lettering(scene: Scene, plans: Plans | None = None) -> Json:
-    """How names of a scene are lettered, on a sheet as on a page; only its plans know which vectors end at a point of
-    the frame under a slider, and the vectors of force plans ask for none."""
+    """The lettering of a scene's names, on a sheet as on a page. Only its plans know which vectors end at a point of
+    the frame under a slider; the vectors of force plans do not need that."""
     drive = scene.mechanism.drive.link if scene.mechanism else ""
     own = plans.lettering if plans else {"frame": scene.frame_number, "driver": drive}
     return {**own, "from_on": scene.sheet.get("reactions") == "from-on", "convention": scene.mu_convention}

@@ -1,6 +1,6 @@
-"""By which leads of a basic link its plans are drawn: by others, where those cross much less sharply.
+"""The choice of leads by which a basic link is drawn: others are taken where those cross much less sharply.
 
-The plans are stated once for every choice that is met, from the same scheme.
+The plans are stated once for each choice that occurs, from the same scene.
 """
 
 from collections.abc import Callable, Mapping
@@ -21,7 +21,7 @@ Leads = tuple[Lead, ...]
 
 @dataclass(frozen=True, eq=False)
 class Restating:
-    """The scheme as it is drawn and chosen, and what states the plans of it; each choice of leads once."""
+    """The scheme as chosen, and what states its plans; each choice of leads once."""
 
     bodies: Bodies
     state: Callable[[Bodies], Any]
@@ -38,12 +38,12 @@ class Restating:
 
 
 def met(program: Program) -> list[ByLeads]:
-    """The steps that other leads may serve better."""
+    """The steps for which other leads may be sharper."""
     return [step for step in program.steps if isinstance(step, ByLeads)]
 
 
 def with_others(plans: Stated, special: str, turns: int = 1) -> Stated:
-    """The plans in which the next leads are taken where these lean; after a turn of all it is these again."""
+    """The plans by the next leads, where these are too nearly parallel; after a full rotation they are these again."""
     basic = next(s.means.of for s in met(plans.program) if s.makes == special and s.means)
     own = plans.leads[basic]
     turned = (*own[turns:], *own[:turns])
@@ -52,16 +52,16 @@ def with_others(plans: Stated, special: str, turns: int = 1) -> Stated:
 
 
 def fitting(plans: Stated, value: float) -> Stated:
-    """The plans by the leads that cross well at a value of the drive: these, wherever theirs do."""
+    """The plans by leads that cross sharply at a position of the drive: these, wherever theirs do."""
     crossings = met(plans.program)
     if not crossings:
         return plans
     program = plans.program.sliced([name for step in crossings for name in step.crossed])
     try:
         things = run(program, {**plans.given, mu_of(SCHEME): 1.0, plans.drive_given: value}).things
-    except PlanFailure:  # the same will be said of the whole
+    except PlanFailure:  # the same error will arise for the whole
         return plans
-    first, turned = plans, set[Leads]()  # of basic links: their steps have other names then
+    first, turned = plans, set[Leads]()  # of basic links: their steps then have other names
     for step in crossings:
         sharp, leads = step.crossings(things), first.leads[step.means.of] if step.means else ()
         if leads not in turned and sharp[0] < FAIR * max(sharp):

@@ -1,8 +1,8 @@
-"""Passive constraints: links that hold what is held already, without which a mechanism moves the same.
+"""Passive constraints: links that repeat a constraint, so the mechanism moves the same without them.
 
-By Chebyshev's count such a mechanism has W < 1; it moves all the same, for the count does not know sizes (an
-ellipsograph with its crank, a double parallelogram). A link of two pairs that carries nothing is passive if what it
-holds keeps its distance as the mechanism moves without it, in one of its assemblies.
+By Chebyshev's count such a mechanism has W < 1; it moves all the same, for the count ignores dimensions (an
+ellipsograph with its crank, a double parallelogram). A link of two pairs without loads is passive if the distance it
+holds stays constant as the mechanism moves without it, in one of its assemblies.
 """
 
 import cmath
@@ -21,16 +21,16 @@ from planes.words.errors import PlanesError, SceneError
 from planes.words.names import at
 
 Stated = TypeVar("Stated", bound=Any)  # the plans of a mechanism
-NEAR_DEG, NEAR = 20.0, 0.1  # how far the driver is moved to either side, of the mechanism's size if it slides
-PLACES = 21  # of the driver on a side, at which the distances are looked at
-LEAST = 5  # of them at which the mechanism must work
-SAME = 1e-9  # of the mechanism's size
-MOST, TRIED = 2, 40  # links that are left out together, and how many such choices are tried
+NEAR_DEG, NEAR = 20.0, 0.1  # how far the driver is moved either way, relative to the mechanism's size if it slides
+PLACES = 21  # driver positions on either side where the distances are checked
+LEAST = 5  # of them, those at which the mechanism must assemble
+SAME = 1e-9  # relative to the mechanism's size
+MOST, TRIED = 2, 40  # passive links left out together, and how many such choices are tried
 
 
 def without_passive(mechanism: Mechanism, freedom: int, stated: Callable[[Mechanism], Stated]) -> Stated | None:
     """The plans of a mechanism of W = ``freedom`` without its passive links, as ``stated`` states them; None where it
-    has none. Each link that goes gives it one freedom."""
+    has none. Each link removed adds one freedom."""
     links = [link for link in reversed(list(mechanism.links.values())) if _may_go(mechanism, link)]
     count = 1 - freedom
     for gone in islice(combinations(links, count), TRIED) if 0 < count <= MOST else ():
@@ -42,7 +42,7 @@ def without_passive(mechanism: Mechanism, freedom: int, stated: Callable[[Mechan
 
 
 def _assembled(mechanism: Mechanism, stated: Callable[[Mechanism], Stated]) -> Iterator[Stated]:
-    """The plans in every assembly of groups of which the scene says nothing: the link that goes would tell."""
+    """The plans in every assembly of the groups for which the scene gives none: the link left out would decide."""
     try:
         yield stated(mechanism)
     except SceneError as error:
@@ -54,7 +54,7 @@ def _assembled(mechanism: Mechanism, stated: Callable[[Mechanism], Stated]) -> I
 
 
 def _may_go(mechanism: Mechanism, link: Link) -> bool:
-    """Whether a link only holds: two pairs, no mass, no load, no guide of its own."""
+    """Whether a link only holds: two pairs, no mass, no load, no guide on it."""
     loaded = any(link.name == load.link for load in mechanism.loads)
     held = len(list(_hinges(mechanism, link))) + bool(link.slides)
     on_frame = link.slides is None or mechanism.owner(link.slides.guide) == FRAME
@@ -63,7 +63,7 @@ def _may_go(mechanism: Mechanism, link: Link) -> bool:
 
 
 def _hinges(mechanism: Mechanism, link: Link) -> Iterator[str]:
-    """The points of a link that are points of others too."""
+    """The points of a link shared with other links."""
     others = [x for x in (mechanism.frame, *mechanism.links.values()) if x is not link]
     return (p for p in link.points if any(p in x.points for x in others))
 
@@ -77,14 +77,14 @@ def _without(mechanism: Mechanism, gone: Sequence[Link]) -> Mechanism:
 
 
 def _held(plans: Any, link: Link) -> bool:
-    """Whether what a link held keeps its distance without it."""
+    """Whether the distance held by a link stays constant without it."""
     drive, points = plans.mechanism.drive, [p for p in link.points if p in plans.mechanism.names]
-    if len(points) != (1 if link.slides else 2):  # it hangs on another that is left out
+    if len(points) != (1 if link.slides else 2):  # it is attached to another link left out
         return False
     program = plans.program.sliced([at("position", p) for p in points])
     reach = NEAR_DEG if drive.kind == "phi" else NEAR * plans.reach
     held = False
-    for side in (1.0, -1.0):  # a dead point, beyond which it is assembled otherwise, may be near
+    for side in (1.0, -1.0):  # a dead point, beyond which the assembly changes, may be near
         values = Listed(drive.position + side * reach * k / (PLACES - 1) for k in range(PLACES))
         drawn = run(program, {**plans.given, "mu_position": 1.0, plans.drive_given: values}, InLists())
         apart = [x for x in _off(plans.mechanism, link, [drawn[at("position", p)] for p in points]) if x == x]
@@ -93,7 +93,7 @@ def _held(plans: Any, link: Link) -> bool:
 
 
 def _off(mechanism: Mechanism, link: Link, spots: Sequence[Listed]) -> Listed:
-    """How far what a link held is from where it held it."""
+    """The error of the distance that a link held."""
     if link.slides:
         guide = mechanism.guide(link.slides.guide)
         along = cmath.rect(1.0, math.radians(guide.angle_deg))

@@ -1,4 +1,4 @@
-"""How passive links move: they are held by points that are drawn without them, so that their turning is read off."""
+"""The motion of passive links: they are held by points drawn without them, so their rotation is measured."""
 
 from planes.drafting.steps.reckoning import Protractor
 from planes.plans.motion.kinematics import Rates
@@ -19,7 +19,8 @@ class LinkValues:
 
 
 def values_of(b: Bodies, link: Link) -> LinkValues:
-    """The values of a link that two hinges hold, or a hinge and a guide of the frame; their steps join the draft."""
+    """The values of a link held by two hinges, or by a hinge and a guide of the frame; their steps are added to the
+    draft."""
     held = [p for p in link.points if p in b.mechanism.names]
     if link.slides:
         angle = b.mechanism.guide(link.slides.guide).angle_deg + (link.slides.angle_deg or 0.0)

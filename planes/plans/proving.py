@@ -21,13 +21,13 @@ RATES = ("velocity", "acceleration")
 
 
 def proofs_of(s: Statics, velocity: Rates, acceleration: Rates, lever: str) -> tuple[Proof, ...]:
-    """Everything that must hold, the cheapest to understand first."""
+    """All proofs, the easiest to understand first."""
     motion = _Motion(s, velocity, acceleration)
     return (*closed(s.bodies.draft), *motion.rigid(), *motion.slid(), *_balanced(s), _twofold(s, lever))
 
 
 class _Motion:
-    """The links as they lie and turn."""
+    """The poses and rotations of the links."""
 
     def __init__(self, s: Statics, velocity: Rates, acceleration: Rates) -> None:
         self.bodies, self.rates = s.bodies, (velocity, acceleration)
@@ -64,7 +64,7 @@ class _Motion:
 
 
 def closed(draft: Draft) -> Iterator[Proof]:
-    """Every equation drawn, its vectors as stated."""
+    """The proof for every equation drawn: its vectors are as stated."""
     for e in draft.equations:
         stated = (t for t in e.terms if not t.drawn and (t.length or t.direction))
         ends = ((t, at(e.plan, t.start), at(e.plan, t.end)) for t in stated)

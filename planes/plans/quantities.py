@@ -1,4 +1,4 @@
-"""What can be asked of a mechanism: quantities by name, their numbers, and how each is taken from what is drawn."""
+"""The quantities of a mechanism that can be asked for: names, numbers, and how each is taken from the drawing."""
 
 from collections.abc import Iterable, Iterator
 from itertools import permutations
@@ -20,8 +20,8 @@ GROUPS = (*MOTION, "reactions")
 
 
 class Quantity(NamedTuple):
-    """One thing that can be asked for: the ``key`` ("v", "omega"; a segment's name) ``of`` a point, link, reaction or
-    plan, and its columns: one of a number, two of a vector, four of a sliding pair's reaction."""
+    """One quantity: the ``key`` ("v", "omega"; a segment's name) ``of`` a point, link, reaction or plan, and its
+    columns: one for a number, two for a vector, four for a sliding pair's reaction."""
 
     name: str
     columns: tuple[Column, ...]
@@ -36,23 +36,23 @@ class Quantity(NamedTuple):
 
     @property
     def reversed(self) -> bool:
-        """Whether it is named from the other link of its pair, F_12 of F_21: the force is opposite."""
+        """Whether it is named from the other link of its pair, F_12 for F_21: the force is opposite."""
         return self.group == "reactions" and self.name != self.of
 
     @property
     def needs(self) -> tuple[str, ...]:
-        """The names of the program it is found from."""
+        """The names of the program it depends on."""
         return tuple(dict.fromkeys(n for c in self.columns for n in c._replace(beside=c.beside[:1]).needs))
 
     @property
     def whole(self) -> Column:
-        """The one number a person writes down for it: of a vector, its size."""
+        """The single number to write down for it: of a vector, its magnitude."""
         first = self.columns[0]
         return first._replace(part="size") if first.part else first
 
 
 class Measured(NamedTuple):
-    """What a quantity is found to be: a number for each of its columns, None for the arm of no normal force."""
+    """The value of a quantity: a number for each of its columns, None for the arm of a zero normal force."""
 
     quantity: Quantity
     numbers: tuple[float | None, ...]
@@ -63,7 +63,7 @@ class Measured(NamedTuple):
 
     @property
     def number(self) -> float:
-        """A plain number; of a slider's reaction or another vector, its part along x."""
+        """A plain number; of a slider's reaction or another vector, its x component."""
         return self.numbers[0]  # type: ignore[return-value]  # only an arm may be empty
 
     @property
@@ -73,17 +73,17 @@ class Measured(NamedTuple):
 
     @property
     def slides(self) -> bool:
-        """Whether this is a sliding pair's reaction: it has an arm and a couple beside its force."""
+        """Whether this is a sliding pair's reaction, with an arm and a couple beside its force."""
         return len(self.numbers) > 2
 
     @property
     def arm(self) -> float | None:
-        """The arm of a sliding pair's force about the foot of the slider's first point."""
+        """The arm of a sliding pair's force about the foot of the perpendicular from the slider's first point."""
         return self.numbers[2] if self.slides else None
 
     @property
     def moment(self) -> float:
-        """The couple about that foot; in a hinge there is none."""
+        """The couple about that foot; a hinge has none."""
         return (self.numbers[3] or 0.0) if self.slides else 0.0
 
     def json(self) -> Json | list[float | None] | float | None:
@@ -94,7 +94,7 @@ class Measured(NamedTuple):
 
 
 def nested(measured: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
-    """What was found in the shape of the JSON, its ``groups`` there even if they are empty."""
+    """The results in the shape of the JSON, its ``groups`` included even if they are empty."""
     out: Json = {group: {} for group in groups}
     for one in measured:
         *outer, last = one.quantity.path
@@ -106,7 +106,7 @@ def nested(measured: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
 
 
 def catalogue(plans: Plans) -> dict[str, Quantity]:
-    """Every quantity of a mechanism by the name a student writes: v_C, a_H, omega_2, F_21, M_1, v_CB…"""
+    """Every quantity of a mechanism by the student's name for it: v_C, a_H, omega_2, F_21, M_1, v_CB…"""
     known = [*_told(plans), *_segments(plans), *_lettered(plans)]
     known += _from_the_other_link(plans, known)
     first = {q.name: q for q in reversed(known)}
@@ -114,12 +114,12 @@ def catalogue(plans: Plans) -> dict[str, Quantity]:
 
 
 def results_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Quantity]:
-    """The quantities wanted (None: all) that are not bare segments of plans, each once."""
+    """The quantities wanted (None: all), each once, without bare segments of plans."""
     return once(_results(plans) if wanted is None else (q for q in wanted if q.group != "plans"))
 
 
 def told_of(plans: Plans, wanted: Iterable[Quantity] | None = None) -> list[Quantity]:
-    """The same with what is reckoned on the way to them."""
+    """The same with the intermediate results."""
     return results_of(plans, _told(plans) if wanted is None else wanted)
 
 
@@ -130,7 +130,7 @@ def once(quantities: Iterable[Quantity]) -> list[Quantity]:
 
 
 def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
-    """The quantities named in ``find:``. :class:`SceneError` names those that would have been valid."""
+    """The quantities named in ``find:``. :class:`SceneError` lists the valid names."""
     known = catalogue(plans)
     names, refusal = plans.naming.names(known, poles=False), "find_no_quantity" if file else "no_quantity"
     try:
@@ -152,7 +152,7 @@ def _told(plans: Plans) -> Iterator[Quantity]:
 
 
 def _vector(name: str, unit: str, ends: tuple[str, str] | None) -> tuple[Column, ...]:
-    """Both parts of a segment; of none, zeros."""
+    """Both components of a segment; zeros where there is none."""
     start, end = ends or ("", "")
     return tuple(Column(f"{name}_{part}", unit, "", start, end, part if ends else "") for part in "xy")
 
@@ -226,8 +226,8 @@ def _segments(plans: Plans) -> Iterator[Quantity]:
 
 
 def _lettered(plans: Plans) -> Iterator[Quantity]:
-    """What sheets letter beside their results: given couples, the rates of a drive between moving links, and parts
-    of reactions that are values alone."""
+    """Values that sheets letter beside their results: given couples, the rates of a drive between moving links, and
+    components of reactions that are plain values."""
     for couple in (c for couples in plans.acting.couples.values() for c in couples if not (c.inertia or c.handed)):
         yield Quantity(couple.name, (Column(couple.name, "N·m", couple.value),), "loads", couple.name)
     for rate, unit in zip(plans.mechanism.drive.rates, ("rad/s", "rad/s²"), strict=True):
@@ -237,13 +237,13 @@ def _lettered(plans: Plans) -> Iterator[Quantity]:
         letter, _, part = parts_of(name)
         if letter == "F" and part:
             yield Quantity(name, (Column(name, "N", name),), "reactions", name)
-    for rate in (f"omega_{key}" for key in plans.reactions):  # of a hinge that rubs
+    for rate in (f"omega_{key}" for key in plans.reactions):  # of a hinge with friction
         if rate in plans.program.made:
             yield Quantity(rate, (Column(rate, "rad/s", rate),), "friction", rate)
 
 
 def _from_the_other_link(plans: Plans, known: Iterable[Quantity]) -> list[Quantity]:
-    """Parts of reactions named from the other link of their pair, F_12^t of F_21^t."""
+    """Components of reactions named from the other link of their pair, F_12^t for F_21^t."""
     turned = {one: two for r in plans.reactions.values() for one, two in permutations(r.names, 2)}
     parts = ((q, *parts_of(q.name)) for q in known)
     own = ((q, turned.get(f"{letter}_{index}"), part) for q, letter, index, part in parts if part)

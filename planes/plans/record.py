@@ -1,4 +1,4 @@
-"""What is stated of a mechanism, or of vectors: one program, its givens, and where each result is read."""
+"""The stated plans of a mechanism, or of vectors: one program, its givens, and where each result is read."""
 
 from collections.abc import Container, Mapping
 from dataclasses import dataclass, field, replace
@@ -27,12 +27,12 @@ from planes.words.naming import Naming
 from planes.words.records import Json
 
 STILL = "°still"
-"""The given in the place of a drive, where nothing moves."""
+"""Takes the place of the drive's given where nothing moves."""
 
 
 @frozen
 class PointMarks:
-    """Where a point stands on the three plans (full names of marks)."""
+    """The marks of a point on the three plans (full names)."""
 
     position: str
     velocity: str
@@ -41,7 +41,7 @@ class PointMarks:
 
 @dataclass(frozen=True, kw_only=True)
 class Plans:
-    """A mechanism stated, or vectors alone: the whole program and the names of what is measured on it."""
+    """A stated mechanism, or vectors alone: the whole program and the names of its measurements."""
 
     mechanism: Mechanism
     structure: Structure
@@ -51,7 +51,7 @@ class Plans:
     moments: tuple[Moments, ...]
     segments: tuple[Segment, ...]
     acting: Loads
-    means: Mapping[str, Meaning]  # of the names whose makers say so
+    means: Mapping[str, Meaning]  # meanings of names, where their makers give them
     reckoned: Mapping[str, Dimension] = field(default_factory=dict)  # givens that change with the links' dimensions
     points: Mapping[str, PointMarks] = field(default_factory=dict)
     links: Mapping[str, LinkValues] = field(default_factory=dict)
@@ -61,32 +61,32 @@ class Plans:
     restating: Restating | None = None
     reactions: Mapping[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
-    balancing_force: str = ""  # on a driver that turns, beside the moment
-    beside_force: tuple[str, str, str] | None = None  # the frame's reaction with it by name, and its marks
+    balancing_force: str = ""  # on a turning driver, beside the moment
+    beside_force: tuple[str, str, str] | None = None  # the frame's reaction to it by name, and its marks
     zhukovsky: str = ""
     at_rest: bool = False
     laws: Mapping[str, SceneError] = field(default_factory=dict)
-    passive: tuple[Link, ...] = ()  # that hold what is held already: the mechanism is stated without them
-    vectors: Mapping[str, tuple[str, str]] = field(default_factory=dict)  # stated ones: the marks they run between
-    values: Mapping[str, str] = field(default_factory=dict)  # reckoned from them: their names in the program
-    figure: StaticsFigure | None = None  # of bodies in equilibrium: what is drawn beside the marks
-    centres: tuple[Centre, ...] = ()  # of links, where they are asked for, and what is checked by them
+    passive: tuple[Link, ...] = ()  # redundant ones: the mechanism is stated without them
+    vectors: Mapping[str, tuple[str, str]] = field(default_factory=dict)  # stated ones: their end marks
+    values: Mapping[str, str] = field(default_factory=dict)  # computed from them: their names in the program
+    figure: StaticsFigure | None = None  # of bodies in equilibrium: the lines beside the marks
+    centres: tuple[Centre, ...] = ()  # of links, where requested, and the checks by them
     checks: tuple[Check, ...] = ()
 
     @cached_property
     def naming(self) -> Naming:
-        """How people name what is in these plans where no sheet says otherwise."""
+        """The lettering of these plans where no sheet sets another."""
         return Naming(**self.lettering)
 
     @property
     def lettering(self) -> Json:
-        """What of the mechanism tells how its names are lettered: the frame's number, the driver, the vectors that end
-        at a point of the frame under a slider."""
+        """The part of the mechanism that sets the lettering: the frame's number, the driver, the vectors that end at a
+        point of the frame under a slider."""
         grounded = [name for name, m in self.means.items() if m.quantity == "rate" and m.link == FRAME]
         return {"frame": self.mechanism.frame_number, "driver": self.mechanism.drive.link, "grounded": grounded}
 
     def restated(self, leads: Mapping[str, Leads]) -> "Plans":
-        """The same mechanism, other leads meeting in special points; whole."""
+        """The same mechanism, unsliced, with other leads meeting in special points."""
         assert self.restating
         own: Plans = self.restating.plans(leads)
         plans = replace(own, restating=self.restating, structure=self.structure, passive=self.passive)
@@ -94,31 +94,32 @@ class Plans:
 
     @cached_property
     def lost(self) -> dict[str, Lost]:
-        """What the doubles of givens leave out of the scene's decimals, where that is known, and how far off they may
-        be beside it; the drive's is other at every place."""
+        """The difference between the decimals of the scene and their doubles, where known, and its uncertainty; the
+        drive's is unknown, since it varies."""
         written = AsWritten(self.mechanism, self.passive)
         named = ((n, z) for n, z in self.given.items() if n != self.drive_given)
         return {n: lost for n, z in named if (lost := written.lost(z, self.reckoned.get(n)))}
 
     @property
     def moves(self) -> bool:
-        """Whether there is a mechanism: what moves has other positions."""
+        """Whether there is a mechanism: only that has other positions."""
         return self.mechanism.drive.link != FRAME
 
     @property
     def turns(self) -> bool:
-        """Whether anything goes by a drive: a mechanism, or laws of stated vectors and loads."""
+        """Whether anything depends on a drive: a mechanism, or laws of stated vectors and loads."""
         return self.moves or self.mechanism.drive.given in self.given
 
     @cached_property
     def drive_given(self) -> str:
-        """Name of the given that moves the driver: its angle in degrees, or s in m; one that nothing reads."""
+        """Name of the given that moves the driver: its angle in degrees, or s in m; an unused name without a drive."""
         return self.mechanism.drive.given if self.turns else STILL
 
     def at(self, value: Real, program: Program | None = None, known: Container[str] = ()) -> dict[str, Thing]:
-        """The given of the drive at one value or many, for a program that overrides the ``known`` givens.
+        """The given of the drive at one position or many, for a program that overrides the ``known`` givens.
 
-        :class:`SceneError` where the program reads a number that would have to change with the drive, and cannot.
+        Raises :class:`SceneError` where the program reads a number that would have to change with the drive, and
+        cannot.
         """
         moved = value != self.mechanism.drive.position
         if self.laws and (moved.any() if hasattr(moved, "any") else moved):
@@ -131,7 +132,7 @@ class Plans:
 
     @cached_property
     def standing(self) -> frozenset[str]:
-        """The points that never move: those of the frame, and of links that hang on it by a hinge and never turn."""
+        """The points that never move: those of the frame, and of links that have a hinge on it and never turn."""
         fixed = {*self.mechanism.frame.points}
         links = [x for n, x in self.mechanism.links.items() if n in self.links and not self.links[n].omega]
         return frozenset(fixed.union(*(x.points for x in links if fixed & {*x.points} and not x.slides)))
@@ -145,20 +146,20 @@ class Plans:
         return segments
 
     def moments_of(self, links: tuple[str, ...]) -> list[Moments]:
-        """The moment equations that give what the plan of some links is drawn by, or else are of these links alone."""
+        """The moment equations for the plan of some links, or else those of these links alone."""
         plan, plan_of_term = force_plan(*links), {t.name: e.plan for e in self.equations for t in e.terms}
         alone = self.on(links)
         return [m for m in self.moments if plan_of_term.get(m.unknown, plan if m in alone else "") == plan]
 
     def on(self, links: tuple[str, ...]) -> list[Moments]:
-        """The moment equations of forces on some links, and of no fewer that have a plan."""
+        """The moment equations for forces on some links, or on more where these have no plan."""
         fewer = [set(links_of(p)) for p in self.drawn if kind_of(p) == "force"]
         fewer = [f for f in fewer if f < set(links)]
         return [m for m in self.moments if set(m.links) <= set(links) and not any(set(m.links) <= f for f in fewer)]
 
     @property
     def helpers(self) -> frozenset[str]:
-        """Marks that are drawn and never asked of anybody."""
+        """Auxiliary marks, which are never asked for."""
         return frozenset(n for n, m in self.means.items() if m.quantity in HELPERS)
 
     @property
@@ -173,7 +174,7 @@ class Plans:
 
     @property
     def drawn(self) -> tuple[str, ...]:
-        """Plans in the order they are drawn: position, velocity, acceleration, force:2-3, …, force:1."""
+        """Plans in drawing order: position, velocity, acceleration, force:2-3, …, force:1."""
         return tuple(self.program.marks)
 
     @property
@@ -183,7 +184,7 @@ class Plans:
 
 
 def with_passive(plans: Plans) -> Plans:
-    """The plans with the motion of the passive links they are stated without."""
+    """The plans with the motion of the passive links that were left out."""
     assert plans.acting.motion
     b = replace(plans.acting.motion.bodies, passive=plans.passive)
     links = {**plans.links, **{link.name: values_of(b, link) for link in plans.passive}}
@@ -193,8 +194,8 @@ def with_passive(plans: Plans) -> Plans:
 
 
 def sliced(plans: Plans, wanted: list[str]) -> Plans:
-    """The same plans with a program that draws only what leads to the wanted names, how the vectors drawn lie, and
-    what is measured on it."""
+    """The same plans with a program that draws only what the wanted names, the directions of drawn vectors, and their
+    measurements need."""
     made = plans.program.sliced(wanted).made
     terms = ((e.plan, t) for e in plans.equations for t in e.terms)
     lying = [t.direction for plan, t in terms if t.direction and {at(plan, t.start), at(plan, t.end)} <= made]

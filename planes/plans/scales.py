@@ -1,6 +1,6 @@
-"""The scale μ of every plan: as the scene says, or the largest standard one that fits its part of the paper.
+"""The scale μ of every plan: as given in the scene, or the largest standard one that fits its part of the paper.
 
-One choice for a scene and a position, which needs no sheet: results, note, lesson, blanks and sheets all have it.
+One choice for a scene and a position, independent of a sheet: results, note, lesson, blanks and sheets all use it.
 """
 
 import cmath
@@ -15,20 +15,20 @@ from planes.words.units import standard_mu, standard_scale
 
 FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 140.0, "motion": 100.0}
 FIT_MM |= {"contour": 100.0, "vectors": 100.0, "cremona": 140.0}
-"""How large a plan may be on the paper when nothing else is said."""
+"""The usual size of a plan on paper."""
 SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
-"""How large plans are on a format that a scene names, against the usual: as its sides are."""
+"""The size of plans on a format named in the scene, relative to the usual: the ratio of the formats' sides."""
 BESIDE = dict(zip(SHARES, [*SHARES.values(), 2.8][1:], strict=True))
-"""On several of a format side by side, as A3x4: these are as high as the next larger one."""
-USUAL_GROUPS, MORE = 2, 1.2  # the plans of more groups are larger: so that labels have room, and sheets for all
-NOTHING = 1e-12  # of mass times acceleration: a force that is rounding alone
-ZERO_MM = 0.05  # a vector shorter than this is nothing on paper
-LEAST_MM = 50.0  # a force plan that would be smaller at the μ of the others has a second one
+"""For several formats side by side, as A3x4: their height is that of the next larger format."""
+USUAL_GROUPS, MORE = 2, 1.2  # plans are larger by this for more groups: room for labels, on larger sheets
+NOTHING = 1e-12  # of mass times acceleration: a force that is only rounding
+ZERO_MM = 0.05  # a vector shorter than this has no length on paper
+LEAST_MM = 50.0  # a force plan that would be smaller than this at the common μ gets a second one
 
 
 def fits_on(sheet: Mapping[str, object], plans: Plans) -> dict[str, float]:
-    """How large each kind of plans may be on the format that is named for the sheets of a scene, or on one that holds
-    plans of so many groups."""
+    """The size of each kind of plan on the format named for the sheets of a scene, or on one that holds plans for so
+    many groups."""
     usual = MORE if len(plans.structure.groups) > USUAL_GROUPS else 1.0
     name = str(sheet.get("format", ""))
     share = (BESIDE if "x" in name else SHARES).get(name[:2], usual)
@@ -36,8 +36,8 @@ def fits_on(sheet: Mapping[str, object], plans: Plans) -> dict[str, float]:
 
 
 def leaders(sizes: Mapping[str, float], fit_mm: Mapping[str, float] = FIT_MM) -> dict[str, str]:
-    """By plan, whose sizes in SI are given, the one whose μ it has: of all force plans, since forces are carried from
-    one to another, that of the largest, but for those too small at it, which have that of the largest of them."""
+    """For each plan, given the sizes in SI, the plan whose μ it shares. Force plans share one, since forces are carried
+    from one to another: that of the largest plan. Those too small at it share the μ of the largest among them."""
     forces = sorted((p for p in sizes if kind_of(p) == "force"), key=lambda p: -sizes[p])
     small = [p for p in forces if 0.0 < sizes[p] * fitting(p, sizes[forces[0]], fit_mm["force"]) < LEAST_MM]
     leader_of = {plan: forces[0] if plan in forces else plan for plan in sizes}
@@ -45,12 +45,12 @@ def leaders(sizes: Mapping[str, float], fit_mm: Mapping[str, float] = FIT_MM) ->
 
 
 def unit_scales(plans: Plans) -> dict[str, float]:
-    """Every μ as 1 mm per SI unit: a drawing in SI, to see how large things are."""
+    """Every μ as 1 mm per SI unit: a drawing in SI, to find the sizes."""
     return {mu_of(plan): 1.0 for plan in plans.drawn}
 
 
 def drawn_in_si(plans: Plans, value: Real, program: Program | None = None) -> Drawing:
-    """Everything, or a part of it, drawn in SI at one value of the drive or many."""
+    """All plans, or some of them, drawn in SI at one position of the drive or many."""
     return run(program or plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: value})
 
 
@@ -60,9 +60,9 @@ def scales(
     given: Mapping[str, object] | None = None,
     fit_mm: Mapping[str, float] = FIT_MM,
 ) -> dict[str, float]:
-    """μ of every plan of one position (names to mm per SI unit). Raises what drawing that position raises.
+    """μ of every plan of one position (names to mm per SI unit). Raises the same errors as drawing that position.
 
-    ``fit_mm`` says how large each kind of plans may be.
+    ``fit_mm`` is the size of each kind of plan.
     """
     fixed = {p: said.get(kind_of(p)) for p in plans.drawn if p != "lever"}
     chosen = {mu_of(p): mu for p, mu in fixed.items() if mu}
@@ -72,7 +72,7 @@ def scales(
         sizes = {plan: _size(plans, drawing, plan) for plan, mu in fixed.items() if not mu}
         for plan, leader in leaders(sizes, fit_mm).items():
             chosen[mu_of(plan)] = fitting(plan, sizes[leader], fit_mm[kind_of(plan)])
-        if failed:  # tell it in millimetres of the paper
+        if failed:  # give it in millimetres of the paper
             run(plans.program, {**now, **chosen})
             raise failed
     if "lever" in plans.drawn:
@@ -81,12 +81,12 @@ def scales(
 
 
 def fitting(plan: str, size: float, fit_mm: float) -> float:
-    """The largest standard μ, mm per SI unit, at which a plan so large in SI fits so many millimetres."""
+    """The largest standard μ, mm per SI unit, at which a plan of this size in SI fits into so many millimetres."""
     return (standard_scale if plan == "position" else standard_mu)(size, fit_mm)
 
 
 def _size(plans: Plans, drawing: Drawing, plan: str) -> float:
-    """How large a plan is in SI; a force polygon of nothing but the rounding of inertia and weight is nothing."""
+    """The size of a plan in SI; zero for a force polygon with only the rounding of inertia and weight."""
     size, m = extent(drawing, plan), plans.mechanism
     if kind_of(plan) == "force" and "acceleration" in plans.drawn:
         mass = sum(link.mass or 0.0 for link in m.links.values())
@@ -100,7 +100,7 @@ def extent(drawing: Drawing, plan: str) -> float:
 
 
 def sides(drawing: Drawing, plan: str) -> tuple[float, float]:
-    """How wide and how high the box around a plan's marks is."""
+    """The width and the height of the box around a plan's marks."""
     made = (s for s in drawing.program.marks.get(plan, ()) if not s.loose and label_of(s.makes) != POLE)
     marks = [drawing[s.makes] for s in made]
     if plan != "position":

@@ -1,8 +1,8 @@
 """Instantaneous centres of all pairs of links, by the theorem of three centres (Aronhold and Kennedy).
 
-Links i, j and k have three centres in one line. So the centre of i and j is where two such lines cross, by two other
-links; a line to a centre at infinity, of a slider and its guide, goes in its direction. The steps stand in the program
-after the velocity plan. No polygon is read for them, but two checks are reckoned with its angular velocities.
+The three centres of links i, j and k are collinear. So the centre of i and j is the crossing of two such lines, by two
+other links; a line to a centre at infinity, of a slider and its guide, has the direction of that centre. The steps come
+after the velocity plan in the program. No polygon is read for them, but two checks use its angular velocities.
 """
 
 from collections.abc import Iterator
@@ -23,7 +23,7 @@ from planes.words.names import Meaning, at, plan_of
 
 @dataclass
 class Centres:
-    """Finds the centres of a mechanism, and draws them on."""
+    """Finds the centres of a mechanism, and adds them to the drawing."""
 
     plans: Plans
     draft: Draft
@@ -36,11 +36,11 @@ class Centres:
         return (FRAME, *(x for x in self.plans.mechanism.links if any(p.joins(x) for p in pairs)))
 
     def name(self, one: str, two: str) -> str:
-        """How their centre is called."""
+        """The name of their centre."""
         return centre_name(one, two, self.plans.mechanism.frame_number)
 
     def draw(self) -> None:
-        """Those of pairs, then whatever two lines give, until nothing more is found."""
+        """Draw those of pairs, then the crossings of two lines, until no more are found."""
         self.seen()
         before = -1
         while before < len(self.found):
@@ -60,7 +60,7 @@ class Centres:
                 self.put(i, j, self.draft.square(f"∥{pair.guide}"))
 
     def put(self, i: str, j: str, along: str = "", lines: tuple[CentreLine, ...] = (), point: str = "") -> None:
-        """A centre found: at a hinge that is there, at infinity, or where its lines cross."""
+        """Record a centre: at an existing hinge, at infinity, or where its lines cross."""
         name = self.name(i, j)
         mark, means = at(SCHEME, name), Meaning("centre", i, j)
         if point:
@@ -71,7 +71,7 @@ class Centres:
         self.found[frozenset((i, j))] = Centre((i, j), name, "" if along else mark, along, lines, point)
 
     def meet(self, i: str, j: str) -> None:
-        """The centre of two links by those that are there, if they give it."""
+        """The centre of two links from the known ones, if they determine it."""
         between = [(k, self.found.get(frozenset((i, k))), self.found.get(frozenset((k, j)))) for k in self.links]
         ways = [(k, one, two) for k, one, two in between if one and two]
         for _, one, two in ways:
@@ -97,7 +97,7 @@ class Centres:
         return CentreLine(third, one.mark, self.draft.step(along), two.mark)
 
     def checks(self) -> Iterator[Check]:
-        """Of every centre that was not seen at once, what its links' velocities are by it."""
+        """For every centre not known at once, the velocities of its links by it."""
         for c in (c for c in list(self.found.values()) if c.mark and c.lines):
             if c.links[0] == FRAME:
                 for point in self.moving(c.links[1]):
@@ -117,13 +117,13 @@ class Centres:
         return self.found.get(frozenset((FRAME, link)), Centre((FRAME, link), ""))
 
     def moving(self, link: str) -> list[str]:
-        """A point of a link whose velocity is measured, if there is one."""
+        """A point of a link with a measured velocity, if there is one."""
         shown = {s.name for s in self.plans.segments if s.plan == "velocity"}
         own = (p for p in self.plans.mechanism.links[link].points if p not in self.plans.standing)
         return [p for p in own if f"v_{p}" in shown and at(SCHEME, p) in self.draft.steps][:1]
 
     def side(self, link: str, label: str, mark: str) -> tuple[str, str] | None:
-        """ω of a link that turns and the distance of a mark from its centre with the frame, where that is a mark."""
+        """ω of a turning link and the distance of a mark from its centre with the frame, where that is a mark."""
         omega, pole = self.plans.links[link].omega, self.pole(link)
         if not omega or not pole.mark:
             return None
@@ -132,8 +132,8 @@ class Centres:
 
 
 def with_centres(plans: Plans) -> Plans:
-    """The plans with the instantaneous centres of their links and what is checked by them; the same where no velocity
-    plan is drawn, or nothing moves."""
+    """The plans with the instantaneous centres of their links and the checks by them; unchanged where there is no
+    velocity plan, or nothing moves."""
     if not plans.moves or "velocity" not in plans.drawn or plans.at_rest or not plans.acting.motion:
         return plans
     draft = plans.acting.motion.bodies.draft.apart()

@@ -1,7 +1,6 @@
-"""Transfer functions: what the velocities of a position are to the driver's, by segments of its velocity plan.
+"""Transfer functions: the ratios of a position's velocities to the driver's, by segments of its velocity plan.
 
-The driver's rate is taken back from its own vector: pb/l_AB is what ω₁ is as drawn, so v_qC = pc·l_AB/pb and
-u_31 = ω_3·l_AB/pb.
+The driver's rate is computed from its own vector: pb/l_AB is ω₁ as drawn, so v_qC = pc·l_AB/pb and u_31 = ω_3·l_AB/pb.
 """
 
 from collections.abc import Iterator
@@ -18,7 +17,8 @@ PLAN = "velocity"
 
 
 def driver_vector(plans: Plans) -> DriverVector | None:
-    """The vector the driver's rate is taken back from; none where it stands still or its vector is not drawn."""
+    """The vector from which the driver's rate is computed; None where the driver is at rest or its vector is not
+    drawn."""
     drive, steps = plans.mechanism.drive, {s.makes: s for s in plans.program.steps}
     if not drive.velocity:
         return None
@@ -35,8 +35,9 @@ def driver_vector(plans: Plans) -> DriverVector | None:
 
 
 def transfers(plans: Plans) -> Iterator[Derived]:
-    """Ratios of all links that turn (u_31; of a drive that slides or is inside, omega_q3), analogues of the velocities
-    of all points whose vectors start at the pole, those of guides too (v_qC, v_qB3); the driver's own aside."""
+    """Ratios for all turning links (u_31; with a drive that slides or is inside, omega_q3), and analogues of the
+    velocities for all points with vectors from the pole, those of guides too (v_qC, v_qB3); without the driver's
+    own."""
     vector = driver_vector(plans)
     if vector is None:
         return
@@ -62,7 +63,7 @@ def analogue_units(turns: bool) -> dict[str, str]:
 
 
 def ratio_name(plans: Plans, link: str) -> str:
-    """The name of the transfer ratio ω_link/ω_driver: u_31; of a drive that slides or is inside, omegaq_3."""
+    """The name of the transfer ratio ω_link/ω_driver: u_31; with a drive that slides or is inside, omegaq_3."""
     drive = plans.mechanism.drive
     if drive.kind != "phi" or drive.on != FRAME:
         return f"omegaq_{link}"
@@ -71,7 +72,7 @@ def ratio_name(plans: Plans, link: str) -> str:
 
 
 def turning(plans: Plans) -> list[str]:
-    """Links that turn, aside from a driver whose turning is given."""
+    """Links that turn, without a driver whose rotation is given."""
     drive = plans.mechanism.drive
     given = drive.link if drive.kind == "phi" and drive.on == FRAME else ""
     return [n for n, v in plans.links.items() if n not in (FRAME, given) and v.omega]

@@ -1,4 +1,4 @@
-"""The scene file, format 1: what a student writes, read into a mechanism (or vectors) and what is asked."""
+"""The scene file, format 1: the student's text, read into a mechanism (or vectors) and the results asked for."""
 
 import unicodedata
 from collections.abc import Mapping
@@ -38,7 +38,7 @@ def _none() -> Mapping[Any, Any]:
 
 @frozen
 class ReadWith:
-    """What a scene was read with: for other parameters, or another variant, its file is read anew."""
+    """How a scene was read; for other parameters or another variant its file is read again."""
 
     variant: str | None = None
     variants: tuple[str, ...] = ()
@@ -52,8 +52,8 @@ class Scene(Pictured):
     """The contents of a scene file: either a ``mechanism``, or a ``statement`` of vectors and equations.
 
     ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and in a scene of vectors
-    "contour" and "vectors" too. ``crank_slider`` is kept as written, for the full calculation. ``missing`` says what
-    the data of an assignment leave open.
+    "contour" and "vectors" too. ``crank_slider`` is kept as written, for the full calculation. ``missing`` lists the
+    gaps in the data of an assignment.
     """
 
     file: str = ""
@@ -70,7 +70,7 @@ class Scene(Pictured):
     missing: Mapping[str, str] = field(default_factory=_none)
     doubts: tuple[Doubt, ...] = ()
     mu_written: Convention | None = None
-    equations: tuple[VectorEquation, ...] = ()  # a person's own, beside a mechanism
+    equations: tuple[VectorEquation, ...] = ()  # the user's equations beside a mechanism
 
     @property
     def variant(self) -> str | None:
@@ -89,7 +89,7 @@ class Scene(Pictured):
 
     @cached_property
     def used(self) -> Mapping[str, float]:
-        """The parameters it is made of, directly or through one another."""
+        """The parameters in use, directly or through one another."""
         return used_values(self.reading.source, self.file, self.parameters)
 
     @property
@@ -99,12 +99,12 @@ class Scene(Pictured):
 
     @property
     def drive(self) -> Drive | None:
-        """What the scene goes by: the drive of its mechanism, or of its laws."""
+        """The drive of the mechanism, or of the laws of the statement."""
         return self.mechanism.drive if self.mechanism else self.statement.drive if self.statement else None
 
     @property
     def mu_convention(self) -> Convention:
-        """How people are told μ: as ``sheet`` says, else as the first of the scene's own is written."""
+        """The convention in which μ is printed: that of ``sheet``, otherwise that of the first scale in the scene."""
         said = self.sheet.get("mu_convention", self.mu_written)
         return "unit_per_mm" if said == "unit_per_mm" else "mm_per_unit"
 
@@ -115,7 +115,7 @@ class Scene(Pictured):
 
     @classmethod
     def of(cls, mechanism: Mechanism, title: str = "", file: str = "") -> "Scene":
-        """The scene of a mechanism built in Python; scales are chosen by the program."""
+        """The scene of a mechanism built in Python; the program chooses the scales."""
         from planes.scene.writing import as_yaml
 
         return loads(as_yaml(mechanism, {"title": title}, {}), file or f"<{title or 'Mechanism'}>")
@@ -125,7 +125,7 @@ class Scene(Pictured):
         return loads(self.reading.source, self.file, self.variant, **{**self.reading.changed, **values})
 
     def to_yaml(self) -> str:
-        """The text of a scene file that says the same, in plain numbers: variants are not kept, their numbers are in.
+        """The text of an equivalent scene file in plain numbers: variants are not kept, their numbers are filled in.
 
         Raises :class:`~planes.words.errors.SceneError` for a scene of vectors alone.
         """
@@ -145,7 +145,8 @@ class Scene(Pictured):
 def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:
     """Read a scene file, with other numbers for the ``parameters`` named (SI, degrees).
 
-    Raises :class:`~planes.words.errors.SceneError`, with file and line, for a mistake in it or an unknown parameter.
+    Raises :class:`~planes.words.errors.SceneError`, with file and line, for a mistake in the file or an unknown
+    parameter.
     """
     return loads(source.read(path), str(path), variant, **parameters)
 

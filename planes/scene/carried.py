@@ -1,7 +1,7 @@
-"""A drawing carried by its own picture: a PNG written here holds the same page as SVG, in a chunk of its own.
+"""A drawing inside its own picture: a PNG written here holds the same page as SVG, in a chunk of its metadata.
 
-The chunk is private and must not be copied when a picture is changed (PNG, W3C, 5.4); it says of which pixels it is the
-drawing, so that where a program copies it all the same it is no longer believed.
+The chunk is private and must not be copied when a picture is changed (PNG, W3C, 5.4). It records which pixels the
+drawing belongs to, so a copy left in a changed picture is ignored.
 """
 
 import hashlib
@@ -22,7 +22,7 @@ def carrying(png: bytes, svg: bytes) -> bytes:
 
 
 def carried(png: bytes, most: int) -> bytes | None:
-    """The drawing of a PNG file, if it carries that of these very pixels and it is of no more than ``most`` bytes."""
+    """The drawing in a PNG file, if it belongs to exactly these pixels and has no more than ``most`` bytes."""
     place = len(PNG)
     while png.startswith(PNG) and place + 12 <= len(png):
         long, kind = struct.unpack_from(">I4s", png, place)

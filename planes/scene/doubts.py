@@ -1,5 +1,4 @@
-"""What a scene says that can be meant, but hardly is: told as warnings, each with its line. A negative length is
-refused."""
+"""Possible but improbable values in a scene, reported as warnings, each with its line. A negative length is refused."""
 
 import math
 import re
@@ -20,13 +19,13 @@ LONG_M = 10.0  # a link this long is more likely given in millimetres
 MOST_HOPS = 20  # from parameter to parameter
 HEAVY = 30.0  # m/s²: no planet weighs so much
 HEAVIEST = 1e6  # kg/m³, of the cube of a link's length: the heaviest flywheels of textbooks have 7e4
-GYRATION = 10.0  # a radius of gyration of so many lengths of its link: an inertia that is not in kg·m²
+GYRATION = 10.0  # a radius of gyration of so many lengths of its link: the inertia is not in kg·m²
 STEEP = 1.0  # a coefficient of friction this large is more likely a misprint
-RADIANS = 5e-4  # how near a number is to a multiple of π/12 when it is one, as people write it
+RADIANS = 5e-4  # how close to a multiple of π/12 a number must be to count as one
 STEP = math.pi / 12
 LARGEST = 6.29  # radians of a turn
 OF_UNITS = [f"doubt_{key}" for key in ("radians", "ratio", "gravity", "friction", "inertia", "heavy", "long")]
-"""The doubts whether a number is in the units of scenes, SI and degrees."""
+"""Doubts about units: whether a number is in those of scenes, SI and degrees."""
 _OF_LINK = {f.name for f in fields(Link)} - {"name"}
 _ANGLES = ("phi", "angle", "direction", "perpendicular_to", "near")
 _RATIO = re.compile(r"\s*-?\s*(sin|cos|tan)\s*\(")
@@ -35,13 +34,13 @@ _WHOLE = re.compile(r"-?\d+(\.0*)?")
 _SIZES = ("force", "moment")  # of loads
 _WORD = re.compile(r"\w+")
 _STATED = ("parameters", "variants")
-_NAMED_FREELY = (*_STATED, "vectors")  # where an empty value means what it should
+_NAMED_FREELY = (*_STATED, "vectors")  # where an empty value has a meaning
 
 
 def read_doubts(
     file: str, table: SourceTable, parameters: Mapping[str, Node], mechanism: Mechanism | None
 ) -> list[Doubt]:
-    """Every doubt of a scene in the order of the file."""
+    """All doubts of a scene in the order of the file."""
     doubts = [*_empty(table), *_unused(table, parameters), *_angles(table, parameters), *_backwards(table, parameters)]
     if mechanism:
         doubts += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
@@ -60,7 +59,7 @@ def read_doubts(
 
 
 def _home(table: SourceTable, parameters: Mapping[str, Node], phrase: Phrase, path: Keys) -> Keys:
-    """Where a number that seems to be in other units is written: at the one parameter it is made of, if it is."""
+    """The place of a number that seems to be in other units: its only parameter, if it has just one."""
     if phrase.key not in OF_UNITS:
         return path
     met = [node for node, _ in down(table, path)]
@@ -70,8 +69,7 @@ def _home(table: SourceTable, parameters: Mapping[str, Node], phrase: Phrase, pa
 
 
 def check_lengths(reader: Reader, mechanism: Mechanism) -> None:
-    """No rod from hinge to hinge is less than nothing long: of a link whose points are all on its axis, the second
-    hinge is not behind the first."""
+    """Refuse a negative length: the second hinge of a rod with all points on its axis must not lie behind the first."""
     links = [mechanism.frame, *mechanism.links.values()]
     shared = Counter(point for link in links for point in link.points)
     for link in mechanism.links.values():
@@ -90,13 +88,13 @@ def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
 
 
 def _unused(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
-    """Parameters that nothing is made of: a length misspelt or left behind; one that the note speaks of is known."""
+    """Unused parameters: a length misspelt or left behind; those that the note mentions are skipped."""
     idle = idle_parameters(table, parameters, _STATED)
     yield from ((Phrase("doubt_unused", name=name), ("parameters", name)) for name in idle)
 
 
 def idle_parameters(table: SourceTable, parameters: Mapping[str, Node], without: Container[str]) -> list[str]:
-    """The parameters from which nothing is made that stands elsewhere than under the keys ``without``."""
+    """The parameters used nowhere but under the keys ``without``."""
     besides = (node.text for path, node in texts(table) if path[0] not in without)
     words = {word for text in besides for word in _WORD.findall(text)}
     used = reached(words, {name: names_of(node) for name, node in parameters.items()})
@@ -104,12 +102,12 @@ def idle_parameters(table: SourceTable, parameters: Mapping[str, Node], without:
 
 
 def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
-    """Angles that look like radians: by π in them, or by their number; or like the ratio of a triangle's sides."""
+    """Angles that look like radians, by π in them or by their value, or like a ratio of a triangle's sides."""
     for path, node in texts(table):
         if path[0] == "loads" and path[-1] in _SIZES and _IN_LAW.search(node.text):
             yield Phrase("doubt_radians", key=path[-1], text=node.text[:60]), path
         named = path[0] in _STATED or path[-2:-1] in (("points",), ("parameters",))
-        if path[-1] in _ANGLES and not named:  # no point or parameter that happens to be called as an angle is
+        if path[-1] in _ANGLES and not named:  # a point or parameter may happen to have the name of an angle
             text = _written(node.text, parameters)
             if (re.search(r"\bpi\b", text) and "180" not in text) or _radians(text):
                 yield Phrase("doubt_radians", key=path[-1], text=text[:60]), path
@@ -118,7 +116,7 @@ def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tupl
 
 
 def _backwards(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
-    """Loads along or against a motion, and vectors, whose size turns them round."""
+    """Negative loads along or against a motion, and negative vectors: the minus reverses them."""
     every = [(path, _written(node.text, parameters)) for path, node in texts(table)]
     sensed = {path[:2] for path, _ in every if path[0] == "loads" and path[-1] in ("along", "against")}
     for path, text in every:
@@ -129,7 +127,7 @@ def _backwards(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[t
 
 
 def _value(text: str) -> float:
-    """A number that is written out; of anything else nothing is known."""
+    """The value of a written number; None for anything else."""
     try:
         return float(text)
     except ValueError:
@@ -184,7 +182,8 @@ def _links(mechanism: Mechanism, incomplete: bool) -> Iterator[tuple[Phrase, Key
 
 
 def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
-    """Points under ``assembly`` that have but one place: of the driver, or of one link alone that slides on nothing."""
+    """Points under ``assembly`` that have only one possible place: those of the driver, or of a single link without a
+    slider."""
     drive, links = mechanism.drive, mechanism.links
     driven = links[drive.link].points if (drive.kind, drive.on) == ("phi", FRAME) else ()
     for name, said in mechanism.assembly.items():
@@ -195,7 +194,7 @@ def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
 
 
 def _size(link: Link) -> float:
-    """The longest distance between points of a link; of very many only from the first."""
+    """The longest distance between points of a link; where there are very many, only from the first one."""
     places = list(link.points.values())
     pairs = combinations(places, 2) if len(places) < 50 else ((places[0], z) for z in places)
     return max((abs(a - b) for a, b in pairs), default=0.0)

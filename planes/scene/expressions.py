@@ -1,7 +1,7 @@
 """Expressions in a scene file: + - * / ** ^ ( ), parameters, pi and a dozen functions, angles in degrees.
 
-Nothing is handed to Python's own evaluator. Length, depth and therefore time are bounded, and everything is
-a float from the start, so no power can grow beyond the largest one.
+Python's own evaluator is never used. Length and depth, and therefore time, are bounded, and all numbers are floats from
+the start, so no power can exceed the largest float.
 """
 
 import math
@@ -35,13 +35,13 @@ _FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
     "atan": (atan_deg, 1, 1),
     "atan2": (atan2_deg, 2, 2),
 }
-RESERVED = ("pi", *_FUNCTIONS)  # names a parameter cannot have
+RESERVED = ("pi", *_FUNCTIONS)  # reserved: no parameter may have these names
 
 
 def evaluate(text: str, names: Mapping[str, float], valid: Iterable[str] | None = None) -> float:
     """The finite value of an expression over named numbers, or an ExpressionError in words.
 
-    ``valid`` are the names a message offers, if they are more than ``names``.
+    ``valid`` are the names a message offers, where they are more than ``names``.
     """
     value = float(text.replace("−", "-")) if is_plain(text) else ExpressionParser(text, names, valid or names).value()
     if not math.isfinite(value):
@@ -50,17 +50,17 @@ def evaluate(text: str, names: Mapping[str, float], valid: Iterable[str] | None 
 
 
 def is_plain(text: str) -> bool:
-    """Whether a text is a number as it stands."""
+    """Whether a text is already a number."""
     return len(text) <= 30 and _NUMBER.fullmatch(text) is not None
 
 
 def is_name(text: str) -> bool:
-    """Whether a parameter may be written so: letters of any alphabet, digits, _ and primes, a letter first."""
+    """Whether a parameter may have this name: letters of any alphabet, digits, _ and primes, a letter first."""
     return _NAME.fullmatch(text) is not None and (text[0].isalpha() or text[0] == "_")
 
 
 def names_in(text: str) -> list[str]:
-    """The names an expression uses, functions and pi left out."""
+    """The names an expression uses, without functions and pi."""
     return [word for kind, word in tokens_of(text) if kind == "name" and word not in RESERVED]
 
 
@@ -69,7 +69,7 @@ def _refusal(text: str, why: Phrase) -> ExpressionError:
 
 
 def tokens_of(text: str) -> list[tuple[str, str]]:
-    """The text cut up: each piece with its kind, "number", "name" or "sign"."""
+    """The tokens of a text: each piece with its kind, "number", "name" or "sign"."""
     if len(text) > MAX_LENGTH:
         raise _refusal(text, Phrase("expression_long", most=MAX_LENGTH))
     text = unicodedata.normalize("NFC", text).strip().replace("−", "-")
@@ -98,7 +98,7 @@ def _stray(char: str, before: list[tuple[str, str]]) -> Phrase:
 
 
 class ExpressionParser:
-    """A recursive descent over the tokens that calculates as it goes."""
+    """A recursive-descent parser that calculates while it reads the tokens."""
 
     def __init__(self, text: str, names: Mapping[str, Real], valid: Iterable[str]) -> None:
         self.text, self.names, self.valid = text, names, valid
@@ -136,7 +136,7 @@ class ExpressionParser:
         return Phrase("unexpected" if kind == "sign" else "unexpected_operand", word=shown(word))
 
     def sign(self, *signs: str) -> str:
-        """Take one of these signs if it is next; empty if not."""
+        """Take one of these signs if it comes next; "" otherwise."""
         kind, word = self.tokens[self.at]
         if kind == "sign" and word in signs:
             self.at += 1
@@ -144,21 +144,21 @@ class ExpressionParser:
         return ""
 
     def sum(self) -> Real:
-        """Terms with + and - between them."""
+        """Terms joined by + and -."""
         value = self.product()
         while sign := self.sign("+", "-"):
             value = value + self.product() if sign == "+" else value - self.product()
         return value
 
     def product(self) -> Real:
-        """Factors with * and / between them."""
+        """Factors joined by * and /."""
         value = self.signed()
         while sign := self.sign("*", "/"):
             value = value * self.signed() if sign == "*" else self.divided(value, self.signed())
         return value
 
     def signed(self) -> Real:
-        """A power, with signs before it: -2^2 is -4."""
+        """A power with its leading signs: -2^2 is -4."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
             raise self.fail(Phrase("expression_deep", most=MAX_DEPTH))
@@ -186,7 +186,7 @@ class ExpressionParser:
             raise self.fail(Phrase("no_power", base=base, exponent=exponent)) from None
 
     def atom(self) -> Real:
-        """A number, a name, a function of something, or something in brackets."""
+        """A number, a name, a function call, or a sum in brackets."""
         kind, word = self.tokens[self.at]
         if kind == "number":
             self.at += 1
@@ -219,7 +219,7 @@ class ExpressionParser:
         raise self.fail(Phrase("not_defined", name=shown(name), valid=valid))
 
     def call(self, name: str) -> Real:
-        """A function of the arguments in brackets."""
+        """A function with its arguments in brackets."""
         function, least, most = _FUNCTIONS[name]
         if not self.sign("("):
             raise self.fail(Phrase("needs_brackets", name=name))
@@ -234,7 +234,7 @@ class ExpressionParser:
         return self.called(name, function, given)
 
     def called(self, name: str, function: Callable[..., float], given: list[Real]) -> Real:
-        """What a function makes of its arguments."""
+        """The value of a function for its arguments."""
         try:
             return function(*given)
         except ValueError:

@@ -1,4 +1,4 @@
-"""The one way a file is written: the whole of it, or the one that was there before stays as it was."""
+"""The only way files are written: the new file is complete, or the old one stays as it was."""
 
 import errno
 import os
@@ -14,15 +14,15 @@ from planes.scene.source import STANDARD
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
-PART = ".part"  # ends the name of a file while it is being written
+PART = ".part"  # suffix of a file while it is being written
 
 
 @contextmanager
 def whole(path: str | Path, draft: Path | None = None) -> Iterator[Path]:
-    """A draft to write to, which takes the file's name once it is safe on the disk; whatever goes wrong, it goes away.
+    """A draft to write to; it takes the file's name once it is safely on disk, and is deleted if anything fails.
 
-    The draft lies beside the file under a name nobody else has. A link of the file's name gives way to the file: what
-    it leads to is not written to.
+    The draft lies beside the file under a unique name. A symbolic link at that name is replaced; its target is not
+    written to.
     """
     target = Path(path)
     if is_output(target):
@@ -46,12 +46,12 @@ def whole(path: str | Path, draft: Path | None = None) -> Iterator[Path]:
 
 
 def is_output(target: Path) -> bool:
-    """Whether it is the standard output: a minus, with the suffix of the format (``-.svg``) where that matters."""
+    """Whether the path is standard output: a minus, with the suffix of the format (``-.svg``) where that matters."""
     return target.stem == STANDARD and target.parent == Path()
 
 
 def _mode(target: Path) -> int | None:
-    """Who may read the file that is there, None where there is none; a name no file can have is refused at once."""
+    """The permissions of an existing file, None where there is none; an impossible file name is refused at once."""
     try:
         mode = target.lstat().st_mode
     except FileNotFoundError:
@@ -62,7 +62,7 @@ def _mode(target: Path) -> int | None:
 
 
 def save(data: bytes, path: str | Path | None) -> bytes:
-    """The same bytes, written to the path if one is given: the whole file or nothing."""
+    """Return the bytes unchanged and write them to the path, if given: the whole file or nothing."""
     if path is not None:
         if _flows(Path(path)):
             Path(path).write_bytes(data)
@@ -73,7 +73,7 @@ def save(data: bytes, path: str | Path | None) -> bytes:
 
 
 def _flows(target: Path) -> bool:
-    """Whether it is a terminal or a pipe, which is written to and never replaced."""
+    """Whether the path is a terminal or a pipe, which is written to and never replaced."""
     try:
         mode = target.stat().st_mode
     except OSError:
@@ -83,7 +83,7 @@ def _flows(target: Path) -> bool:
 
 @contextmanager
 def sayable(path: str | Path) -> Iterator[None]:
-    """What the system refuses while a file is written, as a sentence."""
+    """A system error while a file is written, as a sentence."""
     try:
         yield
     except OSError as error:
@@ -91,11 +91,11 @@ def sayable(path: str | Path) -> Iterator[None]:
 
 
 def cannot_write(error: OSError, path: str | Path) -> PlanesError:
-    """The sentence that a file cannot be written, and why."""
+    """The sentence that says a file cannot be written, and why."""
     return PlanesError(Phrase("cannot_write", file=str(path), reason=error.strerror or str(error)))
 
 
 def keep(data: bytes, path: str | Path) -> None:
-    """Write the file whole, or refuse in a sentence."""
+    """Write the whole file, or refuse with a sentence."""
     with sayable(path):
         save(data, path)

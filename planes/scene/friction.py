@@ -1,4 +1,4 @@
-"""Friction of a scene: in sliding pairs by its coefficient, in hinges by that and the radius of the pin."""
+"""Friction in a scene: by its coefficient in sliding pairs, by coefficient and pin radius in hinges."""
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
@@ -14,7 +14,7 @@ PIN_KEYS = ("coefficient", "radius")
 def read_friction(
     reader: Reader, node: Node, frame: Link, links: Mapping[str, Link]
 ) -> tuple[dict[str, float], dict[str, Journal]]:
-    """Coefficients of straight guides by their names; pins of hinges, and guides along a circle, by theirs."""
+    """Coefficients of straight guides by guide; pins of hinges, and circular guides, by their names."""
     table, bodies = reader.table(node, "friction"), (frame, *links.values())
     radii = {name: guide.radius for link in bodies for name, guide in link.round_guides.items()}
     slid, hinges = set(_slid(links)), set(_hinges(bodies))

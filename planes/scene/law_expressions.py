@@ -1,7 +1,7 @@
-"""Expressions that are worked out in every position: the same grammar, in the arithmetic of whatever draws.
+"""Expressions evaluated in every position: the same grammar, in the arithmetic of the construction.
 
-What has no value (a root of less than nothing, a division by zero) is remembered, not raised: of many positions some
-may have one.
+A missing value (a root of a negative number, a division by zero) is recorded, not raised: other positions may have a
+value.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -12,24 +12,24 @@ from planes.geometry.arithmetic import Arithmetic, Real, Truth
 from planes.scene.expressions import ExpressionParser
 from planes.words import Phrase
 
-STEEPEST = 20  # a power of what moves is multiplied out
+STEEPEST = 20  # a power of a variable is multiplied out
 
 
 class LawParser(ExpressionParser):
-    """Calculates with single numbers, arrays or those of a tape; ``ok`` says where all of it has a value."""
+    """Calculates with single numbers, arrays or a tape; ``ok`` is true where the whole expression has a value."""
 
     def __init__(self, text: str, names: Mapping[str, Real], ar: Arithmetic, valid: Iterable[str] = ()) -> None:
         super().__init__(text, names, valid or names)
         self.ar = ar
         self.ok: Truth = True
-        self.read = 0  # how many names so far
+        self.read = 0  # count of names so far
 
     def named(self, name: str) -> Real:
         self.read += name in self.names
         return super().named(name)
 
     def where(self, ok: Truth, x: Real, instead: float) -> Real:
-        """A number where it may be used; anything where it may not."""
+        """A number where the condition holds, an arbitrary one elsewhere."""
         self.ok = ok & self.ok
         return self.ar.where(ok, x, instead)
 
@@ -37,7 +37,7 @@ class LawParser(ExpressionParser):
         return value / self.where(abs(by) > 0, by, 1.0)
 
     def power(self) -> Real:
-        """A number to any power; what moves to a whole one, or to halves."""
+        """A number to any power; a variable only to a whole power or a multiple of one half."""
         before = self.read
         base = self.atom()
         if not self.sign("^", "**"):
@@ -57,7 +57,7 @@ class LawParser(ExpressionParser):
         return self.ar.sqrt(self.where(x >= 0, x, 0.0))
 
     def _sine(self, x: Real) -> tuple[Real, Real]:
-        """A sine, and its cosine."""
+        """A sine and its cosine."""
         x = self.where(abs(x) <= 1, x, 0.0)
         return x, self.ar.sqrt(1 - x * x)
 
@@ -86,7 +86,7 @@ class LawParser(ExpressionParser):
 
 
 def between(table: tuple[tuple[float, float], ...], x: Real, ar: Arithmetic) -> Real:
-    """What a table has for x, linear between its pairs; beyond its ends the end's."""
+    """The value of a table at x, linear between its pairs; beyond the ends, the value at the end."""
     value: Real = table[0][1]
     for (x0, y0), (x1, y1) in pairwise(table):
         share = ar.maximum(ar.minimum((x - x0) * (1 / (x1 - x0)), 1.0), 0.0)
@@ -95,12 +95,12 @@ def between(table: tuple[tuple[float, float], ...], x: Real, ar: Arithmetic) -> 
 
 
 def within(table: tuple[tuple[float, float], ...], x: Real, slack: float) -> Truth:
-    """Whether a table has x, by ``slack`` of its length at most outside."""
+    """Whether x lies within a table, or outside it by at most ``slack`` of its length."""
     beside = slack * (table[-1][0] - table[0][0])
     return (x >= table[0][0] - beside) & (x <= table[-1][0] + beside)
 
 
 def folded(table: tuple[tuple[float, float], ...], phi: Real, ar: Arithmetic) -> Real:
-    """An angle brought to the turn a table goes over."""
+    """An angle reduced to the turn that a table covers."""
     start = table[0][0] + 180.0
     return ar.angle_deg(ar.cis_deg(phi - start)) + start

@@ -1,6 +1,6 @@
 """The frame and the links of a scene: their points, guides, slides and masses.
 
-A slider on a guide along a circle is a link that turns about its centre, and is solved as such a link.
+A slider on a circular guide is a link that turns about the guide's centre, and is solved as such.
 """
 
 import cmath
@@ -21,11 +21,11 @@ LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia")
 FRAME_KEYS = ("points", "guides", "number")
 GUIDE_KEYS = ("x", "y", "through", "angle", "mark", "centre", "radius")
 SLIDE_KEYS = ("guide", "angle", "offset", "length")
-LETTERS = "KMNQTUVW"  # of a centre given by its place
+LETTERS = "KMNQTUVW"  # name of a centre given by coordinates
 
 
 def read_round(guide: Fields, name: str, points: dict[str, complex], owner: Told) -> RoundGuide:
-    """A guide by its centre, a point of its link or a place that becomes one, and its radius."""
+    """A circular guide: its radius, and its centre, a point of its link or a place that becomes one."""
     reader = guide.reader
     for key in ("angle", "mark"):
         if key in guide:
@@ -43,7 +43,7 @@ def read_round(guide: Fields, name: str, points: dict[str, complex], owner: Told
 
 
 def parted(guides: Mapping[str, Guide | RoundGuide]) -> tuple[Mapping[str, Guide], Mapping[str, RoundGuide]]:
-    """Straight guides and round ones."""
+    """Straight guides and circular ones, separated."""
     straight = {name: g for name, g in guides.items() if isinstance(g, Guide)}
     return MappingProxyType(straight), MappingProxyType(
         {name: g for name, g in guides.items() if isinstance(g, RoundGuide)}
@@ -51,7 +51,8 @@ def parted(guides: Mapping[str, Guide | RoundGuide]) -> tuple[Mapping[str, Guide
 
 
 def turning(link: Link, guides: Mapping[str, RoundGuide]) -> Link:
-    """A slider on a round guide as the link that turns about its centre, which is to the left of the way it slides."""
+    """A slider on a circular guide as a link that turns about its centre; the centre is to the left of the sliding
+    direction."""
     slide = link.slides
     if slide is None or slide.guide not in guides:
         return link
@@ -72,7 +73,7 @@ def read_frame(reader: Reader, node: Node) -> Link:
 
 
 def read_links(reader: Reader, node: Node, frame: Link) -> dict[str, Link]:
-    """The moving links in the order of the file, with every name they use checked."""
+    """The moving links in the order of the file; every name in them is checked."""
     table = reader.names(node, "links", Phrase("a_link"))
     if not table.entries:
         raise reader.error(Phrase("links_empty"), table)
@@ -178,7 +179,7 @@ def _owner(link: str) -> Phrase:
 
 
 def _check_alike(reader: Reader, table: SourceTable, links: Iterable[Link]) -> None:
-    """C and С, one of them Cyrillic, are two points to a program and one to a reader."""
+    """Refuse C beside С, one of them Cyrillic: two points to a program, but one to a reader."""
     seen: dict[str, tuple[str, Phrase]] = {}
     for link in links:
         owner = _owner(link.name)

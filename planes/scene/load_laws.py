@@ -1,5 +1,5 @@
-"""Loads that change with the position: what a scene writes under ``force``, ``moment`` and their angles, as laws of
-what is known of the motion. A parameter that is the drive's own place stands for it in every position."""
+"""Loads that change with the position: ``force``, ``moment`` and their angles as laws of the motion. A parameter that
+gives the drive's position stands for it in every position."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
@@ -22,13 +22,13 @@ MOST_PAIRS = 400
 LAW_KEYS = ("over", "table")
 STROKE_KEYS = ("working", "idle", "stroke", "slider")
 FORCES = ("F", "R", "M", "MZ", "Fb", "FZ", "P", "G", "I", "N")
-"""Letters of what is found after the loads, or is one of them."""
+"""Letters of results found after the loads, or of loads."""
 Sort = Literal["drive", "link", "slider", "point"]
 
 
 @frozen
 class Coordinate:
-    """What a name of a law stands for: ``letter`` of a link, of a slider along its guide, or of a point."""
+    """The meaning of a name in a law: ``letter`` of a link, of a slider along its guide, or of a point."""
 
     letter: str
     sort: Sort
@@ -36,12 +36,12 @@ class Coordinate:
 
     @property
     def phrase(self) -> Phrase:
-        """What it is in words."""
+        """The same in words."""
         return Phrase(f"law_{self.sort}_{self.letter}", name=self.of)
 
 
 def coordinates(links: Mapping[str, Link], drive: Drive) -> dict[str, list[Coordinate]]:
-    """Every name a law may use, with all it could stand for: two of them are one too many."""
+    """All names a law may use, each with all its meanings; two meanings are one too many."""
     meanings: dict[str, list[Coordinate]] = {}
     for name, coordinate in _named(links, drive):
         if is_name(name) and coordinate not in meanings.setdefault(name, []):
@@ -64,7 +64,7 @@ def _named(links: Mapping[str, Link], drive: Drive) -> Iterator[tuple[str, Coord
 
 
 def check_law(text: str, known: Mapping[str, list[Coordinate]], parameters: Iterable[str] = ()) -> None:
-    """:class:`ExpressionError` for an expression that cannot be worked out of names that are known for sure."""
+    """Raise :class:`ExpressionError` for an expression that has no definite value from the known names."""
     for name in names_in(text):
         meanings = known.get(name, ())
         if len(meanings) > 1:
@@ -76,7 +76,7 @@ def check_law(text: str, known: Mapping[str, list[Coordinate]], parameters: Iter
 
 
 def read_turning(scene: Fields, stated: Mapping[str, Node]) -> "LawReader | None":
-    """What reads laws of a scene without a mechanism, where something in it goes by an angle or a length."""
+    """A reader of laws for a scene without a mechanism, where some part of it follows an angle or a length."""
     node = scene.optional("drive")
     if node is None:
         return None
@@ -86,7 +86,7 @@ def read_turning(scene: Fields, stated: Mapping[str, Node]) -> "LawReader | None
 
 
 class LawReader:
-    """Reads numbers of loads that may be laws; ``stated`` are the parameters as they are written."""
+    """Reads numbers of loads that may be laws; ``stated`` are the parameters as written."""
 
     def __init__(self, scene: Fields, links: Mapping[str, Link], drive: Drive, stated: Mapping[str, Node]) -> None:
         self.reader, self.links, self.drive, self.stated = scene.reader, links, drive, stated
@@ -97,13 +97,13 @@ class LawReader:
         if self.reader.parameters.get(drive.kind) == drive.position:
             self.own.add(drive.kind)
         uses = {name: names_of(node) for name, node in stated.items()}
-        self.following = users_of(self.own & stated.keys(), uses)  # the drive's place and all that is made of it
+        self.following = users_of(self.own & stated.keys(), uses)  # the drive's position and what depends on it
         driven = [name for node in given.values() for name in names_of(node)]
-        self.driven = reached(driven, uses)  # parameters the drive itself is given by
-        self.written: dict[str, str] = {}  # parameters in terms of the drive's place
+        self.driven = reached(driven, uses)  # parameters that give the drive
+        self.written: dict[str, str] = {}  # parameters expressed by the drive's position
 
     def value(self, node: Node, what: Phrase, link: str) -> Amount | StrokeLoad:
-        """The size of a load: a number, a law, or one for each stroke."""
+        """The magnitude of a load: a number, a law, or one for each stroke."""
         if not isinstance(node, SourceTable) or not {"working", "idle"} & node.entries.keys():
             return self.amount(node, what)
         load, kind = Fields(self.reader, node, what, STROKE_KEYS), Phrase("sliding_pairs")
@@ -150,13 +150,13 @@ class LawReader:
         return pair.real, pair.imag
 
     def follows(self, node: Node) -> bool:
-        """Whether a number changes with the drive: a table does, and what names the drive's place."""
+        """Whether a number changes with the drive: a table does, and so does an expression of the drive's position."""
         if not isinstance(node, SourceScalar):
             return isinstance(node, SourceTable)
         return not node.absent and any(n in self.following or n in self.known for n in names_of(node))
 
     def _law(self, node: Node, what: Phrase) -> Amount:
-        """A number; a law where a name of the motion stands in it."""
+        """A number; a law where it names a variable of the motion."""
         if not isinstance(node, SourceScalar) or node.absent or not any(map(self._moves, names_of(node))):
             return self.reader.number(node, what)
         try:
@@ -167,21 +167,21 @@ class LawReader:
         return LoadLaw(text) if names_in(text) else self.reader.number(node, what)
 
     def _moves(self, name: str) -> bool:
-        """Whether a name changes with the position, or is none at all and so hardly a number's."""
+        """Whether a name changes with the position; an unknown name counts too, for it is hardly part of a number."""
         return name in self.following or name not in self.stated or name in self.known
 
     def _written(self, name: str, depth: int) -> str:
-        """A parameter that follows the drive's place, as the law it is."""
+        """A parameter that follows the drive's position, as a law."""
         if name not in self.written:
             if depth > MAX_DEPTH:
                 raise ExpressionError(Phrase("expression_deep", most=MAX_DEPTH))
             node = self.stated[name]
-            assert isinstance(node, SourceScalar)  # as every parameter that is made of others
+            assert isinstance(node, SourceScalar)  # like every parameter that depends on others
             self.written[name] = f"({self._text(node.text, depth + 1)})"
         return self.written[name]
 
     def _text(self, text: str, depth: int = 0) -> str:
-        """An expression with the drive's own place by its letter, and numbers for parameters."""
+        """An expression with the drive's position by its letter, and numbers for parameters."""
         said, before = "", "sign"
         for kind, word in tokens_of(text):
             said += " " * ("sign" not in (kind, before)) + self._word(kind, word, depth)
@@ -205,7 +205,7 @@ class LawReader:
         return repr(value) if value >= 0 else f"({value!r})"
 
     def _drives(self, name: str) -> bool:
-        """Whether a parameter is what the drive is given by, and its name that of the same of what it drives."""
+        """Whether a parameter gives the drive and has the name of the same coordinate of the driven link."""
         owners = {"drive": {self.drive.link}, "link": {self.drive.turning}, "slider": {self.drive.link}, "point": ()}
         return name in self.own | self.driven and any(m.of in owners[m.sort] for m in self.known[name])
 

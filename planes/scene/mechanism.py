@@ -1,7 +1,8 @@
-"""Links, points, guides, pairs, the drive, masses and loads: what a scene says, as frozen records.
+"""Links, points, guides, pairs, the drive, masses and loads: the contents of a scene, as frozen records.
 
-All numbers are SI; angles are degrees, counter-clockwise positive, and end in ``_deg``. A place is a complex
-number (x to the right, y up) in the axes of the link that owns it; the frame is the link named ``"0"``."""
+All numbers are SI; angles are degrees, counter-clockwise positive, and end in ``_deg``. A place is a complex number (x
+to the right, y up) in the axes of the link that owns it; the frame is the link named ``"0"``.
+"""
 
 import math
 from collections.abc import Mapping
@@ -14,12 +15,12 @@ from planes.words.frozen import field, frozen
 
 FRAME = "0"
 RATES = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
-"""How a scene calls the rates of a drive, by its kind."""
+"""The keys of a drive's rates in a scene, by its kind."""
 Sense = Literal["along", "against"]
 DriveKind = Literal["phi", "s"]
 Order = Literal["left", "right", "ahead", "behind"]
 Where = Mapping[tuple[str, ...], int]
-"""Where each thing was written: a path of keys -> line of the scene file, for errors."""
+"""Where each part was written: path of keys -> line of the scene file, for errors."""
 
 
 @frozen
@@ -29,14 +30,14 @@ class Guide:
     name: str
     through: complex
     angle_deg: float
-    through_point: str | None = None  # the named point of the link it passes through, if it is one
+    through_point: str | None = None  # the named point of the link on the guide, if any
     mark: str | None = None  # letter of the coincident point on the plans, if the scene gives one
     origin_given: bool = True  # False for {x: c} and {y: c}
 
 
 @frozen
 class RoundGuide:
-    """A guide along a circle about a point of its link: what slides on it turns about that point."""
+    """A circular guide about a point of its link: the slider on it turns about that point."""
 
     name: str
     centre: str
@@ -45,8 +46,8 @@ class RoundGuide:
 
 @frozen
 class Journal:
-    """What rubs in a hinge: the coefficient of friction and the radius of its pin, m; or, ``round``, of a guide along a
-    circle, where the coefficient is that of a plane contact."""
+    """Friction in a hinge: its coefficient and the radius of the pin, m; or, ``round``, of a circular guide, with the
+    coefficient of a plane contact."""
 
     coefficient: float
     radius: float
@@ -54,23 +55,24 @@ class Journal:
 
     @property
     def circle(self) -> float:
-        """The radius of the friction circle, which the reaction is tangent to."""
+        """The radius of the friction circle, to which the reaction is tangent."""
         return self.radius * self.coefficient / (math.hypot(1.0, self.coefficient) if self.round else 1.0)
 
 
 @frozen
 class Slide:
-    """Its x axis is turned by ``angle_deg`` from ``guide``, its first point ``offset`` m to its left; None: unsaid."""
+    """A sliding pair: the x axis is turned by ``angle_deg`` from ``guide``, the first point lies ``offset`` m to its
+    left; None: not given."""
 
     guide: str
     angle_deg: float | None = None
     offset: float | None = None
-    length: float | None = None  # of its face, half of it to either side of the foot of its first point
+    length: float | None = None  # length of its face, half on either side of the foot of its first point
 
 
 @frozen
 class Link:
-    """A rigid link: points and guides in its own axes. ``mass`` or ``inertia`` of ``None`` was not written."""
+    """A rigid link: points and guides in its own axes. A ``mass`` or ``inertia`` of ``None`` was not given."""
 
     name: str
     points: Mapping[str, complex]
@@ -80,23 +82,23 @@ class Link:
     inertia: float | None = None
     centre: str | None = None
     round_guides: Mapping[str, RoundGuide] = field(default_factory=lambda: MappingProxyType({}))
-    slides_round: Slide | None = None  # on a round guide, whose centre is one of its points then
+    slides_round: Slide | None = None  # on a circular guide, whose centre is then one of its points
 
     @property
     def first_point(self) -> str:
-        """Name of the point a slider is placed by."""
+        """Name of the point that places a slider."""
         return next(iter(self.points))
 
     @property
     def mass_centre(self) -> str:
-        """Name of the point that is the centre of mass: the first point unless the scene says otherwise."""
+        """Name of the mass centre: the first point unless the scene names another."""
         return self.centre or self.first_point
 
 
 @frozen
 class Drive:
-    """The driver and its motion: ``kind`` "phi" (rad/s, rad/s², position in degrees) or "s" (m, m/s, m/s²); what turns
-    does so ``on`` the frame or, with a motor between them, on another link."""
+    """The driver and its motion: ``kind`` "phi" (rad/s, rad/s², position in degrees) or "s" (m, m/s, m/s²). A turning
+    driver turns ``on`` the frame or, by a motor in their hinge, on another link."""
 
     link: str
     kind: DriveKind
@@ -108,18 +110,18 @@ class Drive:
 
     @property
     def turning(self) -> str:
-        """The index of its turning: its link, "2_1" where it turns on another."""
+        """The index of its angle: its link, "2_1" where it turns on another."""
         return self.link if self.on == FRAME else f"{self.link}_{self.on}"
 
     @property
     def given(self) -> str:
-        """The name of the given that moves it: the angle of its link's axis, or to that of another link; or s."""
+        """The name of its coordinate: the angle of its link's axis, absolute or relative to another link; or s."""
         turned = f"angle_x_{self.link}" if self.on == FRAME else f"angle_{self.turning}"
         return turned if self.kind == "phi" else "s"
 
     @property
     def letters(self) -> tuple[str, str, str]:
-        """Names of its place, velocity and acceleration: phi_1, omega_1, epsilon_1; of a slider s_1, v_1, a_1."""
+        """Names of its position, velocity and acceleration: phi_1, omega_1, epsilon_1; of a slider s_1, v_1, a_1."""
         if self.kind == "phi":
             return f"phi_{self.turning}", *self.rates
         return f"s_{self.link}", f"v_{self.link}", f"a_{self.link}"
@@ -133,16 +135,16 @@ class Drive:
 
 @frozen
 class LoadLaw:
-    """A number of a load that holds in every position anew: ``text``, an expression of numbers and of what is known
-    before forces are (``phi``, ``s_5``, ``v_H``; SI, degrees), or what a ``table`` of pairs, linear between them, has
-    for it. A table over ``phi`` of 360° repeats itself."""
+    """A load number evaluated in every position: ``text``, an expression of numbers and of quantities known before the
+    forces (``phi``, ``s_5``, ``v_H``; SI, degrees), or the value of a ``table`` of pairs, linear between them. A table
+    over ``phi`` of 360° repeats itself."""
 
     text: str
     table: tuple[tuple[float, float], ...] = ()
 
     @property
     def turning(self) -> bool:
-        """Whether the table goes over a whole turn of the driver."""
+        """Whether the table covers a whole turn of the driver."""
         return self.text == "phi" and bool(self.table) and abs(self.table[-1][0] - self.table[0][0] - 360.0) < 1e-9
 
 
@@ -151,8 +153,8 @@ Amount = float | LoadLaw
 
 @frozen
 class StrokeLoad:
-    """What a load is in the working stroke of a ``slider``, in which it goes ``ahead`` or ``behind`` along its guide,
-    and in the idle one."""
+    """A load that differs by stroke: in the working stroke of a ``slider`` it goes ``ahead`` or ``behind`` along its
+    guide."""
 
     working: Amount
     idle: Amount
@@ -164,8 +166,8 @@ class StrokeLoad:
 class Load:
     """One force (``kind`` "force", N, at ``point``) or couple (``kind`` "moment", N·m) on ``link``.
 
-    A force points at ``direction_deg`` (in the axes of ``direction_link`` if given, else the frame's) or
-    ``sense`` the motion of its point; a moment without ``sense`` is signed, counter-clockwise positive.
+    A force has the direction ``direction_deg`` (in the axes of ``direction_link`` if given, else the frame's) or is
+    directed ``sense`` the motion of its point; a moment without ``sense`` is signed, counter-clockwise positive.
     """
 
     link: str
@@ -179,7 +181,7 @@ class Load:
 
 @frozen
 class Assembly:
-    """Which of two assemblies is meant: a word, or the nearer one to ``near`` at the drive's value."""
+    """Which of two assemblies is meant: a word, or the one nearer to ``near`` at the drive's given position."""
 
     order: Order | None = None
     near: complex | None = None
@@ -187,7 +189,8 @@ class Assembly:
 
 @frozen
 class Law:
-    """A number of the file, by its path, that shares ``parameter`` with the drive's place and so holds there alone."""
+    """A number of the file, by its path, that shares ``parameter`` with the drive's position and so is valid there
+    alone."""
 
     path: tuple[str, ...]
     parameter: str
@@ -196,7 +199,7 @@ class Law:
 
 @frozen
 class Mechanism:
-    """A planar lever mechanism of one drive. ``links`` holds the moving links in the order of the file."""
+    """A planar lever mechanism with one drive. ``links`` holds the moving links in the order of the file."""
 
     frame: Link
     links: Mapping[str, Link]
@@ -204,7 +207,7 @@ class Mechanism:
     loads: tuple[Load, ...] = ()
     gravity: float | None = None
     friction: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
-    journals: Mapping[str, Journal] = field(default_factory=lambda: MappingProxyType({}))  # by point, or round guide
+    journals: Mapping[str, Journal] = field(default_factory=lambda: MappingProxyType({}))  # by point or circular guide
     assembly: Mapping[str, Assembly] = field(default_factory=lambda: MappingProxyType({}))
     where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False)
     laws: Mapping[tuple[str, ...], Law] = field(default_factory=lambda: MappingProxyType({}))
@@ -224,22 +227,22 @@ class Mechanism:
         return self._owners[guide].name
 
     def guide(self, name: str) -> Guide:
-        """The guide of that name, wherever it is."""
+        """The guide of that name, on any link."""
         return self._owners[name].guides[name]
 
     def round_guide(self, link: Link) -> tuple[RoundGuide, str] | None:
-        """The guide along a circle that a link slides on, and the link that carries it."""
+        """The circular guide that a link slides on, and the link that carries it."""
         name = link.slides_round.guide if link.slides_round else ""
         owners = (self.frame, *self.links.values())
         return next(((x.round_guides[name], x.name) for x in owners if name in x.round_guides), None)
 
     def joined(self, link: Link) -> list[str]:
-        """The points of a link that are its own: not the centre of the circle it slides on."""
+        """The points of a link, without the centre of the circle it slides on."""
         guides = self.round_guide(link)
         return [p for p in link.points if not guides or p != guides[0].centre]
 
     def rubs(self, point: str, *links: str) -> str | None:
-        """The key of ``journals`` for the hinge of two links at a point, or for the circle about it one slides on."""
+        """The key of ``journals`` for the hinge of two links at a point, or for the circular guide of one of them."""
         round_guides = (self.round_guide(self.link(x)) for x in links)
         name = next((g[0].name for g in round_guides if g and g[0].centre == point), point)
         return name if name in self.journals else None

@@ -1,4 +1,4 @@
-"""What moves and loads a mechanism of a scene: assembly, drive, loads."""
+"""Motion and loading of a mechanism in a scene: assembly, drive, loads."""
 
 from collections.abc import Mapping
 from typing import cast
@@ -30,7 +30,7 @@ Links = Mapping[str, Link]
 
 
 def read_assembly(reader: Reader, node: Node, frame: Link, links: Links) -> dict[str, Assembly]:
-    """Which place of each group is meant, by the name of a point or a guide."""
+    """The chosen assembly of each group, by the name of a point or a guide."""
     table = reader.table(node, "assembly")
     points = {point: None for link in (*links.values(), frame) for point in link.points}
     guides = {guide: None for link in (*links.values(), frame) for guide in link.guides}
@@ -50,7 +50,7 @@ def _assembly(reader: Reader, name: str, node: Node) -> Assembly:
 
 
 def read_drive(reader: Reader, node: Node, links: Links) -> Drive:
-    """The driver, where it stands and how it moves."""
+    """The driver, its position and its motion."""
     if isinstance(node, Items):
         raise reader.error(Phrase("one_drive"), node)
     drive = Fields(reader, node, section("drive"), DRIVE_KEYS)
@@ -69,7 +69,7 @@ def read_drive(reader: Reader, node: Node, links: Links) -> Drive:
 
 
 def _balance(drive: Fields, kind: DriveKind, link: Link) -> tuple[str, float] | None:
-    """The point and the line of a balancing force on a driver that turns, beside the balancing moment."""
+    """The point and the line of a balancing force on a turning driver, beside the balancing moment."""
     if drive.optional("balance") is None:
         return None
     if kind == "s":

@@ -1,4 +1,4 @@
-"""The keys of a scene file, and what kind of scene they make: a mechanism, vectors alone, bodies in equilibrium."""
+"""The keys of a scene file, and the kind of scene they make: a mechanism, vectors alone, bodies in equilibrium."""
 
 from planes.scene.reader import Reader, absent
 from planes.scene.source import SourceTable
@@ -11,7 +11,7 @@ MECHANISM_KEYS = ("frame", "links", "assembly", "drive", "loads", "gravity", "fr
 VECTORS_KEYS = ("vectors", "equations", "values", "mu", "drive")
 STATICS_KEYS = ("points", "bodies", "members", "supports", "loads", "method", "pole", "drive")
 KINDS = {"frame": MECHANISM_KEYS, "vectors": VECTORS_KEYS, "points": STATICS_KEYS}
-"""The keys of a scene, by the one that tells its kind."""
+"""The keys of a scene, by the key that decides its kind."""
 KEYS = tuple(dict.fromkeys((*COMMON_KEYS, *MECHANISM_KEYS, *VECTORS_KEYS, *STATICS_KEYS)))
 NEEDED = {"frame": ("frame", "links", "drive"), "vectors": ("vectors", "equations"), "points": ("points",)}
 _EXAMPLES = {
@@ -21,11 +21,11 @@ _EXAMPLES = {
     "equations": ('equations: ["v_C = v_B + v_CB"]', ""),
     "vectors": ("vectors: {v_B: {value: 2, direction: 120}, v_C: {direction: 80}}", ""),
 }
-"""How a part is written in a file, and the call that adds it in Python."""
+"""The form of a part in a file, and the call that adds it in Python."""
 
 
 def check_outline(reader: Reader, table: SourceTable) -> None:
-    """Format, keys, and whether it is a mechanism, vectors or statics."""
+    """Check the format and the keys, and tell the kind: a mechanism, vectors or statics."""
     if "planes" not in table.entries:
         raise SceneError(Phrase("no_format"), reader.file, 1)
     version = reader.text(table.entries["planes"], "planes")

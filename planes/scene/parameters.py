@@ -1,7 +1,7 @@
 """Parameters of a scene: their values, which may be expressions of one another, and the variants that override them.
 
-Numbers that depend on what the drive's place is taken from hold at that place alone: with ``phi: phi_1`` a force of
-3000*sin(phi_1) is calculated once, and would stay as it is while the drive moves.
+Numbers that share a parameter with the drive's position are valid at that position alone: with ``phi: phi_1`` a force
+of 3000*sin(phi_1) is calculated once, and would not change as the drive moves.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -16,11 +16,11 @@ from planes.words.errors import ExpressionError, choices, shown
 from planes.words.names import latin
 
 SPELLED = dict(zip("АБВГДЕ", "ABVGDE", strict=True))
-"""Russian letters of variants by the Latin ones they are spelled with."""
+"""Russian letters of variants, by their Latin spelling."""
 
 
 def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | None) -> dict[str, float]:
-    """Values of the parameters in the order of the file, those of the chosen variant in place of their own."""
+    """Values of the parameters in the order of the file; those of the chosen variant override them."""
     if node is None:
         return {}
     table = reader.table(node, "parameters")
@@ -45,7 +45,7 @@ def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | Non
 def with_numbers(
     reader: Reader, node: Node | None, chosen: SourceTable | None, numbers: Mapping[str, float]
 ) -> SourceTable:
-    """The chosen variant with numbers put in the place of parameters by whoever runs the program."""
+    """The chosen variant with the user's numbers for some parameters."""
     known = entries_of(node)
     for name in numbers:
         if name not in known:
@@ -85,7 +85,7 @@ def read_variants(reader: Reader, node: Node | None, parameters: Node | None) ->
 def choose(
     reader: Reader, variants: Mapping[str, SourceTable], variant: str | None, line: int
 ) -> tuple[str | None, SourceTable | None]:
-    """The asked variant by its own name, and its table."""
+    """The chosen variant by its name in the file, and its table."""
     if variant is None or variant in variants:
         return variant, None if variant is None else variants[variant]
     alike = variants_meant(variant, variants)
@@ -99,8 +99,8 @@ def choose(
 
 
 def variants_meant(asked: str, variants: Iterable[str]) -> dict[str, int]:
-    """The variants a name may mean that is none of theirs, with their numbers from 1: the number itself, a letter that
-    looks the same in another alphabet, or the Latin letter one is spelled by."""
+    """The variants that a name not in the list may mean, with their numbers from 1: the number itself, a letter that
+    looks the same in another alphabet, or the Latin spelling of one."""
     return {
         name: number
         for number, name in enumerate(variants, 1)
@@ -111,7 +111,7 @@ def variants_meant(asked: str, variants: Iterable[str]) -> dict[str, int]:
 def resolve(written: Mapping[str, str]) -> dict[str, float]:
     """Values of parameters that may be expressions of one another, in the order given.
 
-    An error carries the parameter it arose in, as ``parameter``; a cycle is refused with its names.
+    An error carries its parameter, as ``parameter``; a cycle is refused with its names.
     """
     values: dict[str, float] = {}
     for start in written:
@@ -143,7 +143,7 @@ def _cycle(path: list[str], name: str) -> Phrase:
     return Phrase("circle_of_one", name=name) if len(loop) == 2 else Phrase("circle", names=tuple(words))
 
 
-_GIVEN = ("force", "moment", "direction", "angle", "working", "idle", "over")  # numbers of a load, beside tables
+_GIVEN = ("force", "moment", "direction", "angle", "working", "idle", "over")  # numbers of a load, other than tables
 _RATES = ("omega", "epsilon", "velocity", "acceleration")
 Uses = Mapping[str, list[str]]
 
@@ -158,7 +158,7 @@ def read_laws(table: SourceTable, parameters: Mapping[str, Node]) -> dict[Keys, 
     shape = (node for key in ("frame", "links") for _, node in texts(table.entries[key]))
     fixed = _leaves((name for node in shape for name in names_of(node)), uses) if moving else set()
     with_drive = users_of(moving - fixed or moving, uses)
-    own = place.text.strip() if isinstance(place, SourceScalar) else ""  # in a load it is no number, but a law
+    own = place.text.strip() if isinstance(place, SourceScalar) else ""  # in a load it is a law, not a number
     others = {name: [one for one in used if one != own] for name, used in uses.items()}
     besides = users_of((moving - fixed or moving) - {own}, others) - {own}
     laws = {}
@@ -178,7 +178,7 @@ def _numbers(table: SourceTable) -> Iterator[tuple[Keys, SourceScalar]]:
 
 
 def names_of(node: Node) -> list[str]:
-    """The names an expression uses; none where the text is something else."""
+    """The names an expression uses; empty where the text is no expression."""
     try:
         return [] if isinstance(node, SourceTable | Items) else names_in(node.text)
     except ExpressionError:
@@ -186,12 +186,12 @@ def names_of(node: Node) -> list[str]:
 
 
 def _leaves(names: Iterable[str], uses: Uses) -> set[str]:
-    """The parameters given by numbers that these are made of."""
+    """The parameters with plain numbers that these depend on."""
     return {name for name in reached(names, uses) if name in uses and not uses[name]}
 
 
 def users_of(names: Iterable[str], uses: Uses) -> set[str]:
-    """These parameters, and all that are made of them."""
+    """These parameters, and all that depend on them."""
     users: dict[str, list[str]] = {}
     for name, used in uses.items():
         for one in used:
@@ -200,8 +200,8 @@ def users_of(names: Iterable[str], uses: Uses) -> set[str]:
 
 
 def used_values(text: str, file: str, values: Mapping[str, float]) -> Mapping[str, float]:
-    """Those of the ``values`` that the mechanism of a scene, or its vectors, are made of, directly or through one
-    another; all where it has no text."""
+    """Those of the ``values`` that the mechanism of a scene, or its vectors, depend on, directly or through one
+    another; all of them where the scene has no text."""
     entries = parse(text, file).entries if text else {}
     own = {n: names_of(node) for n, node in entries_of(entries.get("parameters")).items()}
     shape = (node for key, part in entries.items() if key not in TOLD for _, node in texts(part))
@@ -210,11 +210,11 @@ def used_values(text: str, file: str, values: Mapping[str, float]) -> Mapping[st
 
 
 TOLD = ("parameters", "variants", "title", "note", "text", "missing", "sheet")
-"""Keys of what a scene says and is not made of."""
+"""Keys of a scene that do not affect its mechanism or vectors."""
 
 
 def reached(names: Iterable[str], ways: Uses) -> set[str]:
-    """These names, and all that ways lead to from them."""
+    """These names, and all names reachable from them."""
     names_met = set(names)
     todo = list(names_met)
     while todo:

@@ -1,4 +1,4 @@
-"""Ways down the tree of a file: what stands beneath a node, with its path of keys and its line."""
+"""Paths down the tree of a file: the nodes beneath a node, each with its path of keys and its line."""
 
 from collections.abc import Iterator, Mapping
 
@@ -8,22 +8,22 @@ Keys = tuple[str, ...]
 
 
 def entries_of(node: Node | None) -> Mapping[str, Node]:
-    """What a table holds; nothing where the node is no table."""
+    """The entries of a table; empty where the node is not a table."""
     return node.entries if isinstance(node, SourceTable) else {}
 
 
 def texts(node: Node) -> Iterator[tuple[Keys, SourceScalar]]:
-    """Every text beneath a node with its path."""
+    """All texts beneath a node, each with its path."""
     return ((path, one) for path, one, _ in walk(node) if isinstance(one, SourceScalar))
 
 
 def line_of(table: SourceTable, path: Keys) -> int:
-    """The line of the deepest key of a path that is there."""
+    """The line of the deepest existing key of a path."""
     return [table.line, *(line for _, line in down(table, path))][-1]
 
 
 def down(node: Node, path: Keys) -> Iterator[tuple[Node, int]]:
-    """What is met on the way down a path, each with its line, that of its key; a key that is not there is left out."""
+    """The nodes along a path, each with the line of its key; missing keys are left out."""
     for key in path:
         if isinstance(node, Items):
             node = node.items[int(key)]

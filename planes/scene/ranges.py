@@ -1,4 +1,4 @@
-"""Ranges of the drive's value as a person writes them: "30", "0:360:30", "-90"."""
+"""Ranges of the drive's position as a user types them: "30", "0:360:30", "-90"."""
 
 import math
 from collections.abc import Iterable
@@ -12,13 +12,13 @@ from planes.words.errors import PlanesError, SceneError, shown
 from planes.words.frozen import frozen
 
 T = TypeVar("T")
-MOST = 10_000_000  # positions that may be held at once
-MOST_ROWS = 1_000_000_000  # of a table, which is written piece by piece
+MOST = 10_000_000  # positions held in memory at once
+MOST_ROWS = 1_000_000_000  # positions of a table, which is written piece by piece
 
 
 @frozen
 class Span:
-    """Evenly spaced values, none of them kept: only asked for, a block at a time."""
+    """Evenly spaced values that are never stored, only generated block by block."""
 
     start: float
     step: float
@@ -43,7 +43,7 @@ class Span:
 
 
 def asked_of_drive(scene: Scene, phi: T | None, s: T | None) -> T | None:
-    """Of an angle and a place the one the drive is moved by; the other may not be asked for."""
+    """Of an angle and a length, the one that moves the drive; the other is refused."""
     kind = scene.drive.kind if scene.drive else ""
     asked = {"phi": phi, "s": s}
     for option, value in asked.items():
@@ -54,8 +54,8 @@ def asked_of_drive(scene: Scene, phi: T | None, s: T | None) -> T | None:
 
 
 def finite(value: Any, name: str, several: bool = True) -> Any:
-    """A finite number, or, of ``several``, the numbers of a flat list or array; a :class:`PlanesError` says which
-    argument, ``name``, is neither."""
+    """A finite number or, if ``several``, the numbers of a flat list or array; otherwise a :class:`PlanesError` that
+    names the argument ``name``."""
     try:
         plain = value.tolist() if hasattr(value, "tolist") else value
         many = several and isinstance(plain, Iterable) and not isinstance(plain, str)
@@ -76,7 +76,7 @@ def read_range(text: str, option: str = "--phi") -> list[float]:
 
 
 def read_span(text: str, option: str = "--phi") -> Span:
-    """The same values, however many, without making a list of them."""
+    """The same values, however many, without a list of them."""
     parts = text.split(":")
     try:
         numbers = [float(p.replace("−", "-")) for p in parts]
@@ -96,7 +96,7 @@ def read_span(text: str, option: str = "--phi") -> Span:
 
 
 def _near(span: Span, text: str, option: str) -> Span:
-    """Refuse angles so many turns away that too few of their digits are left."""
+    """Refuse angles of so many turns that too few of their digits are left."""
     if option == "--phi" and max(map(abs, span.ends)) > 360.0 * MOST_TURNS:
         raise SceneError(Phrase("range_far", option=option, text=repr(text), most=MOST_TURNS))
     return span

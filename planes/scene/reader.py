@@ -1,4 +1,4 @@
-"""How any value of a scene is read: numbers, names, places, tables with known keys, each with its refusal."""
+"""How the values of a scene are read: numbers, names, places, tables with known keys, each with its error message."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -12,7 +12,7 @@ from planes.words import Phrase, Told
 from planes.words.errors import ExpressionError, SceneError, choices, shown
 
 MOST = 1e50  # the largest number of a scene: products of several stay far from overflow
-MOST_TURNS = 1_000_000  # of an angle: beyond that too few of a double's digits say where in its turn it is
+MOST_TURNS = 1_000_000  # the largest angle: beyond it a double has too few digits for the position within the turn
 MAX_NAME = 40
 _NAME = re.compile(r"[\w'′″-]*\w[\w'′″-]*")
 
@@ -27,11 +27,11 @@ class Reader:
         self.written = WrittenNumbers()
 
     def error(self, phrase: Told, where: Node | int) -> SceneError:
-        """A refusal at a node or a line."""
+        """An error at a node or a line."""
         return SceneError(phrase, self.file, where if isinstance(where, int) else where.line)
 
     def table(self, node: Node, what: Told, keys: Sequence[str] | None = None) -> SourceTable:
-        """The node as a table, all of whose keys are among ``keys`` if those are given."""
+        """The node as a table; its keys must be among ``keys`` if those are given."""
         if not isinstance(node, SourceTable):
             raise self.error(Phrase("table_needed", what=what, kind=kind(node)), node)
         for key in node.entries if keys is not None else ():
@@ -42,21 +42,21 @@ class Reader:
         return node
 
     def check_colon(self, table: SourceTable, key: str, names: Iterable[str]) -> None:
-        """In {phi 30} the colon is forgotten, and all of it is a key."""
+        """Refuse {phi 30}: the colon is missing, and the whole text is a key."""
         first, _, rest = key.partition(" ")
         value = table.entries[key]
         if rest and first in names and isinstance(value, SourceScalar) and value.absent:
             raise self.error(Phrase("colon_after", key=shown(first), text=shown(key)), table.lines[key])
 
     def names(self, node: Node, what: Told, kind: Phrase) -> SourceTable:
-        """The node as a table whose keys are names; ``kind`` says of what: "a point"."""
+        """The node as a table whose keys are names of a ``kind``: "a point"."""
         table = self.table(node, what)
         for key, line in table.lines.items():
             self.check_name(key, kind, line)
         return table
 
     def check_name(self, name: str, kind: Phrase, where: Node | int) -> str:
-        """The name itself, if it is made as names are."""
+        """The name itself, if it is well formed."""
         if len(name) > MAX_NAME:
             raise self.error(Phrase("long_name", name=shown(name), of=kind, most=MAX_NAME), where)
         if not _NAME.fullmatch(name):
@@ -70,7 +70,7 @@ class Reader:
         return node.items
 
     def text(self, node: Node, what: Told) -> str:
-        """The node as a text that is not empty."""
+        """The node as a non-empty text."""
         if not isinstance(node, SourceScalar):
             raise self.error(Phrase("word_needed", what=what, kind=kind(node)), node)
         if node.absent:
@@ -85,7 +85,7 @@ class Reader:
         return text
 
     def known(self, node: Node, what: Told, names: Iterable[str], kind: Phrase) -> str:
-        """The node as a name that is defined; ``kind`` says what kind of thing: "point"."""
+        """The node as a defined name of a ``kind``: "point"."""
         text = self.text(node, what)
         if text not in (names if isinstance(names, Mapping) else (names := list(names))):
             valid = self.offer(text, names, kind)
@@ -93,7 +93,7 @@ class Reader:
         return text
 
     def offer(self, given: str, names: Iterable[str], kind: Phrase) -> Told:
-        """Words with the valid names, or that there are none."""
+        """Words that list the valid names, or say that there are none."""
         return choices(given, names) or Phrase("none_defined", of=kind)
 
     def number(self, node: Node, what: Told) -> float:
@@ -121,7 +121,7 @@ class Reader:
         return value
 
     def present(self, table: SourceTable) -> dict[str, Node]:
-        """The values of a table that are not empty."""
+        """The non-empty values of a table."""
         return {key: node for key, node in table.entries.items() if not absent(node)}
 
     def place(self, node: Node, what: Told, on_axis: bool = False) -> complex:
@@ -145,7 +145,7 @@ class Reader:
 
 
 class Fields:
-    """What stands under the keys of one table, each value with its refusal; ``what`` says whose keys they are."""
+    """The values under the keys of one table, each with its error messages; ``what`` is the owner of the keys."""
 
     def __init__(self, reader: Reader, node: Node, what: Told, keys: Sequence[str] | None = None) -> None:
         self.reader, self.what, self.table = reader, what, reader.table(node, what, keys)
@@ -154,11 +154,11 @@ class Fields:
         return key in self.table.entries
 
     def error(self, phrase: Told, key: str = "") -> SceneError:
-        """A refusal at a key, or of the table."""
+        """An error at a key, or at the table."""
         return self.reader.error(phrase, self.table.lines.get(key, self.table.line))
 
     def named(self, key: str) -> Phrase:
-        """What stands under a key, as a sentence says it."""
+        """The value under a key, as a sentence names it."""
         return part(key, self.what)
 
     def optional(self, key: str) -> Node | None:
@@ -167,7 +167,7 @@ class Fields:
         return None if node is None or absent(node) else node
 
     def required(self, key: str) -> Node:
-        """The value of a key that must be there."""
+        """The value of a required key."""
         if key not in self:
             raise self.error(Phrase("needs_key", what=self.what, key=key))
         if absent(self.table.entries[key]):
@@ -175,7 +175,7 @@ class Fields:
         return self.table.entries[key]
 
     def one_of(self, *keys: str) -> str:
-        """Which one of these keys the table has: exactly one must be there."""
+        """Which one of these keys the table has: exactly one is required."""
         given = [key for key in keys if key in self]
         if len(given) == 1:
             return given[0]
@@ -216,33 +216,33 @@ class Fields:
         return self.reader.word(self.required(key), self.named(key), words)
 
     def known(self, key: str, names: Iterable[str], kind: Phrase) -> str:
-        """A name that is defined."""
+        """A defined name."""
         return self.reader.known(self.required(key), self.named(key), names, kind)
 
 
 def absent(node: Node) -> bool:
-    """Whether nothing is written there."""
+    """Whether the key has no value."""
     return isinstance(node, SourceScalar) and node.absent
 
 
 def _comma(node: Items) -> bool:
-    """Whether a list was torn by decimal commas: digits right after a comma, in "0,5" or "[0,1, 0,2]"."""
+    """Whether decimal commas broke a list: digits right after a comma, in "0,5" or "[0,1, 0,2]"."""
     glued = [isinstance(item, SourceScalar) and item.glued and item.text.isdigit() for item in node.items]
     return any(glued) and (len(glued) == 2 or not all(glued[1:]))
 
 
 def part(key: str, what: Told) -> Phrase:
-    """What stands under a key of something: "mass of link 2"."""
+    """A part of an object in words: "mass of link 2"."""
     return Phrase("part", key=key, what=what)
 
 
 def section(name: str) -> Phrase:
-    """A key of the scene itself, as the thing its own keys are of: "omega of drive"."""
+    """A key of the scene as the owner of its keys: "omega of drive"."""
     return Phrase("section", name=name)
 
 
 def kind(node: Node) -> Told:
-    """What a node is, in words."""
+    """The type of a node, in words."""
     if isinstance(node, SourceTable):
         return Phrase("a_table")
     return Phrase("a_list") if isinstance(node, Items) else (Phrase("empty") if node.absent else shown(node.text))

@@ -28,7 +28,7 @@ MOST_MU = 1e20  # mm per SI unit
 SHEET_NUMBERS = ("mass", "sheet", "sheets")
 SHEET_LISTS = ("letter", "revisions", "diagrams", "hodographs")
 _NO_CELL = {"gost": ("document_type",), "iso": tuple(_ESKD.split())}
-_MOST_FORMATS = {4: 9, 3: 7, 2: 5, 1: 4, 0: 3}  # of ГОСТ 2.301, how many of a format may stand side by side
+_MOST_FORMATS = {4: 9, 3: 7, 2: 5, 1: 4, 0: 3}  # how many of a format of ГОСТ 2.301 may be joined side by side
 _SIDE_BY_SIDE = tuple(f"A{n}x{k}" for n, most in _MOST_FORMATS.items() for k in range(3 if n else 2, most + 1))
 YES_OR_NO = ("colour", "values")
 SHEET_WORDS = {
@@ -50,7 +50,7 @@ _FIND = re.compile(r"[\w'′″^]*\w[\w'′″^]*")
 
 
 def read_words(reader: Reader, node: Node | None, what: str) -> Words:
-    """A text in every language: one that is given once stands for all."""
+    """A text in every language; a text given once serves all."""
     if node is None or isinstance(node, SourceScalar):
         return dict.fromkeys(langs(), node.text if node else "")
     table = reader.table(node, what, langs())
@@ -62,12 +62,12 @@ def read_words(reader: Reader, node: Node | None, what: str) -> Words:
 
 
 def fewest(words: Words) -> Words:
-    """The words without those that stand in for others: what is read again as the same."""
+    """The words without fallback languages: reading them again gives the same."""
     return {lang: text for lang, text in words.items() if len(own := stand_ins(lang)) == 1 or text != words[own[1]]}
 
 
 def read_plans(reader: Reader, node: Node | None) -> dict[str, float | None]:
-    """μ of each plan in mm per SI unit; None where the program is to choose."""
+    """μ of each plan in mm per SI unit; None where the program chooses."""
     scales: dict[str, float | None] = dict.fromkeys(PLANS)
     if node is None:
         return scales
@@ -93,7 +93,7 @@ def _mu(reader: Reader, node: Node, plan: str) -> float | None:
 
 
 def read_vector_mu(scene: Fields, plans: Mapping[str, float | None]) -> tuple[dict[str, float | None], str | None]:
-    """μ of each plan of a scene of vectors in mm per SI unit, and the plan whose unit its ``mu`` is written in."""
+    """μ of each plan of a scene of vectors in mm per SI unit, and the plan whose unit its ``mu`` has."""
     node, mu, quantity = scene.optional("mu"), dict(plans), None
     if isinstance(node, SourceScalar) and (size := _mu(scene.reader, node, "vectors")) is not None:
         quantity = written_in(node.text)[0]
@@ -106,13 +106,13 @@ def read_vector_mu(scene: Fields, plans: Mapping[str, float | None]) -> tuple[di
 
 
 def convention_written(table: SourceTable) -> Convention | None:
-    """How the first μ of a scene that has been read is written."""
+    """The convention of the first μ in a scene that has been read."""
     said = (node for path, node in texts(table) if path == ("mu",) or (path[0] == "plans" and node.text != "auto"))
     return next((written_in(node.text)[1] for node in said if not node.absent), None)
 
 
 def read_find(reader: Reader, node: Node | None) -> tuple[str, ...] | None:
-    """Names of the asked results; whether they exist is seen later."""
+    """Names of the results asked for; whether they exist is checked later."""
     if node is None:
         return None
     nodes = [node] if isinstance(node, SourceScalar) else reader.items(node, "find")
@@ -127,7 +127,7 @@ def read_find(reader: Reader, node: Node | None) -> tuple[str, ...] | None:
 
 
 def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
-    """Settings of the sheet as texts; numbers, words and lists only under the keys that have them."""
+    """Settings of the sheet as texts; numbers, words and lists only under the keys that accept them."""
     if node is None:
         return {}
     reader.table(node, "sheet", SHEET_KEYS)
@@ -162,7 +162,7 @@ def _setting(reader: Reader, key: str, node: Node) -> object:
 
 
 def _listed(reader: Reader, key: str, node: Items) -> object:
-    """Names, letters, or rows of the table of revisions, no more than there is room for."""
+    """Names, letters, or rows of the table of revisions, as many as there is room for."""
     what = part(key, section("sheet"))
     most = {"revisions": MOST_REVISIONS, "letter": MOST_LETTERS}.get(key, len(node.items))
     if len(node.items) > most:

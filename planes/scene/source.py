@@ -1,8 +1,8 @@
-"""The text of a YAML file as a tree of tables, lists and texts, each knowing its line.
+"""The text of a YAML file as a tree of tables, lists and texts, each with its line number.
 
-No value is given a type here: every scalar stays the text that was written, so ``on``, ``y`` and ``1`` are
-names, ``1:2`` is not a number of seconds, and ``0,5`` can be refused in words. The file is refused, in one
-sentence with its line, when it is not one plain document: anchors, tags, duplicate keys, wrong encoding.
+Values get no type here: every scalar stays a text, so ``on``, ``y`` and ``1`` are names, ``1:2`` is not a number of
+seconds, and ``0,5`` can be refused in words. A file that is not one plain document (anchors, tags, duplicate keys,
+wrong encoding) is refused in one sentence with its line.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from planes.words.frozen import field, frozen
 
 MAX_BYTES = 1_000_000
 STANDARD = "-"
-"""What stands for the standard input, and, with the suffix of a format, for the standard output."""
-MAX_BYTES_SLOW = 100_000  # when only the slow YAML reader is there
+"""The path of standard input, and, with the suffix of a format, of standard output."""
+MAX_BYTES_SLOW = 100_000  # limit where only the slow YAML reader is installed
 MAX_DEPTH = 50
 MAX_PARTS = 200_000  # words, numbers, beginnings and ends of tables and lists
 _NOTHING = ("", "~", "null", "Null", "NULL")
@@ -33,7 +33,7 @@ _REASONS = {errno.EACCES: "no_permission", errno.ENAMETOOLONG: "name_too_long", 
 
 @frozen
 class SourceScalar:
-    """A scalar, as written; ``plain`` if it stood without quotes, ``glued`` if right after a comma."""
+    """A scalar as written; ``plain`` if it had no quotes, ``glued`` if it came right after a comma."""
 
     text: str
     line: int
@@ -42,7 +42,7 @@ class SourceScalar:
 
     @property
     def absent(self) -> bool:
-        """Whether nothing was written: an empty value, ``~`` or ``null``."""
+        """Whether it is blank: an empty value, ``~`` or ``null``."""
         return self.plain and self.text in _NOTHING
 
 
@@ -67,7 +67,7 @@ Node = SourceScalar | Items | SourceTable
 
 
 def walk(node: Node, path: tuple[str, ...] = (), line: int = 0) -> Iterator[tuple[tuple[str, ...], Node, int]]:
-    """Every node of the tree with its path of keys (and numbers in lists, from "0") and its line, that of its key."""
+    """Every node of the tree with its path of keys (and indices in lists, from "0") and the line of its key."""
     yield path, node, line or node.line
     if isinstance(node, SourceTable):
         for key, value in node.entries.items():
@@ -78,7 +78,7 @@ def walk(node: Node, path: tuple[str, ...] = (), line: int = 0) -> Iterator[tupl
 
 
 def read(path: str | Path) -> str:
-    """The text of a file, of what is piped in where it is ``-``, or a SceneError that says why it cannot be read."""
+    """The text of a file, or of standard input for ``-``; a SceneError explains why it cannot be read."""
     name = str(path)
     if name == STANDARD:
         return decoded(sys.stdin.buffer.read(MAX_BYTES + 1), name)
@@ -115,7 +115,7 @@ def decoded(data: bytes, file: str) -> str:
 
 
 def parse(text: str, file: str) -> SourceTable:
-    """The tree of a document whose outermost thing is a table."""
+    """The tree of a document whose outermost node is a table."""
     text = text.removeprefix("\ufeff")
     _check_text(text, file)
     loader: type = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -146,19 +146,19 @@ def _check_text(text: str, file: str) -> None:
 
 
 class _Builder:
-    """Makes the tree out of the reader's events."""
+    """Builds the tree from the reader's events."""
 
     def __init__(self, file: str, events: Iterator[yaml.Event]) -> None:
         self.file, self.events = file, events
-        self.line, self.end = 1, -2  # where the last event begins, where the last scalar ends
+        self.line, self.end = 1, -2  # where the last event begins, and where the last scalar ends
         self.left = MAX_PARTS
 
     def error(self, phrase: Phrase, line: int) -> SceneError:
-        """A refusal at a line."""
+        """An error at a line."""
         return SceneError(phrase, self.file, line)
 
     def root(self) -> Node | None:
-        """The outermost thing of the one document there may be."""
+        """The outermost node of the only document."""
         root, documents = None, 0
         while not isinstance(event := self._next(), yaml.StreamEndEvent):
             if isinstance(event, yaml.NodeEvent):
@@ -188,7 +188,7 @@ class _Builder:
             raise self.error(Phrase("tag", name=_brief(tag.replace("tag:yaml.org,2002:", "!!"))), self.line)
 
     def _node(self, event: yaml.Event, depth: int) -> Node:
-        """What begins with an event."""
+        """The node that begins with an event."""
         if isinstance(event, yaml.ScalarEvent):
             return self._scalar(event)
         if depth >= MAX_DEPTH:
@@ -229,7 +229,7 @@ class _Builder:
         return text
 
     def _decimal_comma(self, last: SourceScalar, key: str, value: SourceScalar) -> None:
-        """In {a: 0,5} the comma ends the value and 5 becomes a key: say what was meant."""
+        """In {a: 0,5} the comma ends the value and 5 becomes a key: explain the decimal comma."""
         if value.text:
             return
         if last.text.count("(") > last.text.count(")"):

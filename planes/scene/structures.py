@@ -1,4 +1,4 @@
-"""A scene of statics: bodies or a truss by their points, what holds and loads them, and the way to the reactions."""
+"""A scene of statics: bodies or a truss by their points, supports and loads, and the method for the reactions."""
 
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
@@ -13,57 +13,57 @@ from planes.words.frozen import field, frozen
 
 SupportKind = Literal["hinge", "roller", "rod", "rope", "clamp"]
 SUPPORT_KINDS: tuple[SupportKind, ...] = get_args(SupportKind)
-SUPPORT_KEYS = ("roller", "rod", "rope")  # with the normal, or the fixed point they lead to
+SUPPORT_KEYS = ("roller", "rod", "rope")  # by the normal, or by the fixed point at the other end
 POLE_KEYS = ("through",)
 METHODS = ("moments", "string", "three-forces", "composition", "culmann")
 STATIC_LOAD_KEYS = ("point", "force", "direction", "body", "moment", "from", "to", "intensity")
 MOST_POINTS = 60
 Bodies = Mapping[str, tuple[str, ...]]  # the points of each
 ALONE = "1"
-"""The name of the only body of a scene that names none."""
+"""The name of the only body of a scene that names no bodies."""
 
 
 @frozen
 class Support:
-    """What holds a body at a point: a roller by its normal, a rod or a rope by the fixed point it leads ``to``."""
+    """A support of a body at a point: a roller by its normal, a rod or a rope by the fixed point it leads ``to``."""
 
     kind: SupportKind
     point: str
-    name: str  # of its reaction
+    name: str  # names of its reaction
     normal_deg: float = 90.0
     to: str = ""
 
     @property
     def held(self) -> int:
-        """How many numbers its reaction has."""
+        """The number of unknowns in its reaction."""
         return {"hinge": 2, "clamp": 3}.get(self.kind, 1)
 
 
 @frozen
 class StaticLoad:
-    """A force of ``size`` N at a place, or a couple of ``size`` N·m on a body; ``spread`` are the points between which
-    a distributed load of this resultant lies."""
+    """A force of ``size`` N at a place, or a couple of ``size`` N·m on a body; ``spread`` are the end points of the
+    distributed load that has this resultant."""
 
     name: str
     body: str
     size: float | LoadLaw
-    direction_deg: float | LoadLaw | None = None  # of a couple none
+    direction_deg: float | LoadLaw | None = None  # None for a couple
     place: complex = 0j
-    point: str = ""  # the named point it acts at; "" of the resultant of a distributed load
+    point: str = ""  # the named point it acts at; "" for the resultant of a distributed load
     spread: tuple[str, str] | None = None
-    intensity: tuple[float, float] = (0.0, 0.0)  # N/m at both
+    intensity: tuple[float, float] = (0.0, 0.0)  # N/m at both ends
 
     @property
     def steady_deg(self) -> float:
-        """The direction of a distributed load, which does not turn."""
+        """The direction of a distributed load, which is constant."""
         assert isinstance(self.direction_deg, float | int)
         return float(self.direction_deg) + (180.0 if sum(self.intensity) < 0 else 0.0)
 
 
 @frozen
 class Framework:
-    """All that a scene of statics says. ``method`` is None where the program is to choose; the ``pole`` of a string
-    polygon is in N from where the polygon of forces begins, or such that the strings go ``through`` given points."""
+    """The contents of a scene of statics. ``method`` is None where the program chooses; the ``pole`` of a string
+    polygon is in N from the start of the force polygon, or such that the strings pass ``through`` given points."""
 
     points: Mapping[str, complex]
     bodies: Bodies
@@ -73,11 +73,11 @@ class Framework:
     method: str | None = None
     pole: complex | None = None
     through: tuple[str, ...] = ()
-    fixed: frozenset[str] = field(default_factory=frozenset)  # points of the ground that rods and ropes lead to
+    fixed: frozenset[str] = field(default_factory=frozenset)  # fixed points at the ends of rods and ropes
 
 
 class FrameworkReader:
-    """Reads a scene of statics: points first, and what is named by them after."""
+    """Reads a scene of statics: first the points, then all that refers to them."""
 
     def __init__(self, scene: Fields, laws: LawReader | None) -> None:
         self.scene, self.laws = scene, laws
@@ -101,12 +101,12 @@ class FrameworkReader:
         return Framework(places, MappingProxyType(bodies), members, supports, loads, way, pole, through, fixed)
 
     def listed(self, key: str) -> Iterator[tuple[int, Node]]:
-        """What stands in a list of the scene, with its number."""
+        """The entries of a list in the scene, with their numbers."""
         node = self.scene.optional(key)
         yield from enumerate([] if node is None else self.reader.items(node, key), 1)
 
     def table(self, key: str) -> Iterator[tuple[str, Node]]:
-        """What stands under a key of the scene, by its names."""
+        """The entries under a key of the scene, by name."""
         node = self.scene.optional(key)
         yield from () if node is None else self.reader.table(node, section(key)).entries.items()
 
@@ -115,12 +115,12 @@ class FrameworkReader:
         return self.reader.known(node, what, self.points, Phrase("points_all"))
 
     def free(self, name: str) -> str:
-        """A name nobody has: numbered where somebody does."""
+        """An unused name: numbered where the plain one is taken."""
         self.taken[name] = self.taken.get(name, 0) + 1
         return name if self.taken[name] == 1 else f"{name}_{self.taken[name]}"
 
     def bodies(self, members: tuple[tuple[str, str], ...], fixed: frozenset[str]) -> dict[str, tuple[str, ...]]:
-        """The rigid bodies by their points: a truss is one; all points are of one where none is named."""
+        """The rigid bodies by their points: a truss is one; where no body is named, one body has all points."""
         own = {name: self.list_of(node, Phrase("body_of", name=name)) for name, node in self.table("bodies")}
         if own and members:
             self.scene.one_of("bodies", "members")
@@ -150,7 +150,7 @@ class FrameworkReader:
         return ways[0]
 
     def held(self, point: str, node: Node) -> Iterator[Support]:
-        """What holds a point: one support, or several."""
+        """The supports at a point, one or several."""
         name = self.reader.known(SourceScalar(point, node.line), section("supports"), self.points, Phrase("points_all"))
         for entry in node.items if isinstance(node, Items) else [node]:
             yield self.support(name, entry)
@@ -200,22 +200,22 @@ class FrameworkReader:
         return amount if isinstance(amount, LoadLaw) else float(amount)
 
     def point(self, load: Fields, key: str) -> str:
-        """A point of the scene that a load names."""
+        """The named point of a load."""
         return self.named(load.required(key), load.named(key))
 
     def of_body(self, load: Fields, bodies: Bodies) -> str:
-        """The body a load names."""
+        """The named body of a load."""
         return load.known("body", bodies, Phrase("bodies_all"))
 
     def owner(self, load: Fields, bodies: Bodies, *points: str) -> str:
-        """The first of the bodies that have all the points."""
+        """The first body that has all the points."""
         own = next((name for name, its_points in bodies.items() if {*points} <= {*its_points}), None)
         if own is None:
             raise load.error(Phrase("point_loose", what=load.what, name=points[-1]))
         return own
 
     def spread(self, load: Fields, bodies: Bodies, angle: float) -> StaticLoad:
-        """The resultant of a distributed load: N/m, the same all along, or from one value to another."""
+        """The resultant of a distributed load: N/m, constant or from one value to another."""
         reader, what = self.reader, load.what
         ends = self.point(load, "from"), self.point(load, "to")
         node = load.required("intensity")
@@ -232,7 +232,7 @@ class FrameworkReader:
         return StaticLoad(name, body, size, angle, place, spread=ends, intensity=(first, last))
 
     def pole(self) -> tuple[complex | None, tuple[str, ...]]:
-        """The pole of a string polygon, or the points its strings are to go through."""
+        """The pole of a string polygon, or the points its strings must pass through."""
         node = self.scene.optional("pole")
         if not isinstance(node, SourceTable) or "through" not in node.entries:
             return None if node is None else self.reader.place(node, section("pole")), ()

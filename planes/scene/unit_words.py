@@ -1,4 +1,4 @@
-"""Units people write after a number, and what they are in SI: a refusal offers it."""
+"""Units that people write after a number, and the SI value that the error message offers."""
 
 from collections.abc import Sequence
 
@@ -20,7 +20,7 @@ FACTORS = {unit: factor for units, factor in _UNITS.items() for unit in units.sp
 
 
 def in_si(words: Sequence[str]) -> Told:
-    """What is written for the unit that words begin with; "" of one that is not known."""
+    """The SI text for the unit a string begins with; "" for an unknown one."""
     begun = ("".join(words[:count]) for count in (3, 1))
     unit = next((unit for unit in begun if unit.lower() in FACTORS), "")
     return unit and Phrase("unit_in_si", unit=unit, factor=FACTORS[unit.lower()])

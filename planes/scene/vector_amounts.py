@@ -1,4 +1,4 @@
-"""Numbers of a scene of vectors that are found on earlier plans: v_CB^2/l_BC, sums of products of named numbers."""
+"""Numbers of a scene of vectors found from earlier plans: v_CB^2/l_BC, sums of products of named numbers."""
 
 import math
 import re
@@ -12,25 +12,25 @@ from planes.words.frozen import frozen
 Factors = tuple[tuple[str, int], ...]
 MOST_TERMS = 200
 HAT = "ˆ"
-"""Stands for ^ in the name of a vector while an expression is read, where ^ is a power."""
+"""Replaces ^ in the name of a vector while an expression is read, where ^ is a power."""
 
 
 @frozen
 class VectorAmount:
-    """A sum of products: each a number, and names to whole powers; the names are of parameters, values and vectors,
-    whose lengths are meant."""
+    """A sum of products, each a number and names to whole powers; the names are of parameters, values and vectors,
+    which stand for their lengths."""
 
     text: str
     terms: tuple[tuple[float, Factors], ...]
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What it is reckoned from."""
+        """The names it is computed from."""
         return tuple(dict.fromkeys(name for _, factors in self.terms for name, _ in factors))
 
 
 class _Sum:
-    """A sum of products in the making; ``number`` is what it is where parameters alone stand in it."""
+    """A sum of products being built; ``number`` is its value where it has only parameters."""
 
     def __init__(self, terms: Mapping[Factors, float], number: float | None) -> None:
         self.terms, self.number = {f: c for f, c in terms.items() if c}, number
@@ -73,7 +73,7 @@ def _product(f: Factors, g: Factors) -> Factors:
 
 
 class AmountParser(ExpressionParser):
-    """Reads an amount without a value of its own: ``named`` are the names that are found on plans."""
+    """Parses an amount that has no value yet; ``named`` are the names found on plans."""
 
     def __init__(self, text: str, parameters: Mapping[str, float], named: Iterable[str]) -> None:
         names: dict[str, Real] = {n: _Sum({((n, 1),): 1.0}, x) for n, x in parameters.items()}
@@ -81,7 +81,7 @@ class AmountParser(ExpressionParser):
         super().__init__(_without_powers(text, named), names, [*parameters, *named])
 
     def divided(self, value: Real, by: Real) -> Real:
-        """By one product; by a sum only where that is a number."""
+        """Divided by a single product; by a sum only where that is a number."""
         value, by = _Sum.of(value), _Sum.of(by)
         if len(by.terms) > 1 and by.number is not None:
             by = _Sum.of(by.number)
@@ -94,7 +94,7 @@ class AmountParser(ExpressionParser):
         return _Sum(quotient.terms, None if None in (value.number, by.number) else value.number / by.number)
 
     def raised(self, base: Real, exponent: Real) -> Real:
-        """To a small whole power, or a number to any."""
+        """To a small whole power, or a number to any power."""
         base, power = _Sum.of(base), _Sum.of(exponent).number
         if power is None or (base.number is None and not (power.is_integer() and 0 < power <= 9)):
             raise self.fail(Phrase("amount_power"))
@@ -119,14 +119,14 @@ def hatted(name: str) -> str:
 
 
 def _without_powers(text: str, named: Iterable[str]) -> str:
-    """The text with the ^ of names replaced, the longest name first."""
+    """The text with the ^ in names replaced, the longest name first."""
     for name in sorted((n for n in named if "^" in n), key=len, reverse=True):
         text = re.sub(rf"(?<![\w{HAT}]){re.escape(name)}(?![\w'′″])", hatted(name), text)
     return text
 
 
 def read_amount(text: str, parameters: Mapping[str, float], named: Iterable[str]) -> VectorAmount | float:
-    """A number, or what it is reckoned from on the plans; :class:`ExpressionError` in words."""
+    """A number, or the amount that the plans will give; :class:`ExpressionError` in words."""
     total = _Sum.of(AmountParser(text, parameters, tuple(named)).value())
     if not all(math.isfinite(c) for c in total.terms.values()):
         raise AmountParser(text, parameters, tuple(named)).fail(Phrase("value_large"))

@@ -1,4 +1,4 @@
-"""The text of a vector equation: sides that are equal, each a sum of vectors with their coefficients."""
+"""The text of a vector equation: equal sides, each a sum of vectors with coefficients."""
 
 import re
 from collections.abc import Callable
@@ -17,14 +17,14 @@ Number = Callable[[str], float]
 
 @frozen
 class SideTerm:
-    """A vector of a side, so many times."""
+    """A vector of a side, with its coefficient."""
 
     name: str
     times: float = 1.0
 
     @property
     def text(self) -> str:
-        """As it is written, without the sign."""
+        """The term as written, without the sign."""
         return self.name if abs(self.times) == 1 else f"{abs(self.times):.4g}·{self.name}"
 
 
@@ -33,12 +33,12 @@ Side = tuple[SideTerm, ...]
 
 @frozen
 class VectorEquation:
-    """Sides that are all equal; () is nothing."""
+    """Sides that are all equal; () is zero."""
 
     text: str
     sides: tuple[Side, ...]
     line: int = field(default=0, compare=False)
-    plan: str = ""  # that it is drawn on, where the scene says so: "force:2-3"
+    plan: str = ""  # the plan it is drawn on, if the scene names one: "force:2-3"
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -47,15 +47,15 @@ class VectorEquation:
 
 
 def _plain(text: str) -> float:
-    """A coefficient of numbers alone."""
+    """A coefficient of plain numbers."""
     return evaluate(text, {})
 
 
 def read_equation(text: str, number: Number = _plain, line: int = 0, chained: bool = True) -> VectorEquation:
     """Read "v_S = v_B + 0.4*v_CB", "F_1 + F_30 - F_03 = 0" or "a_C = a_B + a_CB^n + a_CB^t = a_D + …"; ``number``
-    evaluates a coefficient; the vectors of one that is not ``chained`` need not follow one another.
+    evaluates a coefficient; in an equation that is not ``chained`` the vectors need not follow one another.
 
-    :class:`EquationError` where a side is no sum of vectors, a vector stands twice, or a chain breaks.
+    Raises :class:`EquationError` where a side is not a sum of vectors, a vector occurs twice, or a chain breaks.
     """
     parts = text.split("=")
     if len(parts) < 2:
@@ -85,7 +85,7 @@ def _terms(part: str, text: str, number: Number) -> list[SideTerm]:
 
 
 def _parted(part: str) -> list[tuple[str, str]]:
-    """The side cut at the signs that stand in no brackets."""
+    """The side split at the signs outside brackets."""
     pieces, depth, piece, sign = list[tuple[str, str]](), 0, "", "+"
     for char in part:
         depth += (char == "(") - (char == ")")
@@ -111,7 +111,7 @@ def _term(sign: str, piece: str, text: str, number: Number) -> SideTerm:
 
 
 def ends(name: str) -> tuple[str, str] | None:
-    """Marks a velocity or acceleration runs between by its name: v_C p→c, v_CB b→c, a_CB^n b'→n_CB; else None."""
+    """The end marks of a velocity or acceleration, by its name: v_C p→c, v_CB b→c, a_CB^n b'→n_CB; else None."""
     match = _RATE.fullmatch(name)
     if not match:
         return None
@@ -126,13 +126,13 @@ def ends(name: str) -> tuple[str, str] | None:
 
 
 def span(term: SideTerm) -> tuple[str, str] | None:
-    """The marks a term leads between; None where its name or its coefficient tells of none."""
+    """The marks at the ends of a term; None where neither its name nor its coefficient gives any."""
     marks = ends(term.name) if abs(term.times) == 1 else None
     return marks[::-1] if marks and term.times < 0 else marks
 
 
 def check_chains(equation: VectorEquation) -> None:
-    """Each vector of a side starts where the one before it ends, and all sides join the same marks."""
+    """Each vector of a side must start at the end of the one before, and all sides must join the same marks."""
     reached, text = [], equation.text
     for side in equation.sides:
         spans = [(term.name, span(term)) for term in side]

@@ -1,5 +1,5 @@
-"""A scene without a mechanism: vectors of which something is given, values reckoned from them, and the equations that
-tie them."""
+"""A scene without a mechanism: vectors with partly known data, values computed from them, and the equations between
+them."""
 
 import re
 from collections.abc import Mapping
@@ -36,7 +36,7 @@ class AlongVector:
 
 @frozen
 class Similarity:
-    """A vector that is to the vector ``of`` as a complex ``ratio``, or as the first of ``shape`` to the second."""
+    """A vector in the ratio of a complex number to the vector ``of``, or as the first of ``shape`` to the second."""
 
     of: str
     ratio: complex = 1 + 0j
@@ -45,7 +45,7 @@ class Similarity:
 
 @frozen
 class VectorGiven:
-    """What a scene says of a vector; ``near_deg`` tells which of two solutions is meant."""
+    """The data of a vector in a scene; ``near_deg`` selects one of two solutions."""
 
     value: Amount | None = None
     direction: float | AlongVector | LoadLaw | None = None
@@ -55,8 +55,8 @@ class VectorGiven:
 
 @frozen
 class Statement:
-    """All that a scene of vectors states; ``values`` are numbers reckoned from its vectors and ``parameters``,
-    ``quantity`` the plan whose unit its ``mu`` has. Of a scene of ``statics`` that states the vectors."""
+    """The contents of a scene of vectors; ``values`` are numbers computed from its vectors and ``parameters``,
+    ``quantity`` is the plan whose unit its ``mu`` has. For a scene of ``statics``, which states the vectors."""
 
     vectors: Mapping[str, VectorGiven] = field(default_factory=lambda: MappingProxyType({}))
     equations: tuple[VectorEquation, ...] = ()
@@ -64,11 +64,11 @@ class Statement:
     parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     quantity: str | None = None
     statics: Framework | None = None
-    drive: Drive | None = None  # what laws among them go by
+    drive: Drive | None = None  # the variable of the laws among them
 
 
 def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
-    """A person's own equations beside a mechanism, whether they hold or not."""
+    """The user's equations beside a mechanism, whether they hold or not."""
     equations = []
     for n, entry in enumerate(reader.items(node, "equations") if isinstance(node, Items) else [node], 1):
         text = reader.text(entry, Phrase("equation", number=n)).strip()
@@ -81,7 +81,7 @@ def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
 
 
 class StatementReader:
-    """Reads a scene of vectors: what is named first, so that it may be used anywhere."""
+    """Reads a scene of vectors: names first, so that they may be used anywhere."""
 
     def __init__(self, scene: Fields, laws: LawReader | None) -> None:
         self.scene, self.laws = scene.table, laws
@@ -160,7 +160,7 @@ class StatementReader:
         return VectorGiven(size, direction, vector.said("near"))
 
     def direction(self, vector: Fields, key: str, quarter: int) -> float | AlongVector | LoadLaw | None:
-        """Degrees, the direction of another vector (r_BC, and -r_BC the other way), or a law of the drive."""
+        """Degrees, the direction of another vector (r_BC, or -r_BC reversed), or a law of the drive."""
         node = vector.optional(key)
         if node is not None and quarter == 0 and self.laws and self.laws.follows(node):
             law = self.laws.amount(node, vector.named(key))
@@ -206,7 +206,7 @@ class StatementReader:
         return tuple(self.equation(entry, Phrase("equation", number=n)) for n, entry in enumerate(nodes, 1))
 
     def equation(self, node: Node, what: Told) -> VectorEquation:
-        if isinstance(node, SourceTable):  # beneath the name of its plan
+        if isinstance(node, SourceTable):  # under the name of its plan
             (plan, own), *more = node.entries.items() or [("", node)]
             if more or not _FORCES.fullmatch(plan):
                 raise self.reader.error(Phrase("no_such_plan", plan=shown(plan)), node)
@@ -223,6 +223,6 @@ class StatementReader:
             phrase = error.phrase
             sentence = phrase if isinstance(error, EquationError) else Phrase("about", what=text, why=phrase)
             raise SceneError(sentence, self.reader.file, node.line) from None
-        for name in equation.names:  # a parameter in the place of one
+        for name in equation.names:  # a parameter in place of a vector
             self.named(node, name, text)
         return equation

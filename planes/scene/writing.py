@@ -1,4 +1,4 @@
-"""A scene written back as the file that says it: the same mechanism when it is read again."""
+"""A scene written back to a file: reading it again gives the same mechanism."""
 
 from collections.abc import Container, Iterator, Mapping
 from contextlib import suppress
@@ -12,7 +12,7 @@ from planes.words.records import Json
 
 
 class _Lines(yaml.SafeDumper):
-    """Tables of tables on lines of their own, everything below them in one line."""
+    """Outer tables on separate lines, all below them on one line."""
 
 
 _Lines.add_representer(complex, lambda dumper, z: dumper.represent_sequence("tag:yaml.org,2002:seq", [z.real, z.imag]))
@@ -21,7 +21,7 @@ _Lines.add_representer(complex, lambda dumper, z: dumper.represent_sequence("tag
 def as_yaml(mechanism: Mechanism, words: Mapping[str, object], asked: Mapping[str, object]) -> str:
     """The text of a scene file: numbers in full, no expressions; ``words`` and what is ``asked`` as the file has them.
 
-    Parts that say nothing are left out; a part that was kept as it was written is written so again.
+    Empty parts are left out; a part kept as written is written so again.
     """
     parts: Json = {"planes": 1, **words, **dict(_mechanism(mechanism)), **asked}
     if mechanism.frame_number != FRAME:
@@ -30,7 +30,7 @@ def as_yaml(mechanism: Mechanism, words: Mapping[str, object], asked: Mapping[st
 
 
 def written(parts: Mapping[str, object]) -> str:
-    """The text of a file with these parts, each as it was written if it was kept so."""
+    """The text of a file with these parts, each as originally written if that was kept."""
     return "".join(_dumped(key, _as_written(value)) for key, value in parts.items())
 
 
@@ -42,15 +42,15 @@ def own_scene(
     sheet: Mapping[str, Node],
     without: Container[str] = (),
 ) -> str:
-    """The scene with the numbers of a variant, then ``numbers``, in its parameters; ``sheet`` joins its own, but for
-    keys it is to be ``without``."""
+    """The scene with the numbers of a variant, then ``numbers``, in its parameters; ``sheet`` is merged into its sheet,
+    except for the keys in ``without``."""
     entries = dict(parse(text, file).entries)
     variants = entries.pop("variants", None)
     if isinstance(parameters := entries.get("parameters"), SourceTable):
         more = entries_of(entries_of(variants).get(variant or ""))
         drawn = {name: SourceScalar(value, 0) for name, value in numbers.items()}
         entries["parameters"] = SourceTable({**parameters.entries, **more, **drawn}, 0)
-    if numbers:  # its scales were chosen for its own
+    if numbers:  # the scales were chosen for the scene's original numbers
         entries.pop("plans", None)
     if sheet:
         entries["sheet"] = SourceTable({**entries_of(entries.get("sheet")), **sheet}, 0)
@@ -86,7 +86,7 @@ def _mechanism(m: Mechanism) -> Iterator[tuple[str, object]]:
 
 
 def _as_written(node: object) -> object:
-    """A part of the scene that is kept as it was written; anything else as it is."""
+    """A part of the scene as originally written, if that was kept; otherwise unchanged."""
     if isinstance(node, SourceTable):
         return {key: _as_written(one) for key, one in node.entries.items()}
     if isinstance(node, Items):
@@ -147,7 +147,7 @@ def _load(load: Load) -> Json:
 
 
 def _amount(value: Amount | StrokeLoad) -> object:
-    """A number of a load, or the law it follows."""
+    """A number of a load, or its law."""
     if isinstance(value, StrokeLoad):
         both = {"working": _amount(value.working), "idle": _amount(value.idle)}
         return {**both, "stroke": value.stroke, "slider": value.slider}

@@ -1,18 +1,18 @@
-"""How the numbers of a scene were written: a double stands for a decimal, which is known where a text is one."""
+"""How the numbers of a scene were written: the decimal behind each double, known where a text gives one."""
 
 from dataclasses import dataclass, field
 
 from planes.scene.expressions import is_plain
 
-SURE = 15  # decimals of no more digits that have the same double are the same
+SURE = 15  # decimals of no more digits with the same double are equal
 
 
 @dataclass
 class WrittenNumbers:
-    """The decimals of the numbers read, by their sizes, and radius and angle of the places written so."""
+    """The decimals of the numbers read, by magnitude, and radius and angle of the places given so."""
 
-    numbers: dict[float, str] = field(default_factory=dict)  # "" of what is reckoned, or is two decimals
-    places: dict[complex, tuple[float, ...]] = field(default_factory=dict)  # none of those with coordinates
+    numbers: dict[float, str] = field(default_factory=dict)  # "" for a computed number, or for two different decimals
+    places: dict[complex, tuple[float, ...]] = field(default_factory=dict)  # None for those with coordinates
 
     def note(self, value: float, text: str) -> None:
         """Remember the text of a number."""
@@ -22,13 +22,13 @@ class WrittenNumbers:
             self.numbers[abs(value)] = ""
 
     def note_place(self, place: complex, *polar: float) -> complex:
-        """Remember the radius and angle of a place, if it is written so; nothing is known of one written both ways."""
+        """Remember the radius and angle of a place given so; a place given in both forms is forgotten."""
         if self.places.setdefault(place, polar) != polar:
             self.places[place] = ()
             self.numbers |= dict.fromkeys((abs(place.real), abs(place.imag)), "")
         return place
 
     def decimal(self, x: float) -> str:
-        """The decimal of a number; "" where it is not known."""
+        """The decimal of a number; "" where it is unknown."""
         text = self.numbers.get(abs(x)) or (repr(abs(x)) if (x * 1024).is_integer() else "")
         return f"-{text}" if text and x < 0 else text

@@ -1,4 +1,4 @@
-"""What is wrong with a file that is not YAML, in one short sentence instead of the reader's own message."""
+"""The fault in a file that is not YAML, in one short sentence instead of the reader's own message."""
 
 from planes.words import Phrase
 
@@ -25,7 +25,7 @@ _RARE = {
     "found incompatible YAML document": "other_yaml",
 }
 
-_AT_START = ("colon_missing", "list_open", "table_open", "quote_open")  # the line where it began tells more
+_AT_START = ("colon_missing", "list_open", "table_open", "quote_open")  # the line where it began is more useful
 
 
 def explained(error: Exception, text: str) -> tuple[Phrase, int | None]:

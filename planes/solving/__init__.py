@@ -1,4 +1,4 @@
-"""Solve a scene for one or many values of its drive: what ``planes solve`` prints, as plain dictionaries."""
+"""Solve a scene for one or many positions of its drive: the output of ``planes solve``, as plain dictionaries."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -24,12 +24,12 @@ from planes.words.frozen import frozen
 from planes.words.names import POLE, at, label_of, parts_of
 from planes.words.records import Json, Pictured, Tabulated
 
-TOLD = 20  # for how many failed positions the nearest working one is looked for
+TOLD = 20  # number of failed positions for which the nearest working one is searched
 
 
 @frozen
 class Position(Pictured, Tabulated):
-    """One position of a mechanism: the drive's place ``at`` (degrees, or m), plans, drawing, scales, and ``results``
+    """One position of a mechanism: the drive's position ``at`` (degrees, or m), plans, drawing, scales, and ``results``
     as in the JSON, with the measured segments and the warnings.
 
     Results are read by name or number: ``r``, ``v``, ``a`` of points are complex (x + iy in m, m/s, m/s²), ``omega``
@@ -69,15 +69,15 @@ class Position(Pictured, Tabulated):
         return self.of("links", "epsilon").each(lambda measured: measured.number)
 
     def of(self, group: str, key: str = "") -> Readings[Measured]:
-        """What was found of one kind ("points", "v"; "reactions"), by the name of the point, link or reaction.
-        Raises :class:`UnknownName`, a KeyError, for a kind that is nothing."""
+        """The results of one kind ("points", "v"; "reactions"), by the name of the point, link or reaction. Raises
+        :class:`UnknownName`, a KeyError, for an unknown kind."""
         own = {f.quantity.of: f for f in self.found if (f.quantity.group, f.quantity.key) == (group, key)}
         if not own:
             known(f"{group}.{key}".strip("."), KINDS)
         return Readings(own, self.plans.naming, key)
 
     def rows(self, group: str) -> dict[str, dict[str, Measured]]:
-        """What was found of every point, link or slide, by its name and the key."""
+        """The results of every point, link or slide, by its name and the key."""
         rows: dict[str, dict[str, Measured]] = {}
         for f in self.found:
             if f.quantity.group == group:
@@ -85,12 +85,12 @@ class Position(Pictured, Tabulated):
         return rows
 
     def number(self, group: str) -> float | None:
-        """The balancing load, if it was asked for."""
+        """The balancing load, if requested."""
         return next((f.number for f in self.found if f.quantity.group == group), None)
 
     def measured_on(self, plan: str) -> Iterator[tuple[str, Segment, Json]]:
-        """The segments of a plan, but of points that never move; a whole vector of rates is named by its point.
-        Raises :class:`UnknownName`, a KeyError, for a plan there is not."""
+        """The segments of a plan, without those of points that never move; a whole velocity or acceleration vector is
+        named by its point. Raises :class:`UnknownName`, a KeyError, for an unknown plan."""
         known(plan, self.results["plans"])
         rates = {p: {"velocity": m.velocity, "acceleration": m.acceleration} for p, m in self.plans.points.items()}
         points = {label_of(marks[plan]): p for p, marks in rates.items() if plan in marks}
@@ -104,7 +104,8 @@ class Position(Pictured, Tabulated):
                     yield (f"{plan[0]}_{point}" if is_total else s.name), s, segment
 
     def value(self, name: str) -> float | complex:
-        """A quantity by its name in ``find:``: a number in SI, complex for a vector; else a :class:`SceneError`."""
+        """A quantity by its name in ``find:``: a number in SI, complex for a vector; otherwise a
+        :class:`SceneError`."""
         (quantity,) = asked(self.plans, [name])
         same = (f for f in self.found if f.quantity.path == quantity.path)
         measured = next(same, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
@@ -120,12 +121,12 @@ class Position(Pictured, Tabulated):
 
 @dataclass
 class Solved:
-    """All positions that came out, and those that did not, each with its sentence; ``values`` as they were asked, of
-    the ``instrument``."""
+    """All positions that could be drawn, and the failed ones, each with its sentence; ``values`` as requested, of the
+    ``instrument``."""
 
     scene: Scene
     plans: Plans
-    wanted: list[Quantity] | None  # what the scene asks for, None for all
+    wanted: list[Quantity] | None  # the results the scene asks for, None for all
     values: list[float] = field(default_factory=list)
     positions: list[Position] = field(default_factory=list)
     failed: list[Json] = field(default_factory=list)
@@ -140,7 +141,7 @@ class Solved:
         return f"<Solved: {len(self.positions)} positions, {len(self.failed)} failed>"
 
     def json(self) -> Json:
-        """The object ``planes solve --json`` prints."""
+        """The object that ``planes solve --json`` prints."""
         doubts = [doubt.told(self.lang) for doubt in self.scene.doubts]
         head = {"planes": 1, "scene": Path(self.scene.file).name, "variant": self.scene.variant}
         listed = [{**p.results, "warnings": doubts + p.results["warnings"]} for p in self.positions]
@@ -153,7 +154,8 @@ class Solved:
 
 
 def plans_of(scene: Scene, shown: bool = False) -> tuple[Plans, list[Quantity] | None]:
-    """The plans of a scene cut to what it asks for, ``shown`` on the whole scheme; and what it asks for (None: all)."""
+    """The plans of a scene cut to the requested results, or with the whole scheme if ``shown``; and these results
+    (None: all)."""
     plans = scene_plans(scene)
     if scene.find is None:
         return plans, None
@@ -163,7 +165,7 @@ def plans_of(scene: Scene, shown: bool = False) -> tuple[Plans, list[Quantity] |
 def solve(
     scene: Scene, values: Iterable[float] | None = None, instrument: Instrument | None = None, lang: Lang = "en"
 ) -> Solved:
-    """Draw and measure every asked position. :class:`SceneError` where the scene itself cannot be meant."""
+    """Draw and measure every requested position. Raises :class:`SceneError` where the scene itself is invalid."""
     plans, wanted = plans_of(scene)
     drive = plans.mechanism.drive
     asked_at = [drive.position] if values is None else list(values)
@@ -181,25 +183,25 @@ def solve(
 
 
 def failed(failure: PlanFailure, value: float, kind: str, near: float | None = None) -> Phrase:
-    """The sentence of a position that did not come out, with the nearest one that does."""
+    """The sentence about a failed position, with the nearest one that works."""
     name = "φ" if kind == "phi" else "s"
     there = Phrase("nearest", name=name, value=_place(near, kind, True)) if near is not None else ""
     return Phrase("at", name=name, value=_place(value, kind), why=failure.phrase, nearest=there)
 
 
 def told(value: float, kind: str, lang: Lang) -> str:
-    """A value of the drive in words."""
+    """A position of the drive in words."""
     return _place(value, kind).told(lang)
 
 
 def _place(value: float, kind: str, exact: bool = False) -> Phrase | Written:
-    """A value of the drive, with ten digits or ``exact``."""
+    """A position of the drive, to ten digits or ``exact``."""
     number = repr(value).removesuffix(".0") if exact else f"{value:.10g}"
     return Written(f"{number}°") if kind == "phi" else Phrase("in_m", value=Written(number))
 
 
 def key_of(plans: Plans) -> str:
-    """The JSON key of the drive's value."""
+    """The JSON key of the drive's position."""
     return "phi_deg" if plans.mechanism.drive.kind == "phi" else "s"
 
 
@@ -212,8 +214,8 @@ def position(
     lang: Lang,
     fit_mm: Mapping[str, float] | None = None,
 ) -> Position:
-    """One position drawn at its scales (an open μ: the largest with which the plan fits
-    ``fit_mm``, or the sheet the scene names) and measured."""
+    """One position drawn at its scales and measured. An open μ is the largest with which the plan fits ``fit_mm``, or
+    the sheet named in the scene."""
     moved = plans.at(value)
     plans, wanted = fitted(plans, wanted, value)
     mus = scales(plans, scene.mu, moved, fit_mm or fits_on(scene.sheet, plans))
@@ -240,7 +242,7 @@ def position(
 
 
 def as_json(plans: Plans, measured: Iterable[Measured], groups: Iterable[str] = ()) -> Json:
-    """What was found as the JSON has it: of a slider its guide too."""
+    """The results as in the JSON; those of a slider include its guide."""
     out = nested(measured, groups)
     for link, one in out.get("slides", {}).items():
         out["slides"][link] = {"guide": plans.velocity_slides[link].guide, **one}

@@ -26,8 +26,8 @@ class Linkage:
     Each method adds a part and returns the linkage, so that calls can be chained.
 
     Lengths are in m, masses in kg, moments of inertia in kg·m² about the mass centre, angles in degrees
-    counter-clockwise from x, forces in N, couples in N·m. :meth:`scene` gives the scene, or says in one sentence why
-    there is none.
+    counter-clockwise from x, forces in N, couples in N·m. :meth:`scene` returns the scene, or raises an error of one
+    sentence.
 
     >>> import planes
     >>> engine = planes.Linkage("Slider-crank", gravity=9.81)
@@ -41,7 +41,7 @@ class Linkage:
     """
 
     def __init__(self, title: str = "", *, gravity: float = 0.0, **parameters: Number) -> None:
-        """``gravity`` in m/s², downwards; ``parameters`` are numbers that expressions name, and that can be changed."""
+        """``gravity`` in m/s², downwards; ``parameters`` are numbers that expressions may use and calls may change."""
         self.parts: dict[str, Any] = {
             "planes": 1,
             "title": title,
@@ -73,10 +73,10 @@ class Linkage:
         centre: Place | None = None,
         radius: Number | None = None,
     ) -> Self:
-        """Add a guide of the frame, or, in its axes, of a ``link`` that was added before.
+        """Add a guide of the frame, or of a ``link`` added before, in the axes of that link.
 
-        ``x`` is a vertical guide through (x, 0) that points to +y, ``y`` a horizontal one that points to +x;
-        ``through`` a point or its name at an ``angle`` in degrees; ``centre`` and ``radius`` an arc.
+        ``x`` is a vertical guide through (x, 0), directed to +y, ``y`` a horizontal one, directed to +x; ``through`` is
+        a point or its name, with an ``angle`` in degrees; ``centre`` and ``radius`` give an arc.
         """
         links = self.parts["links"]
         if link is not None and str(link) not in links:
@@ -99,8 +99,8 @@ class Linkage:
     ) -> Self:
         """Add a link, its points in its own axes: ``link(2, A=0, B=0.35, S2=0.1, centre="S2", mass=2, inertia=0.03)``.
 
-        A point named in two links is a hinge. ``slides`` names the guide on which the link's first point runs, or
-        ``{"guide": …, "angle": …, "offset": …}``. ``centre`` is the mass centre, else the first point.
+        A point named in two links is a hinge. ``slides`` names the guide on which the link's first point slides, or
+        ``{"guide": …, "angle": …, "offset": …}``. ``centre`` is the mass centre, by default the first point.
         """
         own = _given(slides=slides, centre=centre, mass=mass, inertia=inertia)
         for point in places:
@@ -112,7 +112,7 @@ class Linkage:
         return self
 
     def assemble(self, sides: Mapping[str, Any] | None = None, **more: Any) -> Self:
-        """Choose which of two positions a group takes: ``assemble(C="right")``, ``assemble({"y-y": "ahead"})`` or
+        """Choose one of two positions of a group: ``assemble(C="right")``, ``assemble({"y-y": "ahead"})`` or
         ``assemble(C={"near": [0.1, 0.2]})``; left and right between hinges, ahead and behind along a guide."""
         self.parts["assembly"] |= {**(sides or {}), **more}
         return self
@@ -130,7 +130,7 @@ class Linkage:
         on: int | str | None = None,
     ) -> Self:
         """Set the driver: a crank at ``phi`` degrees, ``omega`` rad/s, ``epsilon`` rad/s², or a slider at ``s`` m,
-        ``velocity`` m/s, ``acceleration`` m/s²; ``on`` a moving link, if it does not hang on the frame."""
+        ``velocity`` m/s, ``acceleration`` m/s²; ``on`` a moving link, if it is not on the frame."""
         turning = _given(phi=phi, omega=omega, epsilon=epsilon, on=on)
         sliding = _given(s=s, velocity=velocity, acceleration=acceleration)
         self.parts["drive"] = {"link": str(link), **turning, **sliding}
@@ -149,9 +149,9 @@ class Linkage:
     ) -> Self:
         """Add a ``force`` (N) at a point of a link, or a ``moment`` (N·m, counter-clockwise positive).
 
-        Its sense is ``against="motion"``, ``along="motion"``, or a ``direction``: degrees, or
+        Its direction is ``against="motion"``, ``along="motion"``, or a ``direction``: degrees, or
         ``{"link": 3, "angle": 90}`` to turn with a link.
-        A size may be a law of the motion: ``"3000*sin(phi)"``, ``{"working": 6000, "idle": 200}``.
+        A magnitude may be a law of the motion: ``"3000*sin(phi)"``, ``{"working": 6000, "idle": 200}``.
         """
         said = _given(point=point, force=force, moment=moment, against=against, along=along, direction=direction)
         self.parts["loads"].append({"link": str(link), **said})
@@ -175,9 +175,8 @@ class Linkage:
     def scene(self, **parameters: float) -> Scene:
         """The scene, with other numbers for its ``parameters`` (SI, degrees).
 
-        Raises :class:`planes.PlanesError`, which names the part, where something cannot be meant, or the links and
-        pairs make no mechanism, or its assembly is open; warns (``UserWarning``) of numbers in what seem to be
-        other units.
+        Raises :class:`planes.PlanesError`, which names the part, where a value is invalid, the links and pairs form no
+        mechanism, or the assembly is not settled; warns (``UserWarning``) of numbers that seem to be in other units.
         """
         scene = loads(self.to_yaml(), f"<{self.parts['title'] or 'Linkage'}>", None, **parameters)
         scene_plans(scene)
@@ -189,7 +188,7 @@ class Linkage:
 
 
 def doubted(scene: Scene) -> Scene:
-    """The scene; whoever asked for it is warned of numbers in it that seem to be in other units."""
+    """The scene; the caller is warned of numbers that seem to be in other units."""
     for doubt in scene.doubts:
         if doubt.phrase.key in OF_UNITS:
             warnings.warn(doubt.told(home_lang()), stacklevel=3)
@@ -197,17 +196,17 @@ def doubted(scene: Scene) -> Scene:
 
 
 def _given(**parts: Any) -> dict[str, Any]:
-    """What is given of a part."""
+    """The given values of a part."""
     return {key: value for key, value in parts.items() if value is not None}
 
 
 def _placed(parts: Mapping[str, Any]) -> dict[str, Any]:
-    """Places as a scene file has them."""
+    """Places in the form of a scene file."""
     return {name: _place(value) for name, value in parts.items()}
 
 
 def _place(place: Any) -> Any:
-    """A place as a scene file has it."""
+    """A place in the form of a scene file."""
     if isinstance(place, complex):
         return [place.real, place.imag]
     return list(place) if isinstance(place, tuple) else place

@@ -1,6 +1,6 @@
-"""What a document is made of, whatever file it becomes: headings, paragraphs, formulas, tables, figures.
+"""The parts of a document, whatever its file format: headings, paragraphs, formulas, tables, figures.
 
-In every text _{…} and ^{…} are indices, ⟨…⟩ the name of a vector or a value. How it looks is not its matter.
+In every text _{…} and ^{…} are indices, ⟨…⟩ the name of a vector or a value. The layout is decided elsewhere.
 """
 
 from collections.abc import Mapping
@@ -20,25 +20,48 @@ class Heading:
 
 
 @frozen
-class Paragraph:
-    """``why`` is set apart as the reason of what it says; ``plan`` is where its marks stand.
+class Cover:
+    """A title page, after which the ``contents`` are listed: the ``kind`` of document and ``of`` which mechanism, the
+    organisation ``above``, the ``people`` whose work it is, the date at its ``foot``."""
 
-    ``mistake``: it says where a source text is wrong.
+    kind: str
+    contents: str
+    of: str = ""
+    above: tuple[str, ...] = ()
+    people: tuple[str, ...] = ()
+    foot: str = ""
+
+    @property
+    def text(self) -> str:
+        """The title in a line."""
+        return f"{self.kind}. {self.of}" if self.of else self.kind
+
+
+@frozen
+class Paragraph:
+    """``number`` is that of a step; its marks are on ``plan``.
+
+    ``why``: it gives the reason of what was said before; ``mistake``: it says where a source text is wrong.
     """
 
     text: str
-    why: str = ""
     number: int = 0
     plan: str = ""
+    why: bool = False
     mistake: bool = False
 
 
 @frozen
 class Formula:
-    """A line of mathematics (mathtext), its number in the source text."""
+    """A formula (mathtext) in pieces that a line may break between, and its number."""
 
-    tex: str
+    parts: tuple[str, ...]
     number: str = ""
+
+    @property
+    def tex(self) -> str:
+        """The whole of it."""
+        return "".join(self.parts)
 
 
 @frozen
@@ -51,7 +74,7 @@ class DocumentTable:
 
 @frozen
 class PlottedLine:
-    """``style`` is the number of its look (colour and dashes); ``label`` "" keeps it out of the legend."""
+    """``style`` is the index of its style (colour and dashes); ``label`` "" keeps it out of the legend."""
 
     x: Array
     y: Array
@@ -61,7 +84,7 @@ class PlottedLine:
 
 @frozen
 class Chart:
-    """Curves over x. ``equal``: both axes to one scale; ``ticks``: spacing of the marks on x, 0 for the usual.
+    """Curves over x. ``equal``: both axes to one scale; ``ticks``: spacing of the marks on x, 0 for the default.
 
     ``notes`` are words beside points: x, y and the word.
     """
@@ -81,8 +104,8 @@ class DrawnViews:
 
     A view is "scheme", a plan, "equations …" of a plan, "loaded" (the mechanism with its loads), "loaded …" (a link
     with all forces on it), "group …" (the links of a force polygon with their forces and arms), "lever", "centre …" (of
-    a link's velocities), "studio" (the code that opens the scene in one);
-    ``scales``: the caption goes on with every plan and its μ.
+    a link's velocities), "studio" (the QR code that opens the scene there); ``scales``: the caption continues with
+    every plan and its μ.
     """
 
     scene: Scene
@@ -94,8 +117,8 @@ class DrawnViews:
 @frozen
 class ShaftSketch:
     """The crankshaft on its bearings; numbers in metres. ``masses`` are named by their places ("pin", "weight_0"),
-    ``forces`` by their places and ways ("up", "down" in the plane of the crank, "across" square to it), the ``sizes``
-    that are shown by their signs."""
+    ``forces`` by their places and directions ("up", "down" in the plane of the crank, "across" perpendicular to it),
+    the ``sizes`` shown by their signs."""
 
     span: float
     pin: float
@@ -109,10 +132,10 @@ class ShaftSketch:
 
 @frozen
 class Figure:
-    """A chart, drawn views or a sketch, with what stands beneath."""
+    """A chart, drawn views or a sketch, with its caption."""
 
     of: Chart | DrawnViews | ShaftSketch
     caption: str = ""
 
 
-Block = Heading | Paragraph | Formula | DocumentTable | Figure
+Block = Cover | Heading | Paragraph | Formula | DocumentTable | Figure

@@ -1,4 +1,4 @@
-"""What ``planes solve --explain`` prints: the steps of a program that lead to what is asked, and those dropped."""
+"""The output of ``planes solve --explain``: the steps that the requested results need, and the steps dropped."""
 
 from collections.abc import Iterable, Iterator
 
@@ -12,7 +12,7 @@ from planes.words.names import is_scale
 
 
 def explain(scene: Scene, lang: Lang = "en") -> str:
-    """The kept and the dropped steps of a scene, one on a line, in the order they would be drawn."""
+    """The kept and the dropped steps of a scene, one per line, in drawing order."""
     full, kept = scene_plans(scene).program, plans_of(scene)[0].program
     dropped = [s for s in full.steps if s.makes not in kept.made]
     lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(full.steps)), *_listed(kept.steps, lang)]
@@ -29,7 +29,7 @@ def _listed(steps: Iterable[Step], lang: Lang) -> Iterator[str]:
 
 
 def _series(step: Step) -> set[str]:
-    """The names of an assembly that is followed: numbers that no person gives."""
+    """The names of the series of an assembly: numbers that the user never gives."""
     return {name for name, _ in step.guess.reads()} - {step.guess.drive} if isinstance(step, CutTrack) else set()
 
 

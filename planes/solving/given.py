@@ -1,5 +1,5 @@
-"""What a scene gives, each thing once: its parameters as they are named, then every number of the mechanism that none
-of them names. Whoever has these can draw it again."""
+"""The data of a scene, each item once: the named parameters, then every number of the mechanism without a name. They
+are enough to draw it again."""
 
 import cmath
 import math
@@ -22,16 +22,16 @@ from planes.words.naming import Naming
 from planes.words.units import UNIT, number, unit_of_parameter
 
 RANK = ("°", "rad/s", "rad/s²", "m/s", "m/s²", "m", "", "kg", "kgm2", "N/m", "N", "N·m", "units")
-"""Units in the order their rows stand in."""
-LONGEST = 60  # signs of a law in a cell
-LOADING = ("kg", "kgm2", "N/m", "N", "N·m")  # units of what only forces are drawn by
-DIGITS = 6  # a given number is written as it was given
+"""Units in the order of their rows."""
+LONGEST = 60  # longest law in a cell, in characters
+LOADING = ("kg", "kgm2", "N/m", "N", "N·m")  # units of numbers needed for forces only
+DIGITS = 6  # digits of a given number, as given
 
 
 @frozen
 class GivenTable:
-    """The given values of a position that what is drawn of it reads; ``parameters`` are those of its scene. ``steady``
-    ones have the same names whatever the numbers are."""
+    """The given values that the drawing of a position reads; ``parameters`` are those of its scene. ``steady`` ones
+    keep their names whatever the numbers are."""
 
     position: Position
     naming: Naming
@@ -39,23 +39,23 @@ class GivenTable:
     steady: bool = False
 
     def rows(self) -> list[tuple[str, str, str]]:
-        """Name, value and unit of everything that is given and read."""
+        """Name, value and unit of every given that is read."""
         lang = self.naming.lang
         unit = {key: say(key, lang) if key else "—" for key in RANK}
         return [(r.name, number(r.value, lang, DIGITS), unit[r.unit]) for r in self.listed()]
 
     def listed(self) -> list[GivenRow]:
-        """Everything that is given and read, as it is listed."""
+        """Every given that is read, as listed."""
         plain = dict.fromkeys(r for r in self.plain if self.read(r) and (r.value or r.place) and not self.known(r))
         rows = [*filter(self.read, self.drive()), *self.named(), *plain]
         return sorted(rows, key=lambda r: (not r.of_drive, RANK.index(r.unit)))
 
     def read(self, row: GivenRow) -> bool:
-        """Whether what is drawn reads it."""
+        """Whether the drawing reads it."""
         return not row.given or row.given in self.position.plans.program.givens
 
     def drive(self) -> list[GivenRow]:
-        """The driver's place in this position, and its motion."""
+        """The driver's position, and its motion."""
         drive = self.position.plans.mechanism.drive
         if not self.position.plans.turns:
             return []
@@ -66,7 +66,7 @@ class GivenTable:
         return [GivenRow(*row, of_drive=True) for row in zip(names, values, units, given, strict=False)]
 
     def named(self) -> Iterator[GivenRow]:
-        """The parameters; what a load, a guide's place or friction is called on the sheet stands beside it."""
+        """The parameters; beside each, the lettering on the sheet of the load, guide or friction it gives."""
         shown = {r.name for r in self.drive()}
         drive = self.position.plans.mechanism.drive
         for name, value in self.parameters.items():
@@ -79,13 +79,13 @@ class GivenTable:
                 yield GivenRow(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
 
     def known(self, row: GivenRow) -> bool:
-        """Whether a parameter says the same of the same thing: l_CD of l_DC, J_S2 of J_2."""
+        """Whether a parameter gives the same quantity: l_CD for l_DC, J_S2 for J_2."""
         named = (GivenRow(greek(name), v, unit_of_parameter(name)) for name, v in self.parameters.items())
         return any(alike(row, r) for r in named)
 
     @cached_property
     def plain(self) -> list[GivenRow]:
-        """The same as :meth:`unnamed`, gone through once."""
+        """The same as :meth:`unnamed`, in a single pass."""
         return list(self.unnamed())
 
     def unnamed(self) -> Iterator[GivenRow]:
@@ -119,7 +119,7 @@ class GivenTable:
             yield GivenRow(f"ρ_{{{dashed(name)}}}", journal.circle, "m", f"rho_{name}")
 
     def vectors(self) -> Iterator[GivenRow]:
-        """What is given of vectors that a scene states."""
+        """The data of vectors stated in a scene."""
         given, drawn = self.position.plans.given, self.position.drawing
         for name, (start, _) in self.position.plans.vectors.items():
             for key, sign, unit in ((f"|{name}|", "", UNIT[kind_of(start)]), (f"angle_∠{name}", "∠", "°")):
@@ -135,10 +135,10 @@ class GivenTable:
         yield GivenRow(f"y_{{{name}}}", z.imag, "m", place=True)
 
     def frame_guide(self, guide: Guide) -> Iterator[GivenRow]:
-        """Where a guide of the frame lies and how it is turned."""
+        """The place and direction of a guide of the frame."""
         name = dashed(guide.name)
         upright = guide.through_point is None and {0.0: "y", 90.0: "x"}.get(guide.angle_deg)
-        if upright:  # its coordinate tells how it is turned
+        if upright:  # its coordinate gives the direction
             z = guide.through
             yield GivenRow(f"{upright}_{{{name}}}", z.real if upright == "x" else z.imag, "m", place=True)
             return
@@ -147,13 +147,14 @@ class GivenTable:
         yield GivenRow(f"∠{name}", guide.angle_deg, "°", place=True)
 
     def lengths(self, link: Link) -> Iterator[GivenRow]:
-        """Places of a link's points in its axes, told as is shortest, its guides, its place on the guide it is on."""
+        """Places of a link's points in its axes, in the shortest form, its guides, its place on the guide it slides
+        on."""
         first = link.first_point
         for point, z in link.points.items():
             way = z - link.points[first]
             polar = abs(way), round(math.degrees(cmath.phase(way)), 9)
             name = f"l_{first}{point}"
-            length = self.parameters.get(name, polar[0])  # which may be a coordinate
+            length = self.parameters.get(name, polar[0])  # may be a coordinate
             plain = name in self.parameters if self.steady else _signs(*polar) <= _signs(way.real, way.imag)
             if way.imag and not (plain and equal(length, polar[0])):
                 yield from self.place(first + point, way)
@@ -169,7 +170,7 @@ class GivenTable:
             yield GivenRow(f"∠{self.naming.link(link.name)}", link.slides.angle_deg or 0.0, "°")
 
     def intensities(self, load: StaticLoad) -> Iterator[GivenRow]:
-        """A distributed load: one number, or one at each of its ends."""
+        """A distributed load: one intensity, or one at each of its ends."""
         first, last = load.intensity
         index = "".join(map(self.naming.point, load.spread or ()))
         if first == last:
@@ -179,8 +180,8 @@ class GivenTable:
             yield GivenRow(f"q_{{{index}}}^{{{self.naming.point(point)}}}", value, "N/m", place=True)
 
     def loads(self) -> Iterator[GivenRow]:
-        """Forces and couples as they are called on the sheet. In statics a distributed load is given by its intensity,
-        not by its resultant, and the ray of a pole acts on no body."""
+        """Forces and couples as lettered on the sheet. In statics a distributed load is given by its intensity, not by
+        its resultant, and the ray of a pole acts on no body."""
         plans = self.position.plans
         resultants = {load.name for load in plans.figure.spread} if plans.figure else set()
         for name, m in plans.means.items():
@@ -196,7 +197,7 @@ class GivenTable:
                 yield GivenRow(sign, load.direction_deg, "°", f"angle_∠{name}", place=True)
 
     def laws(self) -> Iterator[tuple[str, str, str]]:
-        """Loads that are laws, each with what it is in this position."""
+        """Loads given by laws, each with its value in this position."""
         drawing, lang = self.position.drawing, self.naming.lang
         for name, sign, key, _ in self.ruled():
             yield sign, number(float(drawing[name]), lang) if name in drawing else "—", say(key, lang)
@@ -212,7 +213,7 @@ class GivenTable:
                 yield f"{sign} = {self.measured(part, key)} ({say(word, lang)})"
 
     def ruled(self) -> Iterator[tuple[str, str, str, Amount | StrokeLoad]]:
-        """Loads that are laws: their names, as they are lettered, the keys of their units, the laws."""
+        """Loads given by laws: their lettered names, the keys of their units, the laws."""
         plans = self.position.plans
         for name, law in plans.acting.laws.items() if plans.forces else ():
             m = plans.means[name]
@@ -220,26 +221,26 @@ class GivenTable:
             yield name, f"∠{sign}" if key == "°" else sign, key, law
 
     def measured(self, law: Amount, key: str) -> str:
-        """A law with its unit, which a comma parts from a formula."""
+        """A law with its unit, separated from a formula by a comma."""
         return f"{self.law(law)}{' ' if isinstance(law, int | float) else ', '}{say(key, self.naming.lang)}"
 
     def law(self, law: Amount) -> str:
-        """A law, as far as there is room for it in a cell."""
+        """A law, as much of it as fits in a cell."""
         drive = self.position.plans.mechanism.drive
         text = law_said(law, drive, self.naming.vector, self.naming.lang, pairs=False)
         return text if len(text) <= LONGEST else "…"
 
 
 def dashed(name: str) -> str:
-    """The name of a guide as it is printed."""
+    """The name of a guide as printed."""
     return name.replace("-", "–")
 
 
 def _signs(*values: float) -> int:
-    """How long numbers are on paper."""
+    """The printed length of numbers."""
     return sum(len(number(v, "en", DIGITS)) for v in values)
 
 
 def _unit(name: str, value: float) -> bool:
-    """Whether a parameter is a unit that others are written in: it is called as one, and as large."""
+    """Whether a parameter is a unit for other numbers: by its name and its value."""
     return name in FACTORS and math.isclose(value, evaluate(FACTORS[name], {}), rel_tol=1e-3)

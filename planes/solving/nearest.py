@@ -1,4 +1,4 @@
-"""Where the method works again: the value of the drive nearest to one at which it fails."""
+"""Where the method works again: the drive's position nearest to one at which it fails."""
 
 import math
 from decimal import Decimal
@@ -9,16 +9,16 @@ from planes.plans import Plans
 from planes.plans.scales import drawn_in_si
 from planes.words.errors import PlanFailure
 
-STEPS = 1440  # to either side, an eighth of a degree each; a sliding driver looks as far as four of its longest lengths
-ZOOMS, FINER = 12, 16  # how often, and into how many parts, a step is divided in which there may be a narrow range
+STEPS = 1440  # steps to either side, an eighth of a degree each; a sliding driver covers four of its longest lengths
+ZOOMS, FINER = 12, 16  # how often, and into how many parts, a step with a possible narrow range is divided
 HALVINGS = 60
 LEAST = 5e-324  # more than nothing
-BESIDE = 0.08  # of a step: how far one goes from a place where the method fails alone, both its sides working
-DECIMALS = 4  # of degrees; of metres two more. More are told only where the range is too narrow for them
+BESIDE = 0.08  # of a step: the distance moved from an isolated failure, where both sides work
+DECIMALS = 4  # of degrees; two more of metres. More decimals only where the range is too narrow for these
 
 
 def works(plans: Plans, value: float) -> bool:
-    """Whether every step can be drawn at a value of the drive."""
+    """Whether every step can be drawn at a position of the drive."""
     try:
         drawn_in_si(plans, value)
     except (PlanFailure, OverflowError, ZeroDivisionError):
@@ -27,20 +27,20 @@ def works(plans: Plans, value: float) -> bool:
 
 
 def nearest(plans: Plans, value: float) -> float | None:
-    """The nearest value that works, with few decimals and working when it is typed so; None if there is none."""
+    """The nearest working position, with few decimals, and working when typed so; None if there is none."""
     return Nearest(plans).to(value)
 
 
 class Nearest:
-    """The nearest value that works, of one after another that do not: what was looked through once serves all."""
+    """The nearest working position for a series of failed ones; the results of each search are kept for the next."""
 
     def __init__(self, plans: Plans) -> None:
         self.plans = plans
-        self.gaps: list[tuple[float, float, tuple[float, ...]]] = []  # between what nothing works, and the ends that do
+        self.gaps: list[tuple[float, float, tuple[float, ...]]] = []  # nothing works between these, and their ends do
 
     def to(self, value: float) -> float | None:
-        """The nearest to this one, with few decimals and working when it is typed so; None if there is none, or where
-        numpy, which looks at a thousand places at once, is not."""
+        """The nearest to this one, with few decimals, and working when typed so; None if there is none, or without
+        numpy, which tests a thousand positions at once."""
         if not find_spec("numpy"):
             return None
         turning = self.plans.mechanism.drive.kind == "phi"
@@ -60,12 +60,12 @@ class Nearest:
 
 
 def _turned(value: float, turns: float) -> float:
-    """A value so many turns on, with the decimals it had."""
+    """A position some turns further, with the same decimals."""
     return float(Decimal(repr(value)) + 360 * int(turns))
 
 
 class _Side:
-    """One side of a value that does not work."""
+    """One side of a failed position."""
 
     def __init__(self, plans: Plans, value: float, side: float) -> None:
         self.plans, self.value, self.side = plans, value, side
@@ -73,12 +73,12 @@ class _Side:
         self.step = (180.0 if self.turning else 4 * plans.reach) / STEPS
 
     def first(self) -> float | None:
-        """The first value that works on the way."""
+        """The first working position on this side."""
         import numpy
 
         offsets = numpy.arange(STEPS + 1, dtype=float) * self.step
         missing = self.missing(offsets)
-        missing[0] = missing[0] or math.inf  # alone it fails, whatever it does among others
+        missing[0] = missing[0] or math.inf  # fails in a single drawing, whatever it does among many
         good = numpy.flatnonzero(missing == 0)
         end = int(good[0]) if len(good) else STEPS
         dips = 1 + numpy.flatnonzero((missing[1:end] <= missing[: end - 1]) & (missing[1:end] <= missing[2 : end + 1]))
@@ -88,7 +88,7 @@ class _Side:
         return self.told(edge) if edge else None
 
     def missing(self, offsets: Array) -> Array:
-        """By how much the mechanism falls short of working: 0 where it works, infinite where that is not told."""
+        """How far the mechanism is from working: 0 where it works, infinite where that is unknown."""
         import numpy
 
         drawing = drawn_in_si(self.plans, self.value + self.side * offsets)
@@ -100,7 +100,7 @@ class _Side:
         return missing
 
     def edge(self, low: Array, high: Array) -> tuple[float, float] | None:
-        """The last offset that fails and the first that works, within the first pair of ends that holds both.
+        """The last failing offset and the first working one, within the first pair of ends that brackets both.
 
         All pairs are divided together: where lengths are beyond comparison every step is a dip.
         """
@@ -119,11 +119,11 @@ class _Side:
             first = min(edges, default=len(low))
             if first == 0:
                 break
-            low, high = low[:first], high[:first]  # those beyond it are not asked for
+            low, high = low[:first], high[:first]  # offsets beyond it are not examined
         return self.halved(*edges[min(edges)]) if edges else None
 
     def halved(self, bad: float, good: float) -> tuple[float, float]:
-        """The same, no further apart than numbers can be."""
+        """The same, as close as floats can be."""
         for _ in range(HALVINGS):
             middle = (bad + good) / 2
             if works(self.plans, self.value + self.side * middle):
@@ -133,7 +133,7 @@ class _Side:
         return bad, good
 
     def told(self, edge: tuple[float, float]) -> float:
-        """The first value of few decimals beyond the edge, if it works; else one of more decimals."""
+        """The first position of few decimals beyond the edge, if it works; otherwise one with more decimals."""
         least = DECIMALS if self.turning else DECIMALS + 2
         if edge[1] < 10.0**-least and works(self.plans, beside := self.value + self.side * BESIDE * self.step):
             return round(beside, least)

@@ -1,4 +1,4 @@
-"""What ``planes.solve`` does: one position of a scene, or several."""
+"""``planes.solve``: one position of a scene, or several."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -24,8 +24,8 @@ def read(scene: Scene | Linkage) -> Scene:
 def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:
     """Read a scene file, with other numbers for the ``parameters`` named (SI, degrees).
 
-    Raises :class:`~planes.words.errors.SceneError`, with file and line, for a mistake in it or an unknown parameter;
-    warns (``UserWarning``) of numbers in what seem to be other units, as the command line does.
+    Raises :class:`~planes.words.errors.SceneError`, with file and line, for a mistake in the file or an unknown
+    parameter; warns (``UserWarning``) of numbers that seem to be in other units, as the command line does.
     """
     return doubted(scenes.load(path, variant, **parameters))
 
@@ -52,9 +52,9 @@ def solve(
 ) -> Position | Solved:
     """Draw and measure one position, or each of several.
 
-    ``phi`` (degrees; ``s``, in m, where the driver slides) is one value or an iterable of them; left out, it is the
-    scene's own. One value gives a :class:`Position`, or raises ``PlanFailure`` where it cannot be drawn; several give a
-    :class:`Solved`: ``positions`` are those that could be drawn, ``failed`` says why the others could not.
+    ``phi`` (degrees; ``s``, in m, for a sliding driver) is one value or an iterable of them; the default is the value
+    in the scene. One value gives a :class:`Position`, or raises ``PlanFailure`` where it cannot be drawn; several give
+    a :class:`Solved`: ``positions`` are those that could be drawn, ``failed`` has the reasons for the others.
 
     >>> import planes
     >>> scene = planes.load("samples/kind-1-rrr.yaml")

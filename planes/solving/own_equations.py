@@ -1,6 +1,5 @@
-"""A person's own vector equations for a mechanism, held against its plans: what they give, whether they close, and of
-one that does not the plainest change after which it would: a vector left out, one too many, one turned, or another.
-"""
+"""The user's vector equations for a mechanism, compared with its plans: their results, whether they close, and for one
+that does not the simplest correction: a vector left out, a superfluous, reversed or exchanged one."""
 
 import cmath
 import math
@@ -19,14 +18,14 @@ from planes.words.read_off import measured
 from planes.words.records import Json
 from planes.words.units import UNIT, number
 
-CLOSED = 1e-9  # of the largest vector: what is left of an equation that holds
-PARTS = ("n", "t", "k", "r")  # of rates, the likeliest to be left out first
+CLOSED = 1e-9  # of the largest vector: the gap below which an equation holds
+PARTS = ("n", "t", "k", "r")  # of velocity and acceleration equations: these vectors are most often forgotten
 
 
 @frozen
 class OwnEquation:
-    """One equation in one position: the vector it gives (``name`` and ``value``), or the ``gap`` that is left, with the
-    ``change`` that would close it; ``unit`` is the key of both."""
+    """One equation in one position: its result (``name`` and ``value``), or its ``gap`` with the ``change`` that would
+    close it; ``unit`` is the key of both."""
 
     equation: VectorEquation
     unit: str
@@ -41,7 +40,7 @@ class OwnEquation:
         return bool(self.name) or self.gap == 0.0
 
     def said(self, lang: Lang) -> str:
-        """What is told of it, in a language."""
+        """The sentence about it, in a language."""
         unit = say(self.unit, lang)
         if self.name:
             angle = number(math.degrees(cmath.phase(self.value)), lang, 4)
@@ -52,7 +51,7 @@ class OwnEquation:
         return f"{gap}: {self.change.told(lang)}" if self.change else gap
 
     def json(self) -> Json:
-        """The equation as the JSON has it."""
+        """The equation as in the JSON."""
         own: Json = {"text": self.equation.text, "closes": self.closes}
         if self.name:
             return own | {"gives": {self.name: polar(self.value)}}
@@ -62,8 +61,8 @@ class OwnEquation:
 def own_equations(
     plans: Plans, drawing: Drawing, scales: Mapping[str, float], equations: Iterable[VectorEquation], file: str
 ) -> Iterator[OwnEquation]:
-    """Each equation, in the order of the file; what one gives is known to those after it. :class:`SceneError` where a
-    vector is none of the mechanism's, or two of an equation are not."""
+    """Each equation, in the order of the file; the result of one is known to those after it. Raises :class:`SceneError`
+    where a vector does not belong to the mechanism, or two vectors of an equation are unknown."""
     known = dict(vectors_of(plans, drawing, scales))
     for equation in equations:
         terms = [(t.name, sign * t.times) for sign, side in _signed(equation) for t in side]
@@ -81,18 +80,18 @@ def own_equations(
 
 
 def _signed(equation: VectorEquation) -> Iterator[tuple[float, tuple[SideTerm, ...]]]:
-    """Both outer sides; of a chain of equals the first against the last."""
+    """Both outer sides; of a chain of equal sides the first minus the last."""
     yield 1.0, equation.sides[0]
     yield -1.0, equation.sides[-1]
 
 
 def _kind(name: str) -> str:
-    """The plan the letter of a vector tells."""
+    """The plan that the letter of a vector shows."""
     return {"v": "velocity", "a": "acceleration"}.get(parts_of(name)[0], "force")
 
 
 def vectors_of(plans: Plans, drawing: Drawing, scales: Mapping[str, float]) -> Iterator[tuple[str, complex]]:
-    """Every vector of the mechanism by name: of points, of one point against another, parts as its plans have them,
+    """Every vector of the mechanism by name: of points, of one point relative to another, components as on its plans,
     forces on links, reactions from either side."""
 
     def between(start: str, end: str) -> complex:
@@ -121,7 +120,7 @@ def vectors_of(plans: Plans, drawing: Drawing, scales: Mapping[str, float]) -> I
 def _held(
     equation: VectorEquation, unit: str, terms: list[tuple[str, float]], known: Mapping[str, complex]
 ) -> OwnEquation:
-    """An equation of known vectors alone."""
+    """An equation with known vectors only."""
     left, most = sum(k * known[n] for n, k in terms), max(abs(k * known[n]) for n, k in terms)
     if abs(left) <= CLOSED * most:
         return OwnEquation(equation, unit)
@@ -151,7 +150,7 @@ def _changes(
 
 
 def _unlike(name: str, other: str) -> tuple[bool, int]:
-    """How unlike two vectors are: a whole one and a relative one; points they do not share."""
+    """How unlike two vectors are: an absolute and a relative one; points they do not share."""
     one, two = parts_of(name)[1], parts_of(other)[1]
     return len(one) != len(two), -len({*one} & {*two})
 
@@ -163,5 +162,5 @@ def own_rows(
     equations: tuple[tuple[VectorEquation, ...], str],
     lang: Lang,
 ) -> list[tuple[str, str]]:
-    """The equations of a scene, with its file, as rows of a table: each with what is told of it."""
+    """The equations of a scene, with its file, as rows of a table: each with its sentence."""
     return [(e.equation.text, e.said(lang)) for e in own_equations(plans, drawing, scales, *equations)]

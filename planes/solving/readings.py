@@ -1,4 +1,4 @@
-"""Results by the names people give them."""
+"""Results by the names people use."""
 
 from collections.abc import Callable, Collection, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -11,19 +11,19 @@ S = TypeVar("S")
 T = TypeVar("T")
 _OF_MOTION = ("points.r", "points.v", "points.a", "links.omega", "links.epsilon")
 KINDS = (*_OF_MOTION, "reactions", "transfers", "friction", "edges", "loads", "vectors", "values")
-"""Kinds of results there may be, or none of."""
+"""Kinds of results that a mechanism may lack."""
 
 
 def known(name: str, names: Collection[str]) -> None:
-    """An :class:`UnknownName` for a name that is none of these; it says which they are."""
+    """An :class:`UnknownName` for a name that is not among these; it lists them."""
     if name not in names:
         raise UnknownName(Phrase("no_reading", name=name, valid=choices(name, names)))
 
 
 class Readings(dict[str, T]):
-    """What was found, by name. ``[…]`` also takes a number, and a name as people write it: 2, "omega_2", "F_36".
+    """Results by name. ``[…]`` also accepts a number, and a name as people write it: 2, "omega_2", "F_36".
 
-    Raises :class:`UnknownName`, a KeyError, that names what there is.
+    Raises :class:`UnknownName`, a KeyError, with the valid names.
     """
 
     def __init__(self, readings: Mapping[str, T], naming: Naming, letter: str = "") -> None:
@@ -38,7 +38,7 @@ class Readings(dict[str, T]):
         return super().__contains__(name) or self.get(name) is not None
 
     def get(self, name: Any, other: Any = None) -> Any:
-        """What is found by a name, in any of its spellings; else ``other``."""
+        """The result for a name, in any of its spellings; otherwise ``other``."""
         try:
             return self[name]
         except UnknownName:
@@ -52,5 +52,5 @@ class Readings(dict[str, T]):
             raise UnknownName(error.phrase) from None
 
     def each(self, take: Callable[[T], S]) -> "Readings[S]":
-        """Something of each."""
+        """One attribute of each result."""
         return Readings({name: take(one) for name, one in self.items()}, self.naming, self.letter)

@@ -1,4 +1,4 @@
-"""What a draughtsman does near a dead point: a smaller scale, or values between those of neighbouring positions."""
+"""A draughtsman's remedies near a dead point: a smaller scale, or values between those of neighbouring positions."""
 
 import math
 from collections.abc import Collection, Sequence
@@ -18,12 +18,12 @@ from planes.words.records import Json
 from planes.words.units import mu_text
 
 ASIDE_DEG, BESIDE_DEG = 5.0, 0.01
-LARGE = 2.0  # times its usual size on the paper: a plan that no longer fits
-APART = 0.25  # neighbours whose values lead elsewhere than this, relatively, tell nothing
+LARGE = 2.0  # times its usual size on the paper: a larger plan does not fit
+APART = 0.25  # relative: neighbours that extrapolate further apart than this are useless
 
 
 def remedy(solved: Solved) -> None:
-    """Put right what can be: positions at stated scales too large for blunt crossings, and those that failed."""
+    """Correct what can be corrected: positions at given scales too large for blunt crossings, and failed positions."""
     solved.positions = [rescaled(solved, p) for p in solved.positions]
     left: list[Json] = []
     for failure in solved.failed:
@@ -36,7 +36,8 @@ def remedy(solved: Solved) -> None:
 
 
 def rescaled(solved: Solved, p: Position) -> Position:
-    """The position with every stated μ left open whose plan is blunt and does not fit; the same if there is none."""
+    """The position with the given μ released for each plan that is blunt and does not fit; unchanged if there is
+    none."""
     scene, lang = solved.scene, solved.lang
     large: dict[str, tuple[str, str, float, float]] = {}
     reader = DrawingReader(p.plans, p.drawing, p.scales)
@@ -63,7 +64,7 @@ def rescaled(solved: Solved, p: Position) -> Position:
 
 
 def for_sheet(scene: Scene, values: list[float] | None, lang: Lang) -> tuple[Scene, list[float] | None, list[str]]:
-    """What a sheet is drawn of instead, and sentences that say so: open scales, or the neighbour it was taken from."""
+    """The position to draw on a sheet instead, and sentences about it: released scales, or the neighbour used."""
     solved = Solved(scene, *plans_of(scene), lang=lang)
     drive = solved.plans.mechanism.drive
     asked = [drive.position] if values is None else values
@@ -84,15 +85,15 @@ def for_sheet(scene: Scene, values: list[float] | None, lang: Lang) -> tuple[Sce
 
 
 def _open(scene: Scene, kinds: Collection[str]) -> Scene:
-    """The scene with the scales of some plans left open."""
+    """The scene with the scales of some plans left to the program."""
     return replace(scene, mu={k: v for k, v in scene.mu.items() if k not in kinds})
 
 
 def interpolated(solved: Solved, value: float, why: str) -> Position | None:
-    """Values at a position that cannot be drawn, from neighbours that can; None where they tell nothing of it.
+    """Values at a position that cannot be drawn, from neighbours that can; None where they give no answer.
 
-    They are halfway between those 5° to either side, where the motion goes on smoothly; where it turns off at a
-    change point, carried on from 10° and 5° before it, as the driver comes.
+    They are the means of the positions 5° to either side, where the motion is smooth; where it turns back at a change
+    point, the extrapolation from 10° and 5° before it, in the driver's direction.
     """
     plans, lang, drive = solved.plans, solved.lang, solved.plans.mechanism.drive
     near = [value - BESIDE_DEG, value + BESIDE_DEG]
@@ -126,7 +127,7 @@ def interpolated(solved: Solved, value: float, why: str) -> Position | None:
 
 
 def _blend(a: Sequence[Measured], b: Sequence[Measured], one: float, two: float) -> tuple[Measured, ...]:
-    """Sums of all numbers found; angles go the short way round."""
+    """Weighted sums of all results; angles go the short way round."""
 
     def blended(c: Column, x: float | None, y: float | None) -> float | None:
         if x is None or y is None:
@@ -143,7 +144,7 @@ def _blend(a: Sequence[Measured], b: Sequence[Measured], one: float, two: float)
 
 
 def _apart(a: Sequence[Measured], b: Sequence[Measured]) -> float:
-    """How far two results are apart: the largest difference relative to the largest number of its kind."""
+    """The difference of two results: the largest relative to the largest number of its kind."""
     sizes: dict[str, float] = {}
     gaps: dict[str, float] = {}
     others = {f.quantity.path: f.numbers for f in b}

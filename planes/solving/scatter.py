@@ -1,4 +1,4 @@
-"""How far apart pencils end."""
+"""The scatter of pencil drawings."""
 
 from collections.abc import Mapping
 
@@ -11,8 +11,8 @@ from planes.drafting.tools import Thing
 def scatter_mm(
     program: Program, given: Mapping[str, Thing], repeated: str, pencil: Pencil, spans: Mapping[str, tuple[str, str]]
 ) -> dict[str, float]:
-    """Standard deviation, in mm, of the length between marks over many draughtsmen with the same pencil; one given is
-    ``repeated`` for each of them."""
+    """Standard deviation, in mm, of the length between marks over many draughtsmen with the same pencil; a single
+    drawing is ``repeated`` for each of them."""
     import numpy
 
     crowd = run(program, {**given, repeated: numpy.full(PENCILS, given[repeated])}, pencil)

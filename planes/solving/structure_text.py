@@ -10,7 +10,7 @@ from planes.words.lettering import flat
 
 
 def structure_report(structure: Structure, lang: Lang = "en", frame: str = FRAME) -> str:
-    """W and q with their numbers, the formula and the groups, one a line; ``frame`` is the number of the frame."""
+    """W and q with their numbers, the formula and the groups, one per line; ``frame`` is the number of the frame."""
     numbers = flat(";  ".join(counted(structure)))
     lines = [f"W = {structure.W}, q = {structure.q}", f"  {numbers}", structure.formula_as(frame)]
     for g in structure.groups:
@@ -21,14 +21,14 @@ def structure_report(structure: Structure, lang: Lang = "en", frame: str = FRAME
 
 
 def group_counted(group: AnyGroup, lang: Lang) -> list[str]:
-    """That a group has as many equations of equilibrium as unknown reactions, and its redundant constraints; nothing of
-    one with a drive inside."""
+    """The sentence that a group has as many equations of equilibrium as unknown reactions, and its redundant
+    constraints; empty for a group with a drive inside."""
     n, p = len(group.whole), len(pairs_of(group))
     return [say("note_group_determinate", lang, n=n, p=p, q=5 * p - 6 * n)] if 3 * n == 2 * p else []
 
 
 def ways_told(structure: Structure, lang: Lang, frame: str, kinds: bool = False) -> list[str]:
-    """The drivers with which a mechanism of a higher class is of a lower one, or that none is; of class II nothing."""
+    """The drivers that lower the class of a mechanism of a higher class, or that there are none; empty for class II."""
     if not structure.heaviness:
         return []
     ways = ({"link": w.driver, "level": w.level, "formula": w.formula_as(frame, kinds)} for w in structure.ways)
@@ -36,8 +36,8 @@ def ways_told(structure: Structure, lang: Lang, frame: str, kinds: bool = False)
 
 
 def alignment_report(aligned: Aligned, lang: Lang = "en", frame: str = FRAME) -> str:
-    """The self-aligning variant: the count of Somov and Malyshev, and what every pair becomes; ``frame`` is the number
-    of the frame."""
+    """The self-aligning variant: the count of Somov and Malyshev, and the new kind of every pair; ``frame`` is the
+    number of the frame."""
     p1, p2, p3 = aligned.counts
     lines = [
         say("alignment", lang, n=aligned.n, p1=p1, p2=p2, p3=p3),

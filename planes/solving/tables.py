@@ -1,4 +1,4 @@
-"""Results as tables a person reads in a terminal, in a language: of a mechanism, or of vectors alone."""
+"""Results as tables for a terminal, in a language: of a mechanism, or of vectors alone."""
 
 import math
 from collections.abc import Iterable
@@ -33,14 +33,14 @@ def report(solved: Solved, lang: Lang = "en") -> str:
 
 
 def own_lines(p: Position, scene: Scene, lang: Lang) -> list[str]:
-    """A person's own equations, each with what it gives, or whether it closes and what would close it."""
+    """The user's equations, each with its result, or whether it closes and what would close it."""
     own = scene.equations if "equations" in p.results else ()
     rows = own_rows(p.plans, p.drawing, p.scales, (own, scene.file), lang)
     return table(say("own_equations", lang), ["", ""], rows)
 
 
 def text_of(p: Position) -> str:
-    """The tables of one position, in the language of the system."""
+    """The tables of one position, in the system language."""
     lang = home_lang()
     return "\n".join(of_position(p, lang, replace(p.plans.naming, lang=lang))).strip("\n")
 
@@ -71,13 +71,13 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
 
 
 def _largest(things: Iterable[Row], key: str) -> float:
-    """The largest size of ``key`` among results."""
+    """The largest magnitude of ``key`` among results."""
     sizes = [t[key].numbers for t in things if key in t]
     return max((math.hypot(*(x for x in v if x is not None)) for v in sizes), default=0.0)
 
 
 def _vector(measured: Measured | None, beside: float = 0.0) -> tuple[str, str]:
-    """Size and direction in degrees of a vector."""
+    """Magnitude and direction in degrees of a vector."""
     return ("", "") if measured is None else directed(measured.vector, beside)
 
 
@@ -95,7 +95,7 @@ def _points(points: dict[str, Row], lang: Lang, e: Json | None) -> list[str]:
 
 
 def _links(links: dict[str, Row], lang: Lang, e: Json | None, driver: str) -> list[str]:
-    """Rates of the driver are given: beside whatever else, they are no nothing."""
+    """The driver's rates are given, so they never count as zero."""
     keys = ("angle_deg", "omega", "epsilon")
     spin = _largest(links.values(), "omega")
     beside = {"angle_deg": 180.0, "omega": spin, "epsilon": max(_largest(links.values(), "epsilon"), spin * spin)}
@@ -193,13 +193,13 @@ def _balance(p: Position, lang: Lang) -> list[str]:
 
 
 def difference(value: float, check: float) -> float:
-    """How far two values are apart, relative to the larger."""
+    """The relative difference of two values."""
     largest = max(abs(value), abs(check))
     return abs(value - check) / largest if largest else 0.0
 
 
 def stated_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
-    """The vectors of a scene that states them, plan by plan, and the values reckoned from them."""
+    """The vectors of a scene of vectors, plan by plan, and the values computed from them."""
     lines, e = list[str](), p.results.get("errors")
     vectors = p.of("vectors")
     for plan in p.plans.drawn:

@@ -13,16 +13,16 @@ from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import mu_text, quantity
 
-NOISE = 1e-12  # of the largest number of its kind: nothing
+NOISE = 1e-12  # of the largest number of its kind: below this it is zero
 
 
 _NUMBER = re.compile(r"[-−]?(\d+)(?:([.,])(\d+))?")
-DIGITS = 4  # significant, of what is found
+DIGITS = 4  # significant digits of results
 
 
 def evened(rows: Iterable[Sequence[str]]) -> list[list[str]]:
-    """The rows of a table of what was found, with as many decimals in each number of a column as any there has, as far
-    as its digits are known; 0 and the first column stay as they are."""
+    """The rows of a table of results, with equal decimals in each column, as far as the digits are known; 0 and the
+    first column are unchanged."""
     columns = [list(column) for column in zip(*rows, strict=True)]
     for column in columns[1:]:
         numbers = {k: m for k, cell in enumerate(column) if (m := _NUMBER.fullmatch(cell))}
@@ -36,8 +36,7 @@ def evened(rows: Iterable[Sequence[str]]) -> list[list[str]]:
 
 
 def table(title: str, head: Iterable[str], rows: Iterable[Sequence[str]], even: bool = True) -> list[str]:
-    """Aligned columns under a title; nothing at all when there are no rows. ``even`` is not asked of numbers that
-    somebody wrote."""
+    """Aligned columns under a title; empty without rows. ``even`` does not apply to numbers typed by a user."""
     lines = [list(head), *(evened(rows) if even else map(list, rows))]
     if len(lines) == 1:
         return []
@@ -50,18 +49,19 @@ def table(title: str, head: Iterable[str], rows: Iterable[Sequence[str]], even: 
 
 
 def spelt(lettered: str) -> str:
-    """A lettered name as a terminal has it: F_{56}^{t} -> F_56^t."""
+    """A lettered name for a terminal: F_{56}^{t} -> F_56^t."""
     return lettered.replace("{", "").replace("}", "")
 
 
 def largest(position: Position) -> float:
-    """The largest number found of bodies in equilibrium, N or N·m, beside which rounding is nothing; 0 of all else."""
+    """The largest result for bodies in equilibrium, N or N·m, relative to which rounding is zero; 0 for all other
+    scenes."""
     measured = [*position.of("values").values(), *position.of("vectors").values()] if position.plans.figure else []
     return max((abs(x) for f in measured for x in f.numbers if x), default=0.0)
 
 
 def number_cell(value: float | None, beside: float = 0.0) -> str:
-    """A number for people; one that is nothing ``beside`` the largest of its kind is 0."""
+    """A number for people; 0 if it vanishes ``beside`` the largest of its kind."""
     if value is None:
         return "—"
     return quantity(0.0 if abs(value) <= 1e-12 * beside else value)
@@ -75,7 +75,7 @@ def directed(z: complex, beside: float) -> tuple[str, str]:
 
 
 def error_of(errors: Json | None, *path: str) -> list[str]:
-    """The cell with a result's ± (of a vector: of its end), or no cell when none was asked."""
+    """The cell with a result's ± (of a vector: of its end), or no cell when none was requested."""
     if errors is None:
         return []
     error: object = errors
@@ -89,10 +89,10 @@ def error_of(errors: Json | None, *path: str) -> list[str]:
 
 
 def pm(errors: Json | None) -> list[str]:
-    """The head of a column of ±, where there is one."""
+    """The head of a column of ±, if present."""
     return [] if errors is None else ["±"]
 
 
 def titled(p: Position, plan: str, lang: Lang, naming: Naming) -> str:
-    """A plan with its μ."""
+    """The title of a plan with its μ."""
     return f"{say_plan(plan, lang)}, μ = {mu_text(p.scales[mu_of(plan)], kind_of(plan), lang, naming.convention)}"

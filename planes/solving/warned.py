@@ -1,4 +1,4 @@
-"""What a reader of one position must know of its numbers: blunt crossings, loads that stand still, digits eaten."""
+"""Warnings about the numbers of one position: blunt crossings, loads at standstill, lost digits."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -14,7 +14,7 @@ from planes.words.names import index_of
 def warnings(
     reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Thing], lang: Lang
 ) -> list[str]:
-    """The sentences, those of a kind together."""
+    """The sentences, grouped by kind."""
     blunt, passive = _blunt(reader, lang).items(), reader.stated.structure.passive
     said = [say("passive", lang, links=", ".join(passive))] if passive else []
     if passive and (m := reader.stated.mechanism) and (m.loads or any(x.mass or x.inertia for x in m.links.values())):
@@ -40,7 +40,8 @@ def _blunt(reader: DrawingReader, lang: Lang) -> dict[str, list[str]]:
 
 
 def _faint(reader: DrawingReader) -> Iterator[str]:
-    """Rates of points of which rounding leaves no digit: not zero, yet nothing beside the largest of their plan."""
+    """Velocities and accelerations of points without a correct digit: not zero, but negligible beside the largest of
+    their plan."""
     for letter, plan in (("v", "velocity"), ("a", "acceleration")):
         sizes = {}
         for point, marks in reader.stated.points.items():
@@ -54,8 +55,8 @@ def _faint(reader: DrawingReader) -> Iterator[str]:
 def _doubts(
     reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Thing]
 ) -> tuple[Sequence[str], Sequence[str]]:
-    """Results of an exact drawing with less than three digits, and reactions with none; the running bound is asked only
-    where there is something in doubt."""
+    """Results of an exact drawing with less than three digits, and reactions with none; the running bound is computed
+    only in case of doubt."""
     drawn = reader.drawing
     if drawn.tool.doubt_mm or (wanted is not None and not wanted):
         return [], []

@@ -1,8 +1,8 @@
-"""The one message of the studio, and its answers: what a carrier brings in as data, it takes back as data.
+"""The one message of the studio, and its answers: a carrier delivers plain data and takes back plain data.
 
-``{id, ask, text, lang, …}`` → ``{id, …, problems}``: ``ask`` is "lesson" (frames, tape, scheme), "numbers" (a hand has
-changed some), "sketch" (a mechanism as it is drawn), "drawn" (a sketch has changed), "put", "append", "leave out" (a
-part of the text).
+``{id, ask, text, lang, …}`` → ``{id, …, problems}``: ``ask`` is "lesson" (frames, tape, scheme), "numbers" (some were
+changed by hand), "sketch" (a mechanism as drawn), "drawn" (a sketch has changed), "put", "append", "leave out" (a part
+of the text).
 """
 
 from collections.abc import Callable
@@ -20,13 +20,13 @@ from planes.words import Lang, Phrase, langs, say
 from planes.words.errors import PlanesError, SceneError
 from planes.words.records import Json
 
-LONGEST = 200_000  # letters of a scene
+LONGEST = 200_000  # longest scene, in letters
 LACKS, TOOLS = ("part_missing", "part_empty"), {"frame": "fix", "links": "link", "drive": "drive"}
-"""Sentences of what a mechanism lacks, and the tool of the canvas that draws it."""
+"""Sentences about what a mechanism lacks, and the tool of the canvas that draws it."""
 
 
 def answer(message: Json) -> Json:
-    """The answer to a message; whatever is wrong in the text stands in its ``problems``."""
+    """The answer to a message; errors of the text are in its ``problems``."""
     text, lang = str(message.get("text", ""))[:LONGEST], lang_of(message)
     act = ACTS.get(str(message.get("ask")))
     own: Json = {"id": message.get("id"), "ask": message.get("ask"), "problems": []}
@@ -48,7 +48,7 @@ def lang_of(message: Json) -> Lang:
 
 
 def problem(error: PlanesError, text: str, lang: Lang) -> Json:
-    """What is wrong: its line and column, the sentence, and what would be right instead, each as a part to be put."""
+    """An error: its line and column, the sentence, and the corrections, each as a part to be put into the text."""
     line = getattr(error, "line", None) or 1
     said = error.phrase.told(lang) if isinstance(error.phrase, Phrase) else str(error.phrase)
     report: Json = {"line": line, "column": 1, "said": said, "help": []}
@@ -68,12 +68,12 @@ def problem(error: PlanesError, text: str, lang: Lang) -> Json:
 
 
 def alike(one: str, other: str) -> float:
-    """How much of one name the other has, 0 to 1."""
+    """The similarity of two names, 0 to 1."""
     return SequenceMatcher(None, one, other).ratio()
 
 
 def _valid(parts: dict[str, object]) -> list[str]:
-    """The names that would have been valid, the nearest first."""
+    """The valid names, the nearest first."""
     valid = parts.get("valid")
     offered = valid.parts if isinstance(valid, Phrase) else {}
     names = offered.get("names", ())
@@ -116,4 +116,4 @@ ACTS: dict[str, Callable[[str, Json], dict[str, Any]]] = {
     "append": lambda text, m: _edited(Edited(text).appended(_path(m), str(m["value"]))),
     "leave out": lambda text, m: _edited(Edited(text).without(_path(m))),
 }
-"""What may be asked, by its name."""
+"""The kinds of messages, by name."""

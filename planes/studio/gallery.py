@@ -1,4 +1,4 @@
-"""The gallery: scenes with a small picture that moves, and where each of their points is as the driver goes round."""
+"""The gallery: scenes with a small animated picture, and the places of their points as the driver turns."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -16,14 +16,14 @@ from planes.studio.sketches import marks_of, sketch_of
 from planes.words.errors import PlanesError
 from planes.words.records import Json
 
-PLACES = 36  # of the driver in a picture that moves
-PARTS = 500  # of the size of a picture: no place is told finer
+PLACES = 36  # positions of the driver in an animated picture
+PARTS = 500  # of the size of a picture: resolution of places
 OWN = (Path(__file__).with_name("classics"), Path(__file__).parents[1] / "templates")
-"""Where the scenes are that come with the program."""
+"""The folder of the scenes that come with the program."""
 
 
 def scenes_in(folders: Iterable[Path]) -> Iterator[Path]:
-    """The YAML files of folders, those of folders within them too."""
+    """The YAML files of folders and their subfolders."""
     for folder in folders:
         yield from sorted(folder.rglob("*.yaml"))
 
@@ -34,7 +34,7 @@ def shelf(more: Iterable[str]) -> list[Json]:
 
 
 def shelved(paths: Iterable[Path]) -> list[Json]:
-    """What the gallery shows of every scene that has a mechanism and works; names are those of files, each once."""
+    """The gallery entry of every scene with a mechanism that works; names are those of files, each once."""
     rows: dict[str, Json] = {}
     for path in paths:
         try:
@@ -52,8 +52,8 @@ def shelved(paths: Iterable[Path]) -> list[Json]:
 
 
 def motion_of(scene: Scene) -> Json:
-    """The places of every point at places of the driver one after another, as far to both sides of its own as it can be
-    drawn; ``round``: it goes round without end. A driver that does not is looked at once more, between its ends."""
+    """The places of every point at successive positions of the driver, as far to both sides of the given one as it can
+    be drawn; ``round``: it turns without end. A driver that does not is sampled once more, between its ends."""
     plans, _ = plans_of(scene, shown=True)
     drive = drive_of(plans)
     turns, start, reach = drive["symbol"] == "φ", drive["from"], drive["to"] - drive["from"]
@@ -73,7 +73,8 @@ def motion_of(scene: Scene) -> Json:
 
 
 def drawn_at(plans: Plans, values: list[float]) -> tuple[dict[str, complex | list[complex]], list[int]]:
-    """Where the points are at places of the driver, one place for those that stand; and which of these can be drawn."""
+    """The places of the points at positions of the driver, a single place for fixed points; and which positions can be
+    drawn."""
     marks, program = marks_of(plans)
     drawn = run(program, {**plans.given, plans.drive_given: Listed(values), "mu_position": 1.0}, InLists())
     places = {p: [*z] if isinstance(z := drawn[mark], Listed) else complex(z) for p, mark in marks.items()}
@@ -82,8 +83,8 @@ def drawn_at(plans: Plans, values: list[float]) -> tuple[dict[str, complex | lis
 
 
 def _run_about(home: int, works: list[int], count: int, turns: bool) -> list[int]:
-    """The run of places that work, one after another, about a place, or the longest where that does not work; a turn
-    has no end, so its numbers may go past the last or before the first."""
+    """The run of successive working positions about a given one, or the longest where that does not work; in a full
+    turn the indices may go past the last or before the first."""
     every = [k + count * turn for turn in ((-1, 0, 1) if turns else (0,)) for k in works]
     if len(works) == count:
         return works
@@ -97,7 +98,7 @@ def _run_about(home: int, works: list[int], count: int, turns: bool) -> list[int
 
 
 def _written(motion: dict[str, list[complex]]) -> dict[str, list[list[float]]]:
-    """Places no finer than a picture shows."""
+    """Places rounded to the resolution of a picture."""
     seen = [z for places in motion.values() for z in places]
     size = max((abs(z - seen[0]) for z in seen), default=1.0) or 1.0
     digits = 1 - math.floor(math.log10(size / PARTS))

@@ -1,6 +1,6 @@
-"""A link that opens a scene in a studio, and the QR code of it: the scene's text stands in the address, after the #.
+"""A link that opens a scene in a studio, and its QR code: the scene's text is in the address, after the #.
 
-What a browser does to read it is in ``render/page/share.js``: raw deflate, then base64 in the letters of addresses.
+The browser's side of it is in ``render/page/share.js``: raw deflate, then base64 with the letters allowed in addresses.
 """
 
 import base64
@@ -11,13 +11,13 @@ from planes.scene.writing import own_scene
 from planes.words import Phrase
 from planes.words.errors import SceneError
 
-RAW = -15  # deflate without a head
-LEAST_MM, RIM = 0.33, 4  # of a module that a telephone reads off paper; modules of white around a code
+RAW = -15  # deflate without a header
+LEAST_MM, RIM = 0.33, 4  # mm of a module that a telephone can read from paper; modules of white around a code
 Cells = list[list[bool]]
 
 
 def deflated(text: str) -> bytes:
-    """A text packed (RFC 1951)."""
+    """A text, compressed (RFC 1951)."""
     packer = zlib.compressobj(9, zlib.DEFLATED, RAW)
     return packer.compress(text.encode()) + packer.flush()
 
@@ -28,7 +28,8 @@ def pressed(text: str) -> str:
 
 
 def scene_text(scene: Scene) -> str:
-    """The scene as its file says it, without remarks, with the numbers of its variant in, and without the address."""
+    """The scene as its file has it, without comments, with the numbers of its variant filled in, and without the
+    address."""
     changed = {name: repr(value) for name, value in scene.reading.changed.items()}
     return own_scene(scene.reading.source, scene.file, scene.variant, changed, {}, without=("studio",))
 
@@ -40,9 +41,9 @@ def link(scene: Scene) -> str:
 
 
 def cells(scene: Scene) -> Cells:
-    """Black cells of the code of its link, the top row first; none where it names no studio.
+    """Black cells of the QR code of its link, the top row first; empty where it names no studio.
 
-    :class:`SceneError` where no code holds it.
+    :class:`SceneError` where the text is too long for a code.
     """
     import segno
 
@@ -56,7 +57,7 @@ def cells(scene: Scene) -> Cells:
 
 
 def module_mm(scene: Scene, count: int, room_mm: float, best_mm: float) -> float:
-    """How large a module of a code of so many is, no larger than the best. :class:`SceneError` where it is too fine."""
+    """The size of a module in a code with so many, at most the best size. :class:`SceneError` where it is too fine."""
     size = min(best_mm, room_mm / (count + 2 * RIM))
     if size < LEAST_MM:
         needed = round(LEAST_MM * (count + 2 * RIM))

@@ -1,4 +1,4 @@
-"""What a message may hold: anything of another shape is refused in a sentence before it is worked on."""
+"""The shapes of messages: any other shape is refused in a sentence before work begins."""
 
 import math
 import re
@@ -10,7 +10,7 @@ from planes.words.errors import PlanesError
 from planes.words.records import Json
 
 NAME = re.compile(r"[^\W_][\w'′.-]{0,19}")
-MOST = 200  # points, links, guides of a sketch; keys of a path; numbers
+MOST = 200  # limits: points, links, guides of a sketch; keys of a path; numbers
 
 
 def checked(message: Json) -> Json:
@@ -46,7 +46,7 @@ def _path(x: Any) -> bool:
 
 
 def _sketch(x: Any) -> bool:
-    """Points in places, links of those points, guides in places; each name that is used is there."""
+    """A sketch: points with places, links of those points, guides with places; every name used must be defined."""
     if not isinstance(x, dict) or not {"points", "fixed", "guides", "links"} <= x.keys():
         return False
     points, guides, links = x["points"], x["guides"], x["links"]
@@ -94,4 +94,4 @@ PARTS = {
     "append": ("path", "value"),
     "leave out": ("path",),
 }
-"""What each thing that may be asked reads of its message, beside text and language."""
+"""The parts of its message that each kind reads, besides text and language."""

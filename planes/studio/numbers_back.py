@@ -1,7 +1,7 @@
-"""Numbers a hand has changed, written back where the text has them: in a parameter, or in the place itself.
+"""Numbers changed by hand, written back into the text: in a parameter, or in the place itself.
 
-Which number of the text moves which number of the mechanism is found by trying: each is changed a little and the scene
-read again. So a length that an expression makes of parameters is reached through them.
+Trial shows which number of the text changes which number of the mechanism: each is changed a little and the scene read
+again. So a length given by an expression is reached through its parameters.
 """
 
 import math
@@ -20,24 +20,24 @@ from planes.words.frozen import frozen
 from planes.words.names import is_scale, plan_of_scale, said_of_given
 from planes.words.units import mu_text
 
-STEP = 1e-3  # of itself: how much a number is changed to see what it moves
+STEP = 1e-3  # relative: trial change of a number
 ROUNDS, CLOSE = 8, 1e-9
-WRITTEN = 1e-4  # relative: nearer than this two numbers are one, as they are written
-DIGITS = 5  # that are written of what a hand has set
+WRITTEN = 1e-4  # relative: closer than this two numbers are the same as written
+DIGITS = 5  # digits written for a number set by hand
 NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(\s*[^\d\s].*)?")
 PARTS = ("parameters", "frame", "links", "drive", "loads", "gravity", "vectors", "friction")
 
 
 @frozen
 class NumberInText:
-    """A number as it stands in the text, with the unit it was written in."""
+    """A number in the text, with the unit it was written in."""
 
     path: tuple[str, ...]
     value: float
     unit: str = ""
 
     def written(self, value: float) -> str:
-        """Another number in its place: as many digits as a hand sets, and the unit."""
+        """Another number in its place: with the digits of a hand-set number, and the unit."""
         return f"{value:.{DIGITS}g}".removesuffix(".0") + self.unit
 
 
@@ -51,8 +51,8 @@ def home_of(text: str) -> dict[str, float]:
 
 
 def with_numbers(text: str, wanted: Mapping[str, float]) -> Edited:
-    """The text with numbers of the mechanism as they are wanted; :class:`PlanesError` where none of the text's own
-    makes them so."""
+    """The text with the mechanism's numbers as wanted; :class:`PlanesError` where no number of the text can achieve
+    that."""
     edited = Edited(text)
     for name, value in wanted.items():
         if is_scale(name):
@@ -63,7 +63,7 @@ def with_numbers(text: str, wanted: Mapping[str, float]) -> Edited:
 
 
 def _figures(text: str) -> list[NumberInText]:
-    """The numbers of the text that a mechanism is made of, in the order of the text."""
+    """The numbers of the text that a mechanism depends on, in the order of the text."""
     numbers = []
     for path, node, _ in walk(parse(text, "")):
         if path and path[0] in PARTS and isinstance(node, SourceScalar) and (digits := NUMBER.fullmatch(node.text)):
@@ -75,8 +75,8 @@ Slopes = Mapping[NumberInText, Mapping[str, float]]
 
 
 def _solved(edited: Edited, wanted: Mapping[str, float]) -> Edited:
-    """One number after another, by Newton's steps in those of the text that move them; what an expression makes right
-    with another is right already."""
+    """One number after another, by Newton's steps in the numbers of the text that change it; some are already right
+    through an expression."""
     home = home_of(edited.text)
     figures = _figures(edited.text)
     wanted = {name: value for name, value in wanted.items() if name in home and _off(home[name], value) > CLOSE}
@@ -99,7 +99,7 @@ def _solved(edited: Edited, wanted: Mapping[str, float]) -> Edited:
 
 
 def _off(one: float, other: float) -> float:
-    """How far one number is from another, of the larger; of angles and places about nothing, as it stands."""
+    """The difference of two numbers relative to the larger; absolute for angles and places near zero."""
     return abs(one - other) / max(abs(one), abs(other), 1e-3)
 
 
@@ -108,12 +108,12 @@ def _able(name: str, slopes: Slopes, chosen: Mapping[str, NumberInText]) -> list
 
 
 def _rank(figure: NumberInText, moved: Mapping[str, float], wanted: Mapping[str, float]) -> tuple[bool, int, bool]:
-    """What is nothing stays so; then those that move fewest others, the parameters first."""
+    """Zeros stay; then numbers that change the fewest others, the parameters first."""
     return not figure.value, len(moved.keys() - wanted.keys()), figure.path[0] != "parameters"
 
 
 def _moved(edited: Edited, figure: NumberInText, home: Mapping[str, float]) -> dict[str, float]:
-    """Which numbers of the mechanism move with one of the text, and by how much of it."""
+    """The numbers of the mechanism that change with one of the text, and their rates."""
     step = STEP * (abs(figure.value) or 1.0)
     try:
         there = home_of(edited.put(figure.path, f"{figure.value + step!r}{figure.unit}").text)
@@ -123,7 +123,7 @@ def _moved(edited: Edited, figure: NumberInText, home: Mapping[str, float]) -> d
 
 
 def _reached(edited: Edited, chosen: Sequence[NumberInText], wanted: Mapping[str, float]) -> Edited:
-    """The text where the figures make what is wanted, as near as their digits allow."""
+    """The text with numbers that give the wanted ones, as closely as their digits allow."""
     values = [f.value for f in chosen]
 
     def text_of(numbers: Sequence[float]) -> Edited:

@@ -1,4 +1,4 @@
-"""The scene that says what is drawn: a sketch as a text, and a text after its sketch was changed."""
+"""The scene for a drawing: a sketch as a text, and a text after its sketch was changed."""
 
 import cmath
 import json
@@ -15,11 +15,11 @@ from planes.words.errors import PlanesError, SceneError
 from planes.words.records import Json
 
 EMPTY = "planes: 1\ntitle: {title}\nframe:\n  points: {{}}\nlinks: {{}}\ngravity: 9.81\n"
-CHOICES = 12  # groups of a sketch whose assemblies are asked for
+CHOICES = 12  # groups of a sketch for which an assembly is requested
 
 
 class Unfinished(SceneError):
-    """A sketch that is no mechanism yet: why, and its ``text`` so far."""
+    """A sketch that is not a mechanism yet: the reason, and its ``text`` so far."""
 
     def __init__(self, error: SceneError, text: str) -> None:
         super().__init__(error.phrase, error.file, error.line)
@@ -27,10 +27,10 @@ class Unfinished(SceneError):
 
 
 def drawn(text: str, sketch: Json) -> Edited:
-    """The text of a scene after its sketch was changed. Where only places have changed, the numbers that make them are
-    written back into the text's own; else links and guides that are new or other ones are written anew.
+    """The text of a scene after its sketch was changed. Where only places have changed, their numbers are written back
+    into the text's own; otherwise new or changed links and guides are written anew.
 
-    :class:`Unfinished` says what a mechanism still lacks.
+    :class:`Unfinished` says what the mechanism still lacks.
     """
     if not text.strip():
         return _whole(EMPTY.format(title=json.dumps(sketch.get("title", ""), ensure_ascii=False)), sketch)
@@ -47,18 +47,18 @@ def drawn(text: str, sketch: Json) -> Edited:
 
 
 def _whole(text: str, sketch: Json) -> Edited:
-    """The text with all that a sketch says written anew."""
+    """The text with all parts of the sketch written anew."""
     return _assembled(_parts(Edited(text), sketch), sketch)
 
 
 def _alike(old: Json, sketch: Json) -> bool:
-    """Whether two sketches differ in places alone."""
+    """Whether two sketches differ only in places."""
     same = all(old[k] == sketch[k] for k in ("fixed", "links", "drive"))
     return same and all(old[k].keys() == sketch[k].keys() for k in ("points", "guides"))
 
 
 def _parts(edited: Edited, sketch: Json) -> Edited:
-    """Frame, links and drive as they are drawn."""
+    """Frame, links and drive as drawn."""
     points = {p: complex(*z) for p, z in sketch["points"].items()}
     fixed = ", ".join(f"{p}: {_pair(points[p])}" for p in sketch["fixed"])
     edited = edited.put(("frame", "points"), f"{{{fixed}}}")
@@ -77,7 +77,7 @@ def _parts(edited: Edited, sketch: Json) -> Edited:
 
 
 def _said(name: str, link: Json, sketch: Json, points: dict[str, complex]) -> Iterator[tuple[str, str]]:
-    """Points, guides and sliding of a link, in its own axes."""
+    """Points, guides and slide of a link, in its own axes."""
     first, axis = link["points"][0], axis_of(name, sketch, points)
     local = {p: (points[p] - points[first]) * axis.conjugate() for p in link["points"]}
     yield "points", f"{{{', '.join(f'{p}: {_place(z)}' for p, z in local.items())}}}"
@@ -95,7 +95,7 @@ def _said(name: str, link: Json, sketch: Json, points: dict[str, complex]) -> It
 
 
 def axis_of(name: str, sketch: Json, points: dict[str, complex]) -> complex:
-    """The axis a drawn link is written in: of a slider its guide's, else from its first point to its second."""
+    """The axis a drawn link is written in: for a slider its guide's, else from its first point to its second."""
     link = sketch["links"][name]
     if link["slides"]:
         return direction(sketch["guides"][link["slides"]])
@@ -106,12 +106,12 @@ def axis_of(name: str, sketch: Json, points: dict[str, complex]) -> complex:
 
 
 def direction(guide: Json) -> complex:
-    """Where a guide points to."""
+    """The direction of a guide."""
     return cmath.rect(1.0, math.radians(guide["angle"]))
 
 
 def _on_guide(place: complex, guide: Json) -> complex:
-    """A place along a guide and to the left of it, from where the guide is told."""
+    """A place along a guide and to the left of it, from the guide's defining point."""
     along: complex = (place - complex(*guide["at"])) * direction(guide).conjugate()
     return along
 
@@ -127,7 +127,7 @@ def _on_frame(g: Json) -> str:
 
 
 def _on_link(g: Json, local: dict[str, complex], origin: complex, axis: complex) -> str:
-    """A guide of a link, through one of its points where it is."""
+    """A guide of a link, through one of its points if possible."""
     along, z = direction(g) * axis.conjugate(), (complex(*g["at"]) - origin) * axis.conjugate()
     angle = number(math.degrees(cmath.phase(along)))
     for p, place in local.items():
@@ -137,7 +137,7 @@ def _on_link(g: Json, local: dict[str, complex], origin: complex, axis: complex)
 
 
 def _drive(drive: Json, sketch: Json, points: dict[str, complex]) -> str:
-    """The drive at the place where its link is drawn."""
+    """The drive at the position in which its link is drawn."""
     kind, name = drive["kind"], drive["link"]
     if kind == "phi":
         place = math.degrees(cmath.phase(axis_of(name, sketch, points))) % 360
@@ -157,13 +157,13 @@ def _pair(z: complex) -> str:
 
 
 def number(value: float) -> str:
-    """A number as a hand sets it: to a hundredth of a millimetre, or five digits."""
+    """A number set by hand: to a hundredth of a millimetre, or five digits."""
     text = f"{round(value, 5):.5g}"
     return "0" if text in ("-0", "0") else text
 
 
 def _assembled(edited: Edited, sketch: Json) -> Edited:
-    """With the assembly in which every group is as it is drawn."""
+    """The text with the assembly of every group as drawn."""
     text = edited.without(("assembly",))
     for _ in range(CHOICES):
         try:
@@ -178,7 +178,7 @@ def _assembled(edited: Edited, sketch: Json) -> Edited:
 
 
 def offers_of(error: SceneError) -> list[tuple[tuple[str, ...], str]]:
-    """What would say which assembly is meant, where a scene does not: paths of keys, and their values."""
+    """The possible choices of assembly, where a scene leaves it open: paths of keys, and their values."""
     offers_made: list[tuple[tuple[str, ...], str]] = []
     offers = error.parts.get("offers", ())
     for offer in offers if isinstance(offers, tuple) else ():
@@ -190,7 +190,7 @@ def offers_of(error: SceneError) -> list[tuple[tuple[str, ...], str]]:
 
 
 def _apart(edited: Edited, sketch: Json, depth: int = CHOICES) -> float:
-    """How far the points of a text are from where they are drawn; of groups whose assembly is open, the nearest."""
+    """The distance of a text's points from where they are drawn; of groups with an open assembly, the nearest."""
     try:
         own = sketch_of(loads(edited.text))["points"]
     except SceneError as error:

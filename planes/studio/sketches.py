@@ -1,8 +1,8 @@
-"""A mechanism as it is drawn on a canvas: points in their places, links by their points.
+"""A mechanism as drawn on a canvas: points in their places, links by their points.
 
 A sketch is plain data. ``points`` are places, m; ``fixed`` those of the frame; ``guides`` have a place ``at``, an
 ``angle`` and their ``link`` ("0": the frame); ``links`` have ``points`` and the guide they slide on; ``drive`` is a
-link with its speed. What a scene says besides (masses, loads, friction, scales) stays in its text.
+link with its speed. The other parts of a scene (masses, loads, friction, scales) stay in its text.
 """
 
 import cmath
@@ -19,11 +19,11 @@ from planes.words.errors import PlanesError
 from planes.words.names import at
 from planes.words.records import Json
 
-NEAR_M = 1e-7  # places this near are one
+NEAR_M = 1e-7  # places this close are one
 
 
 def sketch_of(scene: Scene) -> Json:
-    """The sketch of a scene in its own position; :class:`PlanesError` where it has none."""
+    """The sketch of a scene in its given position; :class:`PlanesError` where it cannot be drawn."""
     m = scene.mechanism
     if m is None:
         raise PlanesError(Phrase("no_structure", file=scene.file))
@@ -48,13 +48,13 @@ def sketch_of(scene: Scene) -> Json:
 
 
 def marks_of(plans: Plans) -> tuple[dict[str, str], Program]:
-    """The mark of each point that is drawn, and the steps that lead to them."""
+    """The mark of each drawn point, and the steps for them."""
     marks = {p: mark for p in plans.mechanism.names if (mark := at("position", p)) in plans.program.made}
     return marks, plans.program.sliced([*marks.values()])
 
 
 def _drive_of(m: Mechanism) -> Json:
-    """The drive; one between moving links stays as it is written."""
+    """The drive; one between moving links stays as written."""
     link = m.links[m.drive.link]
     between = m.drive.on != FRAME or (link.slides is not None and m.owner(link.slides.guide) != FRAME)
     own: Json = {"link": m.drive.link, "kind": m.drive.kind, "rate": m.drive.velocity}
@@ -73,7 +73,7 @@ def _guide(g: Guide, x: Link, axis: complex, places: dict[str, complex]) -> Json
 
 
 def _axis(x: Link, m: Mechanism, places: dict[str, complex]) -> complex:
-    """The direction of a link's own x axis."""
+    """The direction of a link's x axis."""
     if x.name == FRAME:
         return 1 + 0j
     if x.slides:
@@ -85,7 +85,7 @@ def _axis(x: Link, m: Mechanism, places: dict[str, complex]) -> complex:
         if abs(z - x.points[base]) > NEAR_M and p in places:
             turned = (places[p] - places[base]) / (z - x.points[base])
             return turned / abs(turned)
-    for other in m.links.values():  # a lever seen by what slides on it alone
+    for other in m.links.values():  # a lever visible only by its slider
         if other.slides and other.slides.guide in x.guides and other.first_point in places:
             guide = x.guides[other.slides.guide]
             way = places[other.first_point] - places[base]

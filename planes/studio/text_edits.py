@@ -1,4 +1,4 @@
-"""A scene's text with one part changed, everything else left as it was written: comments, order, line breaks."""
+"""A scene's text with one part changed and the rest as written: comments, order, line breaks."""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -14,13 +14,13 @@ FILE = "scene.yaml"
 
 @frozen
 class Edited:
-    """The text after a change, and the lines that were changed, from 1."""
+    """The text after a change, and the changed lines, from 1."""
 
     text: str
     lines: tuple[int, ...] = ()
 
     def put(self, path: Path, value: str) -> "Edited":
-        """The same with a value at a path of keys (numbers in lists); keys that are not there are added."""
+        """The text with a value at a path of keys (numbers in lists); missing keys are added."""
         node, depth = _reached(_tree(self.text), path)
         if depth == len(path):
             start = node.start_mark
@@ -28,7 +28,7 @@ class Edited:
         return self._added(node, path[depth], _nested(path[depth + 1 :], value))
 
     def appended(self, path: Path, value: str) -> "Edited":
-        """The same with one more item in the list at a path, which is made if it is not there."""
+        """The text with one more item in the list at a path, which is created if it is missing."""
         node, depth = _reached(_tree(self.text), path)
         if depth < len(path):
             return self.put(path, f"[{value}]")
@@ -40,7 +40,7 @@ class Edited:
         return self._with(at, at, f", {value}" if node.value else value, node.end_mark.line)
 
     def without(self, path: Path) -> "Edited":
-        """The same without a key and what it says, or an item of a list; one that is not there is left out already."""
+        """The text without a key and its value, or an item of a list; unchanged if it is missing."""
         parent, depth = _reached(_tree(self.text), path[:-1])
         if depth < len(path) - 1 or not isinstance(parent, yaml.CollectionNode):
             return self
@@ -62,19 +62,19 @@ class Edited:
         return self._with(parts[k - 1][1].end_mark.index, end.index, "", start.line)
 
     def keys(self, path: Path) -> list[str]:
-        """The keys of the mapping at a path; none where there is no such."""
+        """The keys of the mapping at a path; empty where there is none."""
         node, depth = _reached(_tree(self.text), path)
         there = depth == len(path) and isinstance(node, yaml.MappingNode)
         return [key.value for key, _ in node.value] if there else []
 
     def _added(self, node: yaml.Node, key: str, value: str) -> "Edited":
-        """With one more key of a mapping; one that is empty, or no mapping at all, becomes one."""
-        if node.start_mark is None:  # there is no text
+        """The text with one more key in a mapping; an empty node, or one that is no mapping, becomes one."""
+        if node.start_mark is None:  # the text is empty
             return Edited(f"{key}: {value}\n", (1,))
         if not isinstance(node, yaml.MappingNode) or not node.value:
             start, end = node.start_mark.index, node.end_mark.index
             line = self.text[self.text.rfind("\n", 0, start) + 1 : start]
-            if line[:1].strip():  # the value of a key of the file itself: a line for each of its own
+            if line[:1].strip():  # a top-level value: a line for each of its keys
                 return self._with(start - (line[-1:] == " "), end, f"\n  {key}: {value}", node.start_mark.line + 1)
             space = " " * (self.text[start - 1 : start] not in ("", " ", "\n"))
             return self._with(start, end, f"{space}{{{key}: {value}}}", node.start_mark.line)
@@ -94,17 +94,17 @@ class Edited:
         return Edited(text, tuple(sorted({*self.lines, line + 1})))
 
 
-@lru_cache(maxsize=2)  # many changes are tried of one text
+@lru_cache(maxsize=2)  # many changes are tried on one text
 def _tree(text: str) -> yaml.Node:
-    """The text as nodes that know where they stand; no text is an empty mapping."""
+    """The text as nodes with positions; an empty text is an empty mapping."""
     if text.strip():
-        parse(text, FILE)  # refuses in words what is no plain document
+        parse(text, FILE)  # refuses in words a file that is not a plain document
     node: yaml.Node | None = yaml.compose(text, yaml.SafeLoader)
     return node or yaml.MappingNode("tag:yaml.org,2002:map", [])
 
 
 def _reached(node: yaml.Node, path: Path) -> tuple[yaml.Node, int]:
-    """The node at a path as far as there is one, and how many of the keys lead to it."""
+    """The node at a path as far as it exists, and the number of keys that lead to it."""
     for depth, key in enumerate(path):
         if isinstance(node, yaml.MappingNode):
             inner = next((value for k, value in node.value if k.value == key), None)
@@ -118,7 +118,7 @@ def _reached(node: yaml.Node, path: Path) -> tuple[yaml.Node, int]:
 
 
 def _end(node: yaml.Node) -> yaml.Mark:
-    """Where the last thing of a node ends: a block's own end is the beginning of what follows."""
+    """The end of a node's last item: a block's own end is the beginning of the next part."""
     while isinstance(node, yaml.CollectionNode) and not node.flow_style and node.value:
         last = node.value[-1]
         node = last[1] if isinstance(last, tuple) else last

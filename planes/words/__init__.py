@@ -1,7 +1,7 @@
-"""The one table of words: every sentence and label meant for people, a folder a language, a file a room.
+"""The one table of words: every sentence and label meant for people, a folder per language and a file per room.
 
-A language is a folder here and nothing else: its ``language.json`` has its name, its decimal sign and the language
-whose words stand in for those it has not yet. What the system says of a failure is told in the language too.
+A language is nothing but a folder: its ``language.json`` holds its name, its decimal sign and the fallback language for
+missing words. The system's own error messages are translated too.
 """
 
 import errno
@@ -20,7 +20,7 @@ Lang = str
 
 
 class Sentences(dict[str, str]):
-    """The sentences of a language by their keys; those it has not are the other language's, and are counted."""
+    """The sentences of a language by key; missing ones come from the fallback language and are counted."""
 
     def __init__(self, own: dict[str, str], other: Lang) -> None:
         super().__init__(own)
@@ -46,7 +46,7 @@ def table(lang: Lang, file: str = "*") -> Sentences:
 
 
 def under(prefix: str, lang: Lang, file: str = "*") -> dict[str, str]:
-    """Sentences whose keys begin alike, by the rest of the key."""
+    """The sentences whose keys share a prefix, by the rest of the key."""
     sentences: dict[str, str] = {}
     for one in reversed(stand_ins(lang)):
         sentences |= {
@@ -56,32 +56,32 @@ def under(prefix: str, lang: Lang, file: str = "*") -> dict[str, str]:
 
 
 def text_in(lang: Lang, texts: Mapping[Lang, str]) -> str:
-    """A text in its language; in whichever there is first, where there is none in that."""
+    """A text in the language asked for; where it is missing, in the first language that has it."""
     return texts.get(lang) or next(iter(texts.values()), "")
 
 
 def stand_ins(lang: Lang) -> tuple[Lang, ...]:
-    """The language itself, then those whose words stand in for it."""
+    """The language itself, then its fallback languages in order."""
     other = table(lang, "language").other
     return (lang, *stand_ins(other)) if other else (lang,)
 
 
 @cache
 def langs(file: str = "language") -> tuple[Lang, ...]:
-    """The languages that have a file of words: those that need no other first."""
+    """The languages that have a file of words; those without a fallback come first."""
     names = [one.parent.name for one in Path(__file__).parent.glob(f"*/{file}.json")]
     return tuple(sorted(names, key=lambda lang: (len(stand_ins(lang)), lang == "en", lang)))
 
 
 @cache
 def _of_system(lang: Lang) -> dict[str, str]:
-    """Each sentence of the system in a language."""
+    """Each system error message in a language."""
     sentences = under("system_", lang, "system")
     return {os.strerror(getattr(errno, name)): words for name, words in sentences.items() if hasattr(errno, name)}
 
 
 def home_lang() -> Lang:
-    """The language of the system, or one its speakers read; else English."""
+    """The language of the system, or one that its speakers read; otherwise English."""
     said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
     home = (said or locale.getlocale()[0] or "").lower()
     own = [one for one in langs() if home.startswith(one)]
@@ -90,11 +90,11 @@ def home_lang() -> Lang:
 
 
 class Phrase:
-    """A sentence, or a part of one, not yet told in a language: a key of the table, its names and numbers.
+    """A sentence, or a part of one, not yet put into a language: a key of the table with its names and numbers.
 
-    A part may be a phrase itself, or a tuple of them; a tuple is told with what stands after the colon of its
-    place between its members: ``{offers: or }``. A Russian noun of two forms, "звено 2|звена 2", takes the
-    second where its place is ``{what:of}``.
+    A part may itself be a phrase or a tuple of phrases. The members of a tuple are joined by the text after the colon
+    of its placeholder: ``{offers: or }``. A Russian noun with two forms, "звено 2|звена 2", takes the second where its
+    placeholder is ``{what:of}``.
     """
 
     __slots__ = ("key", "parts")
@@ -103,14 +103,14 @@ class Phrase:
         self.key, self.parts = key, parts
 
     def told(self, lang: Lang = "en", form: str = "") -> str:
-        """The words in a language."""
+        """The text in a language."""
         forms = table(lang)[self.key].split("|")
         return _Teller(lang).vformat(forms[-1 if form else 0], (), self.parts)
 
     __str__ = told
 
     def in_python(self) -> "Phrase":
-        """The same about what was built in Python: a call where the sentence of a file shows lines of a file."""
+        """The same sentence for a scene built in Python: a call instead of lines of a file."""
         key = f"{self.key}_in_python"
         return Phrase(key if key in table("en") else self.key, **{name: _called(p) for name, p in self.parts.items()})
 
@@ -125,7 +125,7 @@ def _called(part: object) -> object:
 
 
 class Written:
-    """A printed number, or a quantity with its unit as each language writes it, told with its decimal sign."""
+    """A printed number, or a quantity with its unit in each language, written with the decimal sign of the language."""
 
     __slots__ = ("text",)
 
@@ -133,7 +133,7 @@ class Written:
         self.text = text
 
     def told(self, lang: Lang = "en", form: str = "") -> str:
-        """The number in a language."""
+        """The number as written in a language."""
         return decimal(self.text if isinstance(self.text, str) else self.text(lang), lang)
 
     __str__ = told
@@ -144,7 +144,7 @@ Told = Phrase | str
 
 
 class _Teller(Formatter):
-    index = re.compile(r"([_^])\{([^{}]*)\}")  # _{…} and ^{…} in a sentence are no places to fill
+    index = re.compile(r"([_^])\{([^{}]*)\}")  # _{…} and ^{…} in a sentence are not placeholders
 
     def __init__(self, lang: Lang) -> None:
         self.lang = lang
@@ -169,7 +169,7 @@ def decimal(number: str, lang: Lang) -> str:
 
 
 def decimals(text: str, lang: Lang) -> str:
-    """Every number of a text that people read, a table or a line of results, with that sign."""
+    """Put that decimal sign into every number of a text for people: a table or a line of results."""
     return re.sub(r"(?<=\d)\.(?=\d)", table(lang)["decimal_sign"], text)
 
 
@@ -179,5 +179,5 @@ def say(key: str, lang: Lang = "en", **numbers: object) -> str:
 
 
 def capital(text: str) -> str:
-    """A text as a sentence or a title begins."""
+    """A text with the capital letter of a sentence or a title."""
     return text[:1].upper() + text[1:]

@@ -1,4 +1,4 @@
-"""Every error class, and how a refusal offers what would have been valid. The words are in the table of words."""
+"""All error classes, and how a message lists the valid choices. The texts are in the table of words."""
 
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -11,7 +11,7 @@ from planes.words import Lang, Phrase, Told
 from planes.words.frozen import frozen
 from planes.words.names import latin
 
-QUOTED, OFFERED = 60, 40  # letters of what is quoted of a file; letters of a name that is offered, and how many
+QUOTED, OFFERED = 60, 40  # length of a quotation from a file; length of a name offered, and how many are offered
 _SPELLED = "alpha beta gamma delta epsilon theta lambda mu rho tau phi psi omega"
 _GREEK = dict(zip("αβγδεθλμρτφψω", _SPELLED.split(), strict=True))
 _RUSSIAN = """
@@ -26,7 +26,7 @@ _MEANT = dict(pair.split("=") for pair in _RUSSIAN.split())
 
 
 def place_of(file: str, line: int | None) -> str:
-    """Where something is said, before its sentence; what was built in Python, <Slider-crank>, has no lines."""
+    """The place that precedes a sentence; a scene built in Python, <Slider-crank>, has no line numbers."""
     return f"{file}:{line}: " if line and file[:1] != "<" else (f"{file}: " if file else "")
 
 
@@ -48,18 +48,18 @@ class PlanesError(Exception):
 
     @property
     def parts(self) -> dict[str, Any]:
-        """What its sentence is made of; nothing where that is plain text."""
+        """The phrase behind the sentence; None for plain text."""
         return self.phrase.parts if isinstance(self.phrase, Phrase) else {}
 
 
 class UnknownName(PlanesError, KeyError):
-    """There is no result of this name; the message lists the names there are."""
+    """There is no result of this name; the message lists the valid names."""
 
-    __str__ = Exception.__str__  # a KeyError would put it in quotes
+    __str__ = Exception.__str__  # KeyError would print the message in quotes
 
 
 class SceneError(PlanesError, ValueError):
-    """The scene file says something that cannot be meant."""
+    """The scene file contains something that makes no sense."""
 
     def __init__(self, phrase: Told, file: str = "", line: int | None = None) -> None:
         self.place = place_of(file, line)
@@ -69,7 +69,7 @@ class SceneError(PlanesError, ValueError):
 
 @frozen
 class Doubt:
-    """Something a scene says that can be meant, but hardly is: a warning with its place."""
+    """A warning with its place: something in a scene that is possible but probably not meant."""
 
     phrase: Phrase
     file: str
@@ -86,11 +86,11 @@ class StructureError(SceneError):
 
 
 class EquationError(PlanesError, ValueError):
-    """A vector equation that cannot be drawn: a broken chain, or not exactly two unknowns."""
+    """A vector equation that cannot be drawn: a broken chain, or a number of unknowns other than two."""
 
 
 class ProgramError(PlanesError, ValueError):
-    """A program of steps that does not hang together."""
+    """A program whose steps do not fit together."""
 
 
 class _Reasoned(PlanesError, ArithmeticError):
@@ -106,7 +106,7 @@ class PlanFailure(_Reasoned):
 
 
 class Contradiction(_Reasoned):
-    """A drawing that contradicts itself: the fault is the program's, so nothing of it is given."""
+    """A drawing that contradicts itself: the program is at fault, so no result is given."""
 
 
 class ExpressionError(PlanesError, ValueError):
@@ -118,7 +118,7 @@ class ExpressionError(PlanesError, ValueError):
 
 
 def _near(given: str, known: list[str]) -> Told:
-    """Words with the name that is meant, if one is near, or looks the same in other letters."""
+    """Words that suggest a name that is nearly the same, or looks the same in other letters."""
     meant = _MEANT.get(given.casefold(), _spelled(given))
     if same := next((name for name in known if _spelled(name) == meant), None):
         return Phrase("near_name", name=same)
@@ -129,7 +129,7 @@ def _near(given: str, known: list[str]) -> Told:
 
 
 def nearest(given: str, names: Iterable[str]) -> str:
-    """The name that is written most like the given one; empty where none is."""
+    """The known name closest in spelling to the given one; empty where none is close."""
     near = _near(given[:OFFERED], [*islice(names, 2000)])
     return str(near.parts["name"]) if isinstance(near, Phrase) else ""
 
@@ -140,14 +140,14 @@ def _spelled(name: str) -> str:
 
 
 def shown(text: str) -> str:
-    """A piece of somebody's file as it is quoted in a sentence: on one line, cut when long."""
+    """A piece of the user's file as quoted in a sentence: on one line, cut when long."""
     short = text if len(text) <= QUOTED else text[: QUOTED - 1] + "…"
     return '"' + "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in short) + '"'
 
 
 def choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
-    """Words that name what would have been valid: "; valid: a, b; did you mean a?", for lists of any length, of names
-    of any length: bounded in time and in words. ``what`` is their key."""
+    """Words that list the valid choices: "; valid: a, b; did you mean a?". Time and length are bounded whatever the
+    list and its names. ``what`` is their key."""
     known = [name for name in islice(names, 2000) if len(name) <= OFFERED]
     if not known:
         return ""
@@ -161,11 +161,11 @@ def choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
 
 @contextmanager
 def guarded(key: str, file: str | Path) -> Iterator[None]:
-    """Whatever a library breaks on while a file is read or worked on, as the sentence ``key`` about the file."""
+    """Turn any library exception raised while a file is read or processed into the sentence ``key`` about the file."""
     try:
         yield
     except PlanesError:
         raise
-    except Exception as error:  # on broken files libraries break in every way there is
+    except Exception as error:  # on broken files libraries fail in every possible way
         why = str(error).partition("\n")[0][:80] or type(error).__name__
         raise PlanesError(Phrase(key, file=str(file), why=why)) from None

@@ -1,7 +1,7 @@
-"""A record whose values never change: what ``dataclass(frozen=True)`` makes, in a quarter of the time.
+"""A record whose values never change: the result of ``dataclass(frozen=True)`` in a quarter of the time.
 
-Only the initialiser is written for a class; how records are compared, hashed and shown is the same text for all. With
-150 of them between the command line and its first answer, that is what a person waits for.
+Only the initialiser is generated per class; comparison, hash and repr are shared by all classes. There are 150 of them
+between the command line and its first answer, so the user would wait for them.
 """
 
 from collections.abc import Callable
@@ -16,7 +16,7 @@ T = TypeVar("T")
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def frozen(cls: type[T]) -> type[T]:
-    """The class as a record of its fields; what it says itself of the methods below stays as it is."""
+    """Make the class a record of its fields; methods it defines itself are kept."""
     dataclass(init=False, repr=False, eq=False)(cls)
     values = attrgetter("__class__", *(f.name for f in fields(cls) if f.compare))  # type: ignore[arg-type]
 

@@ -1,8 +1,9 @@
-"""Letters with their indices: S2 -> S_{2}, phi_1 -> φ_{1}; whole names are lettered in :mod:`planes.words.naming`.
-And what a thing is called in a sentence, never by the program's own marks.
+"""Letters with their indices: S2 -> S_{2}, phi_1 -> φ_{1}. Whole names are lettered in :mod:`planes.words.naming`.
+Sentences name an object in words, never by the program's internal marks.
 
-A helper mark is named "°y-y" (where a guide stands), "H°CL" (the line of H beside a guide), "H⊥CL" (the foot of H on
-it), "B°s" (where a driver's stroke is counted from); a direction "∥CL", "⊥BC" or, by a vector, "∠v_C" and "→v_C".
+Construction marks: "°y-y" is the position of a guide, "H°CL" the line through H parallel to a guide, "H⊥CL" the foot of
+the perpendicular from H to it, "B°s" the origin of a driver's stroke. Directions: "∥CL", "⊥BC" or, by a vector, "∠v_C"
+and "→v_C".
 """
 
 import re
@@ -17,19 +18,19 @@ _HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°
 
 
 def flat(text: str) -> str:
-    """A name without the markup of its indices, to stand in an index itself."""
+    """A name without its index markup, for use inside an index."""
     return "".join(c for c in text if c not in "_^{}")
 
 
 def rate_of(letter: str) -> tuple[str, str]:
-    """The letter as it is written, and the index of an analogue: omegaq -> ω, q."""
+    """The letter as written, and the index of an analogue: omegaq -> ω, q."""
     plain = letter.removesuffix("q")
     known = plain in ("v", "a", *GREEK)
     return (GREEK.get(plain, plain), letter[len(plain) :]) if known else (letter, "")
 
 
 def lowered(name: str) -> str:
-    """A letter with its number lowered: S2 -> S_{2}."""
+    """A letter with its number as a subscript: S2 -> S_{2}."""
     match = _INDEXED.fullmatch(name)
     if match:
         return f"{match[1]}_{{{match[2]}}}"
@@ -46,18 +47,18 @@ def greek(name: str) -> str:
 
 
 def indexed(text: str) -> str:
-    """Sentences with the indices of names in them set as such: v_H, F21^t, phi_1."""
+    """Sentences in which the indices of names are set as such: v_H, F21^t, phi_1."""
     name = rf"(?<!\w)([^\W\d_]{{1,2}}\d*|{'|'.join(GREEK)})([_^])([^\W_]+)(?!\w)"
     return re.sub(name, lambda m: f"{GREEK.get(m[1], m[1])}{m[2]}{{{m[3]}}}", text)
 
 
 def letter_of_scale(lettered: str) -> str:
-    """The letter with which the μ of a lettered quantity is written: a^{k}_{4} -> a."""
+    """The letter that the μ of a lettered quantity is written with: a^{k}_{4} -> a."""
     return letter_of(lettered).partition("^")[0]
 
 
 def name_in_words(name: str) -> Told:
-    """A mark, direction or value as a sentence names it; ``name`` may carry its plan."""
+    """A mark, direction or value as a sentence names it; ``name`` may include its plan."""
     label = written(label_of(name).rstrip("′"))
     match = _HELPER.fullmatch(label)
     if match is None:
@@ -71,7 +72,7 @@ def name_in_words(name: str) -> Told:
 
 
 def line_in_words(along: str, start: str) -> Phrase:
-    """A line through a mark: the guide itself where it is one."""
+    """A line through a mark, or the guide itself."""
     mark, (_, parallel, guide) = label_of(start), written(along).partition("∥")
     point, sign, other = next((mark.partition(s) for s in "°⊥" if s in mark), ("", "", ""))
     if parallel and sign and written(other) == guide:

@@ -1,7 +1,6 @@
-"""How things of a program are named, and what a name means: a mark by its plan and its label there, a plan by its kind
-and its links, the scale of a plan, the pole. Whoever makes a name says what it means; nobody else takes it apart.
-Names people write are brought to these by :mod:`planes.words.naming`.
-"""
+"""How a program names its objects and what a name means: a mark by its plan and label, a plan by its kind and links,
+the scale of a plan, the pole. Whoever makes a name can say what it means; no other code takes a name apart. Names that
+people type are converted to these by :mod:`planes.words.naming`."""
 
 import re
 import unicodedata
@@ -21,22 +20,23 @@ Size = Literal["length", "offset", "place", "angle", "rate", "circle"]
 Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
 Quantity = Literal[Mark, Loading, Size, Line]
 
-HELPERS = ("guide", "moved", "foot", "trial", "special", "false", "centre")  # drawn and never asked of anybody
+HELPERS = ("guide", "moved", "foot", "trial", "special", "false", "centre")  # drawn but never a question to the student
 _PRIMES = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
 _ALIKE = str.maketrans("АВЕКМНОРСТХУЈІаеорсхуі", "ABEKMHOPCTXYJIaeopcxyi")
 
 
 @frozen
 class Meaning:
-    """What a name stands for: a quantity ``of`` a thing, ``about`` another, that belongs to a ``link``.
+    """What a name stands for: a quantity ``of`` an object, ``about`` another, that belongs to a ``link``.
 
-    Of marks "guide" is the place of a guide or one beside it, "moved" a pivot moved over, "foot" stands on a guide,
-    "trial" is a supposition, at "special" lines of two leads cross, "false" is of a plan that supposes something,
-    "centre" is that of two links; at a "normal", a "coriolis" or a "relative" (of a drive between moving links) ends
-    that part of a vector.
+    Marks: "guide" is the position of a guide or a parallel to it, "moved" a shifted pivot, "foot" the foot of a
+    perpendicular to a guide, "trial" an assumption, "special" the intersection of two leads, "false" a mark of a plan
+    drawn from an assumption, "centre" that of two links; at a "normal", a "coriolis" or a "relative" (of a drive
+    between moving links) that component of a vector ends.
 
-    Of directions "along" is a guide or the line of two points, "across" perpendicular to it and "leaning" from that by
-    friction, "towards" from a point to another, "with" and "against" a vector, "given" at an angle of the scene.
+    Directions: "along" is a guide or the line of two points, "across" perpendicular to it and "leaning" inclined from
+    the perpendicular by friction, "towards" from a point to another, "with" and "against" a vector, "given" at an angle
+    stated in the scene.
     """
 
     quantity: Quantity
@@ -46,12 +46,12 @@ class Meaning:
 
     @property
     def line(self) -> str:
-        """What a direction is along or across: BC, y-y, or a vector."""
+        """The line that a direction is along or across: BC, y-y, or a vector."""
         return self.of + self.about
 
     @property
     def action(self) -> str:
-        """A direction as it is written beneath a vector: ⊥BC, ∥y-y, C→B, -a_S2; "" where there is no line to name."""
+        """A direction as written beneath a vector: ⊥BC, ∥y-y, C→B, -a_S2; "" where there is no line to name."""
         if self.quantity == "towards":
             return f"{self.of}→{self.about}"
         sign = _SIGNS.get(self.quantity)
@@ -62,14 +62,14 @@ _SIGNS = {"along": "∥", "across": "⊥", "leaning": "∠ρ ⊥", "with": "+", 
 
 
 def parts_of(name: str) -> tuple[str, str, str]:
-    """The name of a value taken apart: its letter, what it is of, and its part: a, CB and n of a_CB^n."""
+    """The name of a value taken apart: its letter, its subject and its component: a, CB and n of a_CB^n."""
     base, _, part = name.strip("|‖").partition("^")
     letter, _, index = base.partition("_")
     return letter, index, part
 
 
 def at(plan: str, label: str) -> str:
-    """Full name of a mark: the plan it is on and its label there."""
+    """Full name of a mark: its plan and its label."""
     return f"{plan}:{label}"
 
 
@@ -79,12 +79,12 @@ def label_of(mark: str) -> str:
 
 
 def lettered(name: str) -> str:
-    """A mark, a guide or its direction by the name people give it, without its plan."""
+    """A mark, a guide or its direction by the name people use, without its plan."""
     return label_of(name).lstrip("°∥")
 
 
 def plan_of(mark: str) -> str:
-    """The plan a mark is on; "" for a value, which is on none."""
+    """The plan of a mark; "" for a value, which is on no plan."""
     return mark.rpartition(":")[0]
 
 
@@ -94,23 +94,23 @@ def kind_of(plan: str) -> str:
 
 
 def links_of(plan: str) -> tuple[str, ...]:
-    """The links whose equilibrium a force plan is: 2 and 3 of "force:2-3"."""
+    """The links in equilibrium on a force plan: 2 and 3 of "force:2-3"."""
     return tuple(plan.partition(":")[2].split("-"))
 
 
 def force_plan(*links: str) -> str:
-    """The force plan of a group, of a link, or of whatever the forces act on."""
+    """The force plan of a group, of a link, or of any other loaded body."""
     return at("force", "-".join(links)) if links else "force"
 
 
 def as_indexed(name: str) -> str:
-    """An analogue as its letter is written, with q in the index: v_qC of vq_C; any other name as it is."""
+    """An analogue as its letter is written, with q in the index: v_qC of vq_C; any other name unchanged."""
     letter, _, index = name.partition("_")
     return f"{letter[:-1]}_q{index}" if letter[1:].endswith("q") else name
 
 
 def letter_of(value: str) -> str:
-    """The letter a value is written by: omega of omega_2, v of v_CB, m of m_3."""
+    """The letter of a value: omega of omega_2, v of v_CB, m of m_3."""
     return value.partition("_")[0]
 
 
@@ -125,12 +125,12 @@ def written(direction: str) -> str:
 
 
 def parallel_to(action: str) -> str:
-    """The vector a line of action is drawn along: a_C of "-a_C", v_C of "+v_C"; "" of any other line."""
+    """The vector that a line of action is parallel to: a_C of "-a_C", v_C of "+v_C"; "" of any other line."""
     return action[1:] if re.match(r"-a_|[-+]v_", action) else ""
 
 
 def lines(action: str) -> str:
-    """A line of action as it is written: ↓, ⊥BC, ∥x–x, C→B, ∥CL of the guide CL; "" for none."""
+    """A line of action as written: ↓, ⊥BC, ∥x–x, C→B, ∥CL of the guide CL; "" for none."""
     text = written(action).replace("-", "–")
     if re.match(r"[↓⊥∥]|[A-Z]\w*→[A-Z]\w*$", text):
         return text
@@ -143,18 +143,18 @@ def index_of(name: str) -> str:
 
 
 def ends_of(guide: str) -> tuple[str, str]:
-    """The letters at both ends of a guide: x and x of "x-x"; of a guide of one name it and ""."""
+    """The letters at the ends of a guide: x and x of "x-x"; for a single name, that name and ""."""
     first, _, second = guide.partition("-")
     return first, second
 
 
 def end_of(name: str) -> str:
-    """The label of the mark that a vector ends at where it is named by it: F_21t of F_21^t."""
+    """The label of the mark at the end of a vector, where the vector is named by it: F_21t of F_21^t."""
     return name.replace("^", "")
 
 
 def parted(label: str) -> str:
-    """A mark of a force plan as the part of a vector that ends there: F_21t, F_21^t."""
+    """A mark of a force plan as the vector component that ends there: F_21t, F_21^t."""
     return re.sub(r"^([FR]_[^^]*)([tn])$", r"\1^\2", label)
 
 
@@ -164,50 +164,50 @@ def is_scale(name: str) -> bool:
 
 
 def plan_of_scale(name: str) -> str:
-    """The plan a value is the scale of."""
+    """The plan whose scale a value is."""
     return name.removeprefix("mu_")
 
 
 def said_of_given(name: str) -> str:
-    """A given number's name without what the program adds to it: P_5 of P_5_given."""
+    """The name of a given number without the program's suffix: P_5 of P_5_given."""
     return name.removesuffix("_given")
 
 
 def turned_back(name: str) -> tuple[str, bool]:
-    """A vector, and whether it is meant the other way: r_BC of -r_BC."""
+    """A vector, and whether it is reversed: r_BC of -r_BC."""
     name = name.strip().replace("−", "-")
     return name.removeprefix("-").strip(), name.startswith("-")
 
 
 def component_of(name: str) -> str:
-    """The axis a component is along: x of aq_S2_x; "" of a whole."""
+    """The axis of a component: x of aq_S2_x; "" of a whole vector."""
     last = name.rpartition("_")[2]
     return last if last in ("x", "y") and name.count("_") > 1 else ""
 
 
 def aimed(given: str) -> str:
-    """The direction that a given angle of a stated vector makes, "∠v_B" of angle_∠v_B; "" of any other number."""
+    """The direction set by the given angle of a stated vector, "∠v_B" of angle_∠v_B; "" of any other number."""
     return given.removeprefix("angle_") if given.startswith("angle_∠") else ""
 
 
 def given_of(name: str) -> str:
-    """The given a number is of: that of a place is written with .x and .y."""
+    """The given that a number belongs to; that of a place is written with .x and .y."""
     return name.removesuffix(".x").removesuffix(".y")
 
 
 def mu_of(plan: str) -> str:
-    """Name of the scale of a plan: every plan has its own (mm per SI unit)."""
+    """Name of the scale of a plan; every plan has one (mm per SI unit)."""
     return f"mu_{plan}"
 
 
 def latin(name: str) -> str:
-    """The name with every Cyrillic letter that looks like a Latin one replaced by it."""
+    """The name with look-alike Cyrillic letters replaced by Latin ones."""
     return name.translate(_ALIKE)
 
 
 @lru_cache(4096)
 def tidy(name: str) -> str:
-    """A name without markup: Latin letters, straight primes, no indices' signs."""
+    """A name without markup: Latin letters, straight primes, no signs of indices."""
     text = unicodedata.normalize("NFKC", name).strip().translate(_PRIMES).replace("″", "''")
     text = text if text == "полюс" else latin(text)
     for old, new in (("Φ", "I"), ("ω", "omega"), ("ε", "epsilon"), ("φ", "phi"), ("τ", "t"), ("μ", "mu")):

@@ -1,7 +1,7 @@
-"""The one gate between the program's names and people's: how a sheet letters them, and what is meant by a written one.
+"""The single gate between the program's names and people's: the lettering of a sheet, and the meaning of a typed name.
 
-F_30 of the program is F_36 on sheets whose frame is link 6, and R_63 where reactions are told from the first link on
-the second; I_2 is Φ_2, the pole of accelerations π. Everything that prints a name or reads one passes here.
+F_30 of the program is F_36 on sheets whose frame is link 6, and R_63 where a reaction is indexed "from the first link
+on the second"; I_2 is Φ_2, the pole of accelerations π. All code that prints or reads a name goes through here.
 """
 
 import re
@@ -23,9 +23,9 @@ Ways = Mapping[str, Sequence[str]]
 
 @frozen
 class Naming:
-    """How this sheet names things: language, number of the frame, the convention of reactions (``from_on``: R_12 from 1
-    on 2, its tangential part R^τ, its arm H_12), the driver, vectors that end at a point of the frame under a slider,
-    the convention of μ."""
+    """The lettering of a sheet: its language, the number of the frame, the convention of reactions (``from_on``: R_12
+    acts from 1 on 2, with tangential component R^τ and arm H_12), the driver, the vectors that end at the point of the
+    frame under a slider, the convention of μ."""
 
     lang: Lang = "ru"
     frame: str = "0"
@@ -35,11 +35,11 @@ class Naming:
     convention: Convention = "mm_per_unit"
 
     def mu(self, size: float, kind: str) -> str:
-        """μ of a kind of plans as it is written: 30 mm/(m/s)."""
+        """μ of a kind of plan as written: 30 mm/(m/s)."""
         return decimal(mu_text(size, kind, self.lang, self.convention), self.lang)
 
     def link(self, name: str) -> str:
-        """A link's number; the frame's is the scene's."""
+        """A link's number; the frame has the number given in the scene."""
         return self.frame if name == "0" else name
 
     def point(self, name: str) -> str:
@@ -47,14 +47,15 @@ class Naming:
         return lowered(name)
 
     def mark(self, label: str, plan: str) -> str:
-        """A mark of a plan of rates: s2' -> s_{2}′, n_CB -> n_{CB}, the pole of accelerations π."""
+        """A mark of a velocity or acceleration plan: s2' -> s_{2}′, n_CB -> n_{CB}, the pole of accelerations π."""
         if label == "p":
             return "π" if plan == "acceleration" else "p"
         primes, label = len(label) - len(label.rstrip("'′")), label.rstrip("'′")
         return lowered(label) + PRIME * primes
 
     def vector(self, name: str) -> str:
-        """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB, omegaq_2 of a unit drive."""
+        """A vector or a value: v_CB, a_HL^k, F_21^t, G_2, I_2, P_5, omega_2, M_3, l_AB, omegaq_2 for a unit velocity of
+        the driver."""
         times, _, vector = name.partition("·")
         if vector:
             return f"{decimal(times, self.lang)}·{self.vector(vector)}"
@@ -74,7 +75,7 @@ class Naming:
             letter = "Φ"
         elif letter in ("MI", "MP"):
             letter, index = "M", ("Φ" if letter == "MI" else "P") + index
-        elif letter in ("N", "T", "PT", "MT", "ω") and index.startswith("F_"):  # of friction, by its reaction
+        elif letter in ("N", "T", "PT", "MT", "ω") and index.startswith("F_"):  # friction is indexed like its reaction
             letter, index = letter[0], letter[1:] + analogue + self.reaction(index[2:])
         elif letter in ("v", "a"):
             index = self.driver if index == "drive" else index.removeprefix("slide_")
@@ -95,7 +96,7 @@ class Naming:
         return f"{letter}_{{{index}}}" + (f"^{{{flat(self.point(about))}}}" if about else "")
 
     def reaction(self, index: str) -> str:
-        """The two links of a reaction in the order of this sheet."""
+        """The two links of a reaction in the order this sheet uses."""
         on, by = index.split("_", 1) if "_" in index else (index[:1], index[1:])
         if by[-1:] in ("t", "n"):
             by = by[:-1]
@@ -107,7 +108,8 @@ class Naming:
         return f"{'M' if turning else 'F'}_{{{say('balance', self.lang)}}}"
 
     def named(self, name: str, plan: str = "") -> str:
-        """A name in running text: a mark of a plan, an arm, a point or a vector; a direction is its vector's."""
+        """A name in running text: a mark of a plan, an arm, a point or a vector; a direction takes that of its
+        vector."""
         plain = name.strip("|‖°").removesuffix("_given")
         letter, _, index = plain.partition("_")
         if letter in ("h", "H") and index:
@@ -117,7 +119,7 @@ class Naming:
         return self.vector(parted(plain)) if index else lowered(plain)
 
     def curve(self, name: str) -> str:
-        """A curve's name with its index lowered, a letter, then _{…}: v_C_x, vq_slide_3, F_21, F_11_10, F_50_arm."""
+        """A curve's name as a letter with its index in _{…}: v_C_x, vq_slide_3, F_21, F_11_10, F_50_arm."""
         head, *index = name.split("_")
         last = index.pop() if index[1:] and index[-1] in ("x", "y", "arm", "moment") else ""
         axis, subject = last if last in ("x", "y") else "", "".join(index[1:] if index[:1] == ["slide"] else index)
@@ -134,24 +136,24 @@ class Naming:
         return f"{letter}_{{{analogue}{subject}{axis}}}"
 
     def typed(self, name: str) -> str:
-        """A name as it is typed in a table or an option: that of the program but for reactions, F_36 or R_63."""
+        """A name as typed in a table or an option: the program's own, except reactions, F_36 or R_63."""
         letter, index, _ = parts_of(name)
         if letter not in ("F", "R") or not index[:1].isalnum():
             return name
         return self.vector(name).translate(_UNBRACED) if index.isalnum() or "_" in index else name
 
     def retold(self, text: str, names: Iterable[str]) -> str:
-        """A sentence that was told in the program's names, in those that people type."""
+        """A sentence with the program's names replaced by the names people type."""
         other = {name: typed for name in names if (typed := self.typed(name)) != name}
         some = "|".join(map(re.escape, sorted(other, key=len, reverse=True)))
         return re.sub(rf"(?<![\w^])(?:{some})(?![\w^])", lambda m: other[m[0]], text) if other else text
 
     def plain(self, name: str) -> str:
-        """A vector or a value as a terminal has it: omega_2_1 -> ω2,1."""
+        """A vector or a value as printed at a terminal: omega_2_1 -> ω2,1."""
         return flat(self.vector(name))
 
     def lettered(self, name: str) -> tuple[str, ...]:
-        """Every way this sheet letters a name of the program."""
+        """All ways in which this sheet letters a name of the program."""
         letter, _, index = name.partition("_")
         ways = [self.vector(parted(name)), self.named(name)]
         letter, index = (f"{letter}T", index[1:]) if letter in "PM" and index.startswith("T") else (letter, index)
@@ -162,25 +164,25 @@ class Naming:
         return tuple(ways)
 
     def names(self, known: Iterable[str], poles: bool = True, more: Ways | None = None) -> "Names":
-        """The gate for names of the program that are ``known``; ``poles`` also reads the ways to write p; ``more`` says
-        how else some are written."""
+        """The gate for the ``known`` names of the program. ``poles`` also accepts the ways to write p; ``more`` gives
+        other spellings of some names."""
         return Names(known, self, poles, more)
 
     @cached_property
     def others(self) -> tuple["Naming", ...]:
-        """The same scene's sheets of the other convention, in other languages, with the frame's number and 0."""
+        """Namings of the same scene under the other convention, in other languages, with the frame's number and 0."""
         frames, orders = dict.fromkeys((self.frame, "0")), (self.from_on, not self.from_on)
         ways = product(dict.fromkeys((self.lang, *langs())), frames, orders)
         return tuple(replace(self, lang=lang, frame=frame, from_on=order) for lang, frame, order in ways)
 
 
-_OF_REACTIONS = ("N", "T", "PT", "MT")  # of friction: they have the index of their reaction
+_OF_REACTIONS = ("N", "T", "PT", "MT")  # friction has the index of its reaction
 _UNBRACED = str.maketrans("", "", "{}")
 
 
 class Names:
-    """Finds the program's name for a written one, in whichever way it is lettered; ``poles`` also reads the ways to
-    write p. What is written as the scene's own sheets have it, or as the program does, means that before all else."""
+    """Finds the program's name for a typed one in any lettering; ``poles`` also accepts the ways to write p. The
+    lettering of the scene's own sheets and of the program takes precedence."""
 
     def __init__(self, known: Iterable[str], naming: Naming, poles: bool = True, more: Ways | None = None) -> None:
         self.known, self.naming, self.poles, self.more = dict.fromkeys(known), naming, poles, more or {}
@@ -191,12 +193,12 @@ class Names:
 
     @cached_property
     def _otherwise(self) -> Ways:
-        """By the ways of other sheets: R_63 or R_36 for F_36 where the scene has not told which it means."""
+        """The lettering of other sheets: R_63 or R_36 for F_36 where the scene does not settle which."""
         return self._by(self._of_others, str)
 
     @cached_property
     def _folded(self) -> tuple[Ways, Ways]:
-        """By small letters, with their primes and without."""
+        """Names in lower case, with and without primes."""
         return self._by(self._own, str.casefold), self._by(self._own, lambda k: k.casefold().replace("'", ""))
 
     def _by(self, ways: Callable[[str], Iterable[str]], key: Callable[[str], str]) -> Ways:
@@ -217,18 +219,18 @@ class Names:
                     yield from (f"R{way[1:]}", f"R{way[1:]}".replace(",", ""))
 
     def exactly(self, written: str) -> str | None:
-        """The program's name where it is written letter by letter, or the pole however it is written."""
+        """The program's name if typed letter by letter, or the pole however it is typed."""
         name = self.find(written)
         return name if name == POLE or tidy(written) in self._exact else None
 
     def find(self, written: str) -> str | None:
-        """The program's name, or None where there is none or two would do."""
+        """The program's name, or None where none or two fit."""
         meant = self.meant(written)
         return meant[0] if len(meant) == 1 else None
 
     def one(self, written: str, refusal: str, same: Callable[[str], object] = str, **more: object) -> str:
-        """The name that is meant, any of those that are the ``same``. :class:`PlanesError` says which two may be meant,
-        or in the words of the ``refusal`` which there are."""
+        """The name meant, any of those that are the ``same``. :class:`PlanesError` names the two candidates, or lists
+        the valid names in the words of the ``refusal``."""
         meant = {same(name): name for name in reversed(self.meant(written))}
         if len(meant) == 1:
             return next(iter(meant.values()))
@@ -238,7 +240,7 @@ class Names:
         raise PlanesError(Phrase(refusal, name=written, valid=valid, **more))
 
     def meant(self, written: str) -> Sequence[str]:
-        """All names of the program that a written one may stand for, none where nobody writes any so."""
+        """All names of the program that a typed one may stand for; empty where it is nobody's spelling."""
         if written in self.known and not written.startswith(("F_", "R_")):
             return [written]
         key = tidy(written)

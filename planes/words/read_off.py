@@ -1,4 +1,4 @@
-"""Results as they are read off a plan: no more digits than a ruler and a protractor tell, and no fewer."""
+"""Results as read off a plan: as many digits as a ruler and a protractor give."""
 
 import math
 
@@ -6,11 +6,11 @@ from planes.words import Lang, decimal
 from planes.words.units import number
 
 READ_DIGITS = 3
-"""A ruler tells no more."""
+"""A ruler shows no more."""
 
 
 def measured(value: float | None, lang: Lang) -> str:
-    """A result as it is read off a plan: three significant digits, idle zeros too."""
+    """A result as read off a plan: three significant digits, trailing zeros kept."""
     if not value or not math.isfinite(value) or not 1e-4 <= abs(value) < 1e7:
         return number(value, lang, READ_DIGITS)
     rounded = float(f"{value:.{READ_DIGITS - 1}e}")
@@ -18,5 +18,5 @@ def measured(value: float | None, lang: Lang) -> str:
 
 
 def fixed(value: float, decimals: int, lang: Lang) -> str:
-    """A number with so many digits after the decimal sign: millimetres and degrees have one."""
+    """A number with a fixed count of decimals: millimetres and degrees have one."""
     return decimal(f"{round(value, decimals) + 0.0:.{decimals}f}".replace("-", "−"), lang)

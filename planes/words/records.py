@@ -1,4 +1,4 @@
-"""The outer form of answers: what JSON holds, what a notebook shows, tables as CSV that a spreadsheet only shows."""
+"""The outer form of answers: JSON values, notebook views, CSV tables that a spreadsheet shows but never evaluates."""
 
 import csv
 import io
@@ -13,12 +13,12 @@ Json = dict[str, Any]
 
 
 def or_none(value: float) -> float | None:
-    """A number for a program: none where it has no end, or is none."""
+    """A number for JSON; None where it is infinite or not a number."""
     return value if math.isfinite(value) else None
 
 
 class Described:
-    """Shown in a notebook. Who tells it stands floors above: the face of the whole package knows."""
+    """Shown in a notebook. The view is set several floors above, where the face of the whole package is known."""
 
     def _repr_html_(self) -> str:
         html: str = sys.modules[__name__.partition(".")[0]].in_notebook(self)
@@ -26,7 +26,7 @@ class Described:
 
 
 class Pictured(Described):
-    """Shown as its scheme or its plans, too."""
+    """Also shown as its scheme or its plans."""
 
     def _repr_svg_(self) -> str | None:
         shown: str | None = sys.modules[__name__.partition(".")[0]].shown(self)
@@ -41,18 +41,18 @@ class Tabulated:
         return text
 
 
-FORMULA = tuple("=+-@\t＝＋－＠")  # begins what a spreadsheet works out instead of showing
+FORMULA = tuple("=+-@\t＝＋－＠")  # a cell that begins so is evaluated by a spreadsheet
 
 
 def as_csv(rows: Iterable[Iterable[str]]) -> str:
-    """Rows with commas between the cells; no text of somebody else's is worked out as a formula."""
+    """Rows of cells separated by commas; no text from outside can be evaluated as a formula."""
     out = io.StringIO()
     csv.writer(out, lineterminator="\n").writerows([cell(text) for text in row] for row in rows)
     return out.getvalue()
 
 
 def cell(text: str) -> str:
-    """The text on one line, after an apostrophe where a spreadsheet would take it for a formula; a number stays one."""
+    """The text on one line, with an apostrophe where a spreadsheet would see a formula; a number is unchanged."""
     text = re.sub(r"[\r\n]+", " ", text)
     try:
         float(text)

@@ -1,7 +1,7 @@
 """The scale μ of a plan in both conventions, the standard series, and printing quantities for people.
 
-Inside the program μ is always millimetres on paper per SI unit: m, m/s, m/s², N. On paper it is read and
-written either so ("30 mm/(m/s)") or upside down ("0.0333 (m/s)/mm"), in Latin or in Russian letters.
+Inside the program μ is always millimetres on paper per SI unit: m, m/s, m/s², N. On paper it is written either so ("30
+mm/(m/s)") or inverted ("0.0333 (m/s)/mm"), in Latin or in Russian letters.
 """
 
 import math
@@ -43,21 +43,21 @@ _TOKEN = re.compile(r"(mm|cm|km|kN|MN|m|s|N)(-?\d)?|([·/()])")
 
 
 class UnitError(PlanesError, ValueError):
-    """A scale or a unit that cannot be meant."""
+    """A scale or a unit that makes no sense."""
 
 
 def read_mu(text: str, plan: str) -> float:
-    """Read μ of a plan as mm per SI unit, from either convention; ``plan`` "vectors" takes any unit."""
+    """Read μ of a plan as mm per SI unit, in either convention; ``plan`` "vectors" accepts any unit."""
     return _read(text, plan)[0]
 
 
 def written_in(text: str) -> tuple[str, Convention]:
-    """The plan whose unit a μ is written in, and which way up: "velocity", mm per unit for "30 mm/(m/s)"."""
+    """The plan whose unit μ has, and the convention: "velocity", mm per unit for "30 mm/(m/s)"."""
     return _read(text, "vectors")[1:]
 
 
 def fitting_units(plan: str) -> tuple[Phrase, ...]:
-    """Words that name the units μ of the plan may have: "mm/m or m/mm"."""
+    """Words for the units that μ of the plan may have: "mm/m or m/mm"."""
     return tuple(Phrase(f"units_{p}") for p in (PLANS if plan == "vectors" else (plan,)))
 
 
@@ -122,7 +122,7 @@ def _meanings() -> dict[tuple[str, frozenset[tuple[str, int]]], tuple[float, boo
 
 
 def _powers(unit: str) -> dict[str, int] | None:
-    """Exponents of the base units in a product such as "mm/(m·s-2)"; None if it is not one."""
+    """Exponents of the base units in a product such as "mm/(m·s-2)"; None if the text is not such a product."""
     text = unit.replace("см", "cm").translate(_LETTERS)
     text = re.sub(r"\s+", "", re.sub(r"(?<=\w)\s+(?=\w)", "·", text.strip()))
     tokens = list(_TOKEN.finditer(text))
@@ -150,13 +150,13 @@ def _powers(unit: str) -> dict[str, int] | None:
 
 
 def mu_text(mu: float, plan: str, lang: str = "en", convention: Convention = "mm_per_unit") -> str:
-    """μ as it is written on a sheet: "30 mm/(m/s)", exact; "0.0333 (m/s)/mm", three digits if need be."""
+    """μ as written on a sheet: "30 mm/(m/s)", exact; "0.0333 (m/s)/mm", to three digits if necessary."""
     unit = say("one_unit" if plan == "vectors" else UNIT[plan], lang)
     return f"{mu_number(mu, convention)} {mm_per(unit, lang, convention != 'mm_per_unit')}"
 
 
 def mu_number(mu: float, convention: Convention = "mm_per_unit") -> str:
-    """The number of such a text alone."""
+    """The number of such a text."""
     if convention == "mm_per_unit":
         return _exact(mu)
     value = 1.0 / mu
@@ -221,15 +221,15 @@ _OF_LETTERS |= dict.fromkeys("lxyrRabcdehHsLDzS", "m")
 
 
 def unit_of_parameter(name: str) -> str:
-    """The key of the unit in which a parameter of that name is given, "" where the name does not tell."""
+    """The key of the unit of a parameter with that name; "" where the name does not show it."""
     letter, index, _ = parts_of(name)
     if letter == "a" and index[:1].isupper():
-        return "m/s²"  # of a point; a_1 is a size
+        return "m/s²"  # angle of a point; a_1 is a size
     return _OF_LETTERS.get(letter_of(name), "")
 
 
 def quantity(value: float, digits: int = 4) -> str:
-    """A number for people: ``digits`` significant ones, no exponent for ordinary sizes."""
+    """A number for people: ``digits`` significant ones, no exponent for ordinary magnitudes."""
     if not math.isfinite(value):
         return "—" if math.isnan(value) else ("∞" if value > 0 else "-∞")
     mantissa, exponent = f"{value:.{max(digits, 1) - 1}e}".split("e")

@@ -1,4 +1,4 @@
-"""What a person at a terminal sees while something takes long: a bar where its length is known, else a clock."""
+"""What a user at a terminal sees during long work: a progress bar where its length is known, otherwise a clock."""
 
 import sys
 import time
@@ -15,7 +15,7 @@ _BAR = Event()
 
 @contextmanager
 def bar(**how: Any) -> Iterator[Callable[[int, int], None] | None]:
-    """A progress bar where a person waits at a terminal."""
+    """A progress bar for a user at a terminal."""
     if not sys.stderr.isatty():
         yield None
         return
@@ -36,7 +36,7 @@ def bar(**how: Any) -> Iterator[Callable[[int, int], None] | None]:
 
 @contextmanager
 def waiting() -> Iterator[None]:
-    """A clock at a terminal, from the second second on, wherever there is no bar."""
+    """A clock at a terminal, shown after the first second, wherever there is no progress bar."""
     if not (sys.stderr and sys.stderr.isatty()):
         yield
         return

@@ -5,39 +5,27 @@ import math
 from planes.words import langs, say
 
 _RESULTS = ("m", "m/s", "m/s²", "rad/s", "rad/s²", "N", "N·m", "W", "kg", "kgm2")
-_PLAIN = [
-    "1",
-    "°",
-    "deg",
-    "rad",
-    "рад",
-    "mm",
-    "мм",
-    "1/s",
-    "1/с",
-    "s-1",
-    "с-1",
-    "1/s2",
-    "1/с2",
-    "s-2",
-    "с-2",
-]  # as good as SI in a table
-_TURNS = ["об/мин", "обхв", "rpm", "r/min", "1/min", "min-1"]
+_TURNS = ("об/мин", "обхв", "rpm", "r/min", "1/min", "min-1")
+_PLAIN = {"": "1 mm мм", "°": "° deg", "rad/s": "1/s 1/с s-1 с-1", "rad/s²": "1/s2 1/с2 s-2 с-2"}  # as good as SI
 _PREFIXED = {"mm": ("m", 1e-3), "мм": ("м", 1e-3), "cm": ("m", 1e-2), "см": ("м", 1e-2), "kn": ("n", 1e3)}
 _PREFIXED |= {"кн": ("н", 1e3), "mn": ("n", 1e6), "kw": ("w", 1e3), "kg": ("kg", 1.0)}
 _SAME_UNIT = str.maketrans({"²": "2", "⁻": "-", "¹": "1", "−": "-"} | dict.fromkeys("^*·⋅. "))
 
 
-def unit_factor(unit: str) -> float | None:
-    """SI per unit as written in any language: mm/s, kN, rpm; None of a unit that is not known."""
+def unit_in_si(unit: str) -> tuple[float, str] | None:
+    """A unit as written in any language (mm/s, kN, rpm): how much of the unit of results it is, and the key of that,
+    "" where it fits any value; None of a unit that is not known. Millimetres are those of a segment."""
     text = _bare_unit(unit)
+    known = {_bare_unit(say(key, lang)): key for key in _RESULTS for lang in langs()}
+    known |= {written: key for key, ways in _PLAIN.items() for written in ways.split()} | {"": ""}
+    if text in known:
+        return 1.0, known[text]
     if text in _TURNS:
-        return math.pi / 30
-    known = {_bare_unit(say(key, lang)) for key in _RESULTS for lang in langs()}
-    if not text or text in known or text in _PLAIN:
-        return 1.0
+        return math.pi / 30, "rad/s"
+    if text in ("rad", "рад"):
+        return 180 / math.pi, "°"
     prefix, factor = _PREFIXED.get(text[:2], ("", 1.0))
-    return factor if prefix and prefix + text[2:] in known else None
+    return (factor, known[prefix + text[2:]]) if prefix and prefix + text[2:] in known else None
 
 
 def _bare_unit(unit: str) -> str:

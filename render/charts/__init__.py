@@ -1,4 +1,5 @@
-"""Charts: curves over an axis, as strokes. Colours stay apart in grey and for the colour-blind; each has its dashes."""
+"""Charts: curves over an axis, as strokes. Colours are distinct in grey and for the colour-blind, dashes for
+everybody."""
 
 import io
 import re
@@ -61,7 +62,7 @@ def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
 
 
 def beside(plot: Axes, text: str, place: tuple[float, float], by: tuple[float, float], **looks: Any) -> None:
-    """Words so many points beside a place."""
+    """Words at a distance of so many points from a place."""
     plot.annotate(text, place, by, textcoords="offset points", **looks)
 
 
@@ -90,11 +91,11 @@ METADATA: dict[str, dict[str, None]] = {
     ".svg": {"Date": None},
     ".pdf": {"CreationDate": None},
 }
-NAME = re.compile(rb"\b[pmh][0-9a-f]{10}\b")  # of a clip, a marker or a hatch, made of numbers to the last bit
+NAME = re.compile(rb"\b[pmh][0-9a-f]{10}\b")  # of a clip, a marker or a hatch: varies with the last bit
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Write a figure; the names within an SVG are its own count, which rounding of the layout does not change."""
+    """Write a figure; names within an SVG are numbered by us, so that rounding of the layout does not change them."""
     kind = path.suffix.lower()
     out = io.BytesIO()
     figure.savefig(out, format=kind[1:], metadata=METADATA[kind])

@@ -31,15 +31,15 @@ LOOK: dict[str, Look] = {  # of a method: colour, marker, dashes
     "method_digits": (6, "X", "-"),
     "method_pencil": (6, "_", "-"),
 }
-OTHERS = (7, "<", "--"), (8, ">", "--"), (9, "d", "--")  # of programs by others, in turn
-FLOOR = 1e-17  # errors below the last place of a double are drawn here
-LEADER = {"arrowstyle": "-", "color": "#888888", "linewidth": 0.6}  # to words that stand far from their mark
+OTHERS = (7, "<", "--"), (8, ">", "--"), (9, "d", "--")  # of other programs, in turn
+FLOOR = 1e-17  # smaller errors than the last place of a double are drawn here
+LEADER = {"arrowstyle": "-", "color": "#888888", "linewidth": 0.6}  # to words far from their mark
 OURS = "method_scalar", "method_batch", "method_compiled"
-ALIKE = 1e3  # methods whose errors are less than so many times another's are as exact as it
+ALIKE = 1e3  # factor between errors within which two methods are equally accurate
 HALF_DIGITS = 1e-8
-NONSENSE = 10.0  # errors so many times the truth are not drawn: the method is lost
-LEAST = 0.01  # of the grid: a region that is smaller is not lettered
-DARK = 0.11  # how much darker two more assemblies make a region
+NONSENSE = 10.0  # larger multiples of the true value are not drawn: the method has failed
+LEAST = 0.01  # of the grid: a smaller region gets no number
+DARK = 0.11  # how much two more assemblies darken a region
 
 
 def draw(
@@ -53,9 +53,9 @@ def draw(
     lang: Lang,
     turn: tuple[Turning, str] | None = None,
 ) -> None:
-    """The charts side by side, in a file by its suffix; ``seconds`` says what was timed, and on which machine,
-    ``axis`` what the distances to a limit are, ``names`` what its methods are called; ``turn`` the turning curves and
-    what their drive is called."""
+    """Draw the charts side by side, into a file by its suffix; ``seconds`` describes what was timed, and on which
+    machine, ``axis`` the distances to a limit, ``names`` its methods; ``turn`` are the turning curves and the name of
+    their drive."""
     count = 1 + (way is not None) + (turn is not None)
     with rc_context(OF_FILES):
         figure = Figure(figsize=(8.0 if count == 1 else 6.3 * count, 5.6), dpi=150, layout="constrained")
@@ -94,7 +94,7 @@ def _speed(plot: Axes, spots: list[Method], seconds: str, lang: Lang) -> None:
 
 
 def _label(plot: Axes, spots: Sequence[Method], lang: Lang) -> None:
-    """Names beside the marks, each as near as it can stand without touching another mark or name."""
+    """Names beside the marks, each as near as possible without touching another mark or name."""
     marks = [plot.transData.transform((m.seconds, m.error)) * 72 / plot.figure.dpi for m in spots]
     taken = [(x - 6, y, x + 6) for x, y in marks]
     for (x, y), m in sorted(zip(marks, spots, strict=True), key=lambda pair: (pair[1].error, pair[1].seconds)):
@@ -114,7 +114,7 @@ def _free(box: tuple[float, float, float], taken: Sequence[tuple[float, float, f
 
 
 def _band(plot: Axes, pencils: Sequence[Method], lang: Lang) -> None:
-    """What a pencil errs, however long it takes: from the sheet of the largest error to that of the smallest."""
+    """The error of a pencil, whatever its time: from the sheet of the largest error to that of the smallest."""
     if not pencils:
         return
     worst, best = max(pencils, key=lambda m: m.error), min(pencils, key=lambda m: m.error)
@@ -125,23 +125,23 @@ def _band(plot: Axes, pencils: Sequence[Method], lang: Lang) -> None:
 
 
 def _concluded(plot: Axes, text: str) -> None:
-    """What follows from a panel, under it."""
+    """The conclusion from a panel, beneath it."""
     plot.set_xlabel(f"{plot.get_xlabel()}\n\n{text}", fontsize=9)
 
 
 def power_of_ten(x: float) -> str:
-    """The nearest power of ten, as charts letter it."""
+    """The nearest power of ten, as lettered on charts."""
     return f"$10^{{{round(math.log10(x))}}}$"
 
 
 def few_digits(x: float) -> str:
-    """Two digits, in thousands: 37 000."""
+    """Two significant digits, grouped in thousands: 37 000."""
     size = 10 ** max(math.floor(math.log10(x)) - 1, 0)
     return f"{round(x / size) * size:,}".replace(",", "\u2009") if x >= 10 else f"{x:.2g}"
 
 
 def conclusion_of_speed(methods: Sequence[Method], lang: Lang) -> str:
-    """How much time the quickest of ours takes, and how many times as much the nearest of the others as exact."""
+    """The time of our fastest method, and its ratio to the nearest other method of the same accuracy."""
     ours = min((m for m in methods if m.key in OURS), key=lambda m: m.seconds)
     others = [m for m in methods if m.key not in (*OURS, "method_digits") and m.error < ALIKE * ours.error]
     name = ours.name(lang)
@@ -153,7 +153,8 @@ def conclusion_of_speed(methods: Sequence[Method], lang: Lang) -> str:
 
 
 def conclusion_of_stability(way: Approach, lang: Lang) -> str:
-    """How near to the limit half of all digits are left, and whether the claimed error held all the way."""
+    """The distance to the limit at which half of all digits are left, and whether the claimed error held all the
+    way."""
     mine, claim = np.asarray(way.errors["method_scalar"]), np.asarray(way.claim)
     kept = [d for d, e in zip(way.distances, mine, strict=True) if e < HALF_DIGITS]
     held = bool(np.all((mine <= claim) | np.isnan(mine)))
@@ -184,7 +185,7 @@ def draw_approach(plot: Axes, way: Approach, axis: str, names: Mapping[str, str]
 
 
 def draw_turning(plot: Axes, turn: Turning, axis: str, lang: Lang) -> None:
-    """Regions in grey with their number of assemblies, the curves between them, and where the scene stands."""
+    """Regions in grey with their number of assemblies, the curves between them, and the position of the scene."""
     low, high = turn.values[0], turn.values[-1]
     plot.set(xlim=(low, high), ylim=(turn.lengths[0], turn.lengths[-1]), yscale="log", xlabel=axis)
     plot.set_ylabel(say("chart_turning_length", lang, name=turn.name))
@@ -207,7 +208,7 @@ def draw_turning(plot: Axes, turn: Turning, axis: str, lang: Lang) -> None:
 
 
 def _broken(values: Array, lengths: Array, low: float, high: float) -> tuple[Array, Array]:
-    """A curve brought into the chart's turn of the drive, broken where it goes over its edge."""
+    """A curve shifted into the chart's turn of the drive, broken where it crosses its edge."""
     inside = (values - low) % (high - low) + low
     inside = np.where((values < low) | (values > high), inside, values)
     cuts = np.flatnonzero(abs(np.diff(inside)) > (high - low) / 2) + 1
@@ -215,7 +216,7 @@ def _broken(values: Array, lengths: Array, low: float, high: float) -> tuple[Arr
 
 
 def _regions(count: Indices) -> list[tuple[int, int]]:
-    """The deepest cell of every region of the grid where the number of assemblies is the same."""
+    """The cell deepest inside each region of the grid with the same number of assemblies."""
     deepest_cells = []
     for number in np.unique(count):
         left = count == number
@@ -239,7 +240,7 @@ def _beside(region: Booleans) -> Booleans:
 
 
 def _filled(seed: Booleans, within: Booleans) -> Booleans:
-    """All that hangs together with the seed."""
+    """All cells connected with the seed."""
     while True:
         grown: Booleans = _beside(seed).any(axis=0) & within
         if (grown == seed).all():

@@ -1,13 +1,12 @@
-"""Pictures as plain paths: what matplotlib draws (charts, mathematics), kept as strokes for SVG and for PDF alike.
+"""Pictures as plain paths: matplotlib output (charts, mathematics), kept as strokes for both SVG and PDF.
 
-Units are points, y up. Text has become outlines, so a page needs no font and no network.
+Units are points, y up. Text is converted to outlines, so a page needs no font and no network.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from functools import lru_cache
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +14,7 @@ import numpy as np
 from matplotlib.backend_bases import GraphicsContextBase, RendererBase
 from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
-from matplotlib.textpath import TextPath, text_to_path
+from matplotlib.textpath import TextPath
 from matplotlib.transforms import Affine2D, Transform
 
 from planes.words.frozen import frozen
@@ -46,7 +45,7 @@ class Picture:
     strokes: list[Stroke] = field(default_factory=list)
 
     def svg(self, label: str) -> str:
-        """An inline SVG element; ``label`` is read aloud in its place."""
+        """An inline SVG element; ``label`` is its text for screen readers."""
         body = "".join(_element(s, self.height) for s in self.strokes)
         size = f'width="{self.width:.1f}pt" height="{self.height:.1f}pt"'
         box = f'viewBox="0 0 {self.width:.2f} {self.height:.2f}"'
@@ -101,14 +100,14 @@ def pieces_of(
 
 
 class StrokeRenderer(RendererBase):
-    """matplotlib's drawing commands, caught as strokes."""
+    """Captures matplotlib's drawing commands as strokes."""
 
     def __init__(self, width: float, height: float) -> None:
         super().__init__()
         self.picture = Picture(width, height)
 
     def draw_path(self, gc: GraphicsContextBase, path: Path, transform: Transform, rgbFace: Any = None) -> None:
-        """Keep one path with its pen."""
+        """Store one path with its pen."""
         box = gc.get_clip_rectangle()
         clip = None if box is None or rgbFace is not None else tuple[float, float, float, float](box.extents)
         width = gc.get_linewidth()
@@ -139,15 +138,3 @@ class StrokeRenderer(RendererBase):
 def _hex(colour: Iterable[float]) -> str:
     r, g, b = list(colour)[:3]
     return "#" + "".join(f"{round(255 * v):02x}" for v in (r, g, b))
-
-
-@lru_cache(maxsize=2000)
-def formula(tex: str, size: float = 11.0) -> Picture:
-    """A formula at a letter size in points."""
-    prop = FontProperties(family="DejaVu Serif", size=size, math_fontfamily="dejavuserif")
-    text = f"${tex}$"
-    width, height, depth = text_to_path.get_text_width_height_descent(text, prop, True)
-    path = TextPath((0, 0), text, size=size, prop=prop)
-    pad = 1.0
-    moved = path.transformed(Affine2D().translate(pad, depth + pad))
-    return Picture(width + 2 * pad, height + 2 * pad, [Stroke(pieces_of(moved), fill="#000000")])

@@ -18,7 +18,8 @@ SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
 
 @dataclass(frozen=True, repr=False)
 class Page:
-    """Marks on a page of their own size, width × height in mm, ``under`` them a picture; and what must be said."""
+    """Marks on a page of a given size, width × height in mm, with a picture ``under`` them; and the remarks about
+    it."""
 
     marks: tuple[Mark, ...]
     size: tuple[float, float]
@@ -52,5 +53,5 @@ class Page:
         raise PlanesError(Phrase("bad_suffix", file=suffix or "?", known=".svg, .pdf, .png, .dxf"))
 
     def write(self, path: str | Path, text: Lettered = "text") -> None:
-        """Its file, whole or not at all."""
+        """Write the file, whole or not at all."""
         keep(self.rendered(Path(path).suffix.lower(), text), path)

@@ -1,11 +1,11 @@
 """Marks -> DXF by ezdxf: real millimetres, layers by meaning, ГОСТ line types and widths, text as text.
 
-Lines are really cut under hinges and sliders, so nothing needs a white mask.  Hinges, supports, sliders, points and
-arrowheads are blocks, and so is the form.  Its empty cells are attributes, to be filled in the reader's program; filled
-ones are texts, for many programs show no attributes, with the attribute beside them unseen.  A text is fitted between
-the ends of its own lettering, so it is as wide as drawn in whatever font that program puts; one with indices is one
-MTEXT; by ``text="pieces"`` its parts are texts so fitted, by "strokes" the lettering itself is drawn.  The sheet of the
-paper is set up to be printed 1:1.  The same marks give the same bytes.
+Lines are really cut under hinges and sliders, so no white mask is needed.  Hinges, supports, sliders, points and
+arrowheads are blocks, and so is the form.  Its empty cells are attributes, to be filled in by the user; filled ones are
+texts, since many programs show no attributes, with the attribute hidden beside them.  A text is fitted between the ends
+of its lettering, so its width is as drawn in any font; one with indices is one MTEXT; with ``text="pieces"`` its
+parts are such fitted texts, with "strokes" the lettering itself is drawn.  The layout is set up for printing at 1:1.
+The same marks give the same bytes.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from ezdxf.layouts import BlockLayout
 
 UNSEEN = 1  # flag of an attribute
-OWN_FONT = "isocpeur.ttf"  # a single-stroke font with Cyrillic letters that AutoCAD brings; others put a like one
+OWN_FONT = "isocpeur.ttf"  # single-stroke, with Cyrillic letters, from AutoCAD; others substitute
 LAYER_STYLES = dict.fromkeys(map(str, LAYERS), "thin") | {
     "construction": "construction",
     "axis": "axis",
@@ -54,7 +54,7 @@ LAYER_STYLES = dict.fromkeys(map(str, LAYERS), "thin") | {
     "force": "thick",
     "result": "result",
 }
-"""The line type and width of each layer; a mark says its own only where it differs."""
+"""The line type and width of each layer; a mark has its own only where it differs."""
 
 
 def write(
@@ -79,7 +79,7 @@ def write(
         document.ezdxf_metadata()["TITLE"] = title
         _fill(document, held, size_mm, lang, text)
         for kind in sorted(document.entitydb.dxf_types_in_use()):
-            document.classes.add_class(kind)  # left to itself the library takes them as they fall out of a set
+            document.classes.add_class(kind)  # by default the library writes them in the order of a set
         out = io.StringIO()
         document.write(out)
     finally:
@@ -88,7 +88,7 @@ def write(
 
 
 def _fill(document: Drawing, marks: tuple[Mark, ...], size: tuple[float, float], lang: Lang, text: Lettered) -> None:
-    """The form as one block, known signs as blocks, the rest as they are."""
+    """The form as one block, recognised signs as blocks, the rest unchanged."""
     form = [m for m in marks if m.layer == "frame"]
     filled = any(isinstance(m, Text) for m in form)
     rest = insert_signs(document, uncovered(m for m in marks if not (filled and m.layer == "frame")))
@@ -130,7 +130,7 @@ def _tables(document: Drawing, marks: Iterable[Mark], lang: Lang) -> None:
 
 
 def _print_setup(document: Drawing, size: tuple[float, float]) -> None:
-    """The layout of the paper: its format, no margins, and all of the drawing seen on it in its true size."""
+    """The layout of the paper: its format, no margins, and the whole drawing in true size."""
     paper = document.paperspace("Layout1")
     paper.page_setup(size=size, margins=(0, 0, 0, 0), units="mm", scale=(1, 1))
     middle = (size[0] / 2, size[1] / 2)
@@ -140,9 +140,9 @@ def _print_setup(document: Drawing, size: tuple[float, float]) -> None:
 def insert_form(
     document: Drawing, marks: Sequence[Mark], size: tuple[float, float], lang: Lang, text: Lettered
 ) -> None:
-    """Frame, title block and side columns as one block, each cell an attribute; one that is filled is a text too.
+    """Frame, title block and side columns as one block, each cell an attribute; a filled cell is also a text.
 
-    Cells lettered in strokes are no attributes.
+    Cells lettered in strokes are not attributes.
     """
     form = next((FORMS[m.name] for m in marks if isinstance(m, Line) and m.name in FORMS), form1.FORM)
     block = document.blocks.new(form.drawn_as)
@@ -164,7 +164,7 @@ def insert_form(
 
 
 def _empty(cell: form1.Cell, name: str, face: Face) -> Text:
-    """A text with nothing in it, where one would stand."""
+    """An empty text at the place of a text."""
     turn = cmath.rect(1, math.radians(cell.turn_deg))
     wide = cell.height if cell.turn_deg % 180 else cell.width
     across = 0.0 if cell.anchor == "middle" else 1.0 - wide / 2
@@ -173,7 +173,7 @@ def _empty(cell: form1.Cell, name: str, face: Face) -> Text:
 
 
 def _attribute(block: BlockLayout, insert: Insert, tag: str, prompt: str, text: Text) -> None:
-    """A cell's definition in the block and its value at the insert, about the same place."""
+    """A cell's definition in the block and its value at the insert, at the same place."""
     from ezdxf.enums import TextEntityAlignment
 
     align = TextEntityAlignment.CENTER if text.anchor == "middle" else TextEntityAlignment.LEFT

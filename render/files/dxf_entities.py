@@ -1,4 +1,4 @@
-"""Single marks as the DXF entities a draughtsman would use: lines, arcs, solids, hatches and texts."""
+"""Single marks as the DXF entities of a draughtsman: lines, arcs, solids, hatches and texts."""
 
 from __future__ import annotations
 
@@ -24,23 +24,23 @@ if TYPE_CHECKING:
     from ezdxf.entities import Hatch
     from ezdxf.layouts import BaseLayout
 
-BLACK, GREY = 7, 251  # colours of the AutoCAD index; 7 is black on white paper, 251 as dark as construction lines
-SLIM = 0.4  # width over height of a character whose own font would be distorted, were it fitted to its ink
-NARROWED = 0.85  # of letters that are not fitted: other fonts are wider than our lettering
+BLACK, GREY = 7, 251  # colours of the AutoCAD index; 7 is black on white paper, 251 is as dark as construction lines
+SLIM = 0.4  # width over height of a character that would be distorted in a font if fitted to its ink
+NARROWED = 0.85  # width factor of letters that are not fitted: other fonts are wider than our lettering
 OBLIQUE_DEG = 15.0  # from upright: lettering at 75°
-OWN_STYLE = "lc_opengost-br"  # LibreCAD takes the name of a style for its font, and brings this one of ГОСТ 2.304
+OWN_STYLE = "lc_opengost-br"  # LibreCAD takes the name of a style for its font, and has this one of ГОСТ 2.304
 LINE_TYPES = {"axis": "DASHDOT2", "phantom": "DIVIDE2", "dash": "DASHED2"}  # LibreCAD knows line types by their names
 ARROW, LETTERS, PATH = "ARROW", "LETTERS", "PATH"
 TINY_MM = 1e-6
-PROSE = 40  # letters of a text that is no label
+PROSE = 40  # letters in a text that is no label
 Lettered = Literal["text", "pieces", "strokes"]
-"""How a text is written: as one; its indices as texts of their own; or the lettering itself, drawn by lines."""
-UNKNOWN = frozenset("→←↔↑↓")  # signs that its font does not know
-_FEET = {"start": (7, 0.0), "middle": (8, 0.5), "end": (9, 1.0)}  # where on its base line an MTEXT is held
+"""The form of a text: whole; with its indices as separate texts; or the lettering itself, drawn by lines."""
+UNKNOWN = frozenset("→←↔↑↓")  # characters missing in its font
+_FEET = {"start": (7, 0.0), "middle": (8, 0.5), "end": (9, 1.0)}  # attachment point of an MTEXT on its base line
 
 
 def xy(z: complex) -> tuple[float, float]:
-    """A place as the two numbers of a file."""
+    """A place as two numbers for a file."""
     return round(z.real, 6), round(z.imag, 6)
 
 
@@ -53,7 +53,7 @@ def style_name(face: Face) -> str:
 
 
 def formatted(text: str) -> str:
-    """A text with the codes by which an MTEXT, or a dimension, raises and lowers indices."""
+    """A text with the codes for raised and lowered indices in an MTEXT or a dimension."""
 
     def said(p: Indexed) -> str:
         base = re.sub(r"[\\{}]", r"\\\g<0>", p.base).replace("^", "^ ")
@@ -64,9 +64,9 @@ def formatted(text: str) -> str:
 
 
 class Entities(Writer):
-    """Adds marks to a space or a block; ``layers`` names the line style each layer has of itself.
+    """Adds marks to a space or a block; ``layers`` are the line styles of the layers.
 
-    With no ``layers`` (in a block) every mark says its own.  ``lettered``: how texts are written.
+    Without ``layers`` (in a block) every mark states its own.  ``lettered``: the form of texts.
     """
 
     def __init__(self, space: BaseLayout, layers: Mapping[str, str] | None = None, lettered: Lettered = "text") -> None:
@@ -74,7 +74,8 @@ class Entities(Writer):
         self.written: dict[Text, str] = {}  # blocks of letters
 
     def looks(self, style: str, layer: str, dashes: Sequence[float] = ()) -> dict[str, object]:
-        """Layer of a mark; line type, its stretch and line weight (hundredths of a mm) where they are not its layer's.
+        """The layer of a mark; its line type, scale and line weight (hundredths of a mm) where they differ from the
+        layer's.
 
         ``dashes`` is the pattern fitted to the mark's length; a mark too short for it is solid.
         """
@@ -102,8 +103,8 @@ class Entities(Writer):
                 self.space.add_lwpolyline([xy(z) for z in points], close=closed, dxfattribs=looks)
 
     def _cut(self, points: Sequence[complex], dashes: Sequence[float], looks: dict[str, object]) -> None:
-        """A dashed path as a block of its dashes: LibreCAD begins its line type anew at every corner, so that it draws
-        short sides through."""
+        """A dashed path as a block of its dashes: LibreCAD restarts its line type at every corner, so that short sides
+        become solid."""
         if self.layers:
             name, block = self._block(PATH)
             block._cut(points, dashes, looks)
@@ -130,7 +131,7 @@ class Entities(Writer):
             self.space.add_arc(xy(arc.centre), arc.radius, arc.start_deg, arc.end_deg, dxfattribs=looks)
 
     def filled(self, points: Sequence[complex], colour: str, layer: str) -> None:
-        """A filled polygon: of three corners an arrowhead, which is a block, else a hatch."""
+        """A filled polygon: a triangle is an arrowhead, which is a block; others are hatches."""
         if len(points) == 3:
             self._head(points, layer.upper())
             return
@@ -138,14 +139,14 @@ class Entities(Writer):
         fill.paths.add_polyline_path([xy(z) for z in points], is_closed=True)
 
     def _fill(self, layer: str, seed: complex, **looks: int) -> Hatch:
-        """A filled area. It ends with its seed: FreeCAD knows none, and where one ends with a 0 it passes over what
-        follows."""
+        """A filled area. It ends with its seed: FreeCAD does not know seeds, and skips the next entity if one ends with
+        a 0."""
         fill = self.space.add_hatch(color=BLACK, dxfattribs={"layer": layer.upper(), **looks})
         fill.set_seed_points([xy(seed)])
         return fill
 
     def _head(self, points: Sequence[complex], layer: str) -> None:
-        """An arrowhead: filled, and with an outline for programs that know no filled figures."""
+        """An arrowhead: filled, and with an outline for programs without filled shapes."""
         tip, one, other = points
         back = (one + other) / 2
         name, share, looks = stretched(ARROW, abs(tip - back), abs(one - other))
@@ -157,9 +158,9 @@ class Entities(Writer):
         self.space.add_blockref(name, xy(tip), dxfattribs=looks)
 
     def text(self, text: Text) -> None:
-        """A text as a TEXT fitted between its ends, but for 1, l and other slim letters by themselves; as an MTEXT, if
-        it has indices, or in pieces so fitted where it is a line of prose, since an MTEXT is as wide as its font is; or
-        the lettering itself, with signs that LibreCAD would not show."""
+        """A text as a TEXT fitted between its ends, except 1, l and other narrow single letters; with indices as an
+        MTEXT, or in fitted pieces if it is a line of prose, since the width of an MTEXT depends on its font; or the
+        lettering itself, for characters that LibreCAD would not show."""
         laid = layout(text)
         if self.lettered == "strokes" or UNKNOWN & set(text.text):
             self.lettering(text)
@@ -190,9 +191,9 @@ class Entities(Writer):
         entity.dxf.width = 1.0 if text.face.font else NARROWED
 
     def lettering(self, text: Text) -> None:
-        """A text as the strokes of its letters, or their filled outlines where it is in a font: in a space one block,
-        which moves as a whole, and is one thing to programs that are slow with thousands."""
-        if not self.layers:  # in a block already
+        """A text as the strokes of its letters, or their filled outlines if it is in a font: in a space one block,
+        which moves as a whole and is a single object for programs that are slow with thousands."""
+        if not self.layers:  # already in a block
             self._letters(text)
             return
         level = replace(text, place=0j, turn_deg=0.0, name="")
@@ -203,7 +204,7 @@ class Entities(Writer):
         self.space.add_blockref(self.written[level], xy(text.place), dxfattribs=looks)
 
     def _block(self, kind: str) -> tuple[str, Entities]:
-        """A new block by its name, to be drawn in."""
+        """A new block with its name, to be drawn in."""
         blocks = self.space.doc.blocks
         name = f"{kind}_{len(blocks)}"
         return name, Entities(blocks.new(name))
@@ -221,14 +222,14 @@ class Entities(Writer):
 
 
 def stretched(name: str, long: float, wide: float) -> tuple[str, float, dict[str, object]]:
-    """The block of a sign of that size in mm, one for each proportion of width to length, which is told too, and its
-    scale, the same both ways: there are programs that know no other."""
+    """The block of a sign of that size in mm, one for each ratio of width to length, and its scale, equal in both
+    directions: some programs know no other."""
     share = round(wide / long, 3)
     return f"{name}_{1000 * share:.0f}", share, dict.fromkeys(("xscale", "yscale", "zscale"), round(long, 6))
 
 
 def text_looks(text: Text, height: float, called: str = "height") -> dict[str, object]:
-    """Layer, style and height of a text, and the width of its pen for fonts that are drawn by one."""
+    """Layer, style and height of a text, and the pen width for fonts that need one."""
     looks = {"layer": text.layer.upper(), "style": style_name(text.face), "lineweight": weight(PEN * height)}
     if text.face.slanted and called == "height":  # others take it from their style
         looks["oblique"] = OBLIQUE_DEG

@@ -1,5 +1,5 @@
-"""Signs found among marks, inserted in a DXF as a draughtsman would: hinges, supports, sliders and points as blocks,
-dimensions as dimensions."""
+"""Signs recognised among marks, inserted in a DXF as a draughtsman would: hinges, supports, sliders and points as
+blocks, dimensions as dimensions."""
 
 from __future__ import annotations
 
@@ -22,15 +22,16 @@ if TYPE_CHECKING:
     from ezdxf.layouts import BlockLayout
 
 _SAME_MM = 1e-3
-_REACH_MM = 4 * LEG_MM  # no part of a support is farther from its hinge
-_SAID_MM = 3.0  # a dimension's text begins no farther from where its arrows part
+_REACH_MM = 4 * LEG_MM  # largest distance of a support's parts from its hinge
+_SAID_MM = 3.0  # largest distance of a dimension's text from the point between its arrows
 
 HINGE, SUPPORT, SLIDER, POINT = "HINGE", "SUPPORT", "SLIDER", "POINT"
 
 
 @frozen
 class Sign:
-    """A block's place: its name, base point and turn, the length and width of a slider, and the marks it stands for."""
+    """The place of a block: its name, base point and rotation, the length and width of a slider, and the marks it
+    replaces."""
 
     name: str
     at: complex
@@ -41,7 +42,7 @@ class Sign:
 
 
 def insert_signs(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
-    """Insert the signs found among the marks as blocks; what is left of the marks."""
+    """Insert the signs recognised among the marks as blocks; returns the remaining marks."""
     space, gone = document.modelspace(), set[int]()
     for sign in signs(marks):
         name, share, scales = stretched(SLIDER, *sign.size) if sign.name == SLIDER else (sign.name, 1.0, {})
@@ -54,7 +55,7 @@ def insert_signs(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
 
 
 def _define(block: BlockLayout, name: str, share: float) -> None:
-    """The marks of a sign about its own base point; ``share`` is a slider's width over its length."""
+    """The marks of a sign about its base point; ``share`` is a slider's width over its length."""
     own: dict[str, Sequence[Mark]] = {
         HINGE: (Arc(0j, HINGE_MM),),
         SUPPORT: symbols.fixed_hinge(0j),
@@ -64,11 +65,11 @@ def _define(block: BlockLayout, name: str, share: float) -> None:
     Entities(block).all(own[name])
     for entity in block:
         if entity.dxf.layer == "SCHEME":
-            entity.dxf.layer = "0"  # it lies on the layer of its insert
+            entity.dxf.layer = "0"  # on the layer of its insert
 
 
 def signs(marks: Sequence[Mark]) -> Iterator[Sign]:
-    """The signs whose marks are all there, uncut."""
+    """The signs whose marks are complete and uncut."""
     lines = [m for m in marks if isinstance(m, Line) and m.layer in ("scheme", "hatch")]
     for mark in marks:
         if isinstance(mark, Line):
@@ -92,7 +93,7 @@ def _slider(line: Line) -> Iterator[Sign]:
 
 
 def _support(hinge: Arc, lines: Iterable[Line]) -> Sign | None:
-    """The support whose hinge this is, if every stroke of one is there."""
+    """The support of this hinge, if all of its strokes are there."""
     near = [m for m in lines if len(m.points) == 2 and abs(m.points[0] - hinge.centre) < _REACH_MM]
     legs = [m for m in near if abs(abs(m.points[0] - hinge.centre) - hinge.radius) < _SAME_MM and m.style == "thick"]
     for one, two in combinations(legs, 2):
@@ -116,14 +117,14 @@ def _alike(one: Line, other: Line) -> bool:
 # dimensions
 
 GOST = "GOST"  # the style of dimensions
-_LINEAR = 32 + 128  # measured along its own line, its picture a block of its own, its text where it was put
+_LINEAR = 32 + 128  # measured along its line, with its picture in a separate block, and its text in place
 
 
 def insert_dimensions(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
-    """Insert every size written between two arrows of the layer "dimension" that part from one place, one drawn after
-    the other, as a DIMENSION that looks as it was drawn; what is left of the marks.
+    """Insert every size written between two arrows of the layer "dimension" that start from one place, drawn in
+    succession, as a DIMENSION that looks as drawn; returns the remaining marks.
 
-    Its text is the one with its middle beside that place; lines of that layer across a tip lead to what is measured.
+    Its text is the one with its middle beside that place; lines of that layer across a tip are its extension lines.
     """
     arrows = [m for m in marks if isinstance(m, Arrow) and m.layer == "dimension"]
     texts, gone = [m for m in marks if isinstance(m, Text) and m.anchor == "middle"], set[int]()
@@ -140,14 +141,14 @@ def insert_dimensions(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
 
 
 def _part(one: Arrow, other: Arrow) -> bool:
-    """Whether two arrows go opposite ways from one place."""
+    """Whether two arrows point in opposite directions from one place."""
     a, b = one.end - one.start, other.end - other.start
     turned = b * a.conjugate()
     return abs(one.start - other.start) < _SAME_MM and turned.real < 0 and abs(turned.imag) < _SAME_MM * abs(a)
 
 
 def _across(line: Line, arrow: Arrow) -> bool:
-    """Whether a line runs square to an arrow past its tip."""
+    """Whether a line is perpendicular to an arrow and passes its tip."""
     along = toward(arrow.start, arrow.end)
     a, b = ((z - arrow.end) / along for z in line.points)
     return abs(a.real) < _SAME_MM and abs(b.real) < _SAME_MM and a.imag * b.imag < 0

@@ -1,4 +1,4 @@
-"""A construction -> a .ggb file of GeoGebra: a zip with geogebra.xml, where every thing is a command or a formula."""
+"""A construction -> a .ggb file of GeoGebra: a zip with geogebra.xml, where every object is a command or a formula."""
 
 import io
 import zipfile
@@ -16,7 +16,7 @@ INK, PALE, BLUE, RED = (0, 0, 0), (150, 150, 150), (20, 60, 160), (180, 30, 30)
 
 @frozen
 class Aspect:
-    """How a thing is shown: with which caption, colour, and how thick; one without a colour is there and not seen."""
+    """The appearance of an object: its caption, colour and thickness; without a colour it is hidden."""
 
     colour: tuple[int, int, int] | None = None
     caption: str = ""
@@ -28,7 +28,7 @@ HIDDEN = Aspect()
 
 
 class GeogebraFile:
-    """A construction in the making, in the order of its steps."""
+    """A construction being written, in the order of its steps."""
 
     def __init__(self, title: str, corner: complex) -> None:
         self.root = xml.Element("geogebra", format="5.0", version="5.2.850.0", app="classic", platform="w")
@@ -44,7 +44,7 @@ class GeogebraFile:
         self.body = xml.SubElement(self.root, "construction", title=title, author="", date="")
 
     def number(self, label: str, value: float, slider: tuple[float, float] | None = None, at: complex = 0j) -> None:
-        """A number; on a slider from one end to the other, shown ``at`` a place of the screen unless that is 0."""
+        """A number; on a slider between two limits, shown ``at`` a place of the screen unless that is 0."""
         element = self._element("numeric", label, HIDDEN)
         xml.SubElement(element, "value", val=written(value))
         if slider:
@@ -57,7 +57,7 @@ class GeogebraFile:
             xml.SubElement(element, "animation", step=written((high - low) / 360), speed="1", type="0", playing="false")
 
     def formula(self, kind: Kind, label: str, text: str, look: Aspect = HIDDEN) -> None:
-        """A thing by a formula."""
+        """An object given by a formula."""
         typed = {} if kind == "numeric" else {"type": kind}
         xml.SubElement(self.body, "expression", {"label": label, "exp": text, **typed})
         self._element(kind, label, look)
@@ -65,7 +65,7 @@ class GeogebraFile:
     def command(
         self, kind: Kind, labels: Sequence[str], name: str, inputs: Sequence[str], look: Aspect = HIDDEN
     ) -> None:
-        """What a command of GeoGebra makes of its inputs."""
+        """The output of a GeoGebra command for its inputs."""
         made = xml.SubElement(self.body, "command", name=name)
         for tag, texts in (("input", inputs), ("output", labels)):
             xml.SubElement(made, tag, {f"a{k}": text for k, text in enumerate(texts)})
@@ -96,7 +96,7 @@ class GeogebraFile:
         return element
 
     def packed(self) -> bytes:
-        """The file; the same construction gives the same bytes."""
+        """The file as bytes; the same construction gives the same bytes."""
         data, out = xml.tostring(self.root, encoding="utf-8", xml_declaration=True), io.BytesIO()
         with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
             archive.writestr(zipfile.ZipInfo("geogebra.xml", EPOCH), data, zipfile.ZIP_DEFLATED)
@@ -104,5 +104,5 @@ class GeogebraFile:
 
 
 def written(value: float) -> str:
-    """A number as GeoGebra reads it."""
+    """A number in GeoGebra's syntax."""
     return repr(float(value)).replace("e", "E")

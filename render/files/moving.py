@@ -1,4 +1,4 @@
-"""Frames of marks -> a moving picture: GIF by Pillow, SVG whose frames are shown in turn, MP4 by OpenCV."""
+"""Frames of marks -> an animation: GIF by Pillow, SVG whose frames are shown in turn, MP4 by OpenCV."""
 
 import io
 import re
@@ -19,7 +19,7 @@ SUFFIXES = (".gif", ".svg", ".mp4")
 WIDE_PX = 900
 """Width of a GIF."""
 FILM_PX = 1600
-"""Width of a film: more than a projector's letters need."""
+"""Width of a film: more than a projector needs for the letters."""
 GREYS = 8
 Step = Callable[[int, int], None] | None
 
@@ -27,9 +27,9 @@ Step = Callable[[int, int], None] | None
 def written(
     frames: Sequence[Sequence[Mark]], size_mm: tuple[float, float], seconds: float, suffix: str, step: Step = None
 ) -> bytes:
-    """The file: the frames, each ``size_mm`` wide and high, evenly over so many seconds, without end.
+    """The file: the frames, each ``size_mm`` wide and high, evenly over a given time in s, in an endless loop.
 
-    ``step`` hears of every frame that is drawn. :class:`PlanesError` where MP4 is asked for without OpenCV.
+    ``step`` is called after every frame. :class:`PlanesError` for MP4 without OpenCV.
     """
     if suffix == ".svg":
         return _svg(frames, size_mm, seconds, step)
@@ -66,7 +66,7 @@ def _mp4(pictures: "Sequence[Image]", seconds: float) -> bytes:
 
     with TemporaryDirectory() as folder:
         file = Path(folder) / "film.mp4"
-        wide, high = (side // 2 * 2 for side in pictures[0].size)  # a film's sides are even
+        wide, high = (side // 2 * 2 for side in pictures[0].size)  # a film has even sides
         film = cv2.VideoWriter(str(file), cv2.VideoWriter.fourcc(*"mp4v"), len(pictures) / seconds, (wide, high))
         for picture in pictures:
             film.write(cv2.cvtColor(numpy.asarray(picture)[:high, :wide], cv2.COLOR_GRAY2BGR))
@@ -75,7 +75,7 @@ def _mp4(pictures: "Sequence[Image]", seconds: float) -> bytes:
 
 
 def _svg(frames: Sequence[Sequence[Mark]], size_mm: tuple[float, float], seconds: float, step: Step) -> bytes:
-    """Frames as groups, of which one at a time is seen; no script."""
+    """Frames as groups, one visible at a time, without a script."""
     pages = []
     for k, marks in enumerate(frames):
         pages.append(svg.write(marks, size_mm, "").decode())

@@ -35,7 +35,7 @@ PdfPage = tuple[Iterable[Mark], tuple[float, float]]
 def write(
     marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: str = "ru", under: Photo | None = None
 ) -> bytes:
-    """The sheet as a PDF file of one page, ``under`` it a picture."""
+    """The sheet as a PDF file with one page, with a picture ``under`` it."""
     return write_pages([(marks, size_mm)], title, lang, under)
 
 
@@ -67,7 +67,7 @@ def write_pages(
 
 
 def draw_marks(canvas: Canvas, marks: Iterable[Mark], words: bool = True) -> None:
-    """Marks on a canvas whose unit is one millimetre, with their words for who searches them."""
+    """Marks on a canvas with the unit of one millimetre, with their words for text search."""
     canvas.setLineJoin(_ROUND)
     page = _Page(canvas, words)
     for _, held in by_layer(marks):
@@ -85,7 +85,7 @@ def registered(name: str, file: Path) -> str:
 
 
 class _Page(Writer):
-    """Draws marks on a reportlab canvas whose unit is one millimetre."""
+    """Draws marks on a reportlab canvas with the unit of one millimetre."""
 
     def __init__(self, canvas: Canvas, words: bool) -> None:
         self.canvas, self.words = canvas, words
@@ -129,7 +129,7 @@ class _Page(Writer):
         self.canvas.drawPath(path, stroke=1, fill=int(arc.fill != "none"))
 
     def text(self, text: Text) -> None:
-        """Strokes, and over them the text itself, invisible."""
+        """Strokes, with the text itself over them, invisible."""
         laid = layout(text)
         for width, lines in laid.by_pen():
             self._set(width, BLACK)
@@ -139,7 +139,7 @@ class _Page(Writer):
             self._words(laid.plain, laid, text.height)
 
     def _words(self, words: str, laid: LaidText, height: float) -> None:
-        """The whole text invisibly on its base line, as one piece: indices are read where they belong."""
+        """The whole text, invisible, on its base line, in one piece, so that indices are read in order."""
         size, turn = height / CAPITALS, cmath.rect(1, math.radians(laid.turn_deg))
         run = self.canvas.beginText()
         run.setTextRenderMode(_INVISIBLE)
@@ -153,12 +153,12 @@ class _Page(Writer):
 def write_png(
     marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, dpi: float = 200, under: Photo | None = None
 ) -> bytes:
-    """The sheet as a PNG file at ``dpi`` pixels per inch, ``under`` it a picture."""
+    """The sheet as a PNG file at ``dpi`` pixels per inch, with a picture ``under`` it."""
     return png_of(write_pages([(marks, size_mm)], title, under=under, words=False), dpi)
 
 
 def png_of(data: bytes, dpi: float) -> bytes:
-    """The first page of a PDF file as a PNG file: of greys alone where it has no colour, a third of the numbers."""
+    """The first page of a PDF file as a PNG file: in grey if it has no colour, a third of the data."""
     import numpy as np
     import pypdfium2
     from PIL import Image

@@ -1,10 +1,10 @@
 """Marks -> SVG by svgwrite: one user unit is one millimetre, y down; no markers, patterns or fonts needed.
 
-Text is drawn as pen strokes; transparent real text lies over it for searching and copying.  The same
-marks give the same bytes.
+Text is drawn as pen strokes; transparent real text lies over it for searching and copying.  The same marks give the
+same bytes.
 
-This is the one module that knows svgwrite. Its authors call it inactive: it changes no more, and neither does SVG 1.1,
-of which alone use is made here. It checks every attribute it writes; whoever replaces it replaces this file.
+This is the only module that uses svgwrite. Its authors call it inactive: it no longer changes, nor does SVG 1.1, the
+only version used here. It checks every attribute it writes. To replace it, replace this file.
 """
 
 from __future__ import annotations
@@ -32,17 +32,17 @@ FONTS = "DejaVu Sans, Arial, sans-serif"
 def write(
     marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: str = "ru", under: Photo | None = None
 ) -> bytes:
-    """The sheet as an SVG file, UTF-8, ``under`` it a picture."""
+    """The sheet as an SVG file, UTF-8, with a picture ``under`` it."""
     return _Sheet(size_mm, title, lang).drawn(checked(marks, size_mm), under)
 
 
 def number(value: float) -> str:
-    """A coordinate in mm to the micrometre, without idle zeros."""
+    """A coordinate in mm to the micrometre, without trailing zeros."""
     return f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
 
 
 class _Sheet(Writer):
-    """One SVG drawing in the making; marks are added to ``group``."""
+    """One SVG drawing under construction; marks are added to ``group``."""
 
     group: Group
 
@@ -59,7 +59,7 @@ class _Sheet(Writer):
         self.svg.attribs.update({"role": "img", "aria-label": title, "xml:lang": lang, "lang": lang})
 
     def drawn(self, marks: Iterable[Mark], under: Photo | None = None) -> bytes:
-        """The file with a white ground and one group for each layer."""
+        """The file with a white background and one group for each layer."""
         self.svg.add(self.svg.rect((0, 0), (number(self.width), number(self.height)), fill=PAPER))
         if under:
             href = "data:image/jpeg;base64," + base64.b64encode(under.data).decode()
@@ -108,14 +108,14 @@ class _Sheet(Writer):
             element["fill"] = PAPER if arc.fill == "paper" else BLACK
 
     def arrow(self, arrow: Arrow) -> None:
-        """Shaft and head as a group that knows what it shows."""
+        """Shaft and head as a group with the name of the vector."""
         around, self.group = self.group, self.svg.g(**({"data-name": arrow.name} if arrow.name else {}))
         super().arrow(arrow)
         around.add(self.group)
         self.group = around
 
     def text(self, text: Text) -> None:
-        """Strokes, and over them the text itself, transparent."""
+        """Strokes, with the text itself over them, transparent."""
         laid = layout(text)
         if not laid.runs:
             return

@@ -1,4 +1,4 @@
-"""Lines of TikZ as a document of their own, and names as LaTeX sets them."""
+"""Lines of TikZ as a complete document, and names in LaTeX."""
 
 import re
 from collections.abc import Iterable
@@ -49,7 +49,7 @@ def document(lines: Iterable[str], title: str, lang: str) -> str:
 
 
 def in_math(text: str) -> str:
-    """A name with its indices, to stand between dollars: letters that are no mathematics as text."""
+    """A name with its indices, for math mode: letters unknown there become text."""
 
     def one(match: re.Match[str]) -> str:
         said, other = "", ""

@@ -1,4 +1,4 @@
-"""What a writer of files draws of marks, whatever the format: strokes, filled outlines, arcs and texts."""
+"""The common part of file writers, whatever the format: strokes, filled outlines, arcs and texts."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
@@ -11,7 +11,7 @@ Lines = Sequence[Sequence[complex]]
 
 
 class Writer(ABC):
-    """Takes marks apart into the four things a format must be able to draw."""
+    """Breaks marks down into the four elements that every format must be able to draw."""
 
     def all(self, marks: Iterable[Mark]) -> None:
         """Every mark, in order."""

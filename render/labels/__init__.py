@@ -1,7 +1,7 @@
 """Places for labels where they overlap no line, arrow, hinge or other label; all in mm of the sheet.
 
-A fixed order of candidate places, costs, a greedy choice and then repairs: the same input gives the same
-places.  A label that finds no room beside what it names goes farther away, with a leader line.
+A fixed order of candidate places, costs, a greedy choice and then repairs: the same input gives the same places.  A
+label without room beside its object is put farther away, with a leader line.
 """
 
 from collections.abc import Iterable, Sequence
@@ -19,18 +19,18 @@ from render.paper.typeset import box_of
 
 __all__ = ["Label", "Placed", "place", "rough", "roughly"]
 
-SMALLER = {larger: mm for mm, larger in LARGER.items() if larger <= 5.0}  # 2.5 mm are the least that are read
+SMALLER = {larger: mm for mm, larger in LARGER.items() if larger <= 5.0}  # 2.5 mm are the smallest readable letters
 MOST_WIDE = len(FAR_PLACES)
 _rough = ContextVar("rough", default=False)
 
 
 def rough() -> bool:
-    """Whether labels are only put where they would like to be, to see how large a figure becomes."""
+    """Whether labels are only put in their preferred places, to estimate the size of a figure."""
     return _rough.get()
 
 
 def roughly() -> AbstractContextManager[None]:
-    """Within it, that is enough."""
+    """Within this context rough places are enough."""
     return within(_rough, True)
 
 
@@ -38,9 +38,9 @@ def place(
     labels: Sequence[Label], marks: Iterable[Mark] = (), field: Bounds | None = None, yielding: Iterable[Mark] = ()
 ) -> Placed:
     """Find a place for every label among the marks, inside the field (x0, y0, x1, y1) if one is given; in letters a
-    step smaller where some find none.
+    step smaller where some have none.
 
-    ``yielding`` are thin lines that whoever asked will break where a label stands on them.
+    ``yielding`` are thin lines that the caller will break where a label lies on them.
     """
     larger = [replace(x, height=tall(x.height)) for x in labels]
     if not labels or rough():
@@ -58,7 +58,7 @@ def place(
 
 
 def settled(labels: Sequence[Label], around: Surroundings, farther: int = MOST_WIDE) -> Board:
-    """A board on which labels have found their places, as far as there are any; those that have none near looked
+    """A board whose labels have places, as far as possible; for those without one nearby the search is extended
     ``farther`` off so many times."""
     board = Board(labels, around)
     board.choose()
@@ -72,7 +72,7 @@ def settled(labels: Sequence[Label], around: Surroundings, farther: int = MOST_W
 
 
 def _beside(text: Text) -> Line:
-    """A line through a text that stands already, so far beyond it that no label beside it reads as one word with it."""
+    """A line through a placed text, so far beyond it that no label beside it could be read as one word with it."""
     low, right, _, left = box_of(text)
     past, way = max(BETWEEN[0] * text.height - CLEAR_MM, 0.0), (right - low) / (abs(right - low) or 1.0)
     middle = (left - low) / 2

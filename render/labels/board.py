@@ -1,4 +1,4 @@
-"""The board on which labels find their places: the candidates of each, what they cost, who makes room for whom."""
+"""The board on which labels find their places: the candidates of each, their costs, and who makes room for whom."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -28,19 +28,19 @@ from render.labels.nearness import over
 from render.labels.surroundings import HARD, Surroundings
 from render.paper.style import LARGER
 
-AMBIGUOUS = 8.0  # cost of standing nearer to another label's point than to its own
-CLOSE = 3.0  # cost of standing beside another label, farther off than it must
+AMBIGUOUS = 8.0  # cost of being nearer to another label's point than to its own
+CLOSE = 3.0  # cost of being beside another label, farther away than necessary
 PATIENCE = 1000  # how often labels of one board are asked to make room for others
 FAR_PLACES = 160, 1000  # of a label that needs a leader line: the nearest free ones; more where those are not enough
-AWAY = 150.0  # cost of leaving a label out that is told elsewhere, too: less than an overlap, more than all else
+AWAY = 150.0  # cost of leaving out a label whose text is elsewhere too: less than an overlap, more than all else
 _SWEEPS = 8
-REACH_MM = max(APART_MM, BETWEEN[0] * max(LARGER.values()))  # how far off a label has anything to do with another
+REACH_MM = max(APART_MM, BETWEEN[0] * max(LARGER.values()))  # range of interaction between labels
 _AROUND = REACH_MM * np.array([-1.0, -0.5, 1.0, 0.5])
 
 
 class Effect(NamedTuple):
-    """What a chosen place does to the candidates of other labels: which it clashes with and how often, and which it
-    stands close to."""
+    """The effect of a chosen place on the candidates of other labels: how often it clashes with them, and which it is
+    close to."""
 
     clashing: Indices
     clashes: Indices
@@ -54,7 +54,7 @@ class Everywhere:
         self.every, self.reach = every, np.ascontiguousarray(every.reach.T)
 
     def effect(self, row: int, own: slice) -> Effect:
-        """What the place at a row does to all others but its label's ``own``."""
+        """The effect of the place in a row on all others except its label's ``own``."""
         reached = over(self.reach, self.reach[:, row] + _AROUND)
         reached[own] = False
         at = np.flatnonzero(reached)
@@ -64,11 +64,11 @@ class Everywhere:
 
 
 class Board:
-    """The candidates of all labels, the one each has chosen, and what the choices cost.
+    """The candidates of all labels, the one chosen by each, and the costs of the choices.
 
-    The candidates of all labels stand in one list, those of label k at ``rows[k]``.  What a candidate does to the
-    others is found out once, when it is first chosen; ``clashes`` (labels, candidates) tells how often the place of
-    each label clashes with every candidate, and ``near`` whether it stands close to that.
+    The candidates of all labels are in one list, those of label k at ``rows[k]``.  The effect of a candidate on the
+    others is computed once, when it is first chosen; ``clashes`` (labels, candidates) counts the clashes of each
+    label's place with every candidate, and ``near`` marks those close to it.
     """
 
     def __init__(self, labels: Sequence[Label], around: Surroundings) -> None:
@@ -91,7 +91,7 @@ class Board:
             self._take(k, option)
 
     def _strays(self, k: int) -> Booleans:
-        """Which candidates of label k stand nearer to the point of another label than to their own."""
+        """Which candidates of label k are nearer to the point of another label than to their own."""
         others = [z.at for j, z in enumerate(self.labels) if j != k and not isinstance(z.at, tuple)]
         points = np.array([z for z in others if z != self.labels[k].at], dtype=complex)
         if not len(points):
@@ -101,13 +101,13 @@ class Board:
         return stray
 
     def choose(self) -> None:
-        """Everybody takes the cheapest place left, the important and the hemmed in first."""
+        """Each label takes the cheapest remaining place, the important and the most crowded first."""
         free = [int((cost < HARD).sum()) for cost in self.costs]
         for k in sorted(range(len(self.labels)), key=lambda k: (-self.labels[k].priority, free[k], k)):
             self._take(k, int(np.argmin(self.cost(self.rows[k]))))
 
     def cost(self, rows: slice | Indices, but: int | None = None) -> Array:
-        """What candidates cost among the present places of the other labels, or of those but one."""
+        """The cost of candidates among the present places of the other labels, with at most one excepted."""
         clashes, near = self.clashes[:, rows], self.near[:, rows]
         if but is not None:
             clashes, near = np.delete(clashes, but, axis=0), np.delete(near, but, axis=0)
@@ -115,7 +115,7 @@ class Board:
         return costs
 
     def _take(self, k: int, option: int) -> None:
-        """Let label k stand at a place."""
+        """Put label k in a place."""
         if (k, option) not in self.effects:
             self.effects[k, option] = self.everywhere.effect(self.rows[k].start + option, self.rows[k])
         effect, self.chosen[k] = self.effects[k, option], option
@@ -123,15 +123,15 @@ class Board:
         self.clashes[k, effect.clashing], self.near[k, effect.near] = effect.clashes, True
 
     def places(self) -> Indices:
-        """Where the chosen places of all labels stand in the list of candidates."""
+        """The indices of all chosen places in the list of candidates."""
         return np.array([self.rows[k].start + self.chosen[k] for k in range(len(self.labels))])
 
     def unhappy(self) -> list[int]:
-        """The labels that overlap something now."""
+        """The labels with an overlap."""
         return [int(k) for k in np.flatnonzero(self.cost(self.places()) >= HARD)]
 
     def repair(self) -> None:
-        """Move what overlaps to its cheapest place, or push the labels in the way aside."""
+        """Move overlapping labels to their cheapest places, or push the labels in the way aside."""
         for _ in range(_SWEEPS):
             before = dict(self.chosen)
             for k in self.unhappy():
@@ -141,7 +141,7 @@ class Board:
                 return
 
     def _push(self, k: int) -> None:
-        """Give label k a place held by others, if every one of them finds another."""
+        """Give label k an occupied place, if every label there finds another."""
         if self.moves > PATIENCE:
             return
         kept = dict(self.chosen)
@@ -167,7 +167,7 @@ class Board:
                     self._take(j, place)
 
     def _gives_way(self, j: int, k: int, places: Candidates) -> Booleans:
-        """Which places of label k leave label j one where it overlaps nothing."""
+        """Which places of label k leave label j one without an overlap."""
         rows = np.flatnonzero(self.cost(self.rows[j], k) < HARD) + self.rows[j].start
         near = np.delete(self.near[:, rows], k, axis=0).any(axis=0)
         clashes, close = met(places, self.everywhere.every.some(rows))
@@ -175,14 +175,14 @@ class Board:
         return leaves
 
     def _moves(self, k: int) -> bool:
-        """Move label k to its cheapest place; whether it overlaps nothing there."""
+        """Move label k to its cheapest place; returns whether it has no overlap there."""
         self.moves += 1
         costs = self.cost(self.rows[k])
         self._take(k, int(np.argmin(costs)))
         return bool(costs.min() < HARD)
 
     def widen(self) -> bool:
-        """Give labels that still overlap places farther off, with leader lines; False if none is left to be given."""
+        """Give overlapping labels places farther away, with leader lines; False if none is left to give."""
         late = [k for k in self.unhappy() if self.wide.get(k, 0) < len(FAR_PLACES)]
         if not late:
             return False
@@ -205,7 +205,7 @@ class Board:
         return True
 
     def excuse(self) -> bool:
-        """Let labels that are told elsewhere, too, make room for others by being left out; False if none overlaps."""
+        """Leave out labels whose text is elsewhere too, to make room for others; False if none overlaps."""
         late = [k for k, label in enumerate(self.labels) if label.told] if self.unhappy() else []
         if not late:
             return False
@@ -217,5 +217,5 @@ class Board:
         return True
 
     def placed(self) -> Placed:
-        """The labels in the places chosen for them."""
+        """The labels in their chosen places."""
         return placed(self.labels, self.everywhere.every.some(self.places()))

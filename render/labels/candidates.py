@@ -1,4 +1,4 @@
-"""Candidate places of a label: boxes around a point or along a segment, with what is liked less about each.
+"""Candidate places of a label: boxes around a point or along a segment, each with its disadvantages.
 
 Boxes are rows x0, y0, x1, y1 in mm; wishes are costs without a unit, 0 for the best place.
 """
@@ -22,18 +22,18 @@ NEAR = (0.9, 1.8, 3.2)
 """Distances in mm from a point or segment to its label's box."""
 
 FAR = (4.5, 6.0, 8.0, 10.0, 13.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)
-"""Distances in mm of labels that need a leader line."""
+"""Distances in mm of labels with a leader line."""
 
 CLEAR_MM = 0.5  # least distance of a label from ink
-BETWEEN = 0.6, 0.15  # least distance of labels, side by side and one over the other, over the height of their letters
-APART_MM = 4.0  # labels side by side are disliked closer than this
-UNDER_MM, BESIDE_MM = 0.9, 0.5  # of an underline: beneath its label, and to both sides of it
-_GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm a leader keeps away from letters
+BETWEEN = 0.6, 0.15  # least distances of labels, horizontally and vertically, over the height of their letters
+APART_MM = 4.0  # closer neighbours on a line cost extra
+UNDER_MM, BESIDE_MM = 0.9, 0.5  # of an underline: beneath its label, and beyond both its ends
+_GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm between a leader and letters
 _ALONG = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8])
 _DIRECTIONS = np.array([cmath.rect(1, math.radians(22.5 * k)) for k in range(16)])
 _ROUND = np.array([cmath.rect(1, math.radians(15.0 * k)) for k in range(24)])
-_EYE = cmath.rect(1, math.radians(50))  # without a wish a label goes to the upper right
-LED_DOT_MM = 0.45  # radius of the dot a leader ends with
+_EYE = cmath.rect(1, math.radians(50))  # by default a label goes to the upper right
+LED_DOT_MM = 0.45  # radius of the dot at the end of a leader
 _LED, _LONGER = 25.0, 1.0  # cost of a leader line, and of each mm of it
 
 
@@ -41,9 +41,9 @@ _LED, _LONGER = 25.0, 1.0  # cost of a leader line, and of each mm of it
 class Label:
     """A text and the point or segment it names.
 
-    ``side`` is the direction from it that is liked best (0: no wish), ``clear`` the radius around a point
-    that is to be kept free (a hinge's) in mm; higher ``priority`` chooses earlier. What is ``told`` elsewhere, too,
-    is left out where there is no room for it.
+    ``side`` is the preferred direction (0: none), ``clear`` the radius in mm around a point to be kept free (a
+    hinge's); higher ``priority`` chooses earlier. A label ``told`` elsewhere too is left out where there is no room for
+    it.
     """
 
     text: str
@@ -64,8 +64,8 @@ class Label:
 
 
 class Placed(NamedTuple):
-    """The labels that are not left out as texts, in the order they were given, and the leader lines some of them need;
-    dots at the ends of leaders, and lines under texts."""
+    """The labels that are kept, as texts in the given order, and their leader lines, if any; dots at the ends of
+    leaders, and lines under texts."""
 
     texts: tuple[Text, ...]
     leaders: tuple[Line, ...]
@@ -87,19 +87,19 @@ class Candidates:
     heights: Array
 
     def some(self, rows: Indices) -> "Candidates":
-        """The candidates of those rows."""
+        """The candidates in those rows."""
         return Candidates(self.boxes[rows], self.wish[rows], self.leaders[rows], self.heights[rows])
 
     @property
     def reach(self) -> Array:
-        """The box around each and its leader line."""
+        """The box around each candidate and its leader line."""
         x, y = self.leaders.real, self.leaders.imag
         low = np.fmin(self.boxes[:, :2], np.stack([x.min(axis=1), y.min(axis=1)], axis=1))
         return np.hstack([low, np.fmax(self.boxes[:, 2:], np.stack([x.max(axis=1), y.max(axis=1)], axis=1))])
 
 
 def beside(label: Label, gaps: Sequence[float]) -> Candidates:
-    """Places right beside what the label names."""
+    """Places right beside the named object."""
     size = _size(label)
     if isinstance(label.at, tuple):
         boxes, wish = _along(label.at, label, size, np.array(gaps))
@@ -150,7 +150,7 @@ def union(parts: Sequence[Candidates]) -> Candidates:
 
 
 def distances(boxes: Array, points: Complexes) -> Array:
-    """How far each box (rows) is from each point (columns)."""
+    """The distance of each box (rows) from each point (columns)."""
     x0, y0, x1, y1 = (side[:, None] for side in boxes.T)
     dx = np.maximum(np.maximum(x0 - points.real, points.real - x1), 0)
     away: Array = np.hypot(dx, np.maximum(np.maximum(y0 - points.imag, points.imag - y1), 0))
@@ -158,7 +158,7 @@ def distances(boxes: Array, points: Complexes) -> Array:
 
 
 def own_distance(candidates: Candidates, at: complex | Ends) -> Array:
-    """Distance in mm of each box from the point, or from the line of the segment, that it names."""
+    """Distance in mm of each box from its own point, or from the line of its segment."""
     if not isinstance(at, tuple):
         return distances(candidates.boxes, np.array([at]))[:, 0]
     x0, y0, x1, y1 = candidates.boxes.T
@@ -199,9 +199,9 @@ def _along(ends: Ends, label: Label, size: tuple[float, float], gaps: Array) -> 
 
 
 def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:
-    """How often places (rows) clash with others (columns), letters and leaders; and which letters stand close.
+    """How often places (rows) clash with others (columns), letters and leaders; and which letters are close.
 
-    Letters upon each other clash twice, those nearer than labels may stand once.
+    Overlapping letters clash twice, those closer than labels may be once.
     """
     letter = np.minimum(some.heights[:, None], others.heights[None, :])
     sideways, apart = gaps(some.boxes, others.boxes)
@@ -219,13 +219,13 @@ def met(some: Candidates, others: Candidates) -> tuple[Indices, Booleans]:
 
 
 def liked(labels: Sequence[Label]) -> Placed:
-    """Labels where each would like to be, whatever is there."""
+    """Labels in their preferred places, ignoring everything else."""
     best = [(option := beside(label, NEAR[:1])).some(np.argmin(option.wish, keepdims=True)) for label in labels]
     return placed(labels, union(best)) if best else Placed((), ())
 
 
 def placed(labels: Sequence[Label], chosen: Candidates) -> Placed:
-    """Labels in the places chosen for them."""
+    """Labels in the chosen places."""
     texts, leaders, signs = list[Text](), list[Line](), list[Line | Arc]()
     there = zip(labels, chosen.boxes, chosen.leaders, strict=True)
     for label, (x0, y0, x1, _), led in (one for one in there if not np.isnan(one[1][0])):

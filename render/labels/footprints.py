@@ -1,4 +1,4 @@
-"""The ink of marks as shapely shapes, and where labels and strokes meet; all in mm of the sheet."""
+"""The ink of marks as shapely shapes, and the overlaps of labels and strokes; all in mm of the sheet."""
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
@@ -24,14 +24,14 @@ PIECE = 10  # chords of a curve in one shape
 
 @frozen
 class InkedShapes:
-    """Shapes and half the pen width of each: a point is inked if it is nearer to the shape than that."""
+    """Shapes and half the pen width of each: a point within that distance of the shape is inked."""
 
     shapes: Shapes
     halves: Array
 
     @cached_property
     def tree(self) -> shapely.STRtree:
-        """The shapes by where they are."""
+        """The shapes in a spatial index."""
         return shapely.STRtree(self.shapes)
 
     @cached_property
@@ -40,12 +40,12 @@ class InkedShapes:
         return edges_of(self.shapes, self.halves)
 
     def near(self, boxes: Array, clears: Sequence[float]) -> list[Indices]:
-        """How many shapes have less than so many mm between them and each box (n, 4): for each of ``clears``, of which
-        the first is the greatest."""
+        """The number of shapes within a given distance of each box (n, 4), in mm, for each of ``clears``; the first is
+        the greatest."""
         return self.edges.near(boxes, clears)
 
     def within(self, areas: Shapes, clear: float) -> Indices:
-        """Pairs (number of the area, number of the shape) with less than ``clear`` mm between them."""
+        """Pairs (index of the area, index of the shape) with less than ``clear`` mm between them."""
         x0, y0, x1, y1 = shapely.bounds(areas).T
         most = clear + float(self.halves.max(initial=0.0))
         pairs = self.tree.query(shapely.box(x0 - most, y0 - most, x1 + most, y1 + most))
@@ -55,8 +55,8 @@ class InkedShapes:
 
 
 def ink(marks: Iterable[Mark]) -> InkedShapes:
-    """The ink of marks; texts count as their boxes, hatched regions and filled shapes as areas, curves as short pieces:
-    what is near to a piece is found sooner."""
+    """The ink of marks; texts count as their boxes, hatched regions and filled shapes as areas, curves as short pieces,
+    so that neighbours are found sooner."""
     parts = list(map(_parts, marks))
     strokes = [(line[k : k + PIECE + 1], half) for half, lines, _ in parts for line in lines for k in _begun(line)]
     areas = polygons([area for _, _, filled in parts for area in filled])
@@ -65,12 +65,12 @@ def ink(marks: Iterable[Mark]) -> InkedShapes:
 
 
 def _begun(line: Polyline) -> range:
-    """Where the pieces of a line begin, each of so many chords."""
+    """Where the pieces of a line begin, each with so many chords."""
     return range(0, max(1, len(line) - 1), PIECE)
 
 
 def bounds(marks: Iterable[Mark]) -> Bounds:
-    """The box around all ink of the marks; of none a box of no size."""
+    """The box around all ink of the marks; of zero size without marks."""
     parts = list(map(_parts, marks))
     edges = [(line, half) for half, lines, _ in parts for line in lines]
     return box_around([*edges, *((area, 0.0) for _, _, filled in parts for area in filled)])
@@ -109,14 +109,14 @@ def polygons(areas: Sequence[Polyline]) -> Shapes:
 
 
 def gaps(boxes: Array, others: Array) -> tuple[Array, Array]:
-    """How far boxes (rows) are from others (columns), sideways and in height; less than nothing where they overlap."""
+    """The distances of boxes (rows) from others (columns), horizontally and vertically; negative where they overlap."""
     x0, y0, x1, y1 = (side[:, None] for side in boxes.T)
     left, low, right, top = (side[None, :] for side in others.T)
     return np.maximum(x0 - right, left - x1), np.maximum(y0 - top, low - y1)
 
 
 def crossed(boxes: Array, lines: Complexes) -> Booleans:
-    """Whether segments (…, 2; complex) pass through boxes (…, 4), by broadcasting; NaN through none."""
+    """Whether segments (…, 2; complex) pass through boxes (…, 4), by broadcasting; NaN passes through none."""
     start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
     enter = np.zeros(np.broadcast_shapes(start.shape, boxes.shape[:-1]))
     leave = enter + 1.0
@@ -134,7 +134,7 @@ def crossed(boxes: Array, lines: Complexes) -> Booleans:
 
 
 def meeting(lines: Complexes, others: Complexes) -> Booleans:
-    """Whether segments (…, 2; complex) meet others, by broadcasting; those on one line too, where they overlap."""
+    """Whether segments (…, 2; complex) meet others, by broadcasting; including collinear ones that overlap."""
     start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
     began, way = others[..., 0], others[..., 1] - others[..., 0]
     across = (span.conjugate() * way).imag
@@ -147,7 +147,7 @@ def meeting(lines: Complexes, others: Complexes) -> Booleans:
 
 
 def _along(start: Complexes, span: Complexes, began: Complexes, way: Complexes) -> Booleans:
-    """Whether the second segments lie upon the line of the first, and beside them."""
+    """Whether the second segments lie on the line of the first, and beside them."""
     unit = span / np.abs(span)
     one, two = (began - start) * unit.conjugate(), (began + way - start) * unit.conjugate()
     along = (np.maximum(one.real, two.real) >= -0.3) & (np.minimum(one.real, two.real) <= np.abs(span) + 0.3)
@@ -156,13 +156,13 @@ def _along(start: Complexes, span: Complexes, began: Complexes, way: Complexes) 
 
 
 def _shrunk(box: Polyline) -> Polyline:
-    """The corners of a box a hair's breadth within it."""
+    """The corners of a box minimally smaller than it."""
     along, up = (TOUCH_MM * (z - box[0]) / abs(z - box[0]) for z in (box[1], box[3]))
     return box[0] + along + up, box[1] - along + up, box[2] - along - up, box[3] + along - up
 
 
 def overprinted(marks: Sequence[Mark]) -> list[str]:
-    """Labels that touch another label, or any stroke but their own bars."""
+    """Labels that touch another label, or any stroke except their own bars."""
     held = [m for m in marks if not (isinstance(m, Line) and m.layer == "text" and m.name != "leader")]
     areas = {m: _parts(m)[2] for m in held if isinstance(m, Text)}
     texts = [m for m, area in areas.items() if area]

@@ -1,7 +1,7 @@
-"""How many shapes are near to each of many boxes; all in mm of the sheet.
+"""The number of shapes near each of many boxes; all in mm of the sheet.
 
-Boxes come in runs of those that stand near each other, so that most edges are ruled out for a whole run at once; of the
-others the distance is known by the axes that may part a box and an edge: across, upright, and that normal to the edge.
+Boxes are processed in runs of neighbours, so that most edges are ruled out for a whole run at once. For the others the
+distance follows from the axes that can separate a box and an edge: horizontal, vertical, and normal to the edge.
 """
 
 from collections.abc import Sequence
@@ -14,18 +14,18 @@ from numpy.typing import NDArray
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.words.frozen import frozen
 
-RUN, CELL_MM = 24, 8.0  # boxes to a run; they are taken by strips so wide
-AT_ONCE = 4000  # boxes looked at together
-ROUNDING_MM = 1e-9  # what is just as far off as it should be is not near
+RUN, CELL_MM = 24, 8.0  # boxes per run; width of the strips in which they are taken
+AT_ONCE = 4000  # boxes processed together
+ROUNDING_MM = 1e-9  # a distance equal to the limit does not count as near
 Shapes = NDArray[np.object_]
-"""Geometries of shapely."""
+"""Shapely geometries."""
 
 
 @frozen
 class Edges:
-    """The edges of shapes, in their order, each with its two ends: (4, n); a polygon has one more, the corners of the
-    box around it, for what is inside it. ``owners`` (n,) are the shapes, ``halves`` (n,) the widths of their pens,
-    ``inside`` (n,) tells the edges for insides, and ``shapes`` are all of them."""
+    """The edges of shapes, in their order, each with its two ends: (4, n); a polygon has one more, the corners of its
+    bounding box, for boxes inside it. ``owners`` (n,) are the shapes, ``halves`` (n,) half the pen widths, ``inside``
+    (n,) marks the edges for interiors, and ``shapes`` are all of them."""
 
     ends: Array
     owners: Indices
@@ -34,8 +34,8 @@ class Edges:
     shapes: Shapes
 
     def near(self, boxes: Array, clears: Sequence[float]) -> list[Indices]:
-        """How many shapes have less than so many mm between them and each box (n, 4): for each of ``clears``, of which
-        the first is the greatest."""
+        """The number of shapes within a given distance of each box (n, 4), in mm, for each of ``clears``; the first is
+        the greatest."""
         if not len(self.shapes):
             return [np.zeros(len(boxes), np.intp) for _ in clears]
         order = np.lexsort((boxes[:, 1], boxes[:, 0] // CELL_MM))
@@ -49,14 +49,14 @@ class Edges:
         return list(counts)
 
     def _reached(self, boxes: Array, clear: float) -> tuple[Indices, Indices]:
-        """Pairs of boxes and edges that may be so near."""
+        """Pairs of boxes and edges that may be that close."""
         reach, runs = self._reach(clear), _runs(boxes)
         run, edge = np.nonzero(over([side[None] for side in reach], _around(runs)))
         row, at = np.nonzero(over([side[edge, None] for side in reach], [side[run] for side in runs]))
         return run[row] * RUN + at, edge[row]
 
     def _counted(self, boxes: Indices, edges: Indices, count: int) -> Indices:
-        """How many shapes there are for each box, by pairs of boxes and edges; more edges of one shape count once."""
+        """The number of shapes for each box, by pairs of boxes and edges; several edges of one shape count once."""
         owners = self.owners[edges]
         many = self._many[owners]
         pairs = np.unique(boxes[many] * len(self.shapes) + owners[many]) // len(self.shapes)
@@ -65,12 +65,12 @@ class Edges:
 
     @cached_property
     def _many(self) -> Booleans:
-        """Which shapes have more edges than one."""
+        """The shapes with more than one edge."""
         many: Booleans = np.bincount(self.owners, minlength=len(self.shapes)) > 1
         return many
 
     def _reach(self, clear: float) -> list[Array]:
-        """The boxes around all that is so near to each edge."""
+        """The boxes around the neighbourhood of each edge."""
         ax, ay, bx, by = self.ends
         most = clear + self.halves
         return [
@@ -82,7 +82,7 @@ class Edges:
 
     @cached_property
     def _ways(self) -> Array:
-        """Which way edges go, and how long they are: (3, n); a point goes nowhere."""
+        """The direction and length of edges: (3, n); zero for a point."""
         ax, ay, bx, by = self.ends
         long = np.hypot(bx - ax, by - ay)
         safe = np.where(long == 0, 1.0, long)
@@ -90,7 +90,7 @@ class Edges:
         return directions
 
     def _apart(self, boxes: Sequence[Array], edges: Indices) -> Array:
-        """How far boxes are from edges, as many of both."""
+        """The distances between boxes and edges, in pairs."""
         wide, high = (boxes[2] - boxes[0]) / 2, (boxes[3] - boxes[1]) / 2
         x, y = boxes[0] + wide, boxes[1] + high
         (ax, ay, bx, by), (along, up, long) = self.ends[:, edges], self._ways[:, edges]
@@ -112,7 +112,7 @@ class Edges:
 
 
 def edges_of(shapes: Shapes, halves: Array) -> Edges:
-    """The edges of lines and polygons without holes, drawn with pens of half those widths."""
+    """The edges of lines and polygons without holes, drawn with pens of these half widths."""
     areas = shapely.get_type_id(shapes) == shapely.GeometryType.POLYGON
     points, owners = shapely.get_coordinates(shapes, return_index=True)
     (one,) = np.nonzero(np.diff(owners) == 0)
@@ -124,7 +124,7 @@ def edges_of(shapes: Shapes, halves: Array) -> Edges:
 
 
 def _runs(boxes: Array) -> list[Array]:
-    """The sides of boxes in runs, the last of them filled up with boxes that are nowhere."""
+    """The sides of boxes in runs, the last one filled up with boxes at infinity."""
     lacking = np.full((-len(boxes) % RUN, 4), np.nan)
     return [side.reshape(-1, RUN) for side in np.ascontiguousarray(np.concatenate([boxes, lacking]).T)]
 
@@ -136,7 +136,7 @@ def _around(runs: Sequence[Array]) -> list[Array]:
 
 
 def over(some: Sequence[Array] | Array, others: Sequence[Array] | Array) -> Booleans:
-    """Which boxes overlap which, by broadcasting."""
+    """Which boxes overlap, by broadcasting."""
     overlaps: Booleans = (
         (some[0] <= others[2]) & (others[0] <= some[2]) & (some[1] <= others[3]) & (others[1] <= some[3])
     )
@@ -144,6 +144,6 @@ def over(some: Sequence[Array] | Array, others: Sequence[Array] | Array) -> Bool
 
 
 def _outside(x: Array, wide: Array, y: Array, high: Array) -> Array:
-    """How far points are from boxes about 0 of half those sides."""
+    """The distance of points from boxes about 0 with these half sides."""
     distances: Array = np.hypot(np.maximum(np.abs(x) - wide, 0.0), np.maximum(np.abs(y) - high, 0.0))
     return distances

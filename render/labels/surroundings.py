@@ -1,4 +1,4 @@
-"""What stands on a board already, and what places among it cost; all in mm of the sheet."""
+"""The objects already on a board, and the costs of places among them; all in mm of the sheet."""
 
 from collections.abc import Sequence
 
@@ -11,20 +11,20 @@ from render.labels.candidates import CLEAR_MM, Candidates, union
 from render.labels.footprints import Bounds, InkedShapes
 from render.paper.ink import coordinates
 
-HARD = 200.0  # cost of one overlap, more than all that is merely disliked together
+HARD = 200.0  # cost of one overlap, more than all minor costs together
 OUTSIDE = 1000.0  # cost of leaving the field
-TIGHT = 1.5  # cost of standing closer than ROOM_MM to ink
-CROSSING = 8.0  # cost of a leader's crossing with a stroke
-THROUGH = 80.0  # cost of its going through a text
-BROKEN = 4.0  # cost of a thin line that is broken for a label
+TIGHT = 1.5  # cost of being closer than ROOM_MM to ink
+CROSSING = 8.0  # cost of a leader that crosses a stroke
+THROUGH = 80.0  # cost of one that crosses a text
+BROKEN = 4.0  # cost of a thin line broken for a label
 ROOM_MM = 1.3
-TOGETHER = 160  # candidates of a label looked at together
-ENOUGH = 8  # crossings, or lines broken: more are hardly worse
+TOGETHER = 160  # candidates of a label examined together
+ENOUGH = 8  # crossings, or broken lines: more are hardly worse
 
 
 @frozen
 class Surroundings:
-    """The ink that no label may touch, thin lines that yield to one, the texts that stand already, and the field."""
+    """The ink that no label may touch, thin lines that yield to one, the texts already placed, and the field."""
 
     ground: InkedShapes
     yielding: InkedShapes
@@ -32,7 +32,7 @@ class Surroundings:
     field: Bounds | None = None
 
     def judged(self, options: Sequence[Candidates]) -> list[Array]:
-        """What every candidate costs before the other labels are looked at."""
+        """The cost of every candidate without regard to the other labels."""
         every = union(options)
         cost = every.wish + self._on_ink(every.boxes)
         if self.field is not None:
@@ -43,8 +43,8 @@ class Surroundings:
         return np.split(cost, np.cumsum([len(option.wish) for option in options])[:-1])
 
     def cheapest(self, options: Sequence[Candidates], counts: Sequence[int]) -> list[Array]:
-        """The same, but without end for candidates that are not among so many of the cheapest; those wished for least
-        are looked at only where not enough of the others are cheaper than these are wished for."""
+        """The same, but infinite for candidates outside the cheapest ones; the least preferred are evaluated only if
+        too few of the others cost less than their preference alone."""
         rests = [np.argsort(option.wish, kind="stable") for option in options]
         costs = [np.full(len(option.wish), np.inf) for option in options]
         ways = list(zip(costs, options, rests, counts, strict=True))
@@ -65,12 +65,12 @@ class Surroundings:
         return cost
 
     def crossing(self, leaders: Complexes) -> Array:
-        """What it costs that leaders cross strokes, thin ones that yield for less, and texts that stand already."""
+        """The cost of leaders that cross strokes, thin ones that yield for less, and placed texts."""
         strokes = self._crossings(leaders, (self.ground, 1.0), (self.yielding, 0.25))
         return CROSSING * _bounded(strokes) + THROUGH * self._crossings(leaders, (self.standing, 1.0))
 
     def _crossings(self, leaders: Complexes, *layers: tuple[InkedShapes, float]) -> Array:
-        """How many shapes each leader crosses, each counted by its weight."""
+        """The number of shapes each leader crosses, weighted."""
         lines = shapely.linestrings(coordinates(leaders))
         counts = np.zeros(len(leaders))
         for inked, weight in layers:
@@ -81,5 +81,5 @@ class Surroundings:
 
 
 def _bounded(counts: Array | Indices) -> Array:
-    """Numbers of what is disliked: beyond some it hardly gets worse."""
+    """Counts of disadvantages, with an upper bound beyond which they hardly matter."""
     return np.minimum(counts, ENOUGH) + 0.02 * counts.astype(np.float64)

@@ -1,4 +1,4 @@
-// The place of a reader kept in the address: the frame, the drive, the language, every number that is not the scene's.
+// The reader's place in the address: the frame, the drive, the language, every number that differs from the scene's.
 import { clamp } from "./geometry.js";
 import { allowed } from "./grips.js";
 import { data, live, state, words } from "./page.js";

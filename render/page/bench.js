@@ -1,4 +1,4 @@
-// What is on the bench of the studio: the text in hand, the language, and who takes another one in hand.
+// The bench of the studio: the current text, the language, and the functions that open another text.
 import { $ } from "./dom.js";
 
 /** @type {Record<string, Record<string, string>>} */

@@ -1,4 +1,4 @@
-// The canvas: a mechanism is drawn point by point, link by link; each change is told as a whole sketch.
+// The canvas: a mechanism is drawn point by point, link by link; each change is reported as a whole sketch.
 import { $, on } from "./dom.js";
 import { boxOf, depicted, viewOf } from "./moving.js";
 import { svg } from "./svg.js";
@@ -7,7 +7,7 @@ const GRIP_PX = 14, TOUCH_PX = 26, STEP_DEG = 5, STEPS_M = [0.001, 0.002, 0.005,
 /** @type {Sketch} */
 export const NOTHING = { title: "", points: {}, fixed: [], guides: {}, links: {}, drive: null, loads: [] };
 export const TOOLS = ["move", "fix", "link", "plate", "guide", "slide", "drive", "load", "mass", "measure", "remove"];
-const DRAGGED = ["link", "guide", "measure"]; // what goes from where a hand is put down to where it is taken off
+const DRAGGED = ["link", "guide", "measure"]; // drawn from where the pointer goes down to where it goes up
 
 export const canvas = {
   sketch: /** @type {Sketch} */ (structuredClone(NOTHING)), view: viewOf([-0.3, -0.2, 0.3, 0.2], 600, 400, 40),
@@ -25,7 +25,7 @@ export function fit() { // all of it in view, with room to draw
   canvas.size = [width, height];
   paint();
 }
-/** A sentence beside the canvas takes of its room: what is drawn keeps its size and its middle, if all fits. */
+/** A sentence beside the canvas reduces its room: the drawing keeps its size and its middle, if it fits. */
 function resized() {
   const { width, height } = node().getBoundingClientRect(), { view, size: [w, h] } = canvas;
   const [mx, my] = view.m([w / 2, h / 2]), [dx, dy] = [width / 2 / view.k, height / 2 / view.k];
@@ -66,7 +66,7 @@ export function paint() {
     (/** @type {any} */ e) => e.classList.add("lit"));
 }
 /** @type {() => number} */
-const step = () => STEPS_M.find(s => s * canvas.view.k >= 6) ?? 1; // as fine as a hand sees
+const step = () => STEPS_M.find(s => s * canvas.view.k >= 6) ?? 1; // as fine as the eye sees
 
 /** @type {(parent: Element) => void} */
 function grid(parent) {
@@ -83,7 +83,7 @@ const free = (taken, names) => names.find(n => !(n in taken)) ?? `P${Object.keys
 const letter = () => free(canvas.sketch.points, [..."ABCDEFGHKLMNPQRSTUVW"]);
 const linkName = () => free(canvas.sketch.links, Array.from({ length: 60 }, (_, k) => String(k + 1)));
 
-/** What lies under a hand: a point, a link or a guide. @type {(e: PointerEvent) => any} */
+/** The object under the pointer: a point, a link or a guide. @type {(e: PointerEvent) => any} */
 function under(e) {
   const box = node().getBoundingClientRect(), px = [e.clientX - box.left, e.clientY - box.top];
   const reach = e.pointerType === "touch" ? TOUCH_PX : GRIP_PX, { sketch, view } = canvas;
@@ -94,7 +94,7 @@ function under(e) {
   const link = own.dataset?.link ?? hit.find(d => d?.link)?.link, guide = hit.find(d => d?.guide)?.guide;
   return { point: near?.p ?? "", link: link ?? "", guide: guide ?? "", at: view.m(px), raw: view.m(px) };
 }
-/** A place as a hand means it: on a point, a guide, a whole length and angle from where it began, or the grid.
+/** The intended place: on a point, a guide, a whole length and angle from the start, or the grid.
  * @type {(found: any, from?: any) => any} */
 function meant(found, from) {
   const { sketch } = canvas, by = step();
@@ -192,7 +192,7 @@ const ACTS = /** @type {Record<string, (found: any, from: any) => any>} */ ({
     return true;
   },
 });
-/** The picture beneath so large that the length ruled on it is so many metres; its first point stays.
+/** Scale the picture beneath so that the length marked on it has this many metres; its first point stays.
  * @type {(metres: number) => void} */
 export function sized(metres) {
   const { under, ruled } = canvas;
@@ -215,11 +215,11 @@ function unguided(guide) {
   delete canvas.sketch.guides[guide];
   for (const [n, l] of Object.entries(canvas.sketch.links)) if (l.slides === guide) gone(n);
 }
-function alone() { // points that belong to nothing go
+function alone() { // points that belong to no link are deleted
   const { sketch } = canvas, used = new Set([...sketch.fixed, ...Object.values(sketch.links).flatMap(l => l.points)]);
   for (const p of Object.keys(sketch.points)) if (!used.has(p)) delete sketch.points[p];
 }
-/** What hangs on one link alone keeps its place on it: it turns and grows with the link about its other joint.
+/** Points of one link only keep their places on it: they turn and grow with the link about its other joint.
  * @type {(points: string[], point: string, was: Spot, now: Spot) => void} */
 function followed(points, point, [x, y], now) {
   const { sketch } = canvas, held = Object.values(sketch.links).flatMap(l => l.points);
@@ -236,7 +236,7 @@ function followed(points, point, [x, y], now) {
   }
 }
 /** @type {(point: string, at: Spot) => void} */
-function shifted(point, at) { // a point, and all that would be bent by its going; what slides stays on its guide
+function shifted(point, at) { // a point, with all points that must follow it; a slider stays on its guide
   const { sketch } = canvas, guide = Object.values(sketch.links).find(l => l.slides && l.points[0] === point)?.slides;
   const own = guide && sketch.guides[guide].link === "0" ? onGuide(guide, at) : at;
   const was = sketch.points[point];

@@ -1,5 +1,5 @@
-// Who brings a message to the engine and its answer back: the server this page came from, or a worker that holds the
-// engine itself. An answer to what was asked before the last of its kind is dropped.
+// Carries a message to the engine and its answer back: by the server of this page, or by a worker with the engine
+// itself. The answer to an outdated message of the same kind is dropped.
 import { $ } from "./dom.js";
 
 /** @type {{ kind: string, address: string, native: boolean }} */
@@ -39,7 +39,7 @@ async function carried(message) {
 }
 export function wake() { if (way.kind === "worker" && !worker) void carried({ id: 0, ask: "ready" }); }
 
-/** The answer, or null where something else of its kind was asked meanwhile. @type {(message: any) => Promise<any>} */
+/** The answer, or null if a newer message of its kind was sent meanwhile. @type {(message: any) => Promise<any>} */
 export async function ask(message) {
   const id = ++count;
   latest[message.ask] = id;

@@ -1,5 +1,5 @@
-// Instantaneous centres, where they are asked for: their lines and those found so far on the scheme, what is said of
-// one that is not to be seen.
+// Instantaneous centres, if requested: their lines and those found so far on the scheme, and the sentence about
+// one that cannot be seen.
 import { clamp, distance } from "./geometry.js";
 import { labelOf } from "./letters.js";
 import { data, later, live, state } from "./page.js";
@@ -8,11 +8,11 @@ import { overlays } from "./scheme.js";
 import { svg } from "./svg.js";
 const PAST_PX = 26, MOST_PX = 4000, CLOSE_PX = 6;
 
-// whether a centre lies on the scheme as it is shown
+// whether a centre lies within the scheme shown
 let onSheet = /** @type {(mark: string) => boolean} */ (() => true);
 
 /** @type {(figure: any, p: Spot, u: Spot, through: Spot[]) => void} */
-function lineOf(figure, p, u, through) { // a line, as far as its centres and a little farther
+function lineOf(figure, p, u, through) { // a line through its centres and slightly beyond
   const along = [0, ...through.map(q => (q[0] - p[0]) * u[0] + (q[1] - p[1]) * u[1])];
   const ends = [Math.min(...along) - PAST_PX, Math.max(...along) + PAST_PX].map(t => clamp(t, -MOST_PX, MOST_PX));
   const [low, high] = ends.map(t => [p[0] + t * u[0], p[1] + t * u[1]]);
@@ -43,7 +43,7 @@ function showCentres(figure, frame, seen) {
   for (const g of groups) figure.beside(g.q, g.names, "position", 9, g.names.map(n => `position:${n}`).join(" "));
 }
 /** @type {(f: Frame) => string} */
-function centreNoted(f) { // where a centre is not to be seen, why
+function centreNoted(f) { // why a centre cannot be seen
   const mark = f.makes[0], found = f.chapter === "centres" && data.centres[mark];
   if (!found || !found.length) return "";
   const there = found.every(([a, b]) => live.at(a) && (b.includes(":") ? live.at(b) : live.angle(b) !== null));

@@ -1,5 +1,5 @@
-// The report of a checked drawing: layers, the table of steps, marks to move by hand or keys; every move is judged
-// anew.
+// The report on a checked drawing: layers, the table of steps, marks to move by hand or keys; every move is judged
+// again.
 import { $, on, safe } from "./dom.js";
 import { Figure, letters } from "./figure.js";
 import { distance } from "./geometry.js";
@@ -17,7 +17,7 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     this.layers = /** @type {Record<string, boolean>} */ ({ picture: true, own: true, next: true, truth: true });
   }
   /** @type {(at: There) => { vectors: any[][], at: There }} */
-  laid(at) { // vectors with their names, and where the marks stand: a force polygon in the order its person laid it
+  laid(at) { // vectors with their names, and the places of the marks: a force polygon in the student's order
     const { order, rows, vectors, chained } = this.data, places = /** @type {Record<string, any>} */ ({});
     if (!order.length) return { vectors: chained ? rows.map((/** @type {any} */ [n, a, b]) => [at(a), at(b), n, b]) :
       vectors.map((/** @type {any} */ [a, b]) => [at(a), at(b)]), at };
@@ -54,12 +54,12 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
       this.node);
     if (on.own) for (const [a, b] of own.vectors) this.vector(a, b, "own");
     const named = this.data.chained && on.own ? this.forces() : new Set(), pole = this.px([0, 0]);
-    // else a scheme has none
+    // a scheme has none otherwise
     if (this.data.kind !== "position" || original.every((/** @type {Mark} */ m) => !m.read)) this.pole(pole);
     marks.forEach((m, k) => this.handle(m, found.marks[m.name], k, named.has(m.name)));
     end();
   }
-  forces() { // the names of forces stand beside their vectors; of what ends where it begins, at the mark
+  forces() { // names of forces are beside their vectors; of a zero vector, at the mark
     const named = new Set();
     for (const [a, b, name, end] of this.own.vectors) {
       const p = a && this.px(a), q = b && this.px(b);
@@ -70,7 +70,7 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     return named;
   }
   /** @type {(a: Spot, b: Spot, cls: string) => void} */
-  vector(a, b, cls) { // of a scheme a link, which has no arrowhead
+  vector(a, b, cls) { // a link of a scheme has no arrowhead
     if (!a || !b) return;
     if (this.data.kind === "position") this.line(this.px(a), this.px(b), cls);
       else this.arrow(this.px(a), this.px(b), cls);
@@ -85,7 +85,7 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     for (const [a, b, c, d] of strokes) this.line(this.px([a, b]), this.px([c, d]), "stroke", "", false);
   }
   /** @type {(q: Spot) => void} */
-  pole(q) { // on a picture it is put right like any mark; what was laid in another order does not hang on it alone
+  pole(q) { // on a picture it is corrected like any mark; a polygon in another order does not depend on it alone
     const free = this.data.picture && !this.data.order.length;
     const g = free ? svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": "p", "aria-label": "p" },
       this.node) : this.node;
@@ -94,7 +94,7 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
     this.beside(q, ["p"], this.data.kind);
   }
   /** @type {(k: number) => Spot} */
-  parked(k) { return [this.w - 26, 30 + 34 * k]; } // marks nobody has read wait at the edge
+  parked(k) { return [this.w - 26, 30 + 34 * k]; } // marks not recognised wait at the edge
   /** @type {(m: Mark, found: Judged, k: number, named: boolean) => void} */
   handle(m, found, k, named) {
     const q = m.read ? this.px(this.own.at(m.name)) : this.parked(k);
@@ -117,21 +117,21 @@ let marks = original.map((/** @type {Mark} */ m) => ({ ...m })), found = /** @ty
 let held = /** @type {any} */ (null), moved = false, shifted = [0, 0];
 
 function draw() {
-  const now = held; // drawing anew takes the focus away
+  const now = held; // redrawing loses the focus
   found = judge.judge(marks);
   sheet.draw(marks, found);
   held = now;
   if (held) sheet.node.querySelector(`[data-mark="${CSS.escape(held)}"]`)?.focus({ preventScroll: true });
-  if (!moved) return; // what was printed stands until something is moved
+  if (!moved) return; // the printed outcome stays until a mark is moved
   /** @type {(text: string) => void} */
   say(found.sentence);
   document.body.className = found.verdict;
-  $("chance").style.visibility = "hidden"; // what is drawn stays where it is
+  $("chance").style.visibility = "hidden"; // the drawing stays in place
   for (const old of document.querySelectorAll(".places, #as-read, .printed")) old.hidden = true;
   $("moved").hidden = false;
   table();
 }
-function say(/** @type {string} */ text) { // names lettered as on the plan, commands unbroken
+function say(/** @type {string} */ text) { // names lettered as on the plan, commands kept on one line
   let told = "", end = 0;
   for (const m of text.matchAll(new RegExp(data.sought, "g"))) {
     told += safe(text.slice(end, m.index)) + (m[1] ? `<span class="command">${safe(m[1])}</span>` :
@@ -164,7 +164,7 @@ function move(name, x, y) {
   draw();
 }
 /** @type {(x: number, y: number) => void} */
-function origin(x, y) { // the pole is elsewhere on the picture: all that is seen there stays
+function origin(x, y) { // the pole moves on the picture: everything visible there stays
   for (const m of marks) if (m.read) { m.x -= x; m.y -= y; }
   for (const box of [data.box, data.picture.box]) for (let k = 0; k < 4; k++) box[k] -= k % 2 ? y : x;
   shifted = [shifted[0] + x, shifted[1] + y];
@@ -172,14 +172,14 @@ function origin(x, y) { // the pole is elsewhere on the picture: all that is see
   moved = true;
   draw();
 }
-// to where it is shown: of a polygon laid in another order only the two sides that meet there change
+// to the place shown: in a polygon of another order only the two sides that meet there change
 /** @type {(name: string, x: number, y: number) => void} */
 function drag(name, x, y) {
   if (name === "p") return origin(x, y);
   const k = data.order.findIndex((/** @type {any} */ [, , end]) => end === name);
   if (k < 0 || !marks.find((/** @type {Mark} */ m) => m.name === name).read) return move(name, x, y);
   const [x0, y0] = sheet.own.at(name), next = data.order[k + 1];
-  const shift = (/** @type {string} */ mark, /** @type {number} */ sign) => { // with all that is reckoned from it
+  const shift = (/** @type {string} */ mark, /** @type {number} */ sign) => { // with all that depends on it
     const after = new Set([mark]), placed = new Set(["p"]);
     for (const [, a, b] of data.rows) if (!placed.has(b)) { placed.add(b); if (after.has(a)) after.add(b); }
     for (const m of marks) if (m.read && after.has(m.name)) { m.x += sign * (x - x0); m.y += sign * (y - y0); }
@@ -194,15 +194,15 @@ function reset() {
   if (shifted.some(Math.abs)) origin(-shifted[0], -shifted[1]);
   marks = original.map((/** @type {Mark} */ m) => ({ ...m })); moved = true; draw(); $("moved").hidden = true;
 }
-function csv() { // the marks as the table the program reads, and its command; a row "p" is where the pen is lifted to
+function csv() { // the marks as a table for the program, and its command; in a row "p" the pen returns to the pole
   const rows = [`# ${document.querySelector("code").textContent}`, "mark,x_mm,y_mm,error_mm"];
   const at = (/** @type {string} */ n) => n === "p" ? { x: 0, y: 0, error: 0 } :
     marks.find((/** @type {Mark} */ m) => m.name === n);
   /** @type {(name: string, m: Mark) => void} */
   const row = (name, m) => rows.push(`${name},${m.x.toFixed(3)},${m.y.toFixed(3)},${m.error}`);
   const { look, name } = $("save").dataset;
-  if (look) rows.splice(1, 0, `# sheet ${look} ${name}`); // of what drawing the marks are
-  // where the picture lies
+  if (look) rows.splice(1, 0, `# sheet ${look} ${name}`); // the drawing the marks belong to
+  // the place of the picture
   if (data.picture) rows.splice(1, 0,
     `# box ${data.picture.box.map((/** @type {number} */ v) => v.toFixed(3)).join(" ")}`);
   let pen = "p";
@@ -218,7 +218,7 @@ function csv() { // the marks as the table the program reads, and its command; a
 function save() {
   const a = document.createElement("a");
   a.href = URL.createObjectURL(new Blob([csv()], { type: "text/csv" }));
-  a.download = $("save").dataset.name || ""; // of the picture's own name: beside it the next run takes it up
+  a.download = $("save").dataset.name || ""; // with the picture's name: put beside it, the next run uses it
   a.click();
   setTimeout(() => URL.revokeObjectURL(a.href), 1000);
 }
@@ -260,14 +260,14 @@ $("save").onclick = save;
 $("as-read")?.addEventListener("click", () => { moved = true; draw(); });
 $("reset").onclick = reset;
 on(window, "resize", draw);
-on(window, "beforeprint", () => { // of a sheet's width, so that its letters keep their size
+on(window, "beforeprint", () => { // relative to the sheet's width, so that letters keep their size
   sheet.node.style.cssText = "width: 700px; height: 400px";
   draw();
   sheet.node.style.cssText = "";
 });
 on(window, "afterprint", draw);
 draw();
-globalThis.planes = { // by which a page is asked from outside
+globalThis.planes = { // the interface of the page for scripts
   csv, data, drag, draw, move, sheet,
   get found() { return found; },
   get marks() { return marks; },

@@ -1,7 +1,8 @@
-"""Pages of checking, which ask nothing of the network: a report, a class, tracing paper.
+"""Pages for checking, which need no network: a report, a class, tracing paper.
 
-A report has layers, a table of steps, marks to move and judge anew. A class tells how many are right, which mistakes
-whose, and a row for each, sorted at will. Tracing paper lies over a picture that is opened in the page, sent nowhere.
+A report has layers, a table of steps, marks to move and judge again. A class page counts the right drawings, lists
+mistakes with their authors, and has a row for each drawing, sortable. Tracing paper lies over a picture opened in the
+page and sent nowhere.
 """
 
 import html
@@ -19,7 +20,7 @@ LAYERS = ("own", "next", "truth", "picture")
 
 
 def report_page(data: Json, lang: Lang) -> str:
-    """The page of what :func:`planes.check.report.page_data` exports."""
+    """The report page, from the data of :func:`planes.check.report.page_data`."""
     words = under("check_page_", lang, "check")
     drawn, e, naming = "page" in data, html.escape, Naming(lang, **data["lettering"])
     names = _names(data)
@@ -48,7 +49,7 @@ def report_page(data: Json, lang: Lang) -> str:
 
 
 def _names(data: Json) -> list[str]:
-    """The names of marks and vectors that a page shows or tells of."""
+    """The names of marks and vectors that a page shows or mentions."""
     page = data.get("page", {"rows": [], "order": [], "truth": [], "marks": []})
     rows = (row[1] for row in (*data["rows"], *data["numbers"]))
     sides = (name for key in ("rows", "order") for name, *_ in page[key])
@@ -56,7 +57,7 @@ def _names(data: Json) -> list[str]:
 
 
 def _letters(data: Json, names: Sequence[str]) -> Mapping[str, object]:
-    """The names as a sheet has them, with those in sentences a page may come to."""
+    """The names as lettered on a sheet, with those in sentences that may appear on the page."""
     texts = " ".join(
         (*(v["said"] for v in data["page"]["variants"]), (data["page"]["otherwise"] or {}).get("said", ""))
     )
@@ -64,7 +65,7 @@ def _letters(data: Json, names: Sequence[str]) -> Mapping[str, object]:
 
 
 def _drawing(data: Json, words: Mapping[str, str]) -> str:
-    """The figure, its layers and what can be done with it."""
+    """The figure, its layers and its controls."""
     e = html.escape
     under = data["page"]["picture"] or data["page"]["strokes"]
     how = words["drag_class" if data.get("of_class") else "drag"]
@@ -86,7 +87,7 @@ def _drawing(data: Json, words: Mapping[str, str]) -> str:
 def _table(
     key: str, caption: str, head: Sequence[str], rows: Sequence[Sequence[str]], letter: Callable[[str], str]
 ) -> str:
-    """A table of rows that begin with their verdict and their name."""
+    """A table whose rows begin with their verdict and their name."""
     if not rows:
         return ""
     e, body = html.escape, ""
@@ -110,8 +111,8 @@ def class_page(
     rows: Sequence[tuple[ClassRow, Sequence[str]]],
     lang: Lang,
 ) -> str:
-    """The page. ``rows`` are what was found, and its cells in words; ``common`` sentences with whose: name, link;
-    ``absent`` says whose drawings there are none of."""
+    """The class page. ``rows`` are the outcomes with their cells in words; ``common`` are sentences with their authors:
+    name, link; ``absent`` lists the students without any drawing."""
     e, links = html.escape, {row.file: row.link for row, _ in rows if row.link}
     cells = "".join(f'<th scope="col" data-name="{e(h)}"><button type="button">{e(h)}</button></th>' for h in head)
     often = ""
@@ -132,7 +133,7 @@ def class_page(
 
 
 def _sort(head: Sequence[str], lang: Lang) -> str:
-    """A choice of the column to sort by, for a screen so narrow that rows have no head."""
+    """A menu of the columns to sort by, for a screen so narrow that the table has no head."""
     columns = "".join(f'<option value="{k}">{html.escape(h)}</option>' for k, h in enumerate(head))
     caption = html.escape(say("check_sort", lang))
     return f'<p class="sort"><label>{caption}: <select><option value="">—</option>{columns}</select></label></p>'
@@ -156,7 +157,8 @@ def _linked(name: str, link: str) -> str:
 
 
 def _places(places: Sequence[Json], page: str, naming: Naming, kind: str, caption: str = "") -> str:
-    """Windows about wrong places; several name their marks. ``page`` tells a drawing's from others of the page."""
+    """Windows about wrong places; each names its marks if there are several. ``page`` distinguishes a drawing's from
+    others on the page."""
     names = [tagged(f"⟨{place['name']}⟩", naming, kind) if len(places) > 1 else "" for place in places]
     windows = enumerate(zip(places, names, strict=True))
     shown = "".join(place_picture(place, f"{page}{k}", name) for k, (place, name) in windows)
@@ -164,13 +166,13 @@ def _places(places: Sequence[Json], page: str, naming: Naming, kind: str, captio
     return f'<div class="places">{said}{shown}</div>' if places else ""
 
 
-# of a window: to the next, about the wrong place, an arrowhead and (of that) its half
+# sizes in a window: the gap to the next, the area about the wrong place, an arrowhead and (of that) its half
 GAP, RING, HEAD, HALF = 0.04, 0.06, 0.06, 0.25
 
 
 def place_picture(place: Json, name: str, caption: str = "") -> str:
-    """A wrong place of a drawing in two windows side by side: as it was drawn, and with the right construction upon it;
-    ``name`` tells it from all others of the page; ``caption``, HTML, stands over it."""
+    """A wrong place of a drawing in two windows side by side: as drawn, and with the correct construction over it;
+    ``name`` is unique on the page; ``caption``, HTML, is above it."""
     x0, y0, x1, y1 = (float(v) for v in place["box"])
     w, h = x1 - x0, y1 - y0
     e, under = html.escape, _lines(place, "strokes", "stroke")
@@ -191,7 +193,7 @@ def place_picture(place: Json, name: str, caption: str = "") -> str:
 
 
 def _plan(place: Json, key: str) -> str:
-    """Vectors with their heads, of a scheme lines."""
+    """Vectors with their heads, or the lines of a scheme."""
     heads = "" if place["lines"] else "".join(_head(place, v) for v in place[key])
     return f'<g class="{key}">{_lines(place, key, key)}{heads}</g>'
 
@@ -223,7 +225,7 @@ SAID = ("pole", "turned", "scale", "not_picture")
 
 
 def trace_page(data: Json, lang: Lang) -> str:
-    """The page of what :func:`planes.check.report.shown.tracing_data` exports."""
+    """The tracing paper, from the data of :func:`planes.check.report.shown.tracing_data`."""
     words = under("trace_", lang, "check")
     parts = {k: html.escape(text) for k, text in {**words, "title": data["title"]}.items()}
     body = web_page.filled(web_page.part("trace.html"), parts)

@@ -1,4 +1,4 @@
-// What practice asks to choose: a scale, the links that are next for forces and why, the equation written first.
+// The choices in practice: a scale, the links that come next for forces and why, the equation written first.
 import { distance, union } from "./geometry.js";
 import { data, live, state } from "./page.js";
 import { filled, number, say, scaled, sentence } from "./words.js";
@@ -17,7 +17,7 @@ function across(t, scale) { // the larger side of a plan at a scale, mm: with it
   return Math.max(box[2] - box[0], box[3] - box[1]) * scale / live.given[scaleOf(t.what)];
 }
 /** @type {(t: Question) => number[]} */
-function bounds(t) { // a ruler's reading is told in it as well as numbers are judged; it fits, or as well as it did
+function bounds(t) { // a ruler reading is as accurate at it as the judgement requires; it fits, or as well as before
   const own = across(t, data.home[scaleOf(t.what)]);
   return [Math.min(data.judging.ruler_mm / data.judging.number_share, own / 2), Math.max(t.most, own)];
 }
@@ -34,7 +34,7 @@ function scaleSaid(key, scale) {
   return `${scaled(scale, /⟦i/.test(data.plans.find(p => p.key === key).mu.en))} ${scaleUnit(key)}`;
 }
 /** @type {(t: Question, a: any) => string} */
-export function reply(t, a) { // of a scale how large the plan is, whether it is right or not
+export function reply(t, a) { // for a scale the size of the plan, right or wrong
   const own = (/** @type {any} */ value) => t.offered.find(o => o.value === value);
   if (t.kind !== "mu" && !holds(t, a)) return /** @type {Said} */ (own(a).why)[state.lang];
   if (t.kind === "order" && a !== t.what) return say("on").replace("{links}", own(t.what).said[state.lang]);
@@ -43,7 +43,7 @@ export function reply(t, a) { // of a scale how large the plan is, whether it is
   return say(key).replace("{mu}", scaleSaid(t.what, a)).replace("{mm}", number(+mm.toPrecision(2)));
 }
 /** @type {(t: Question, a: any) => Numbers} */
-export function taken(t, a) { // a scale that holds is drawn at
+export function taken(t, a) { // draw at the scale if it is right
   if (t.kind !== "mu") return {};
   live.set({ [scaleOf(t.what)]: a });
   if (t.what === "position") live.scan();

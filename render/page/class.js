@@ -1,6 +1,6 @@
 const heads = [...document.querySelectorAll("thead th")], choice = document.querySelector(".sort select");
 /** @type {(th: any) => void} */
-function sort(th) { // by its column, the other way round if it is sorted by that
+function sort(th) { // by its column, reversed if already sorted by it
   const down = th.ariaSort === "ascending", body = document.querySelector("tbody");
   const key = (/** @type {any} */ row) => row.children[th.cellIndex].textContent;
   const rows = [...body.rows].sort((a, b) => Number(key(a) === "") - Number(key(b) === "") ||

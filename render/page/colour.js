@@ -1,5 +1,5 @@
-// By choice a link and the vectors that are its own have one colour in both figures and in the equations: Okabe and
-// Ito's colours, told apart by who sees colours otherwise; the style has them, the lightest with some ink.
+// On request a link and its vectors have one colour in both figures and in the equations: those of Okabe and Ito,
+// distinct for the colour-blind; they are in the style sheet, the lightest darkened.
 import { writeAddress } from "./address.js";
 import { $ } from "./dom.js";
 import { data, draw, state } from "./page.js";
@@ -7,7 +7,7 @@ import { data, draw, state } from "./page.js";
 const FIGURES = "#scheme [data-name], #plan [data-name], #equations .term", COLOURS = 7;
 
 /** @type {(mark: string) => string} */
-function carrier(mark) { // the link whose point it is: of several that about a pivot, or on a guide of the frame
+function carrier(mark) { // the link of the point: of several the one about a pivot, or on a guide of the frame
   const { links, guides, pivots } = data.scheme, own = links.filter(l => l.points.includes(mark));
   const fixed = (/** @type {Link} */ l) => guides.some(g => g.name === l.slides && g.link === "0");
   const one = own.length > 1 ? own.find(l => l.points.some(p => pivots.includes(p))) || own.find(fixed) : own[0];
@@ -18,7 +18,7 @@ function ownerOf(name) {
   const own = name.startsWith("link:") ? name : (data.related[name] || [""])[0];
   return own.startsWith("position:") ? carrier(own) : own;
 }
-export function coloured() { // on what is drawn anew; the colours themselves are the style's
+export function coloured() { // on new elements; the colours themselves are in the style sheet
   document.body.classList.toggle("coloured", state.coloured);
   $("colour").setAttribute("aria-pressed", String(state.coloured));
   if (!state.coloured) return;

@@ -1,4 +1,4 @@
-// One result over the whole run of the driver, by the page's own tape: a curve with a cursor where the driver stands.
+// One result over the driver's whole range, by the page's tape: a curve with a cursor at the driver's position.
 import { $, on, safe } from "./dom.js";
 import { html } from "./letters.js";
 import { data, live, state } from "./page.js";
@@ -14,7 +14,7 @@ let drawnOf = "", rows = /** @type {(number | null)[]} */ ([]);
 const place = k => data.drive.from + k * (data.drive.to - data.drive.from) / COUNT;
 
 /** @type {(name: string) => void} */
-function swept(name) { // the crank is brought back to where it was
+function swept(name) { // the crank is put back
   const now = live.drive;
   rows = Array.from({ length: COUNT + 1 }, (_, k) => {
     live.set({ [data.drive.given]: place(k) });
@@ -53,7 +53,7 @@ export function curve() {
   $("curve-value").textContent = v === null ? "" : `${number(v)} ${data.units[name][state.lang]}`;
   $("curve").setAttribute("aria-label", `${name.replace(/[‖|]/g, "")}: ${number(low)} … ${number(high)}`);
 }
-/** What is drawn now, for who asks from outside. @type {() => { name: string, rows: (number | null)[] }} */
+/** The present curve, for scripts. @type {() => { name: string, rows: (number | null)[] }} */
 export const curveOf = () => ({ name: $("curved").value, rows });
 export function curveNames() {
   $("curves").hidden = !NAMES.length || data.drive.from === data.drive.to;

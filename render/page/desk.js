@@ -1,4 +1,4 @@
-// The desk of practice: set square, compass, ruler; what is drawn by hand on a plan, and where strokes cross.
+// The desk of practice: set square, compass, ruler; the reader's strokes on a plan, and their crossings.
 import { plan, scheme } from "./figures.js";
 import { distance } from "./geometry.js";
 import { labelOf } from "./letters.js";
@@ -13,7 +13,7 @@ export const desk = {
     spot: 0, strokes: /** @type {Pencil[]} */ ([]),
   clear() { Object.assign(this, { strokes: [], mm: "", spot: 0, back: false }); },
   get panel() { return this.practice.frame.plan === "position" ? scheme : plan; },
-  marks() { // one mark for those that stand together
+  marks() { // one for coinciding marks
     const key = this.practice.frame.plan, found = /** @type {any[]} */ ([]);
     for (const n of [...this.practice.seen()].sort((a, b) => +(a === "position:p") - +(b === "position:p"))) {
       const p = n.startsWith(key + ":") && !data.helpers.includes(n) && live.at(n);
@@ -22,7 +22,7 @@ export const desk = {
     return found;
   },
   /** @type {() => string[][]} */
-  lines() { // what a set square is laid to: lines of the drawing, marks of the plan
+  lines() { // objects to lay a set square against: lines of the drawing, marks of the plan
     const own = Object.keys(data.lines).filter(n => live.angle(n) !== null);
     const marks = this.marks().filter(m => m !== this.from);
     return [...own.flatMap(n => [[n + "|0", "∥ " + this.line(n)], [n + "|1", "⊥ " + this.line(n)]]),
@@ -40,7 +40,7 @@ export const desk = {
     const [name, quarter] = this.along.split("|"), angle = live.angle(name);
     return angle === null ? null : angle * Math.PI / 180 + +quarter * QUARTER + (this.back ? Math.PI : 0);
   },
-  ways() { // both ways along a line, told by an arrow and an angle
+  ways() { // both directions along a line, as an arrow and an angle
     const kept = this.back;
     return [false, true].map(back => {
       this.back = back;
@@ -51,7 +51,7 @@ export const desk = {
   },
   length() { const v = parseFloat(String(this.mm).replace(",", ".")); return Number.isFinite(v) && v >= 0 ? v : null; },
   /** @type {() => any} */
-  draft() { // the stroke as the tools stand now
+  draft() { // the stroke for the present state of the tools
     const at = live.at(this.from), a = this.heading(), mm = this.length();
     if (!at) return null;
     if (this.tool === "arc") return mm ? { at, r: mm } : null;
@@ -61,7 +61,7 @@ export const desk = {
       { at, a, mm, end: [at[0] + mm * Math.cos(a), at[1] + mm * Math.sin(a)] } : null;
   },
   /** @type {(link: string) => void} */
-  lay(link) { // the set square to a link of the scheme: along it, then across
+  lay(link) { // lay the set square against a link of the scheme: along it, then across
     const l = data.scheme.links.find(l => l.name === link), pts = l.points.map(p => labelOf(p));
     const n = Object.keys(data.lines).find(n => { const at = data.lines[n];
       return pts.some(a => pts.some(b => a !== b && a + b === at)) || l.slides === at; });
@@ -70,14 +70,14 @@ export const desk = {
     draw();
   },
   /** @type {(stroke: Pencil, place: Spot) => number} */
-  off(stroke, place) { // from a stroke to a place, mm
+  off(stroke, place) { // distance of a place from a stroke, mm
     const [x, y] = place;
     const dx = x - stroke.at[0], dy = y - stroke.at[1];
     return stroke.r ? Math.abs(Math.hypot(dx, dy) - stroke.r) :
       Math.abs(dx * Math.sin(stroke.a) - dy * Math.cos(stroke.a));
   },
   /** @type {() => Spot[]} */
-  crossings() { // where strokes cross, each place once, from left to right
+  crossings() { // crossings of strokes, each place once, from left to right
     const found = /** @type {any[]} */ ([]), add = (/** @type {Spot} */ p) => {
       if (p.every(Number.isFinite) && this.inside(p) && found.every(q => distance(p, q) > SAME_MM)) found.push(p); };
     this.strokes.forEach((s, k) => this.strokes.slice(0, k).forEach(t => meet(s, t).forEach(add)));
@@ -85,7 +85,7 @@ export const desk = {
   },
   /** @type {(p: Spot) => boolean} */
   inside(p) { const f = this.panel, [x, y] = f.px(p); return x > 0 && y > 0 && x < f.w && y < f.h; },
-  paint() { // strokes as they were drawn, the one in hand, crossings to choose from
+  paint() { // the strokes drawn, the current one, crossings to choose from
     const f = this.panel;
     for (const s of this.strokes) this.stroke(f, s, "pencil" + (s.wrong ? " slip" : ""));
     const s = this.draft();
@@ -115,12 +115,12 @@ export const desk = {
     return a && b ? local(fixed(distance(a, b), 1)) : "—";
   },
   /** @type {(place: number[]) => string} */
-  grip([x, y]) { // the mark under a hand
+  grip([x, y]) { // the mark under the pointer
     const f = this.panel, near = (/** @type {string} */ m) => { const q = f.px(live.at(m));
       return Math.hypot(q[0] - x, q[1] - y); };
     return this.marks().filter(m => near(m) < NEAR_PX).sort((a, b) => near(a) - near(b))[0];
   },
-  // the free end of a stroke: its way by the set square that is laid, else by the hand; its length to half a millimetre
+  // the free end of a stroke: its direction by the set square, else by the pointer; its length to half a millimetre
   /** @type {(p: Spot) => void} */
   drag(p) {
     const at = live.at(this.from), dx = p[0] - at[0], dy = p[1] - at[1];

@@ -1,4 +1,4 @@
-// A figure of the lesson's own marks: arrows about centres, forces and arms of a moment equation.
+// A figure of the lesson's marks: arrows about centres, forces and arms of a moment equation.
 import { Figure } from "./figure.js";
 import { distance } from "./geometry.js";
 import { keyOf } from "./letters.js";
@@ -40,7 +40,7 @@ export class Drawing extends Figure {
     }
   }
   /** @type {(c: Couple, nth: number) => void} */
-  couple(c, nth) { // about the middle of its link, each further one of it wider
+  couple(c, nth) { // about the middle of its link, each further one wider
     const l = this.data.scheme.links.find(l => l.name === c.link);
     const pts = l ? l.points.map(n => this.spot(n)).filter(Boolean) : [];
     const size = c.sign * live.value(c.size), r = (this.size ? 13 : 19) + 7 * nth;
@@ -52,7 +52,7 @@ export class Drawing extends Figure {
     this.beside(o, [c.name], "force", r + 3);
   }
   /** @type {(m: Moments, terms: string[]) => void} */
-  forces(m, terms) { // each force where it acts, its arm to the point of the moments; not to scale
+  forces(m, terms) { // each force at its point, its arm to the moment point; not to scale
     const about = this.spot(m.about), beside = /** @type {Record<string, any>} */ ({});
     const dropped = /** @type {any[]} */ ([]);
     for (const f of m.forces) {

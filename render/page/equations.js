@@ -1,4 +1,4 @@
-// The equations of a plan: vectors with their own small segments, what is known of each, lines of action.
+// The equations of a plan: vectors with small segments, their known parts, lines of action.
 import { born } from "./frames.js";
 import { distance } from "./geometry.js";
 import { html } from "./letters.js";
@@ -6,7 +6,7 @@ import { data, live } from "./page.js";
 import { say } from "./words.js";
 
 /** @type {(f: Frame, key: string, frame: number, asked: any) => string} */
-export function written(f, key, frame, asked) { // the equations of a plan: those begun, the one in hand framed
+export function written(f, key, frame, asked) { // the equations of a plan: those begun, the current one framed
   const stated = (/** @type {number} */ k) => data.frames.findIndex(g => g.key === "equation" && g.equation === k);
   const begun = (/** @type {Equation} */ e, /** @type {number} */ k) => key.startsWith("force") ? stated(k) <= frame :
     terms(e).some(t => t.action !== "=0" && born(t.name, key) <= frame);
@@ -32,9 +32,9 @@ export function lines(e, current, f, frame, asked) {
   return `<div class="equation${current ? " current" : ""}">${body}</div>`;
 }
 /** @type {(t: Term, key: string, f: Frame, frame: number, asked: Asking) => string} */
-function term(t, key, f, frame, asked) { // a vector: its own small segment, its letters, underlines, line of action
+function term(t, key, f, frame, asked) { // a vector: a small segment, its letters, underlines, line of action
   const lit = !asked && f.terms.includes(t.name), later = born(t.name, key) > frame - (asked ? 1 : 0);
-  const secret = asked && later; // what the reader is to find
+  const secret = asked && later; // for the reader to find
   const action = secret ? "" : t.action === "=0" ? "= 0" : t.action === "↓" ? "↓" : acted(t.action);
   const known = secret || asked?.asking(t.name) ? asked.given(t.name) : t.known;
   return `<span class="term known${known}${lit ? " lit" : ""}${later ? " later" : ""}" data-name="${t.name}">` +
@@ -44,7 +44,7 @@ function term(t, key, f, frame, asked) { // a vector: its own small segment, its
 /** @type {(text: string) => string} */
 function acted(text) { return text.replace(/^([-+])([va]q?_\w+)$/,
   (_, s, v) => `${s === "-" ? "↑↓" : "↑↑"} ${html(v)}`); }
-// the segment itself, as small as a word: an arrow, or only its line while its length is sought
+// the segment itself, as small as a word: an arrow, or only its line while its length is unknown
 /** @type {(t: Term, later: boolean) => string} */
 function mini(t, later) {
   const s = /** @type {any} */ (t.start ? t : data.segments.find(s => s.names.includes(t.name)) || {});

@@ -1,5 +1,4 @@
-// A page of the essay: paragraphs, each beside its figure; one tape under them all, so what one hand moves all figures
-// show.
+// A page of the essay: paragraphs, each beside its figure; one tape for all, so a move in one figure shows in all.
 import { $, on, worded } from "./dom.js";
 import { written } from "./equations.js";
 import { seenAt } from "./frames.js";

@@ -4,12 +4,14 @@ import { distance, gap, union } from "./geometry.js";
 import { labelOf, lettered } from "./letters.js";
 import { alter, begin, svg } from "./svg.js";
 
-// what a label upon another one costs: more than any number of strokes
+// cost of overlapping labels: more than any number of strokes
 const UPON = 40, ROUNDS = 4;
+// and what one nearer to another vector than to its own, which it would name: as much as several strokes through it
+const STRANGE = 8;
 
 const ruler = /** @type {any} */ (document.createElement("canvas").getContext("2d")), widths = new Map();
 /** @type {(names: string[], plan: string, size: number) => number} */
-function wide(names, plan, size) { // how wide a label is, px
+function wide(names, plan, size) { // the width of a label, px
   const key = `${document.documentElement.lang} ${plan} ${size} ${names.join(" ")}`;
   if (!widths.has(key)) {
     /** @type {(text: string, small?: string) => number} */
@@ -41,7 +43,7 @@ export function letters(parent, names, x, y, size, plan, joint = ", ", as = name
   return t;
 }
 /** @type {(a: any, b: any, size: number) => boolean} */
-function crowds(a, b, size) { // whether labels stand upon one another, [x, y, half the width]
+function crowds(a, b, size) { // whether labels overlap, [x, y, half the width]
   return a[2] + b[2] + 3 > Math.abs(a[0] - b[0]) && size * 1.32 > Math.abs(a[1] - b[1]);
 }
 
@@ -54,7 +56,7 @@ export class Figure { // millimetres y up -> pixels y down
     this.real = [600, 380];
     this.kept = /** @type {Map<string, number>} */ (new Map());
     this.more = 0; // of its edge, px
-    this.fixed_view = /** @type {any} */ (null); // while a hand holds it
+    this.fixed_view = /** @type {any} */ (null); // while it is dragged
     this.strokes = /** @type {Ends[]} */ ([]);
     this.taken = /** @type {any[]} */ ([]);
     this.view = /** @type {any} */ (null);
@@ -92,13 +94,13 @@ export class Figure { // millimetres y up -> pixels y down
   /** @type {(p: Spot) => Spot} */
   px(p) { return [this.dx + this.k * p[0], this.dy - this.k * p[1]]; }
   /** @type {(name: string) => Spot} */
-  spot(name) { // where a mark stands, px; null where it is not
+  spot(name) { // the place of a mark, px; null where it is missing
     const p = this.at(name);
     return p && this.px(p);
   }
   /** @type {(q: Spot) => Spot} */
   mm(q) { return [(q[0] - this.dx) / this.k, (this.dy - q[1]) / this.k]; }
-  bar() { // how long ten (or more) millimetres of the paper are here
+  bar() { // the length of ten (or more) millimetres of paper here
     const mm = [5, 10, 20, 50, 100, 200].find(m => m * this.k > 46) || 500, y = this.h - 9, x = 12;
     const far = x + mm * this.k;
     svg("path", { class: "bar", d: `M${x} ${y - 4}v4H${far}v-4` }, this.node);
@@ -126,17 +128,17 @@ export class Figure { // millimetres y up -> pixels y down
     this.strokes.push([a, b]);
     return g;
   }
-  /** @type {(names: string[], spots: Places, plan: string, joint?: string, as?: string) => any} */
-  put(names, spots, plan, joint, as) { // a label at the best of some places: clear of strokes and of other labels
+  /** @type {(names: string[], spots: Places, plan: string, joint?: string, as?: string, of?: Ends) => any} */
+  put(names, spots, plan, joint, as, of) { // a label at the best of some places: clear of strokes and of other labels
     const size = this.letter, half = wide(names, plan, size) / 2;
-    const label = /** @type {Label} */ ({ names, half, size, all: spots(half, size * 0.5), key: names.join(" ") });
+    const label = /** @type {Label} */ ({ names, half, size, all: spots(half, size * 0.5), key: names.join(" "), of });
     const [x, y] = this.best(label);
     label.node = letters(this.node, names, x.toFixed(1), (y + size * 0.34).toFixed(1), size, plan, joint, as);
     this.taken.push([x, y, half, label]);
     return label.node;
   }
   /** @type {(label: Label) => number[]} */
-  best(label) { // where it was last time, unless another place is better: a label does not jump for little
+  best(label) { // its last place, unless another is clearly better: a label should not jump
     const { all, key } = label, kept = this.kept.get(key);
     let best = /** @type {number[]} */ (/** @type {any} */ (null));
     for (let k = -1; k < all.length; k++) {
@@ -151,11 +153,13 @@ export class Figure { // millimetres y up -> pixels y down
     this.kept.set(key, best[1]);
     return all[best[1]];
   }
-  // what a place costs: strokes, other labels, the edge of the figure; no more than matters
+  // the cost of a place: strokes, other labels, the edge of the figure; up to a limit
   /** @type {(label: Label, place: number[], own: number, most: number) => number} */
-  price({ half, size }, [x, y], own, most) {
+  price({ half, size, of }, [x, y], own, most) {
     const tall = size * 0.5, parts = Math.max(2, Math.ceil(1.6 * half / size)); // nothing crosses it between two places
     let cost = own;
+    const far = of ? gap([x, y], of) - 1 : 0;
+    if (of && this.strokes.some(s => gap([x, y], s) < far)) cost += STRANGE;
     for (const t of this.taken) if (crowds([x, y, half], t, size)) cost += UPON;
     for (const s of this.strokes) {
       if (cost >= most) return cost;
@@ -164,10 +168,10 @@ export class Figure { // millimetres y up -> pixels y down
         if (d < tall + 3) cost += (tall + 3 - d) / tall;
       }
     }
-    const over = Math.max(half - x, x + half - this.w, tall - y, y + tall - this.h); // what is cut off nobody reads
+    const over = Math.max(half - x, x + half - this.w, tall - y, y + tall - this.h); // a clipped label is unreadable
     return over > 0 ? cost + 2 * UPON : over > -2 ? cost + 6 : cost;
   }
-  settle() { // labels upon one another are placed again, now that all are there
+  settle() { // overlapping labels are placed again, now that all are known
     for (let round = 0; round < ROUNDS; round++) {
       const crowded = this.taken.filter(t => t[3] && this.taken.some(o => o !== t && crowds(t, o, t[3].size)));
       for (const t of crowded) {
@@ -179,19 +183,19 @@ export class Figure { // millimetres y up -> pixels y down
       if (!crowded.length) return;
     }
   }
+  /** @type {(p: Spot, half: number, tall: number) => number[][]} */
+  around([x, y], half, tall) { // places of a label about a point
+    return [0, 7, 15, 26, 40, 58].flatMap(far => [...Array(16).keys()].map(k => {
+      const c = Math.cos(k * Math.PI / 8), s = Math.sin(k * Math.PI / 8);
+      return [x + c * (half + far), y + s * (tall + far), far * 0.06 + (k % 4 ? 0.05 : 0)];
+    }));
+  }
   /** @type {(p: Spot, names: string[], plan: string, clear?: number, as?: string) => any} */
   beside(p, names, plan, clear = 5, as = names.join(" ")) { // around a mark
-    return this.put(names, (half, tall) => {
-      const found = [];
-      for (const far of [0, 7, 15, 26, 40, 58]) for (let k = 0; k < 16; k++) {
-        const c = Math.cos(k * Math.PI / 8), s = Math.sin(k * Math.PI / 8);
-        found.push([p[0] + c * (half + clear + far), p[1] + s * (tall + clear + far), far * 0.06 + (k % 4 ? 0.05 : 0)]);
-      }
-      return found;
-    }, plan, undefined, as);
+    return this.put(names, (half, tall) => this.around(p, half + clear, tall + clear), plan, undefined, as);
   }
   /** @type {(a: Spot, b: Spot, names: string[], plan: string, ends?: string) => any} */
-  along(a, b, names, plan, ends) { // beside a vector; after its names, which ends it runs between
+  along(a, b, names, plan, ends) { // beside a vector; after its names, its ends
     const n = distance(a, b) || 1, ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
     return this.put(ends ? [...names, ends] : names, (half, tall) => {
       const found = [], off = Math.abs(uy) * half + Math.abs(ux) * tall + 5;
@@ -200,11 +204,12 @@ export class Figure { // millimetres y up -> pixels y down
         found.push([a[0] + t * n * ux - side * uy * (off + far), a[1] + t * n * uy + side * ux * (off + far),
           far * 0.05 + Math.abs(t - 0.5)]);
       }
-      return found;
-    }, plan, " = ", names.join(" "));
+      const short = n < 2 * half + 10; // it has more room about it than beside it
+      return short ? [...found, ...this.around([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], half + 5, tall + 5)] : found;
+    }, plan, " = ", names.join(" "), [a, b]);
   }
   /** @type {(marks: string[], reach: number) => { q: Spot, names: string[] }[]} */
-  groups(marks, reach) { // marks that fall together share a label
+  groups(marks, reach) { // coinciding marks share a label
     const found = /** @type {any[]} */ ([]);
     for (const full of marks) {
       const p = this.at(full), name = labelOf(full);
@@ -214,7 +219,7 @@ export class Figure { // millimetres y up -> pixels y down
     }
     return found;
   }
-  // the other crossing of two arcs, or of an arc and a line: the mark mirrored in what both are symmetric about
+  // the other crossing of two arcs, or of an arc and a line: the mark mirrored in the common axis of symmetry
   /** @type {(t: Trace, c: Spot) => void} */
   ghost(t, c) {
     const [o, b] = [...(t.arcs || []), ...(t.lines || [])].map(n => this.at(n)), arcs = (t.arcs || []).length;
@@ -226,7 +231,7 @@ export class Figure { // millimetres y up -> pixels y down
     svg("circle", { cx: u.toFixed(1), cy: v.toFixed(1), r: 5, class: "trace" }, this.node);
   }
   /** @type {(t: Trace, made: string) => void} */
-  trace(t, made) { // the lines or arcs that cross at a mark, a little past it
+  trace(t, made) { // the lines or arcs that cross at a mark, slightly beyond it
     const c = this.at(made);
     if (!t || !c) return;
     this.ghost(t, c);

@@ -1,4 +1,4 @@
-// The frames of the lesson: what is drawn so far, and the frame in which a value or a vector is first told.
+// The frames of the lesson: the drawing so far, and the frame in which a value or a vector first appears.
 import { data } from "./page.js";
 
 const values = /** @type {Record<string, any>} */ ({}), births = /** @type {Record<string, any>} */ ({});
@@ -11,7 +11,7 @@ export function seenAt(frame) {
   return seen;
 }
 /** @type {(frame: number) => string} */
-export function planOf(frame) { // the plan on the right: of this frame, or the last one that was begun
+export function planOf(frame) { // the plan on the right: that of this frame, or the last one begun
   const shown = (/** @type {string} */ p) => p !== "position" && begunAt(p) <= frame;
   for (let k = frame; k >= 0; k--) if (shown(data.frames[k].plan)) return data.frames[k].plan;
   return "position";
@@ -21,17 +21,17 @@ function begunAt(plan) { // the frame that makes its first mark
   return starts[plan] ??= data.frames.findIndex(f => f.plan === plan && f.makes.length);
 }
 /** @type {(name: string) => number} */
-export function found(name) { // the frame in which a value is first told
+export function found(name) { // the frame in which a value first appears
   return values[name] ??= data.frames.findIndex(f => f.tells.includes(name));
 }
 /** @type {(name: string, key: string) => number} */
-export function born(name, key) { // the frame of its plan in which a vector is first in hand
+export function born(name, key) { // the frame of its plan in which a vector first appears
   return births[`${key} ${name}`] ?? -1;
 }
 data.frames.forEach((f, k) => {
   if (f.moments === null && k >= begunAt(f.plan)) for (const t of f.terms) births[`${f.plan} ${t}`] ??= k;
 });
-for (const s of data.segments) { // what no frame speaks of is there with its end
+for (const s of data.segments) { // a vector in no frame appears with its end mark
   const k = data.frames.findIndex(f => f.makes.includes(`${s.plan}:${s.end}`));
   for (const n of s.names) births[`${s.plan} ${n}`] ??= k;
 }

@@ -1,4 +1,4 @@
-// Fresh numbers for a practice: the same of a seed in every page, and where its code is read again.
+// Fresh numbers for a practice: the same for a seed in every page, and where its code is read again.
 import { data, live } from "./page.js";
 
 /** @type {(seed: number) => () => number} */
@@ -11,7 +11,7 @@ function random(seed) { // a stream of numbers from 0 to 1: mulberry32
     return ((t ^ t >>> 14) >>> 0) / 4294967296;
   };
 }
-// other numbers near the scene's, with which everything is drawn as well; false where there are none
+// other numbers near the scene's, with which everything can be drawn; false where there are none
 /** @type {(seed: number, size: (key: string) => number) => boolean} */
 export function fresh(seed, size) {
   const { given, symbol, held, at, from, to } = data.drive, sizes = () => data.plans.map(p => size(p.key));

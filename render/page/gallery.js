@@ -1,4 +1,4 @@
-// The gallery: mechanisms that move, each a link to itself; the last scenes on this machine before them.
+// The gallery: animated mechanisms, each a link to its scene; before them the recent scenes of this machine.
 import { bench, say } from "./bench.js";
 import { $, on, safe } from "./dom.js";
 import { moving } from "./moving.js";
@@ -6,7 +6,7 @@ import { kept } from "./share.js";
 
 /** @type {Shelved[] | null} */
 let scenes = null, laid = "";
-export async function shelf() { // asked for once
+export async function shelf() { // requested only once
   if (location.protocol === "file:") { $("state").textContent = say("from_disk"); return []; }
   scenes ??= await fetch("gallery.json").then(r => r.json(), () => []);
   return scenes ?? [];

@@ -1,4 +1,4 @@
-// Boxes, strokes and shares: what is reckoned of places without drawing anything.
+// Boxes, strokes and quantiles: computations with places, without drawing.
 
 /** @type {(a: Spot, b: Spot) => number} */
 export function distance(a, b) { return Math.hypot(b[0] - a[0], b[1] - a[1]); }

@@ -1,10 +1,10 @@
-// What a hand takes hold of in a figure: the mark under it, the numbers that follow, what is said where they cannot.
+// Dragging in a figure: the mark under the pointer, the numbers that follow, the sentence where they cannot.
 import { on } from "./dom.js";
 import { keyOf, labelOf } from "./letters.js";
 import { REACHED } from "./live.js";
 import { data, live } from "./page.js";
 import { fixed, local, say, sentence } from "./words.js";
-const GRIP_PX = 16, GRIP_TOUCH_PX = 30, IDLE_MM = 1e-6; // what moves a mark by less does not move it
+const GRIP_PX = 16, GRIP_TOUCH_PX = 30, IDLE_MM = 1e-6; // a smaller effect on a mark counts as none
 
 /** @type {(knob: Knob, v: number) => boolean} */
 export function allowed(knob, v) {
@@ -12,7 +12,7 @@ export function allowed(knob, v) {
 }
 /** @type {(given: string) => boolean} */
 export function aimedAt(given) { return given.startsWith("angle_∠"); }
-// from a third of a number to three times; about nothing as far as others of its kind
+// from a third of a number to three times; about zero as far as others of its kind
 /** @type {(knob: Knob) => number[]} */
 export function span({ given, at, reach }) {
   if (aimedAt(given)) return [at - 60, at + 60];
@@ -21,7 +21,7 @@ export function span({ given, at, reach }) {
 /** @type {(names: string[]) => string} */
 const listed = names => names.map(n => `⟨${n === data.drive.given ? data.drive.symbol :
   data.knobs.find(k => k.given === n)?.name ?? n}⟩`).join(", ");
-// the numbers a drag changes, chosen as it begins: the crank's end turns the crank, its length changes with Shift
+// the numbers a drag changes, chosen at its start: the crank's end turns the crank, with Shift its length changes
 /** @type {(mark: string, chosen: string, shift: boolean) => string[]} */
 export function handlesOf(mark, chosen, shift) {
   const own = data.drags[mark], { given, held } = data.drive, some = own?.filter(n => n !== given);
@@ -31,7 +31,7 @@ export function handlesOf(mark, chosen, shift) {
   return free.length ? free : names;
 }
 /** @type {(mark: string, names: string[], short?: number) => string} */
-export function naming(mark, names, short = 0) { // what changes, or how far short of its place a mark stays
+export function naming(mark, names, short = 0) { // the change, or the distance by which a mark misses its place
   const others = names[0] === data.drive.given && names.length === 1 ?
     data.drags[mark]?.filter(n => n !== names[0]) : [];
   const key = short === Infinity ? "follows_none" : others?.length ? "follows_shift" :
@@ -40,13 +40,13 @@ export function naming(mark, names, short = 0) { // what changes, or how far sho
   return sentence(text.replace("{others}", listed(others || [])).replace("{mm}", local(fixed(short, 2))), keyOf(mark));
 }
 /** @type {(mark: string, names: string[], target: Spot) => { short: number, text: string }} */
-export function pulled(mark, names, target) { // the mechanism follows, or it is said how far it cannot
+export function pulled(mark, names, target) { // the mechanism follows, or the sentence says by how much it cannot
   const moved = names.length && data.marks[mark] && live.turns(mark, names).flat().some(Boolean);
   const short = moved ? live.follow(mark, names, target) : Infinity;
   return { short, text: naming(mark, names, short) };
 }
 /** @type {(figure: any, event: PointerEvent, marks: string[]) => any} */
-function grip(figure, event, marks) { // the mark under the hand
+function grip(figure, event, marks) { // the mark under the pointer
   const r = figure.node.getBoundingClientRect(), q = [event.clientX - r.left, event.clientY - r.top];
   const near = event.pointerType === "touch" ? GRIP_TOUCH_PX : GRIP_PX;
   let best = null;
@@ -56,7 +56,7 @@ function grip(figure, event, marks) { // the mark under the hand
   }
   return best && best.mark;
 }
-// a figure whose marks are dragged: what is taken hold of says which numbers change; its view stands still meanwhile
+// a figure with marks to drag: the mark decides which numbers change; its view stays fixed meanwhile
 /** @type {(figure: any, marks: () => string[], take: (mark: string, shift: boolean) => string[],
  * drag: (mark: string, names: string[], place: Spot) => void, done: () => void) => void} */
 export function grips(figure, marks, take, drag, done) {

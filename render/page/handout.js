@@ -1,4 +1,4 @@
-// The lesson on paper: a page a plan, at the position shown, in its own millimetres where it fits; its steps beneath.
+// The lesson on paper: a page per plan, in the position shown, in true millimetres if it fits; its steps beneath.
 import { $ } from "./dom.js";
 import { lines } from "./equations.js";
 import { seenAt } from "./frames.js";
@@ -10,7 +10,7 @@ import { Scheme } from "./scheme.js";
 import { svg } from "./svg.js";
 import { filled, number, say, sentence } from "./words.js";
 const PAPER = 96 / 25.4, WIDE = 690, TALL = 269 * PAPER, BODY = [250, 215], ARMS = [300, 200];
-// how tall a figure, how large the type
+// the height of a figure, the size of the type
 const FITS = [[400, 1], [400, 0.93], [330, 1], [330, 0.9], [270, 0.9], [230, 0.85], [200, 0.8], [200, 0.72]];
 
 /** @type {() => { key: string, frames: number[] }[]} */
@@ -27,7 +27,7 @@ function parts() { // the frames of each plan; moments belong to the plan that n
 }
 /** @type {(key: string, k: number, most: number[], parent: Element, shown?: { full?: boolean,
  * frame?: Frame }) => boolean} */
-function drawn(key, k, most, parent, shown = {}) { // a figure no larger than that, at 1:1 if it can be
+function drawn(key, k, most, parent, shown = {}) { // a figure no larger than that, at 1:1 if possible
   const node = svg("svg", { class: "figure" }, parent);
   const figure = key === "position" ? new Scheme(node, data, most) : new Plan(node, data, most), seen = seenAt(k);
   const paint = () => figure.show(key, seen, shown.frame);
@@ -53,12 +53,12 @@ export function handout() {
       sheet(page, part, tall, own.join(""));
       return page.offsetHeight < TALL;
     };
-    FITS.some(fits) || fits(FITS[0]); // what no page holds takes two
+    FITS.some(fits) || fits(FITS[0]); // too much for a page: take two
   }
   $("handout").className = "";
 }
 /** @type {(page: HTMLElement, part: { key: string, frames: number[] }, tall: number, own: string) => void} */
-function sheet(page, { key, frames }, tall, own) { // a plan, the group it is of, its steps
+function sheet(page, { key, frames }, tall, own) { // a plan, its group, its steps
   const centres = key === "centres", of = centres ? "position" : key, last = frames[frames.length - 1];
   const p = data.plans.find(p => p.key === of);
   page.innerHTML = `<h2>${centres ? say("centres") : p.title[state.lang]}, μ = ${filled(p.mu[state.lang])} <small>${$(
@@ -73,7 +73,7 @@ function sheet(page, { key, frames }, tall, own) { // a plan, the group it is of
   frames.forEach(k => step(k, /** @type {Element} */ (page.lastElementChild)));
 }
 /** @type {(k: number, list: Element) => void} */
-function step(k, list) { // what is said of a frame; the equation it begins; the arms of a moment equation
+function step(k, list) { // the words of a frame; the equation it begins; the arms of a moment equation
   const f = data.frames[k], item = document.createElement("li"), onScheme = f.plan === "position";
   item.value = k + 1;
   const begins = f.equation !== null && data.frames.findIndex(g => g.equation === f.equation) === k && !onScheme;

@@ -1,4 +1,4 @@
-// What a reader's hand changes: the crank, the given numbers, what is dragged, the scale where a plan grows.
+// The reader's changes: the crank, the given numbers, dragged marks, the scale where a plan grows.
 import { writeAddress } from "./address.js";
 import { $, on } from "./dom.js";
 import { plan, scheme } from "./figures.js";
@@ -14,7 +14,7 @@ import { filled, local, number, plain, say, scaled, sentence } from "./words.js"
 const LOOK_MS = 180, REST_MS = 400;
 let resting = 0, looking = 0;
 
-export function heard() { // readers of the screen hear what there is once it has come to rest
+export function heard() { // screen readers announce the state once it has settled
   clearTimeout(resting);
   resting = setTimeout(() => {
     const parts = state.practising ? ["#task .said", "#h"] : ["#sentence", "#why", "#zone", "#large", "#follow"];
@@ -25,7 +25,7 @@ export function heard() { // readers of the screen hear what there is once it ha
 /** @type {(value: number) => void} */
 export function turn(value) { live.set({ [data.drive.given]: live.placed(value) }); writeAddress(); later(); }
 /** @type {(numbers: Numbers) => void} */
-function change(numbers) { // given numbers; the whole turn is looked at when they rest
+function change(numbers) { // given numbers; the whole turn is computed once they settle
   live.set(numbers);
   writeAddress();
   clearTimeout(looking);
@@ -62,7 +62,7 @@ export function crank() {
     e.disabled = state.practising;
   });
 }
-// a scale of the series at which a plan that has grown is as large as in its own position; null where it fits
+// a standard scale at which a grown plan is as large as in its given position; null where it fits
 /** @type {(key: string) => any} */
 function fitting(key) {
   const marks = plan.own(key), own = plan.box(marks, n => live.home(n)), now = plan.box(marks);
@@ -73,7 +73,7 @@ function fitting(key) {
   return [knob.given, +([5, 4, 2.5, 2, 1].find(m => m * power <= most * (1 + 1e-9)) * power).toPrecision(3)];
 }
 /** @type {(key: string) => void} */
-export function large(key) { // what a draughtsman does near a dead point: another scale, and it is said why
+export function large(key) { // a draughtsman's remedy near a dead point: another scale, with the reason
   const fit = key === "position" || live.failed ? null : fitting(key);
   if (!fit) { put("large", ""); return; }
   const button = `<button type="button" data-mu="${fit[1]}" data-given="${fit[0]}">${say("large_fit")}</button>`;
@@ -87,7 +87,7 @@ export function zones() { // positions that fail, and blunt ones, marked over th
     return `<i class="${z.kind}" title="${said(z)}" style="left:${left}%;width:${width}%"></i>`;
   }).join("");
 }
-export function knobs() { // every given number, to be typed or slid
+export function knobs() { // every given number, with a field and a slider
   const name = (/** @type {Knob} */ k) => k.plan ?
     `μ, ${data.plans.find(p => p.key === k.plan)?.title[state.lang].toLowerCase() ?? ""}` :
     html(k.name) + (k.when ? `, <small>${k.when[state.lang]}</small>` : "");
@@ -111,7 +111,7 @@ export function knobs() { // every given number, to be typed or slid
     `, ${k.when[state.lang]}` : ""}</option>`).join("");
   $("free").value = chosen;
 }
-// the crank goes round by itself, a turn in six seconds, there and back where it cannot
+// the crank turns automatically, a turn in six seconds, to and fro where it cannot go round
 /** @type {(on?: boolean) => void} */
 export function spin(on = !state.spin) {
   cancelAnimationFrame(state.spin);
@@ -155,7 +155,7 @@ for (const figure of [scheme, plan]) grips(figure, () => state.practising ? [] :
   (mark, shift) => { if (state.spin) spin(false); rested(); return take(mark, shift); },
   (mark, names, target) => drag(figure, mark, target, names), () => { rested(); later(); });
 /** @type {(way: () => boolean) => void} */
-function stepped(way) { // undone, or done again
+function stepped(way) { // undone, or redone
   if (state.practising) return;
   if (state.spin) spin(false);
   if (!way()) return;

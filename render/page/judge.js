@@ -5,7 +5,7 @@ export class Judge {
   /** @param {any} data */
   constructor(data) { this.data = data; this.rule = data.rule; this.tape = new Tape(data.tape); }
   /** @type {(marks: Mark[]) => Found} */
-  judge(marks) { // marks: {name, x, y, read}; the same with verdicts and misses, what is first wrong, the sentence
+  judge(marks) { // marks: {name, x, y, read}; the same with verdicts and misses, the first wrong one, the sentence
     const given = {}, rule = this.rule;
     for (const m of marks) Object.assign(given, { [m.key + ".x"]: m.x, [m.key + ".y"]: m.y, [m.key + "?"]: +m.read });
     this.tape.run({ ...this.data.earlier, ...given });
@@ -24,38 +24,38 @@ export class Judge {
     const other = wrong.length ? Math.log(rule.other) + rule.broad - this.mixed(misses.get(wrong[0])) : close ?
       rule.too_well : Infinity;
     if (ranked.length && ranked[0].score >= Math.max(0, other)) {
-      const [best, next] = ranked; // it beats "some other cause", or explains too well what is within limits
+      const [best, next] = ranked; // it beats "some other cause", or fits too well within limits
       if (!wrong.length) wrong = read.filter(m => m.name === best.v.blames).map(m => m.name);
       if (!next || best.score - next.score >= rule.margin) out.named = this.explained(best, out.limit);
     } else if (!wrong.length && ranked.length && ranked[0].score >= rule.as_well) out.asWell = ranked[0].v.blames;
-    wrong = wrong.filter((n, k) => !k || !fits(free.get(n))); // off a wrong mark, but where it should be
+    wrong = wrong.filter((n, k) => !k || !fits(free.get(n))); // displaced by a wrong mark, but in its right place
     out.first = out.named ? out.named.blames : wrong.length ? wrong[0] : null;
     this.verdicts(out, marks, misses, free, wrong);
     out.sentence = this.said(out, read, misses, wrong);
     return out;
   }
   /** @type {(miss: Miss) => number} */
-  mixed(miss) { // logarithm of the density of a miss: normal, but for now and then a slip
+  mixed(miss) { // logarithm of the density of a miss: normal, with occasional slips
     const { broad, slip } = this.rule, normal = Number.isFinite(miss.sigmas) ? miss.density : -Infinity;
     const high = Math.max(normal, broad), low = Math.min(normal, broad), likely = normal >= broad ? 1 - slip : slip;
     const a = high + Math.log(likely), b = low + Math.log(1 - likely), top = Math.max(a, b);
     return top + Math.log(Math.exp(a - top) + Math.exp(b - top));
   }
   /** @type {(plain: Map<string, Miss>, misses: Map<string, Miss>, suspects: string[], limit: number) => any[]} */
-  ranked(plain, misses, suspects, limit) { // the mistakes that touch a suspected mark, the likeliest first
+  ranked(plain, misses, suspects, limit) { // the mistakes that concern a suspected mark, the likeliest first
     const rule = this.rule, drawn = new Set([...misses.keys()].filter(n => !rule.absent.includes(n)));
     const groups = new Map();
     for (const v of this.data.variants) {
       const at = Object.entries(v.under).filter(([n]) => misses.has(n));
       const touched = new Map(at.map(([n, places]) => [n, this.tape.miss(places, rule.least)]));
       if (!suspects.some(n => touched.has(n) && Number.isFinite(touched.get(n).sigmas))) continue;
-      // shows by not being there
+      // shows by its absence
       const left_out = rule.left_out.some((/** @type {string} */ end) => v.mistake.endsWith(end));
       const own = touched.has(v.blames) ? [[v.blames, touched.get(v.blames)]] : [...touched];
       if (!left_out && !own.some(([n, miss]) => !(misses.get(n).moved(miss, plain.get(n)).sigmas <= limit))) continue;
       const under = givenBefore(new Map([...plain, ...touched]), rule.order, limit, rule.least);
       const at_it = under.get(v.blames);
-      // nearer to where it should be than to where this puts it
+      // nearer to its right place than to where this mistake puts it
       if (at_it && at_it.sigmas >= misses.get(v.blames).sigmas) continue;
       const likely = drawn.has(v.blames) !== left_out ? 1 : rule.undrawn;
       let score = Math.log(v.weight * likely);
@@ -92,7 +92,7 @@ export class Judge {
     }
   }
   /** @type {(read: Mark[], misses: Map<string, Miss>, limit: number, size: number) => number} */
-  chance(read, misses, limit, size) { // how likely marks put anywhere would be as right: see evidence.py
+  chance(read, misses, limit, size) { // the probability that random marks would be as right: see evidence.py
     const { gap, free, same } = this.rule, shares = gap ? [Math.min(gap * limit / size, 1) ** 2] : [], stand = [[0, 0]];
     for (const m of read) {
       const reach = limit * misses.get(m.name).mean;
@@ -100,12 +100,12 @@ export class Judge {
         stand.every(([x, y]) => Math.hypot(m.x - x, m.y - y) > reach)) shares.push(Math.min(reach / size, 1) ** 2);
       stand.push([m.x, m.y]);
     }
-    // of the surest, for a scale, the direction is left
+    // for a scale, the surest one keeps its direction
     const all = shares.reduce((a, b) => a * b, 1), surest = Math.min(...shares);
     return free && shares.length ? all / surest * Math.min(Math.sqrt(surest) / Math.PI, 1) : all;
   }
   /** @type {(name: string, read: Mark[], miss: Miss, fill: (text: string, names: any) => string) => string} */
-  off(name, read, miss, fill) { // what a wrong vector measures, and what it should from the marks before it
+  off(name, read, miss, fill) { // the measure of a wrong vector, and the right one from the marks before it
     const { said } = this.data, mark = read.find(m => m.name === name);
     const start = mark?.from === "p" ? { x: 0, y: 0 } : read.find(m => m.name === mark?.from);
     if (!mark || !start) return fill(said.unclear, { mark: name, off: miss.size.toFixed(1) });
@@ -116,7 +116,7 @@ export class Judge {
       angle: angle([x, y]), true_mm: Math.hypot(...right).toFixed(1), true_angle: angle(right) });
   }
   /** @type {(out: Found, read: Mark[], misses: Map<string, Miss>, wrong: string[]) => string} */
-  said(out, read, misses, wrong) { // the whole in a sentence, and its verdict
+  said(out, read, misses, wrong) { // the outcome in a sentence, and its verdict
     const { said, rule } = this.data;
     const fill = (/** @type {string} */ text, /** @type {any} */ names) => text.replace(/⟦(\w+)⟧/g,
       (/** @type {string} */ _, /** @type {string} */ k) => names[k]);

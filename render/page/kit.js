@@ -15,7 +15,7 @@ export const kit = {
   /** @type {(mark: string) => any} */
   figure(mark) { return mark.startsWith("position:") ? scheme : plan; },
   /** @type {(mark: string) => Spot} */
-  spot(mark) { // where a mark stands among the panels, px
+  spot(mark) { // the place of a mark among the panels, px
     const p = live.at(mark), f = this.figure(mark);
     return p && this.among(f, f.px(p));
   },
@@ -27,11 +27,11 @@ export const kit = {
   /** @type {(f: any) => Box} */
   box(f) { const [x, y] = this.among(f, [0, 0]); return [x, y, x + f.w, y + f.h]; },
   /** @type {() => any[]} */
-  acts() { // those whose marks stand apart
+  acts() { // those with distinct marks
     return this.frame.tools.map(t => KITS[t.tool](t)).filter(Boolean);
   },
   /** @type {(frame: any, moving: boolean) => void} */
-  show(frame, moving) { // the tools of a frame: carried and drawn with, or as they were left
+  show(frame, moving) { // the tools of a frame: in motion, or as they were left
     this.frame = frame;
     if (moving && frame.tools.length && !matchMedia("(prefers-reduced-motion: reduce)").matches) {
       this.from = performance.now();
@@ -42,7 +42,7 @@ export const kit = {
     this.moved = frame;
   },
   /** @type {(names: Set<string>) => void} */
-  await(names) { // letters of what is being drawn, which come when it is there
+  await(names) { // letters of the new marks, shown when these are drawn
     for (const f of [scheme, plan]) for (const [, , , label] of f.taken || [])
       label?.node?.classList.toggle("awaited", label.names.some((/** @type {string} */ n) => names.has(n)));
   },
@@ -50,14 +50,14 @@ export const kit = {
     const acts = this.acts(), past = performance.now() - this.from, k = Math.floor(past / ACT_MS);
     const ease = (/** @type {number} */ s) => s * s * (3 - 2 * s);
     if (k >= acts.length) { this.rest(); return; }
-    this.panels.classList.toggle("moving", this.frame.makes.length > 0); // what was there before a measure stays
+    this.panels.classList.toggle("moving", this.frame.makes.length > 0); // marks from before a measurement stay
     this.over.textContent = "";
     acts.slice(0, k).forEach(a => this.pose(a, 1, 1, false));
     const t = past - k * ACT_MS;
     this.pose(acts[k], ease(Math.min(1, t / CARRIED_MS)), Math.max(0, (t - CARRIED_MS) / (ACT_MS - CARRIED_MS)));
     this.next = requestAnimationFrame(() => this.move());
   },
-  rest() { // the last tool where it was drawn with
+  rest() { // the last tool at its last place
     if (this.next) cancelAnimationFrame(this.next);
     this.next = 0;
     this.panels.classList.remove("moving");
@@ -79,14 +79,14 @@ const mixed = (a, b, t) => a.map((v, k) => v + (b[k] - v) * t);
 /** @type {(a: Spot, b: Spot) => (share: number, over: Element) => void} */
 const ruled = (a, b) => (share, over) => path([a, mixed(a, b, share)], "pencil-line", false, over);
 /** @type {(t: Tool) => any} */
-function apart(t) { // the ends of what is drawn, the way between them, their distance; null where there is none
+function apart(t) { // the ends of the new segment, its direction and length; null where there is none
   const [a, b] = t.to.map(m => kit.spot(m));
   if (!a || !b) return null;
   const n = distance(a, b);
   return n < 1.5 ? null : { a, b, n, u: [(b[0] - a[0]) / n, (b[1] - a[1]) / n] };
 }
 /** @type {(t: Tool) => any} */
-function laidTo(t) { // what a set square is slid from: a place of a link or of a guide, and its direction
+function laidTo(t) { // where a set square slides from: a place of a link or of a guide, and its direction
   if (t.guide) {
     const l = data.scheme.links.find(l => l.slides === t.guide), g = data.scheme.guides.find(g => g.name === t.guide);
     const p = kit.spot(l ? l.points[0] : g.mark), w = live.angle("∥" + t.guide) * Math.PI / 180;
@@ -142,7 +142,7 @@ export const KITS = {
       } };
   },
   /** @type {(t: Tool) => any} */
-  dividers(t) { // a segment taken with two needles, and set down where it is wanted; off a scale, or to it
+  dividers(t) { // a segment taken with two needles, and set down in its place; from a scale, or to it
     const [from, to] = [t.from, t.to].map(ms => ms.map(m => kit.spot(m)));
     if ([...from, ...to].some(p => !p)) return null;
     const f = kit.figure((t.to[1] || t.from[1] || t.to[0]));
@@ -157,7 +157,7 @@ export const KITS = {
       ...legs({ n: distance(goal[0], goal[1]) }, s => [mixed(first[0], goal[0], s), mixed(first[1], goal[1], s)]) };
   },
   /** @type {(t: Tool) => Act | null} */
-  protractor(t) { // its zero along the line there is, an angle set off
+  protractor(t) { // its zero along the existing line, an angle set off
     const w = apart(t);
     if (!w) return null;
     const base = laidTo(t), u = base ? base.u : [1, 0], r = Math.min(72, 0.2 * kit.figure(t.to[0]).w);

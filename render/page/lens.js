@@ -1,4 +1,4 @@
-// What is under two millimetres of paper, drawn once more, larger, in a circle where there is room for it.
+// Details under two millimetres of paper, drawn again, larger, in a circle where there is room for it.
 import { Drawing } from "./drawing.js";
 import { distance, gap, union } from "./geometry.js";
 import { svg } from "./svg.js";
@@ -27,7 +27,7 @@ export class Lensed extends Drawing {
     this.settle();
   }
   /** @type {(r: number, m: Spot) => any} */
-  room(r, m) { // the emptiest place for a circle, as near as may be; null where there is none
+  room(r, m) { // the emptiest place for a circle, as near as possible; null where there is none
     let best = /** @type {any} */ (null);
     for (let x = r + 6; x <= this.w - r - 6; x += 14) for (let y = r + 24; y <= this.h - r - 22; y += 14) {
       const near = Math.hypot(x - m[0], y - m[1]);

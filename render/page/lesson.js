@@ -1,4 +1,4 @@
-// The stepper and the languages: reads the exported lesson, draws the frame in hand, keeps its place in the address.
+// The stepper and the languages: reads the exported lesson, draws the current frame, keeps its place in the address.
 import { readAddress, writeAddress } from "./address.js";
 import { coloured } from "./colour.js";
 import { curve, curveNames, curveOf } from "./curves.js";
@@ -39,7 +39,7 @@ function paint() {
     const p = data.plans.find(p => p.key === key);
     $("plan-title").textContent = `${p.title[state.lang]}, μ = ${mu(p)}`;
   }
-  if (state.spin && performance.now() - read < READ_MS) { // numbers are read eight times a second, figures move always
+  if (state.spin && performance.now() - read < READ_MS) { // numbers change eight times a second, figures each frame
     kit.show(null, false);
     coloured();
     relight();
@@ -97,7 +97,7 @@ language();
 draw();
 if (practice.seed) practice.toggle();
 else setTimeout(() => { live.scan(); zones(); later(); }, 60);
-globalThis.planes = { // by which a page is asked from outside
+globalThis.planes = { // the interface of the page for scripts
   $, ACT_MS, KITS, TOOLS, curveOf, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live,
   number, plain, plan, planOf, practice, renewed, rested, scheme, spin, state, task, turn,
 };

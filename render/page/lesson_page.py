@@ -14,33 +14,33 @@ SHARED = {key: key for key in ("scheme", "space_diagram", "formula", "nearest")}
     key: f"lesson_{key}"
     for key in ("ccw", "cw", "still", "zone_bad", "still_velocity", "still_acceleration", "still_special")
 }
-"""Words of the page that stand in other tables."""
+"""Words of the page from other tables."""
 NOSCRIPT = (
     "Страница рисует план сама: включите JavaScript. / The page draws the plans itself: please enable JavaScript."
 )
 
 
 def page(data: Json, lang: str, given: str = "") -> str:
-    """The whole page; one of a platform says what is ``given`` (HTML), and tells it its score.
+    """The whole page; for a platform with the ``given`` data (HTML), and a report of its score.
 
-    ``data`` is what :func:`planes.lesson.data.lesson_data` exports.
+    ``data`` is the result of :func:`planes.lesson.data.lesson_data`.
     """
     parts = {"given": given and f'<section id="given">{given}</section>\n'}
     return _whole(data, lang, "lesson", ("lesson", *["scorm"] * bool(given)), parts)
 
 
 def living_page(lang: str) -> str:
-    """The page without a lesson: it shows that of the page it stands in, ``planes.lesson``."""
+    """The page without a lesson: it shows the lesson of its host page, ``planes.lesson``."""
     return _whole(None, lang, "lesson", ("lesson",), {"given": ""})
 
 
 def letters_of(data: Json) -> Json:
-    """How every name of a lesson is lettered, by language."""
+    """The lettering of every name in a lesson, by language."""
     return written(_names(data), data["lettering"])
 
 
 def essay_page(data: Json, lang: str) -> str:
-    """A page of the essay, of what :func:`planes.lesson.essay.essay_data` exports."""
+    """A page of the essay, from the data of :func:`planes.lesson.essay.essay_data`."""
     return _whole(data, lang, "essay", ("essay",), {})
 
 
@@ -62,7 +62,7 @@ def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], pa
 
 
 def _names(thing: object, key: str = "") -> Iterator[str]:
-    """Every name the page may letter: of marks, of vectors and values, and all that stand in its sentences."""
+    """Every name the page may letter: of marks, of vectors and values, and all in its sentences."""
     if isinstance(thing, dict):
         yield from (lettered(n) for n in thing if key == "marks")
         for one, inside in thing.items():

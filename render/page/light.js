@@ -1,4 +1,4 @@
-// A name under the pointer, lit with its term, its segment and its link wherever they are.
+// A name under the pointer, highlighted with its term, its segment and its link wherever they are.
 import { on } from "./dom.js";
 import { data } from "./page.js";
 
@@ -19,7 +19,7 @@ function light(names, on) {
 export function relight() {
   document.querySelectorAll(".hover").forEach(e => e.classList.remove("hover"));
   light(lit, true);
-} // on a page drawn anew
+} // after redrawing
 for (const kind of ["mouseover", "mouseout"]) on(window, kind, e => {
   const t = e.target.closest("[data-name]");
   if (t) light(t.dataset.name.split(" "), kind === "mouseover");

@@ -1,4 +1,4 @@
-// The program at work: given numbers in, marks, values and failures out; what a whole turn shows; what follows a hand.
+// The program at work: given numbers in, marks, values and failures out; a whole turn; the numbers for a drag.
 import { clamp, dot, quantile, union } from "./geometry.js";
 import { labelOf } from "./letters.js";
 import { Tape } from "./tape.js";
@@ -24,7 +24,7 @@ export class Live {
   get altered() { return Object.keys(this.data.home).filter(n => n !== this.data.drive.given &&
     this.given[n] !== this.data.home[n] && this.data.knobs.some(k => k.given === n)); }
   /** @type {(numbers: Numbers) => void} */
-  set(numbers) { // what is tied to a number changes with it
+  set(numbers) { // numbers tied to a number change with it
     for (const k of this.data.knobs) if (numbers[k.given]) {
       for (const n of k.tied) this.given[n] *= numbers[k.given] / this.given[k.given];
       this.given[k.given] = numbers[k.given];
@@ -33,7 +33,7 @@ export class Live {
     this.run();
   }
   /** @type {(v: number) => number} */
-  placed(v) { // a value of the drive within its range; an angle goes round
+  placed(v) { // a position of the drive within its range; an angle wraps round
     const { from, to, symbol, held, at } = this.data.drive;
     if (held || (v >= from && v < to)) return held ? at : v; // exactly, where it is one
     return symbol === "φ" ? ((v - from) % 360 + 360) % 360 + from : clamp(v, from, to);
@@ -41,7 +41,7 @@ export class Live {
   /** @type {(given: Numbers) => void} */
   back(given) { this.given = { ...given }; this.run(); }
   reset() { this.back(this.data.home); this.scan(); }
-  lean() { // with a guide turned more is told: terms that are nothing with it as it stands
+  lean() { // with a guide turned there is more to say: terms that are zero in its original direction
     const leans = this.data.knobs.some(k => k.stays && this.given[k.given] !== k.at);
     if (leans === this.leans) return;
     this.leans = leans;
@@ -77,7 +77,7 @@ export class Live {
   }
   /** @type {(mark: string) => number} */
   sharpness(mark) { return this.tape.values[this.data.sharp[mark]]; }
-  scan(by = 1) { // a turn of the drive: where it fails or is blunt, what is in view, how far sliders run
+  scan(by = 1) { // a turn of the drive: where it fails or is blunt, the bounds of the view, the range of sliders
     const { from, to, at } = this.data.drive, now = this.drive, seen = /** @type {any[]} */ ([]), rows = [];
     for (let k = 0; k < (to > from ? TURN : 1); k += by) {
       this.set({ [this.data.drive.given]: from + k * (to - from) / TURN });
@@ -111,7 +111,7 @@ export class Live {
     return found.filter(z => z.kind);
   }
   get zone() { return this.zones.find(z => z.from <= this.drive && this.drive <= z.to); }
-  nearest() { // the nearest place of a turn that works, once the turn has been looked at
+  nearest() { // the nearest working position of a turn, once the turn is computed
     const { from, to } = this.data.drive, step = (to - from) / TURN;
     const bad = (/** @type {number} */ v) => this.zones.some(z => z.kind === "bad" && z.from <= v && v <= z.to);
     const q = Math.round((this.drive - from) / step);
@@ -123,7 +123,7 @@ export class Live {
     return null;
   }
   /** @type {() => Looked} */
-  look() { // the scheme's box, and how far each slider stands from its guide's mark
+  look() { // the scheme's box, and the distance of each slider from its guide's mark
     const { scheme, helpers } = this.data, box = [Infinity, Infinity, -Infinity, -Infinity];
     const runs = /** @type {Record<string, any>} */ ({});
     for (const n in this.data.marks) {
@@ -138,7 +138,7 @@ export class Live {
     return { box, runs };
   }
   /** @type {(boxes: Box[]) => Box} */
-  view(boxes) { // what is in view in most positions; the rest is followed as it leaves
+  view(boxes) { // the bounds in most positions; the view follows the rest
     const names = Object.keys(this.data.marks).filter(n => n.startsWith("position:") && n !== "position:p" &&
       !this.data.helpers.includes(n));
     const own = names.map(n => this.own[n]).filter(Boolean).reduce((b, p) => union(b, [...p, ...p]),
@@ -153,13 +153,13 @@ export class Live {
       Math.min(usual[3], my + side)]);
   }
   /** @type {(runs: number[]) => number[]} */
-  spread(runs) { // from where to where along a guide, in most positions
+  spread(runs) { // the interval along a guide, in most positions
     const size = Math.hypot(this.usual[2] - this.usual[0], this.usual[3] - this.usual[1]);
     if (!runs.length) return [0, 0];
     return [Math.max(Math.min(quantile(runs, 0.08), 0), -size), Math.min(Math.max(quantile(runs, 0.92), 0), size)];
   }
   /** @type {(mark: string, names: string[]) => number[][]} */
-  turns(mark, names) { // how a mark moves with each number, by as much of it as matters: two rows
+  turns(mark, names) { // how a mark moves with each number, by a typical change: two rows
     return this.data.marks[mark].map(place => {
       const g = this.tape.slopes(place);
       const own = (/** @type {string} */ n) => g[this.tape.givens[n]] || 0;
@@ -170,13 +170,13 @@ export class Live {
     });
   }
   /** @type {(name: string) => number} */
-  size(name) { // by how much of a number a hand moves at once
+  size(name) { // a typical change of a number by hand
     const { given, symbol, from, to } = this.data.drive, knob = this.data.knobs.find(k => k.given === name);
     if (name.startsWith("angle_") || (name === given && symbol === "φ")) return 20;
     return name === given ? to - from : (knob && knob.reach) || Math.abs(this.data.home[name]);
   }
-  // a force's own numbers (of a weight the mass); else the drive, or the number that moves a mark most where it
-  // stands, and another one
+  // a force's numbers (for a weight the mass); else the drive, or the number with the largest effect on a mark,
+  // and another one
   /** @type {(mark: string, chosen: string) => string[]} */
   handles(mark, chosen) {
     const name = labelOf(mark).replace(/^G_/, "m_"), force = mark.startsWith("force:") && !chosen;
@@ -188,7 +188,7 @@ export class Live {
   }
   /** @type {(mark: string, drive: string) => string} */
   handle(mark, drive) { // the number that, beside the drive, moves a mark most freely
-    const knobs = this.data.knobs.filter(k => k.at && !k.plan).map(k => k.given); // what is nothing stays so
+    const knobs = this.data.knobs.filter(k => k.at && !k.plan).map(k => k.given); // zeros stay zero
     const [x, y] = this.turns(mark, [drive, ...knobs]), far = Math.hypot(x[0], y[0]) || 1;
     let best = "", most = 1e-9;
     knobs.forEach((n, k) => {
@@ -198,7 +198,7 @@ export class Live {
     return best;
   }
   /** @type {(mark: string, names: string[], place: Spot) => number} */
-  follow(mark, names, [x, y]) { // damped least squares; by how many millimetres the mark stays short of the place
+  follow(mark, names, [x, y]) { // damped least squares; the distance in mm by which the mark misses the place
     const miss = () => { const p = this.failed ? null : this.at(mark); return p ? [x - p[0], y - p[1]] : null; };
     let off = miss(), damp = 1e-3;
     for (let k = 0; off && k < 60 && Math.hypot(...off) > REACHED / 100 && damp < 1e12; k++) {

@@ -1,4 +1,4 @@
-// Small pictures of mechanisms that move: what is drawn of a sketch, in one place or in one after another.
+// Small animated pictures of mechanisms: a sketch drawn in one position or in a sequence.
 import { svg } from "./svg.js";
 
 const ROUND_MS = 4000, SIDE = 4;
@@ -9,7 +9,7 @@ export function boxOf({ points, guides, motion }) {
   const xs = at.map(p => p[0]), ys = at.map(p => p[1]);
   return at.length ? [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)] : [-0.3, -0.2, 0.3, 0.2];
 }
-/** How a place of a sketch comes on a picture of w by h.
+/** The mapping of a sketch to a picture of w by h.
  * @type {(box: Box, w: number, h: number, edge: number) => View} */
 export function viewOf([x0, y0, x1, y1], w, h, edge) {
   const k = Math.min((w - 2 * edge) / Math.max(x1 - x0, 1e-6), (h - 2 * edge) / Math.max(y1 - y0, 1e-6), 4000);
@@ -56,7 +56,7 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
   const centre = p => held.filter(q => q === p).length === 1 && Object.values(sketch.links).some(l => l.centre === p &&
     l.points.length > 1) && !sketch.fixed.includes(p);
   for (const [name, g] of Object.entries(sketch.guides)) {
-    if (sketch.motion && g.link !== "0") continue; // it moves, and is not followed
+    if (sketch.motion && g.link !== "0") continue; // it moves without a known path
     const sliders = sketch.motion ? [] : Object.values(sketch.links).filter(l => l.slides === name);
     const own = Object.fromEntries(sliders.map(l => [l.points[0], points[l.points[0]]]).filter(([, p]) => p));
     const [a, b] = guideEnds(g, own, view, sketch.motion ? 40 : 55);
@@ -89,7 +89,7 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
     if (names) svg("text", { x: p[0] + 8, y: p[1] - 8, class: "label" }, parent, name);
   }
 }
-/** A sketch that goes through its motion while it is seen. @type {(node: SVGSVGElement, sketch: Sketch) => void} */
+/** A sketch animated while it is visible. @type {(node: SVGSVGElement, sketch: Sketch) => void} */
 export function moving(node, sketch) {
   const w = 220, h = 150, view = viewOf(boxOf(sketch), w, h, 20), many = Object.values(sketch.motion ?? {})[0]?.length;
   node.setAttribute("viewBox", `0 0 ${w} ${h}`);

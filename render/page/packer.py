@@ -1,7 +1,7 @@
-"""Modules of the pages put into one script: each once, after those it imports, in one scope that is the page's own.
+"""Modules of the pages packed into one script: each once, after its imports, in the single scope of the page.
 
-As a module writes its names, so they stand: two modules of a page that give one name to two things are refused, and so
-are modules that import each other, or a name that nobody exports.
+Names are kept as written. Two modules of a page that declare the same name are refused, and so are circular imports and
+names that nobody exports.
 """
 
 import re
@@ -15,12 +15,12 @@ _DECLARED = re.compile(
 )
 _INNER = re.compile(r'"[^"]*"|`[^`]*`|\([^()]*\)|\{[^{}]*\}|(?<=[=,] )\[[^\[\]]*\]')
 _NAME = re.compile(r"(?:^|, )([\w$]+)(?=[ ,(;\]])")
-_TOLD = r"/\*\*(?:(?!\*/).)*\*/"  # types, which a browser does not ask for
+_TOLD = r"/\*\*(?:(?!\*/).)*\*/"  # types, which a browser does not need
 _REMARK = re.compile(rf"^ *//[^\n]*\n|^ *{_TOLD}\n| +// [^\n]*$|{_TOLD} |^ +|^export ", RE)
 
 
 def packed(*entries: str) -> str:
-    """One script of modules and all they import, without indents and remarks."""
+    """One script of modules and all their imports, without indentation and comments."""
     order: dict[str, str] = {}
     for entry in entries:
         _add(entry, (), order)
@@ -33,7 +33,7 @@ def packed(*entries: str) -> str:
 
 
 def _add(module: str, way: tuple[str, ...], order: dict[str, str]) -> None:
-    """A module after those it imports; ``way`` is who asked for it."""
+    """Add a module after its imports; ``way`` is the chain of importers."""
     if module in way:
         raise ValueError(f"modules go round: {' → '.join((*way, module))}; move what both need to a third")
     if module in order:
@@ -53,7 +53,7 @@ def _text(module: str) -> str:
 
 @cache
 def _names(module: str) -> dict[str, str]:
-    """What a module declares, and whether it exports it."""
+    """The names a module declares, and whether it exports them."""
     exports = {}
     for export, named, declared, _ in _DECLARED.findall(_text(module)):
         shorter = _INNER.sub("", declared)

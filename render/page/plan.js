@@ -1,4 +1,4 @@
-// A plan of velocities, accelerations or forces, or Zhukovsky's lever, as far as it is drawn.
+// A velocity, acceleration or force plan, or Zhukovsky's lever, as far as it is drawn.
 import { born } from "./frames.js";
 import { distance, union } from "./geometry.js";
 import { Lensed } from "./lens.js";
@@ -11,7 +11,7 @@ export class Plan extends Lensed {
   places = /** @type {Ends[]} */ ([]); // of forces
   drawn = /** @type {Shown[]} */ ([]);
   /** @type {(key: string) => Box} */
-  frame(key) { // the plan in its own position fills the panel; one that grows is followed, up to three times
+  frame(key) { // the plan in its given position fills the panel; the view follows a growing one, up to three times
     const marks = this.own(key), now = this.box(marks), own = this.box(marks, n => live.home(n)) || now || [0, 0, 1, 1];
     if (!now || live.at_home) return own;
     const far = 3 * Math.max(own[2] - own[0], own[3] - own[1], 10), mx = (own[0] + own[2]) / 2;
@@ -73,7 +73,7 @@ export class Plan extends Lensed {
     const on = s.names.some(n => lit.has(n));
     const kind = (whole ? "result" : "part") + (on ? " lit" : "");
     this.drawn.push({ a, b, kind, names: s.names });
-    if (force && s.sum) [a, b] = this.aside(a, b); // the others stand where the polygon has them, head to tail
+    if (force && s.sum) [a, b] = this.aside(a, b); // the others are in the polygon, head to tail
     this.arrow(a, b, kind, s.names.join(" "));
     if (force && distance(a, b) > 1) {
       this.places.push([a, b]);
@@ -81,12 +81,12 @@ export class Plan extends Lensed {
     }
   }
   /** @type {() => Spot[]} */
-  numbered() { // the ends of forces that lie upon each other, along the polygon
+  numbered() { // the ends of overlapping forces, along the polygon
     const lying = this.places.filter(p => this.places.some(o => o !== p && upon(p[0], p[1], o)));
     return lying.flat().filter((q, k, all) => all.findIndex(o => distance(o, q) < SAME_PX) === k);
   }
   /** @type {(a: Spot, b: Spot) => Ends} */
-  aside(a, b) { // a sum of forces stands beside what it lies upon, with ticks to its ends
+  aside(a, b) { // a sum of forces is drawn beside the forces it overlaps, with ticks to its ends
     const n = distance(a, b), x = (b[1] - a[1]) / n, y = (a[0] - b[0]) / n;
     if (n < 1) return [a, b];
     for (const k of [0, 1, -1, 2, -2, 3, -3]) {

@@ -1,4 +1,4 @@
-// Practice: what is asked of the reader, in whatever sensible order; answers are judged by the mistakes on the
+// Practice: questions to the reader, in any sensible order; answers are judged by the mistakes on the
 // lesson's tape.
 import { writeAddress } from "./address.js";
 import { best, chosen, holds, taken } from "./choices.js";
@@ -54,7 +54,7 @@ export const practice = {
     writeAddress();
   },
   /** @type {(index: number) => void} */
-  take(index) { // a question in hand: the drawing as far as it is
+  take(index) { // open a question: the drawing so far
     Object.assign(this, { index, tries: 0, marks: {} });
     state.frame = this.item.frame;
     desk.clear();
@@ -67,7 +67,7 @@ export const practice = {
     draw();
   },
   get laid() { return !data.traces[this.item.what]; },
-  seen() { // what is drawn: what was asked and done, and what needs nothing else
+  seen() { // the drawing: answered questions, and steps that need no answer
     const pole = this.frame.plan + ":p";
     if (this.kept?.done === this.done && this.kept.size === this.done.size) return this.kept.seen.add(pole);
     const asked = new Set(this.items.filter(t => t.kind === "mark").map(t => t.what)), seen = new Set(["position:p"]);
@@ -86,27 +86,27 @@ export const practice = {
     const t = this.items[k], f = data.frames[t.frame], seen = this.seen(), trace = data.traces[t.what] || {};
     const own = (/** @type {Question} */ o) => data.frames[o.frame].chapter === f.chapter;
     const first = (/** @type {Question} */ o) => own(o) ? chosen(o) || t.kind === "mu" : false;
-    // what is chosen is chosen first
+    // choices come first
     if (this.items.some((o, i) => i < k && !this.done.has(i) && first(o))) return false;
     if (t.kind !== "mark") return this.items.every((o, i) => i >= k || o.kind !== "mark" || this.done.has(i));
     return [...f.uses, ...(trace.lines || []),
       ...(trace.arcs || [])].every(n => seen.has(n) || n.endsWith(":p") ||
       !this.items.some(o => o.kind === "mark" && o.what === n));
   },
-  open() { // the questions of the plan in hand that may be answered, and the first of each other
+  open() { // the questions of the current plan that may be answered, and the first of each other
     const all = this.items.map((_, k) => k).filter(k => this.free(k));
     const plan = (/** @type {number} */ k) => data.frames[this.items[k].frame].plan;
     return all.filter((k, i) => plan(k) === this.frame.plan || all.findIndex(o => plan(o) === plan(k)) === i);
   },
   /** @type {(key: string) => number} */
-  size(key) { // how large a plan is: the farthest of its marks
+  size(key) { // the size of a plan: the distance of its farthest mark
     return Math.max(0, ...this.items.filter(t => t.kind === "mark" &&
       t.what.startsWith(key + ":")).map(t => live.at(t.what) ? Math.hypot(...live.at(t.what)) : 0));
   },
   /** @type {(mark: string) => number} */
   allowed(mark) { return Math.max(JUDGING.fits_mm, JUDGING.fits_share * this.size(keyOf(mark))); },
   /** @type {(mark: string) => number} */
-  fits(mark) { // nearer to its place than to where any mistake puts it, as far as a hand can
+  fits(mark) { // nearer to its place than to any mistake, within the limits of a hand
     const p = live.at(mark), wrong = this.slips(mark).map(s => distance(p, s.place));
     return Math.max(JUDGING.least_mm, Math.min(this.allowed(mark), ...wrong.map(d => d / 2)));
   },
@@ -157,7 +157,7 @@ export const practice = {
     if (next === undefined) { this.over = true; desk.clear(); draw(); } else this.take(next);
   },
   /** @type {(fit: any[]) => string} */
-  named(fit) { // every mistake that leads to this answer: told apart only where the tolerance allows
+  named(fit) { // every mistake that leads to this answer: distinguished only where the tolerance allows
     return [...new Set(fit.map(([m, names]) => this.sentence(m, names)))].join(`; ${say("or_else")} `);
   },
   /** @type {(mistake: string, names: any[]) => string} */
@@ -190,7 +190,7 @@ export const practice = {
     this.answer(at, other ? say("other_mark").replace("{mark}", `⟨${labelOf(other.what)}⟩`) : this.named(fit));
   },
   /** @type {(s: Pencil) => void} */
-  stroke(s) { // a line or an arc on the way to a mark of this plan; the mistakes it may come from
+  stroke(s) { // a line or an arc on the way to a mark of this plan; the possible mistakes behind it
     const open = this.open().map(k => this.items[k]).filter(t => t.kind === "mark" &&
       t.what.startsWith(this.frame.plan + ":"));
     const wrong = !open.some(t => desk.off(s, live.at(t.what)) <= this.fits(t.what));
@@ -210,7 +210,7 @@ export const practice = {
   stood(s) { return s.at.map(v => v.toFixed(1)).join(); },
   /** @type {(kind: string, what: any) => boolean} */
   waits(kind, what) { return this.on && this.items.some((t, k) => t.kind === kind && t.what === what &&
-    !this.done.has(k)); }, // whether something is still to be chosen
+    !this.done.has(k)); }, // whether a choice is still open
   /** @type {(text: string) => void} */
   number(text) { // a value
     const given = parseFloat(String(text).replace(",", ".").replace("−", "-")), t = this.item;

@@ -1,4 +1,4 @@
-// What is wrong in the text, at its line, with what would be right as buttons; an assembly is chosen by its picture.
+// Errors in the text, at their lines, with corrections as buttons; an assembly is chosen by its picture.
 import { bench, say } from "./bench.js";
 import { ask } from "./carrier.js";
 import { $, on, safe } from "./dom.js";
@@ -24,7 +24,7 @@ export function problems(found) {
   });
   numbered();
 }
-/** The lines a hand has changed. @type {(found: number[]) => void} */
+/** The lines changed by hand. @type {(found: number[]) => void} */
 export function touched(found) {
   lines = found;
   numbered();

@@ -1,4 +1,4 @@
-// Text of the page: where only numbers have changed, no element is made anew.
+// Text of the page: where only numbers have changed, no element is replaced.
 import { $ } from "./dom.js";
 
 const shown = /** @type {Record<string, any>} */ ({}), TAG = /(<[^>]*>)/, VALUE = /="[^"]*"/g;

@@ -1,15 +1,15 @@
-// Lines of reckoning as mathematics: fractions as fractions, names that light what they name, numbers of the position.
+// Lines of calculation as mathematics: fractions, names that highlight their objects, numbers of the position.
 import { safe } from "./dom.js";
 import { html } from "./letters.js";
 import { data, live, state } from "./page.js";
 import { filled, say, sentence } from "./words.js";
 const STILL_MM = 1e-4;
-export const notes = /** @type {((f: Frame) => string)[]} */ ([]); // what another module has to say of a frame
+export const notes = /** @type {((f: Frame) => string)[]} */ ([]); // additions to a frame by other modules
 
 /** @type {(f: Frame) => string} */
-export function noted(f) { return stands(f) + notes.map(more => more(f)).join(""); } // what holds here alone
+export function noted(f) { return stands(f) + notes.map(more => more(f)).join(""); } // for this position only
 /** @type {(f: Frame) => string} */
-function stands(f) { // that the point whose vector ends here stands still, where it does
+function stands(f) { // the sentence that the point whose vector ends here is at rest, if it is
   const p = f.still && live.at(f.makes[0]), names = f.still;
   if (!p || Math.hypot(...p) >= STILL_MM) return "";
   return " " + say(`still_${names.said}`).replace(/{(\w+)}/g, (_, k) => names[k]);
@@ -21,7 +21,7 @@ export function inWords(f) { // a frame's sentence with its lines in words
 /** @type {(r: Row) => string} */
 function unitOf(r) { return r.unit ? data.reckoned.units[r.unit][state.lang] : ""; }
 /** @type {(r: Row) => string} */
-function rowText(r) { // as the engine words it
+function rowText(r) { // in the engine's wording
   if (!r.numbers) return `⟨${r.name}⟩ = 0`;
   const head = r.head || `⟨${r.name}⟩`, found = head.includes("·") ? `; ⟨${r.name}⟩` : "", unit = unitOf(r);
   const arm = r.arm ? ` (⟨${r.arm}⟩ = ⟦a¦${r.arm}⟧ ${data.reckoned.units.m[state.lang]})` : "";
@@ -30,7 +30,7 @@ function rowText(r) { // as the engine words it
   return text + (r.turns ? ` (⟦s¦${r.name}⟧)` : "");
 }
 /** @type {(f: Frame) => string} */
-export function typeset(f) { // what is done, the lines beneath each other, what is said of them
+export function typeset(f) { // the action, the lines beneath each other, the remarks
   if (!f.rows.length) return sentence(f.said[state.lang], f.plan);
   const [lead, ...tail] = f.said[state.lang].split(/⟪\d+⟫(?:; ⟪\d+⟫)*/);
   const rest = tail.join("").replace(/^[.;:,]\s*/, "");
@@ -39,7 +39,7 @@ export function typeset(f) { // what is done, the lines beneath each other, what
   return `${sentence(lead, f.plan)}<div class="rows${many}">${rows}</div>${sentence(rest, f.plan)}`;
 }
 /** @type {(r: Row, key: string) => string} */
-function setLine(r, key) { // name = letters = numbers = value unit, each a piece that may go to the next line
+function setLine(r, key) { // name = letters = numbers = value unit, with possible line breaks between the pieces
   const unit = `<mspace width=".2em"/><mtext>${safe(unitOf(r))}</mtext>`;
   const sign = r.turns ? `<span class="sense">${sentence(`(⟦s¦${r.name}⟧)`, key)}</span>` : "";
   const value = `<mo>=</mo>${added(filled(r.value), key)}${unit}`, name = `⟨${r.name}⟩`;
@@ -68,7 +68,7 @@ function wrapped(text, key) { // a side, each of its terms a piece
 /** @type {(inner: string) => string} */
 function math(inner) { return `<math displaystyle="true"><mrow>${inner}</mrow></math>`; }
 /** @type {(text: string, by: string[]) => string[]} */
-function pieces(text, by) { // at a sign that stands in no brackets
+function pieces(text, by) { // at a sign outside brackets
   const found = [""];
   let deep = 0;
   for (const piece of text.split(/( [·+−/=] |[()])/)) {

@@ -1,4 +1,4 @@
-// The scheme of the mechanism: links, hinges, guides, sliders, and what acts on them.
+// The scheme of the mechanism: links, hinges, guides, sliders, and the forces on them.
 import { Drawing } from "./drawing.js";
 import { born } from "./frames.js";
 import { distance, union } from "./geometry.js";
@@ -6,7 +6,7 @@ import { labelOf } from "./letters.js";
 import { live, state } from "./page.js";
 import { end, svg } from "./svg.js";
 
-// what another module draws over it: the figure, the frame, what is seen
+// additions by other modules: the figure, the frame, the visible marks
 export const overlays = /** @type {((figure: Scheme, frame: any, seen: Set<string>) => void)[]} */ ([]);
 
 export class Scheme extends Drawing {
@@ -55,7 +55,7 @@ export class Scheme extends Drawing {
     end();
   }
   /** @type {(drawn: Statics, there: There, loaded: boolean) => void} */
-  standing(drawn, there, loaded) { // strings and lines of action, signs of supports, loads where they act: not to scale
+  standing(drawn, there, loaded) { // strings, lines of action, supports, loads at their points: not to scale
     this.strokesOf(drawn, "position", there);
     for (const s of drawn.signs) if (s.kind !== "hinge" && there(s.mark)) this.sign(there(s.mark), s);
     for (const f of loaded ? drawn.loads : []) {
@@ -84,7 +84,7 @@ export class Scheme extends Drawing {
       this.strokes.push([at(0, 0), at(-9, 13)], [at(0, 0), at(9, 13)], [at(-15, 19), at(15, 19)]);
     }
   }
-  // the links of a group by themselves, with the forces laid off so far where they act, as long as on the plan
+  // the free body of a group, with the forces laid off so far at their points, as long as on the plan
   /** @type {(frame: Frame) => void} */
   loaded(frame) {
     const upto = this.data.frames.indexOf(frame);
@@ -102,11 +102,11 @@ export class Scheme extends Drawing {
     }
   }
   /** @type {(name: string) => number} */
-  introduced(name) { // the frame that tells of the point under a slider
+  introduced(name) { // the frame that explains the point under a slider
     return this.first[name] ??= this.data.frames.findIndex(f => f.key === "equation" && f.why.en.includes(`⟨${name}⟩`));
   }
   /** @type {(frame: Frame) => void} */
-  carried(frame) { // a relative vector at its point, and which way it turns the link
+  carried(frame) { // a relative vector at its point, and the sense in which it turns the link
     const { vector, rate, point, about } = frame.turns;
     const s = this.data.segments.find(s => s.plan === frame.plan && s.names.includes(vector));
     const [p, o] = [point, about].map(n => this.spot(n));
@@ -131,7 +131,7 @@ export class Scheme extends Drawing {
     if (!p || angle == null) return;
     const c = Math.cos(angle * Math.PI / 180), s = -Math.sin(angle * Math.PI / 180), fixed = g.link === "0";
     let [lo, hi] = live.reach[g.name];
-    for (const l of this.data.scheme.links) if (l.slides === g.name) { // never short of its slider
+    for (const l of this.data.scheme.links) if (l.slides === g.name) { // at least to its slider
       const q = there(l.points[0]);
       if (q) { const t = ((q[0] - p[0]) * c + (q[1] - p[1]) * s) / this.k; lo = Math.min(lo, t); hi = Math.max(hi, t); }
     }
@@ -145,7 +145,7 @@ export class Scheme extends Drawing {
     const pts = l.points.map(there).filter(Boolean);
     const cls = "link" + (l.name === this.data.scheme.driver ? " driver" : "") + away;
     const shape = hull(pts), { drawn } = this.data.scheme;
-    if (drawn) pts.slice(1).forEach((p, k) => this.line(pts[k], p, cls, "link:" + l.name)); // as it is bent
+    if (drawn) pts.slice(1).forEach((p, k) => this.line(pts[k], p, cls, "link:" + l.name)); // including its bends
     else if (shape.length > 2) {
       svg("polygon", { points: shape.map(p => p.map(v => v.toFixed(1)).join(",")).join(" "), class: cls,
         "data-name": "link:" + l.name }, this.node);
@@ -176,7 +176,7 @@ export class Scheme extends Drawing {
       [p[0] + c + k * w[0], p[1] + s + k * w[1]]]);
   }
   /** @type {(l: Link, p: Spot, o: Spot) => void} */
-  rounded(l, p, o) { // a block on an arc, and the arc on its outer side, hatched where it is the frame's
+  rounded(l, p, o) { // a block on an arc, and the arc on its outer side, hatched if it is the frame's
     if (!p || !o) return;
     const u = this.size ? 0.75 : 1, r = distance(o, p) + 11 * u, here = Math.atan2(p[1] - o[1], p[0] - o[0]);
     const half = Math.min(62 * u / r, Math.PI);

@@ -1,4 +1,4 @@
-// Tells a platform (SCORM 1.2) how far the practice is: its score in per cent, and when the lesson is over.
+// Reports the progress of the practice to a platform (SCORM 1.2): its score in per cent, and the end of the lesson.
 import { on } from "./dom.js";
 import { data } from "./page.js";
 import { practice } from "./practice.js";

@@ -1,4 +1,4 @@
-// A scene in the address: pressed and written in letters after the #, so that a link is the mechanism.
+// A scene in the address: compressed and written in letters after the #, so that a link contains the mechanism.
 const LETTERS = /[-_]/g, KEPT = 20, SHELF = "planes.scenes";
 
 /** @type {(bytes: Uint8Array) => string} */
@@ -20,7 +20,7 @@ export async function pressed(text) {
 export async function unpressed(text) {
   return new TextDecoder().decode(await sent(bytesOf(text), new DecompressionStream("deflate-raw")));
 }
-/** What the address says: a scene of its own, or the name of one of the gallery. @type {() => URLSearchParams} */
+/** The contents of the address: a scene, or the name of one of the gallery. @type {() => URLSearchParams} */
 export function asked() { return new URLSearchParams(location.hash.slice(1)); }
 
 /** @type {() => { title: string, text: string, when: number }[]} */
@@ -31,5 +31,5 @@ export function kept() { // the last scenes on this machine, the latest first
 export function keep(title, text) {
   const others = kept().filter(one => one.text !== text && one.title !== title);
   const all = [{ title, text, when: Date.now() }, ...others].slice(0, KEPT);
-  try { localStorage.setItem(SHELF, JSON.stringify(all)); } catch { /* a private window keeps nothing */ }
+  try { localStorage.setItem(SHELF, JSON.stringify(all)); } catch { /* a private window stores nothing */ }
 }

@@ -1,4 +1,4 @@
-// The stepper: one frame after another, by buttons, keys or by itself, and what is told of each.
+// The stepper: one frame after another, by buttons, keys or automatically, and the words of each.
 import { writeAddress } from "./address.js";
 import { $, on, safe } from "./dom.js";
 import { clamp } from "./geometry.js";
@@ -10,11 +10,11 @@ import { SCHEME, say, sentence } from "./words.js";
 
 let faced = /** @type {any} */ (null), roomy = true;
 
-// on a narrow screen one figure is seen: the one the step is drawn on; the other is a swipe away
+// on a narrow screen one figure is visible: that of the step; the other is a swipe away
 /** @type {(f: Frame, resized: boolean) => void} */
 export function facing(f, resized) {
   const panels = document.querySelector(".panels"), on = f.plan !== "position" && !f.turns ? 1 : 0;
-  if (faced === f && !(roomy && resized)) return; // to ask how wide it is lays the page out
+  if (faced === f && !(roomy && resized)) return; // reading the width forces a layout
   faced = f;
   roomy = panels.scrollWidth <= panels.clientWidth + 2;
   if (roomy) return;
@@ -31,7 +31,7 @@ export function contents() { // the plans in their order, each by its title
 /** @type {(f: Frame) => void} */
 export function told(f) {
   $("number").textContent = `${state.frame + 1} / ${data.frames.length}`;
-  // what is not there is not told
+  // missing parts are not mentioned
   put("sentence", live.failed ? say("zone_bad") : typeset(f) + sentence(noted(f), f.plan));
   put("why", live.failed ? "" : sentence(f.why[state.lang], f.plan));
   $("back").disabled = state.frame === 0;
@@ -41,7 +41,7 @@ export function told(f) {
   $("progress").setAttribute("aria-valuetext", $("number").textContent);
 }
 /** @type {(frame: number) => void} */
-export function go(frame) { // one forward with the tools at work
+export function go(frame) { // one step forward with the tools in motion
   const next = clamp(frame, 0, data.frames.length - 1), forward = next === state.frame + 1;
   state.frame = next;
   writeAddress();

@@ -1,4 +1,4 @@
-// The studio: one text, seen as a lesson, drawn on a canvas, shared as a link; whatever changes it, it is asked anew.
+// The studio: one text, shown as a lesson, drawn on a canvas, shared as a link; every change asks the engine again.
 import { bench, say, words } from "./bench.js";
 import { canvas, fit, listen, NOTHING, paint, show, sized, TOOLS } from "./canvas.js";
 import { ask, engine, wake, way } from "./carrier.js";
@@ -25,7 +25,7 @@ function turnTo(view) {
   if (view === "draw") fit();
   if (view === "gallery") gallery();
 }
-/** A text in hand, and from where: what is told anew. @type {(text: string, from?: string) => Promise<void>} */
+/** Open a text, with its origin, and update everything. @type {(text: string, from?: string) => Promise<void>} */
 async function take(text, from = "") {
   if (text !== bench.text && bench.text) { past.push(bench.text); future.length = 0; }
   bench.text = text;
@@ -55,11 +55,11 @@ async function renewal(from) {
   }
   void address();
 }
-async function sketched() { // what the canvas shows of a text
+async function sketched() { // the sketch of a text for the canvas
   const answer = await ask({ ask: "sketch", text: bench.text, lang: bench.lang });
   if (answer) show(answer.sketch ?? null);
 }
-async function prepared() { // a lesson of the gallery as it was made beforehand, while the engine comes or is not there
+async function prepared() { // a prepared lesson of the gallery, while the engine loads or is missing
   if (!bench.name) return;
   const found = await fetch(`lessons/${bench.name}.txt`).then(async r =>
     r.ok ? JSON.parse(await unpressed(await r.text())) : null).catch(() => null);
@@ -78,7 +78,7 @@ function seen(answer) {
   shown = answer;
   shownShape = shape;
   globalThis.planes.lesson = answer;
-  if (same) { // the tape that is there already, with other numbers
+  if (same) { // the existing tape, with other numbers
     Object.assign(own.data.home, answer.data.home);
     own.data.knobs.forEach((/** @type {Knob} */ k, /** @type {number} */ n) => { k.at = answer.data.knobs[n].at; });
     own.renewed();
@@ -86,11 +86,11 @@ function seen(answer) {
   }
   const stays = own?.state && own.data.frames.length === answer.data.frames.length;
   const told = stays ? own.state.frame : answer.data.frames.findLastIndex((/** @type {Frame} */ f) =>
-    f.plan === "velocity"); // first the velocity plan as it is when it is done
+    f.plan === "velocity"); // start with the finished velocity plan
   const step = (told < 0 ? answer.data.frames.length - 1 : told) + 1;
   frame.src = `lesson.html?${Date.now()}#step=${step}&lang=${bench.lang}`;
 }
-on(frame, "load", () => { // a hand in the lesson changes numbers: they are written back
+on(frame, "load", () => { // numbers changed in the lesson are written back
   const inner = frame.contentWindow;
   if (!inner) return;
   on(inner, "rested", async e => {
@@ -113,13 +113,13 @@ function back(from, to) {
   $("scene").value = bench.text;
   void renewal("undo");
 }
-const metres = () => +$("width").value.replace(",", "."); // as it is typed; NaN of what is no number
-function labelled() { // what the number beside the picture beneath is: of a length drawn along it, or of all of it
+const metres = () => +$("width").value.replace(",", "."); // while typing; NaN for anything but a number
+function labelled() { // the meaning of the number beside the picture beneath: a length drawn on it, or its whole width
   document.querySelector("[data-word=underlay_width]").textContent =
     say(canvas.ruled ? "underlay_length" : "underlay_width");
 }
 canvas.changed = async (what, more) => {
-  if (what === "measure") { // the field asks for the length that was drawn along
+  if (what === "measure") { // the field is for the length drawn
     labelled();
     $("width").value = "";
     $("width").focus();
@@ -127,7 +127,7 @@ canvas.changed = async (what, more) => {
   }
   const { text, lang } = bench;
   const load = more?.load && `{link: ${linkOf(more.load)}, point: ${more.load}, force: 100, against: motion}`;
-  if (!Object.keys(canvas.sketch.links).length) return; // nothing to be said yet
+  if (!Object.keys(canvas.sketch.links).length) return; // nothing to report yet
   const answer = await ask(load ? { ask: "append", text, lang, path: ["loads"], value: load } :
     more?.mass ? { ask: "put", text, lang, path: ["links", more.mass, "mass"], value: "1" } :
       { ask: "drawn", text, lang, sketch: canvas.sketch });
@@ -158,7 +158,7 @@ function spoken() {
   $("lang").innerHTML = Object.keys(words).map(l => `<option value="${l}"${l === bench.lang ? " selected" : ""}>${
     words[l].language}</option>`).join("");
 }
-/** A scene of the gallery, or one of its own. @type {(text: string, name: string) => void} */
+/** A scene of the gallery, or another one. @type {(text: string, name: string) => void} */
 function open(text, name) {
   bench.name = name;
   past.length = future.length = 0;
@@ -225,7 +225,7 @@ on($("underlay"), "change", () => {
   };
   picture.src = URL.createObjectURL(file);
 });
-on($("width"), "change", () => { // of the picture, or of the length that was drawn along
+on($("width"), "change", () => { // of the picture, or of the length drawn on it
   if (canvas.ruled) sized(metres());
   else if (canvas.under) canvas.under.width = metres() || 0.6;
   paint();

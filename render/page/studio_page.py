@@ -1,6 +1,7 @@
-"""The page of the studio, and what carries its messages: the answers of ``planes.studio`` with letters to show them by.
+"""The page of the studio, and the carrier of its messages: the answers of ``planes.studio`` with the lettering to show
+them.
 
-Needs neither numpy nor what draws on paper: a browser's worker runs it as it is.
+Needs neither numpy nor the paper drawing code: a browser's worker runs it unchanged.
 """
 
 import json
@@ -12,7 +13,7 @@ from render.page import packer, web_page
 from render.page.lesson_page import NOSCRIPT, letters_of, living_page
 
 ALLOWED = "connect-src 'self'; frame-src 'self' blob:; worker-src 'self'; font-src data:; "
-"""What the studio asks besides: its own server or folder, the lesson in a frame, the worker."""
+"""The studio's other requests: its server or folder, the lesson in a frame, the worker."""
 
 
 FILES = {
@@ -29,11 +30,11 @@ FILES = {
     "plan.ggb": ("sheet",),
     "plan.tex": ("sheet",),
 }
-"""The files that may be taken away, each with its command: those of ``cycle`` are of a mechanism alone."""
+"""The downloads, each with its command: those of ``cycle`` are for a mechanism only."""
 
 
 def answered(message: Json) -> Json:
-    """The answer to one message, a lesson with the letters of its names."""
+    """The answer to one message; a lesson includes the lettering of its names."""
     reply = answer(message)
     return {**reply, "letters": letters_of(reply["data"])} if "data" in reply else reply
 
@@ -44,13 +45,13 @@ def written(message: Json) -> str:
 
 
 def carried(text: str) -> str:
-    """A message and its answer, both as JSON: how a worker asks."""
+    """A message and its answer, both as JSON: the interface of a worker."""
     return written(json.loads(text))
 
 
 def studio_page(lang: str, way: Json, first: str = "") -> str:
     """The page; ``way`` says who answers: ``{"kind": "server" | "worker" | "none", "address": …, "native": …}``,
-    ``first`` is the text of the scene it opens with."""
+    ``first`` is the text of the first scene."""
     words = {
         tongue: {**under("studio_", tongue, "studio"), "language": table(tongue)["language_name"]}
         for tongue in langs("studio")
@@ -63,6 +64,6 @@ def studio_page(lang: str, way: Json, first: str = "") -> str:
 
 
 def files_of(lang: str, way: Json, first: str = "") -> dict[str, bytes]:
-    """What the studio is made of, by the names of its files."""
+    """The files of the studio, by name."""
     pages = {"index.html": studio_page(lang, way, first), "lesson.html": living_page(lang)}
     return {name: text.encode() for name, text in (pages | {"worker.js": packer.packed("worker")}).items()}

@@ -1,19 +1,19 @@
-// Elements of a drawing: made once, used again when it is drawn anew, told only what has changed.
+// Elements of a drawing: made once, reused when it is redrawn, updated only where they change.
 const NS = "http://www.w3.org/2000/svg", spare = new WeakMap(), had = new WeakMap(), begun = /** @type {any[]} */ ([]);
 
 /** @type {(parent: Element) => void} */
-export function begin(parent) { // its elements are to be used again, one after another
+export function begin(parent) { // its elements are to be reused, in order
   spare.set(parent, parent.firstChild);
   begun.push(parent);
 }
-export function end() { // what was not used again goes
+export function end() { // unused elements are removed
   for (const parent of begun.splice(0)) {
     for (let e = spare.get(parent), next; e; e = next) { next = e.nextSibling; e.remove(); }
     spare.delete(parent);
   }
 }
 /** @type {(e: Element, attributes: Attributes) => void} */
-export function alter(e, attributes) { // what it has not yet
+export function alter(e, attributes) { // only changed attributes
   const was = had.get(e) ?? {};
   for (const k in attributes) if (was[k] !== attributes[k]) e.setAttribute(k, String(was[k] = attributes[k]));
   had.set(e, was);

@@ -1,9 +1,9 @@
-// What is taken away: files as the command line writes them, a drawing checked; where no server is, the command itself.
+// Downloads: files as from the command line, a checked drawing; without a server, the command itself.
 import { bench, say } from "./bench.js";
 import { way } from "./carrier.js";
 import { $, on, safe } from "./dom.js";
 
-/** The files there are, each with its command. @type {Record<string, string[]>} */
+/** The available files, each with its command. @type {Record<string, string[]>} */
 const FILES = JSON.parse($("takeaway").textContent);
 
 /** @type {(name: string, data: BlobPart, kind: string) => void} */

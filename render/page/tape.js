@@ -1,4 +1,4 @@
-// Reads a tape: plain arithmetic in a straight line, exported with the drawing. Values forwards, slopes backwards.
+// Evaluates a tape: plain straight-line arithmetic, exported with the drawing. Values forwards, slopes backwards.
 import { dot } from "./geometry.js";
 
 const CODES = ["add", "sub", "mul", "inv", "neg", "abs", "sqrt", "hypot", "sin", "cos", "atan2", "floor", "max", "min",
@@ -69,7 +69,7 @@ export class Tape {
     for (const p in data.consts) this.values[+p] = data.consts[p] === null ? NaN : data.consts[p];
   }
   /** @type {(given: Numbers) => void} */
-  run(given) { // sources of error are nothing
+  run(given) { // sources of error are zero
     for (const name in this.givens) this.values[this.givens[name]] = given[name];
     const v = this.values, c = this.code;
     for (let k = 0; k < c.length; k += 5) {
@@ -90,7 +90,7 @@ export class Tape {
     return g;
   }
   /** @type {(place: number) => number[]} */
-  errors(place) { // how far each source's own error, of its size, moves the number at a place
+  errors(place) { // the effect of each error source, of its size, on the number at a place
     const g = this.slopes(place);
     return this.sources.map(([p, size]) => Number.isFinite(g[p]) ? g[p] * size : 0);
   }
@@ -101,7 +101,7 @@ export class Tape {
   }
 }
 
-// every miss with those before it known; what is off tells nothing of others
+// every miss given those before it; a wrong mark says nothing about others
 /** @type {(misses: Map<string, Miss>, order: string[], limit: number, least: number) => Map<string, Miss>} */
 export function givenBefore(misses, order, limit, least) {
   const names = order.filter(n => misses.has(n)), off = names.flatMap(n => [misses.get(n).x, misses.get(n).y]);
@@ -120,7 +120,7 @@ export function givenBefore(misses, order, limit, least) {
   return found;
 }
 
-export class Miss { // by how much a mark is off, mm, and how surely
+export class Miss { // the error of a mark, mm, and its covariance
   /** @param {number} x @param {number} y @param {number} xx @param {number} xy @param {number} yy
    * @param {any} [errors] */
   constructor(x, y, xx, xy, yy, errors) {
@@ -134,7 +134,7 @@ export class Miss { // by how much a mark is off, mm, and how surely
     return Number.isNaN(squared) ? NaN : Math.sqrt(Math.max(squared, 0));
   }
   /** @type {(limit: number) => number} */
-  reach(limit) { // the tolerance, mm, the way the miss lies
+  reach(limit) { // the tolerance, mm, in the direction of the miss
     const s = this.sigmas;
     if (s > 1e-9 && this.size > 1e-9) return limit * this.size / s;
     return limit * Math.sqrt((this.xx + this.yy) / 2 + Math.hypot((this.xx - this.yy) / 2, this.xy));

@@ -1,4 +1,4 @@
-// The panel of practice: the question with its fields, the same for hand and keyboard; the code that is handed in.
+// The panel of practice: the question with its fields, the same for mouse and keyboard; the code to hand in.
 import { NEAR_PX, desk } from "./desk.js";
 import { buttons, chosen, question, reply } from "./choices.js";
 import { $, on, safe } from "./dom.js";
@@ -25,7 +25,7 @@ export const task = {
       `${score}<h2 id="h" tabindex="-1">${text(this.question())}</h2>${said}${this.fields()}`;
     if (!p.over) desk.paint();
     const same = now.replace(/(<input[^>]*) value="[^"]*"/g, "$1");
-    if (same === this.last) { // the same question: where one was and what was typed stay
+    if (same === this.last) { // the same question: the focus and the typed text stay
       for (const n of ["mm", "angle"]) if ($(n) && $(n).value !== String(fields[n])) $(n).value = fields[n];
       return;
     }
@@ -73,7 +73,7 @@ export const task = {
       ` aria-pressed="${desk.tool === n}">${say("tool_" + n)}</button>`;
     return TOOLS.map(one).join("");
   },
-  told() { // numbers the question needs that are not asked themselves
+  told() { // numbers that the question needs but does not ask for
     const asked = new Set(practice.items.filter((t, k) => t.kind === "number" &&
       !practice.done.has(k)).map(t => t.what.replace(/[‖|]/g, "")));
     const given = practice.frame.values.filter(n => !asked.has(n.replace(/[‖|]/g, ""))).map(n => `⟨${n.replace(/[‖|]/g,
@@ -83,7 +83,7 @@ export const task = {
       `μ = ${filled(p.mu[state.lang])}` : "";
     return sentence([given, mu].filter(Boolean).join("; "), practice.frame.plan);
   },
-  hand() { // the fields of the tool in hand
+  hand() { // the fields of the current tool
     const marks = desk.marks().map(m => [m, spoken(labelOf(m), practice.frame.plan)]);
     const from = `<label>${say("from")} ${this.select("from", marks, desk.from)}</label>`;
     const draw_ = this.button("draw", say("draw"));
@@ -134,7 +134,7 @@ export const task = {
   /** @type {(what: string, label: string) => string} */
   button(what, label) { return `<button type="button" id="do-${what}" data-do="${what}">${label}</button>`; },
   /** @type {(said: string) => string} */
-  end(said) { // the result, and the code a teacher's planes reads
+  end(said) { // the result, and the code for the teacher's program
     const code = handed(), name = safe(practice.name || "practice");
     return `${said}<h2 id="h" tabindex="-1">${say("over")} ${practice.good} / ${practice.items.length}.</h2><p>${say(
       "hand_in")}</p><div class="answers"><label>${say(
@@ -163,7 +163,7 @@ export const task = {
     else if (what === "number") p.number($("figure").value);
     else if (what === "draw") this.draw();
   },
-  draw() { // the stroke as the tools stand
+  draw() { // the stroke for the present state of the tools
     if (desk.tool === "point") { const spot = desk.crossings()[desk.spot]; if (spot) practice.place(spot); return; }
     const s = desk.draft();
     if (!s) { practice.said = ["no", say("unfinished")]; draw(); return; }
@@ -181,7 +181,7 @@ export const task = {
     draw();
   },
 };
-export function handed() { // all first answers as letters, with a sum that tells a slip of copying
+export function handed() { // all first answers as letters, with a checksum against copying errors
   const told = { planes: 1, id: data.id, seed: practice.seed, name: practice.name, right: practice.good,
     scales: practice.scales,
     answers: practice.items.map((_, k) => practice.answers[k] ?? null) };
@@ -225,7 +225,7 @@ for (const figure of [scheme, plan]) {
       drawing = true;
       figure.fixed_view = { k: figure.k, dx: figure.dx, dy: figure.dy };
       e.preventDefault();
-      later(); // not now: what the finger is upon must still be there for its touch
+      later(); // later: the element under the finger must survive its touch
     } else if (line && practice.drawing) desk.lay(line.dataset.name.slice(5));
   });
   on(node, "touchstart", e => { if (drawing) e.preventDefault(); }, { passive: false });

@@ -1,4 +1,4 @@
-// Tracing paper: the right plan over a picture of a drawing, moved by its pole, turned and resized by one of its marks.
+// Tracing paper: the correct plan over a picture of a drawing, moved by its pole, turned and scaled by a mark.
 import { $, on } from "./dom.js";
 import { Figure } from "./figure.js";
 import { svg } from "./svg.js";
@@ -83,7 +83,7 @@ function move(name, x, y) { // pixels of the picture
   state.held = name;
   draw();
 }
-function home() { // the plan in the middle, filling half of the sheet
+function home() { // the plan in the middle, filling half the sheet
   const all = Object.values(state.plan.marks), side = (/** @type {number} */ k) => all.map(z => z[k]);
   const [w, h] = state.size;
   const low = [0, 1].map(k => Math.min(...side(k))), high = [0, 1].map(k => Math.max(...side(k)));
@@ -91,7 +91,7 @@ function home() { // the plan in the middle, filling half of the sheet
   state.turn = [k, 0];
   state.pole = [w / 2 - k * (low[0] + high[0]) / 2, h / 2 + k * (low[1] + high[1]) / 2];
 }
-function choose() { // another plan keeps its scale and its pole: they are of one sheet
+function choose() { // another plan keeps the scale and the pole: it is on the same sheet
   state.plan = data.plans.find((/** @type {any} */ p) => p.key === $("plan").value);
   const marks = Object.keys(state.plan.marks).filter(n => Math.hypot(...state.plan.marks[n]) > 1);
   $("by").replaceChildren(...marks.map(n => new Option(n, n, false, n === state.plan.far)));

@@ -1,10 +1,10 @@
-// What pages are told by Python, and what modules hand each other; a page writes its elements itself and knows them.
+// The data pages get from Python and pass between modules; a page creates its elements itself and knows them.
 interface ParentNode {
   querySelector(selectors: string): any;
   querySelectorAll(selectors: string): NodeListOf<any>;
 }
 interface Window { opener: any; planes: any; }
-// what is sought is there: Python has seen to it, or the page asks before
+// a key looked up exists: Python guarantees it, or the page checks first
 interface Array<T> { find(sought: (one: T, k: number) => unknown): T; pop(): T; }
 interface Map<K, V> { get(key: K): V; }
 interface WeakMap<K extends WeakKey, V> { get(key: K): V; }
@@ -79,7 +79,8 @@ interface Statics {
   signs: { kind: string; mark: string; turn: number }[]; members: string[]; numbered: string[];
 }
 
-interface Label { names: string[]; half: number; size: number; all: number[][]; key: string; node?: SVGElement; }
+interface Label { names: string[]; half: number; size: number; all: number[][]; key: string; of?: Ends;
+  node?: SVGElement; }
 interface Shown { a: Spot; b: Spot; kind: string; names: string[]; }
 interface Zone { kind: string; mark: string; from: number; to: number; least: number; }
 interface Looked { box: Box; runs: Record<string, number[]>; }

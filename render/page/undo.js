@@ -1,4 +1,4 @@
-// What the reader has changed, a step for each move of the hand: back as many as there were, and forth again.
+// The reader's changes, one step for each action: undo all of them, and redo.
 import { live } from "./page.js";
 
 const past = /** @type {any[]} */ ([]), future = /** @type {any[]} */ ([]);
@@ -9,7 +9,7 @@ function announced() { // the studio writes it into the scene
   const detail = Object.fromEntries(Object.entries(live.given).filter(([n, v]) => last[n] !== v));
   dispatchEvent(new CustomEvent("rested", { detail }));
 }
-export function rested() { // a move has ended: what it changed is one step
+export function rested() { // an action has ended: its changes are one step
   if (same()) return;
   announced();
   past.push(last);
@@ -31,4 +31,4 @@ function went(from, to) {
   return true;
 }
 export const undo = () => went(past, future), redo = () => went(future, past);
-export const nothing = () => [!past.length && same(), !future.length || !same()]; // to undo, to do again
+export const nothing = () => [!past.length && same(), !future.length || !same()]; // undo, redo

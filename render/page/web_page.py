@@ -1,7 +1,7 @@
-"""A page for a browser, of whatever kind: one shell, one way to fill a template, one way to bring data along.
+"""The common frame of all browser pages: one shell, one way to fill a template, one way to embed data.
 
-A page asks nothing of the network, and runs only the script that is written into it: the browser is told so by the
-hash of the script, and refuses any other, whatever stands in a title or in the name of a file.
+A page needs no network, and runs only its own script: the browser knows the script's hash and refuses any other,
+whatever a title or a file name contains.
 """
 
 import base64
@@ -16,7 +16,8 @@ from planes.studio.links import deflated
 
 NONE: Mapping[str, object] = {}
 LETTERS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$()*+,-./:;=?@[]^_{|}"
-"""Of what is packed: 85 that mean nothing to HTML or JSON; five of them are four bytes, the highest place first."""
+"""Alphabet of packed text: 85 letters without meaning in HTML or JSON; five of them are four bytes, most significant
+first."""
 UNPACK = f"""const letters = "{LETTERS}";
 const text = JSON.parse(document.getElementById("code").textContent), count = text.length;
 const four = k => [0, 1, 2, 3, 4].reduce((v, n) => 85 * v + letters.indexOf(text[k + n] ?? letters[84]), 0);
@@ -26,7 +27,7 @@ const packed = new Blob([bytes.buffer.slice(0, Math.floor(0.8 * count))]).stream
 const whole = await new Response(packed.pipeThrough(new DecompressionStream("deflate-raw"))).json();
 for (const [id, type, textContent] of whole)
   document.head.append(Object.assign(document.createElement("script"), {{ id, type, textContent }}));"""
-OURS = str.maketrans("!#$%&()*+-;<=>?@^_`{|}~", LETTERS[62:])  # for the signs of Python's base 85
+OURS = str.maketrans("!#$%&()*+-;<=>?@^_`{|}~", LETTERS[62:])  # replaces the characters of Python's base 85
 _PLACE = re.compile(r"\{(\w+)\}")
 _ACTIVE = re.compile("[<>&\u2028\u2029]")
 
@@ -44,8 +45,8 @@ def page(
     small: bool = False,
 ) -> str:
     """The whole page: ``title`` is plain text, ``body`` HTML; ``data`` by the ids under which ``code`` finds them;
-    ``allowed`` is what a browser may do besides (a part of the page's policy). A ``small`` page carries both
-    packed: a short script unpacks them."""
+    ``allowed`` are further permissions (a part of the page's policy). A ``small`` page has both packed, with a short
+    script to unpack them."""
     begun = code
     if small:
         texts = [(key, "application/json", compact_json(one)) for key, one in data.items()]
@@ -64,7 +65,7 @@ def page(
 
 
 def policy(more: str = "", *scripts: str) -> str:
-    """What a browser may do with a page: styles and pictures in it, a picture a person opens, these scripts."""
+    """The permissions of a page: its own styles and pictures, a picture the user opens, these scripts."""
     hashes = (base64.b64encode(hashlib.sha256(one.encode()).digest()).decode() for one in scripts if one)
     listed = "".join(f" 'sha256-{one}'" for one in hashes)
     script = f"script-src{listed}; " if listed else ""
@@ -78,12 +79,12 @@ def pressed(text: str) -> str:
 
 
 def filled(template: str, parts: Mapping[str, str]) -> str:
-    """The template with its places filled in one pass: what was put in is never looked at again."""
+    """The template with its placeholders filled in one pass: inserted text is never scanned again."""
     return _PLACE.sub(lambda place: parts[place[1]], template)
 
 
 def embedded(thing: object) -> str:
-    """JSON with no letter in it that means something to HTML or ends a line of a script."""
+    """JSON without characters that have a meaning in HTML or end a line of a script."""
     return _ACTIVE.sub(lambda match: f"\\u{ord(match[0]):04x}", compact_json(thing))
 
 
@@ -93,5 +94,5 @@ def compact_json(thing: object) -> str:
 
 
 def part(*names: str) -> str:
-    """Files of the pages' own folder, one after another."""
+    """Files of the pages' folder, one after another."""
     return "".join((files("render") / "page" / name).read_text("utf-8") for name in names)

@@ -1,7 +1,7 @@
 // Words of the page: sentences with their numbers, names with their indices.
 import { html, lettered } from "./letters.js";
 import { data, live, state, words } from "./page.js";
-export const SCHEME = data.scheme?.drawn ? "space_diagram" : "scheme"; // what the figure of links is called
+export const SCHEME = data.scheme?.drawn ? "space_diagram" : "scheme"; // the title of the figure of links
 /** @type {(key: string) => string} */
 export function say(key) { return words[state.lang][key]; }
 /** @type {(text: string) => string} */
@@ -30,7 +30,7 @@ export function scaled(mu, inverse) {
   const four = +(1 / mu).toPrecision(4);
   return local(String(Math.abs(four * mu - 1) < 1e-12 ? four : +(1 / mu).toPrecision(3)));
 }
-// of a slot: a value, or values by *, after a minus of their own; the sign alone; null where one fails
+// for a slot: a value, or values joined by *, after a possible minus; the sign alone; null where one fails
 /** @type {(name: string, sign: boolean) => any} */
 function product(name, sign) {
   const values = name.replace(/^−/, "").split("*").map(n => live.value(n));
@@ -38,12 +38,12 @@ function product(name, sign) {
   return values.includes(null) ? null : signs.reduce((z, v) => z * v, name[0] === "−" ? -1 : 1);
 }
 /** @type {(text: string) => string} */
-export function filled(text) { // the numbers of a sentence, for what is shown
+export function filled(text) { // a sentence with its numbers, for display
   return text.replace(/⟦(\w+)¦([^¦⟧]+)(?:¦([^⟧]+))?⟧/g, (_, how, name, mu) => {
-    if (how === "n") return local(name); // a number that is its own name
+    if (how === "n") return local(name); // a number written out
     if (how === "d") return number(Math.asin(live.zone ? live.zone.least : live.sharpness(name)) * 180 / Math.PI);
     const found = product(name, how === "join" || how === "lead");
-    const v = Math.abs(found) < 1e-12 ? 0 : found; // noise is nothing
+    const v = Math.abs(found) < 1e-12 ? 0 : found; // noise is zero
     if (found === null) return "—";
     if (how === "mm") return local(fixed(Math.abs(v * live.given[mu]), 1).replace(/\.0$/, ""));
     if (how === "s") return say(v > 0 ? "ccw" : v < 0 ? "cw" : "still");
@@ -62,7 +62,7 @@ export function spoken(name, key) { return lettered(name, key).map(([t]) => t).j
 /** @type {(text: string, key?: string) => string} */
 export function plain(text, key) { return filled(text).replace(/⟨([^⟩]*)⟩/g, (_, n) => spoken(n, key)); }
 /** @type {(key: string, seen: Set<string>) => string} */
-export function described(key, seen) { // what is on a figure, for those who hear it
+export function described(key, seen) { // the contents of a figure, for screen readers
   const scheme = key === "position";
   const there = (/** @type {Segment} */ s) => [s.start, s.end].every(n => seen.has(`${key}:${n}`));
   const list = scheme

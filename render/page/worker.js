@@ -1,4 +1,4 @@
-// The engine, as it is, in a worker: Python (Pyodide), the packages in one archive; one message in, one answer out.
+// The engine, unchanged, in a worker: Python (Pyodide), the packages in one archive; one message in, one answer out.
 let answer = /** @type {any} */ (null), ready = /** @type {Promise<void> | null} */ (null);
 const say = (/** @type {string} */ step) => postMessage(JSON.stringify({ step }));
 

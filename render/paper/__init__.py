@@ -1,1 +1,1 @@
-"""The paper and what lies on it: marks, pens, letters, symbols."""
+"""The paper and the elements on it: marks, pens, letters, symbols."""

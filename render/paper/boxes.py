@@ -9,7 +9,7 @@ Box = tuple[float, float, float, float]
 
 
 def box_around(lines: Iterable[tuple[Sequence[complex], float]]) -> Box:
-    """The box around lines, each with half the width of its pen; of none a box of no size."""
+    """The box around lines, each with half the width of its pen; of zero size without lines."""
     held = list(lines)
     if not held:
         return 0.0, 0.0, 0.0, 0.0
@@ -22,8 +22,8 @@ def box_around(lines: Iterable[tuple[Sequence[complex], float]]) -> Box:
 def box_of_letters(
     letters: Sequence[tuple[float, float, float, float, float]], at: complex, narrow: float = 1.0
 ) -> Box:
-    """The box around letters whose pens' paths have these bounds, each with half the width of its pen, moved to a place
-    and then made so many times as wide."""
+    """The box around letters with these bounds of the pen path, each with half the width of its pen, moved to a place
+    and then stretched in width."""
     return (
         min(narrow * (left + at.real) - half for left, _, _, _, half in letters),
         min(low + at.imag - half for _, low, _, _, half in letters),

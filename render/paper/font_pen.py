@@ -1,4 +1,4 @@
-"""A pen that takes the outlines of a font's glyph down as polylines."""
+"""A pen that records the outlines of a font's glyph as polylines."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Point = tuple[float, float]
 
 
 class Flattened(BasePen):  # type: ignore[misc]
-    """Closed polylines of a glyph in ``lines``, nowhere farther than ``error`` from its curves, in the font's units."""
+    """Closed polylines of a glyph in ``lines``, within ``error`` of its curves, in the font's units."""
 
     def __init__(self, glyphs: _TTGlyphSet, error: float) -> None:
         super().__init__(glyphs)

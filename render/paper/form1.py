@@ -1,9 +1,9 @@
 """Form 1 of ГОСТ 2.104 as data: lines, words and cells of the title block and of the columns around the frame, in mm.
 
-The title block stands in the lower right corner of the frame; graphs 19–23 outside its left side from the lower
-corner up, 24 and 25 from the upper corner down, each a column of words 5 mm wide and one of values 7 mm wide; graph 26,
-the designation upside down, in the upper left corner of the field.  (It would stand on end in the upper right one of
-an upright sheet above A4; the formats here lie, but for A4.)
+The title block is in the lower right corner of the frame; graphs 19–23 are outside its left side from the lower corner
+up, 24 and 25 from the upper corner down, each a column of words 5 mm wide and one of values 7 mm wide; graph 26, the
+designation upside down, is in the upper left corner of the field.  (On an upright sheet above A4 it would be turned by
+90° in the upper right corner; the formats here are landscape, except A4.)
 """
 
 import json
@@ -25,9 +25,9 @@ Size = tuple[float, float]
 
 @frozen
 class Cell:
-    """A cell from its lower left corner (x, y), ``letter`` mm the height of letters it is meant for.
+    """A cell from its lower left corner (x, y), with ``letter`` the intended letter height in mm.
 
-    ``anchor`` says where its text stands, ``turn_deg`` how it is turned: 0, 90 (read from the right) or 180.
+    ``anchor`` is the place of its text, ``turn_deg`` its rotation: 0, 90 (read from the right) or 180.
     """
 
     x: float
@@ -46,8 +46,8 @@ class Cell:
 
 @frozen
 class Form:
-    """A frame with a title block: what a scene calls it, and its block in a DXF; margins left and elsewhere, sizes of
-    the title block and of the cell in the upper left corner; its lines, words and cells on a sheet of a size."""
+    """A frame with a title block: its names in a scene and as a DXF block; margins left and elsewhere, sizes of the
+    title block and of the cell in the upper left corner; its lines, words and cells on a sheet of a given size."""
 
     name: str
     drawn_as: str
@@ -70,13 +70,13 @@ WORD_WIDE, VALUE_WIDE = 5.0, 7.0  # the two columns of graphs 19–25
 
 
 def prompt(key: str, lang: Lang) -> str:
-    """What a cell is called when a person is asked to fill it, with the number of its graph."""
+    """The name of a cell in a prompt, with the number of its graph."""
     words = table(lang, "form1")
     return words.get(f"cell_{key}") or ", ".join(words.get(f"cell_{word}", word) for word in key.split("_"))
 
 
 def lines(size: Size) -> Iterator[Segment]:
-    """Every line of the form but the frame itself, on a sheet of that width × height."""
+    """Every line of the form except the frame itself, on a sheet of that width × height."""
     yield from lines_of(_FORM, _corner(size))
     for bottom, rows in _strips(size):
         yield from _strip(bottom, [high for _, high in rows])
@@ -86,7 +86,7 @@ def lines(size: Size) -> Iterator[Segment]:
 
 
 def lines_of(form: Json, corner: Size) -> Iterator[Segment]:
-    """Lines of a title block whose lower left corner is there."""
+    """Lines of a title block with its lower left corner there."""
     pens: tuple[Literal["thick", "thin"], ...] = ("thick", "thin")
     for pen in pens:
         for x0, y0, x1, y1 in form[pen]:
@@ -99,7 +99,7 @@ def _corner(size: Size) -> Size:
 
 
 def _strips(size: Size) -> tuple[tuple[float, list[tuple[str, float]]], ...]:
-    """Where the lower and the upper column of graphs beside the frame begin, and their rows."""
+    """The start of the lower and the upper column of graphs beside the frame, and their rows."""
     lower, upper = _FORM["lower"], _FORM["upper"]
     return (EDGE, lower), (size[1] - EDGE - sum(high for _, high in upper), upper)
 
@@ -115,7 +115,7 @@ def _strip(bottom: float, heights: list[float]) -> Iterator[Segment]:
 
 
 def words(size: Size, lang: Lang) -> Iterator[tuple[str, Cell]]:
-    """The words the form has of itself, each with its cell."""
+    """The printed words of the form, each with its cell."""
     texts, beside = table(lang, "form1"), _beside(size, LEFT - WORD_WIDE - VALUE_WIDE, WORD_WIDE)
     for key, cell in (
         *cells_of(_FORM["words"], _corner(size)),
@@ -126,7 +126,7 @@ def words(size: Size, lang: Lang) -> Iterator[tuple[str, Cell]]:
 
 
 def cells(size: Size) -> dict[str, Cell]:
-    """The cells a person fills, by name, on a sheet of that width × height."""
+    """The cells to fill in, by name, on a sheet of that width × height."""
     named_cells = dict(cells_of(_FORM["cells"], _corner(size)))
     for key, cell in _beside(size, LEFT - VALUE_WIDE, VALUE_WIDE):
         named_cells[key] = replace(cell, letter=3.5)
@@ -136,7 +136,7 @@ def cells(size: Size) -> dict[str, Cell]:
 
 
 def cells_of(rows: list[Any], corner: Size) -> Iterator[tuple[str, Cell]]:
-    """Cells about a title block whose lower left corner is there."""
+    """Cells of a title block with its lower left corner there."""
     for key, x, y, wide, high, *how in rows:
         how_set = dict(zip(("letter", "anchor", "turn_deg"), how, strict=False))
         yield key, Cell(x + corner[0], y + corner[1], wide, high, **how_set)

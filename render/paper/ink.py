@@ -1,7 +1,7 @@
-"""From marks to what is drawn of them: polylines, polygons, order of layers; mm of the sheet, y up.
+"""From marks to drawing elements: polylines, polygons, order of layers; mm of the sheet, y up.
 
-Shared by the back-ends and by the label placing, so that all of them see the same ink.  For files where a paper-white
-disc hides nothing (DXF) lines are really cut under hinges and sliders.
+Shared by the back-ends and by the label placing, so that all of them see the same ink.  For files without white masks
+(DXF) lines are really cut under hinges and sliders.
 """
 
 import cmath
@@ -21,7 +21,7 @@ Polyline = tuple[complex, ...]
 
 
 def checked(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, ...]:
-    """The marks, once all of their numbers and the size of the sheet in mm are found to be finite."""
+    """The marks, after a check that all their numbers and the size of the sheet in mm are finite."""
     if not all(0 < side < math.inf for side in size_mm):
         sides = f"{size_mm[0]} × {size_mm[1]} mm"
         raise ValueError(f"a sheet of {sides} cannot be drawn: both sides must be above 0")
@@ -67,7 +67,7 @@ def is_circle(arc: Arc) -> bool:
 
 
 def flattened(arc: Arc, error_mm: float = 0.005) -> Polyline:
-    """The arc as a polyline through points of it, nowhere farther from it than ``error_mm``."""
+    """The arc as a polyline through points of it, within ``error_mm``."""
     sweep = math.radians(min(360.0, arc.end_deg - arc.start_deg))
     most = 2 * math.acos(max(0.5, 1 - error_mm / arc.radius)) if arc.radius > error_mm else 1.0
     count = max(2, math.ceil(abs(sweep) / most))
@@ -118,7 +118,7 @@ _SAME_MM = 1e-6
 
 
 def cut(lines: Iterable[Mark], hinges: Sequence[Arc | Shape]) -> tuple[Mark, ...]:
-    """The lines, arcs, arrows and hatching without the pieces inside the hinges' discs (or sliders).
+    """The lines, arcs, arrows and hatching without the pieces inside the discs of hinges (or sliders).
 
     A hatched region becomes lines where it is cut.  An arrow whose tip would be lost stays whole.
     """
@@ -137,9 +137,9 @@ def cut(lines: Iterable[Mark], hinges: Sequence[Arc | Shape]) -> tuple[Mark, ...
 
 
 def uncovered(marks: Iterable[Mark]) -> tuple[Mark, ...]:
-    """The marks as they are seen: what lies under a later paper-white disc or shape is cut away.
+    """The marks as seen: parts under a later paper-white disc or shape are cut away.
 
-    Paper-white discs come back as open circles; paper-white shapes are left out.
+    Paper-white discs are returned as open circles; paper-white shapes are left out.
     """
     seen: list[Mark] = []
     for _, held in by_layer(marks):
@@ -154,7 +154,7 @@ def uncovered(marks: Iterable[Mark]) -> tuple[Mark, ...]:
 
 
 def coordinates(places: Complexes) -> Array:
-    """The coordinates of places, in a last axis."""
+    """The coordinates of places, along a last axis."""
     return np.stack([places.real, places.imag], axis=-1)
 
 
@@ -199,7 +199,7 @@ def _without(mark: Line | Arc | Arrow | Hatch, region: shapely.Geometry) -> list
 
 
 def _joined(pieces: list[Polyline], closed: bool) -> list[Polyline]:
-    """The pieces of a closed line, the last run together with the first where the line was begun."""
+    """The pieces of a closed line, the last one joined to the first at the start of the line."""
     if closed and len(pieces) > 1 and abs(pieces[-1][-1] - pieces[0][0]) < _SAME_MM:
         return [pieces[-1] + pieces[0][1:], *pieces[1:-1]]
     return pieces

@@ -1,9 +1,9 @@
 """The frame of ISO 5457 and the title block of ISO 7200 as data, in mm.
 
-The frame stands 20 mm from the left edge and 10 mm from the others. Around it runs a border of 5 mm with the grid
-reference system: fields of 50 mm from the axes of symmetry, those at the corners taking up the rest, with numerals from
-left to right and letters from the top down without I and O; on A4 above and at the right alone. Centring marks stand
-across the frame on the axes. The title block, 180 × 36 mm, stands in the lower right corner of the frame.
+The frame is 20 mm from the left edge and 10 mm from the others. Around it is a border of 5 mm with the grid reference
+system: fields of 50 mm from the axes of symmetry, those at the corners taking up the rest, with numerals from left to
+right and letters from the top down without I and O; on A4 only above and at the right. Centring marks cross the frame
+on the axes. The title block, 180 × 36 mm, is in the lower right corner of the frame.
 """
 
 import json
@@ -20,15 +20,15 @@ from render.paper.form1 import Cell, Form, Segment, Size, cells_of, lines_of
 LEFT, EDGE, BORDER = 20.0, 10.0, 5.0
 BLOCK = (180.0, 36.0)
 FIELD_MM = 50.0
-WITHIN_MM = 5.0  # how far a centring mark, 10 mm long in all, reaches into the drawing space
+WITHIN_MM = 5.0  # how far a centring mark, 10 mm long in all, extends into the drawing space
 LETTERS = string.ascii_uppercase.replace("I", "").replace("O", "")
-ONE_SIDED = 300.0  # sheets no longer have fields above and at the right alone
+ONE_SIDED = 300.0  # sheets up to this length have fields only above and at the right
 
 _FORM: Json = json.loads(Path(__file__).with_name("iso7200.json").read_text("utf-8"))
 
 
 def lines(size: Size) -> Iterator[Segment]:
-    """Every line but the frame itself, on a sheet of that width × height."""
+    """Every line except the frame itself, on a sheet of that width × height."""
     yield from lines_of(_FORM, _corner(size))
     wide, high = size
     outer = [complex(LEFT - BORDER, BORDER), complex(wide - BORDER, BORDER)]
@@ -49,7 +49,7 @@ def _corner(size: Size) -> Size:
 
 
 def _sides(size: Size, marks: bool = False) -> Iterator[tuple[bool, float, int]]:
-    """The sides of the frame: whether upright, where, and which way is out; the last two not on a small sheet."""
+    """The sides of the frame: whether vertical, where, and the outward direction; the last two not on a small sheet."""
     yield False, size[1] - EDGE, 1
     yield True, size[0] - EDGE, 1
     if marks or max(size) > ONE_SIDED:
@@ -62,12 +62,12 @@ def _place(upright: bool, along: float, at: float) -> complex:
 
 
 def _ends(size: Size, upright: bool) -> tuple[float, float]:
-    """Where a side of the frame begins and ends."""
+    """The ends of a side of the frame."""
     return (EDGE, size[1] - EDGE) if upright else (LEFT, size[0] - EDGE)
 
 
 def _bounds(side: float, low: float, high: float) -> list[float]:
-    """Bounds of the fields along a side of the sheet of that length, from the frame's low end to its high one."""
+    """Bounds of the fields along a side of the sheet of that length, from the low end of the frame to the high one."""
     count = round(side / 2 / FIELD_MM)  # in each half
     return [low, *(side / 2 + k * FIELD_MM for k in range(1 - count, count)), high]
 
@@ -87,7 +87,7 @@ def words(size: Size, lang: Lang) -> Iterator[tuple[str, Cell]]:
 
 
 def cells(size: Size) -> dict[str, Cell]:
-    """The cells a person fills, by name, on a sheet of that width × height."""
+    """The cells to fill in, by name, on a sheet of that width × height."""
     return {key: cell for part in ("cells", "cells_beneath") for key, cell in cells_of(_FORM[part], _corner(size))}
 
 

@@ -2,13 +2,13 @@
 
 Text becomes pen paths, so that it looks the same on every device and in every file format.  A size h is
 the height of the capitals from edge to edge; draw the paths with round ends and their ``pens``: PEN · h
-but for raised and lowered characters.  Small letters are 7/10 h high, letters stand 2/10 h apart (half of
+except for raised and lowered characters.  Small letters are 7/10 h high, letters are 2/10 h apart (half of
 that where both neighbours are open, as in ГА), words 6/10 h.  Slanted lettering is the upright one
 sheared to 75°.
 
-The letters stand in ``glyphs.json`` on the grid of ГОСТ 2.304, type B: one cell is the pen width d, a capital fills
+The letters are in ``glyphs.json`` on the grid of ГОСТ 2.304, type B: one cell is the pen width d, a capital fills
 ten rows.  A point is the centre of a cell, so a capital runs from row 0 to row 9, a small letter to row 6, a descender
-to row -3, signs of operation stand about row 4, brackets reach from row -1.7 to row 10.3; columns are counted to the
+to row -3, signs of operation are about row 4, brackets reach from row -1.7 to row 10.3; columns are counted to the
 right.  A path is a list of words:
 
     x,y              straight line to the point (after the start or after ``|``: pen set down there)
@@ -43,15 +43,15 @@ SAME: dict[str, str] = dict(
         strict=True,
     )
 )
-"""Characters drawn exactly as another one: the look-alikes of the alphabets and doubles of signs."""
+"""Characters drawn exactly like another one: look-alikes of the alphabets and duplicate signs."""
 SHIFTED: dict[str, tuple[str, float]] = {
     **{c: (base, 4.5) for c, base in zip("⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻⁺⁽⁾", "0123456789n−+()", strict=True)},
     "°": ("○", 6.5),
     **{c: (base, -3.0) for c, base in zip("₀₁₂₃₄₅₆₇₈₉ₙ₋₊₍₎", "0123456789n−+()", strict=True)},
 }
-"""Raised and lowered characters: the character they repeat at ``SMALL`` size and the shift in d."""
+"""Raised and lowered characters: the character repeated at ``SMALL`` size and its shift in d."""
 _BOX = "0,0 0,6 4,6 4,0 0,0"
-_ROUND = 0.6  # handle of a quarter oval: 0.552 is an ellipse, more is squarer
+_ROUND = 0.6  # handle of a quarter oval: 0.552 gives an ellipse, more is squarer
 _DOT = 0.2  # radius of the pen's path in a dot, in d
 _NARROW = "\u2009\u202f\u2006\u200a"
 _IGNORED = "\u00ad\u200b\u200d\u2060\ufeff"
@@ -89,7 +89,7 @@ def _quarter(a: complex, e: complex, level: bool, tolerance: float) -> list[comp
 
 
 def _oval(x0: float, y0: float, x1: float, y1: float) -> str:
-    """Path of a closed oval, with short straight sides where it is taller than wide."""
+    """Path of a closed oval, with short straight sides if it is taller than wide."""
     x, half = (x0 + x1) / 2, 0.25 * max(0.0, y1 - y0 - (x1 - x0))
     low, high = (y0 + y1) / 2 - half, (y0 + y1) / 2 + half
     return f"{x},{y0} h{x1},{low} {x1},{high} v{x},{y1} h{x0},{high} {x0},{low} v{x},{y0}"
@@ -122,7 +122,7 @@ def _read(path: str, tolerance: float) -> Iterator[Line]:
 
 
 def _size(char: str) -> float:
-    """The size of a character and of its pen beside the others."""
+    """The relative size of a character and of its pen."""
     return SMALL if char in SHIFTED else 1.0
 
 
@@ -157,7 +157,7 @@ def _profile(char: str) -> dict[int, tuple[float, float]]:
 
 @lru_cache(maxsize=16384)
 def _gap(left: str, right: str) -> float:
-    """Clear distance of two neighbours in d: 2, or 1 if the ink still stays 2 apart (ГА, ТА, AV)."""
+    """Clear distance of two neighbours in d: 2, or 1 where the ink is still 2 apart (ГА, ТА, AV)."""
     if left in SHIFTED or right in SHIFTED:
         return LETTER_GAP / 2
     if left.isdigit() and right.isdigit():
@@ -196,10 +196,9 @@ def _layout(text: str) -> tuple[float, tuple[tuple[str, float], ...]]:
 def strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Line, ...]:
     """Pen paths of one line of text as polylines x + iy in mm.
 
-    The origin is the left end of the base line (left edge of the first letter's ink, lower edge of the
-    capitals), y is up.  ``height_mm`` is the height of the capitals with the pen width in it.  Curves are
-    flattened to within 0.02 mm.  Leading and trailing blanks draw nothing.  A character without a glyph
-    is drawn as an open box.
+    The origin is the left end of the base line (left edge of the first letter's ink, lower edge of the capitals), y is
+    up.  ``height_mm`` is the height of the capitals including the pen width.  Curves are flattened to within 0.02 mm.
+    Leading and trailing blanks draw nothing.  A character without a glyph is drawn as an open box.
     """
     if not 0 < height_mm < math.inf:
         raise ValueError(f"letter height must be a positive number of mm, not {height_mm!r}")
@@ -213,14 +212,15 @@ Extent = tuple[float, float, float, float, float]
 
 @lru_cache(maxsize=4096)
 def _box(char: str, fineness: int, slant: bool) -> Extent:
-    """Left, low, right and top of the pen's path of a character in d, and half of its pen."""
+    """Left, low, right and top of the pen path of a character in d, and half the width of its pen."""
     z = [z for line in _glyph(char, fineness, slant)[1] for z in line]
     x, y = [one.real for one in z], [one.imag for one in z]
     return min(x), min(y), max(x), max(y), 0.5 * _size(char)
 
 
 def boxes(text: str, height_mm: float, slant: bool = False) -> list[Extent]:
-    """Left, low, right and top of the pen's path of every character of one line of text, and half of its pen, in mm."""
+    """Left, low, right and top of the pen path of every character of one line of text, and half the width of its pen,
+    in mm."""
     d, fineness = height_mm * PEN, max(2, math.ceil(height_mm))
     every = ((x, _box(char, fineness, slant)) for char, x in _layout(text)[1])
     return [((x + left) * d, low * d, (x + right) * d, top * d, half * d) for x, (left, low, right, top, half) in every]
@@ -234,5 +234,5 @@ def pens(text: str, height_mm: float) -> tuple[float, ...]:
 
 
 def width(text: str, height_mm: float) -> float:
-    """Width in mm of the ink of a line of upright text, from edge to edge, no gap after it."""
+    """Width in mm of the ink of a line of upright text, from edge to edge, without a gap after it."""
     return _layout(text)[0] * PEN * height_mm

@@ -1,4 +1,4 @@
-"""Names and numbers as a language writes them: ⟨a_CB^t⟩ as pieces of plain, lowered and raised letters, units, μ."""
+"""Names and numbers as written in a language: ⟨a_CB^t⟩ as pieces of plain, lowered and raised letters, units, μ."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -13,7 +13,7 @@ from planes.words.units import mm_per, number
 
 NAME = re.compile(r"⟨([^⟩]*)⟩")
 _INDEX = re.compile(r"([_^])\{([^{}]*)\}")
-COMMAND = r"(?<![\w-])--?[a-z]+(?: [^\s()]*[.=,][^\s();]*\w)?"  # an option, with what it is given
+COMMAND = r"(?<![\w-])--?[a-z]+(?: [^\s()]*[.=,][^\s();]*\w)?"  # an option with its argument
 _QUANTITY = r"(?:[A-Za-z]{1,2}|omega|epsilon)_[A-Z0-9][A-Za-z0-9]*(?:\^[a-z])?"
 _ARTICLE = r"(?=[,:;.)=–]| \(|$)"  # "a" is a mark only before one of these
 
@@ -34,7 +34,7 @@ def pieces(text: str, naming: Naming, plan: str = "") -> Iterator[Piece]:
 
 
 def tagged(text: str, naming: Naming, plan: str = "") -> str:
-    """The sentence in tags, as HTML and reportlab know them: names in italics, indices lowered and raised."""
+    """The sentence in tags, as used by HTML and reportlab: names in italics, indices lowered and raised."""
     lettered = ""
     for piece in pieces(text, naming, plan):
         inner = escape(piece.text)
@@ -44,8 +44,8 @@ def tagged(text: str, naming: Naming, plan: str = "") -> str:
 
 
 def sought(names: Iterable[str]) -> str:
-    """What is looked for in a sentence, as Python and a page's script read it: a command (group 1), or a name of these
-    or of any quantity (group 2)."""
+    """The search pattern for a sentence, for Python and a page's script: a command (group 1), or one of these names or
+    of any quantity (group 2)."""
     known = sorted(filter(None, set(names)), key=lambda n: (-len(n), n))
     escaped = [re.escape(n) + (_ARTICLE if n in ("a", "A") else "") for n in known]
     return rf"({COMMAND})|(?<![\w.'′/\\-])({'|'.join([*escaped, _QUANTITY])})(?![\w'′^]|[.-]\w)"
@@ -54,8 +54,8 @@ def sought(names: Iterable[str]) -> str:
 def sentence(
     text: str, names: Iterable[str], naming: Naming, plan: str = "", links: Mapping[str, str] | None = None
 ) -> str:
-    """The HTML of a sentence that was told plainly: its names lettered, its commands unbroken, the names of files (of
-    ``links``) leading to their addresses."""
+    """The HTML of a plain sentence: its names lettered, its commands unbroken, the names of files (of ``links``) linked
+    to their addresses."""
     lettered, end, links = "", 0, links or {}
     for match in re.finditer(sought([*names, *links]), text):
         name, command = match[0], match[1]
@@ -71,8 +71,8 @@ def sentence(
 
 
 def written(names: Iterable[str], lettering: Json) -> dict[str, dict[str, list[tuple[str, str]]]]:
-    """Names for a page's script, in every language: pieces of text, each lowered ("sub"), raised or neither.
-    In all but the first only what it has not."""
+    """Names for a page's script, in every language: pieces of text, each lowered ("sub"), raised or neither. After the
+    first language only the differences."""
     namings, names = [Naming(lang, **lettering) for lang in langs()], dict.fromkeys(names)
     pole = {"acceleration:p": [("π", "")]}
     first, *rest = [
@@ -100,22 +100,22 @@ def decimal(text: str, lang: Lang) -> str:
 
 
 def unit(key: str, lang: Lang) -> str:
-    """A unit as it stands beside a number; a plain number ("1") has none."""
+    """A unit as written beside a number; a plain number ("1") has none."""
     return "" if key in ("", "1") else say(key, lang)
 
 
 def with_unit(name: str, key: str, lang: Lang) -> str:
-    """A quantity and its unit, as they stand at the end of an axis."""
+    """A quantity and its unit, as written at the end of an axis."""
     return ", ".join(filter(None, (name, unit(key, lang))))
 
 
 def of_unit(value: str, key: str, lang: Lang) -> str:
-    """A printed number with its unit, a degree's close to it."""
+    """A printed number with its unit; a degree sign follows it directly."""
     return " ".join(filter(None, (value, unit(key, lang)))).replace(" °", "°")
 
 
 def scale(mu: float, key: str, naming: Naming) -> str:
-    """μ with its unit: 20 mm/(m/s), or the inverse; that of plain numbers in mm."""
+    """μ with its unit: 20 mm/(m/s), or inverted; for plain numbers in mm."""
     per, lang, inverse = unit(key, naming.lang), naming.lang, naming.convention == "unit_per_mm"
     plain = f"1/{say('mm', lang)}" if inverse else say("mm", lang)
     return f"{number(1 / mu if inverse else mu, lang)} {mm_per(per, lang, inverse) if per else plain}"

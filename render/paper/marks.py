@@ -1,8 +1,8 @@
-"""What a sheet is made of: lines, arcs, arrows, filled shapes and text, in millimetres of paper.
+"""The elements of a sheet: lines, arcs, arrows, filled shapes and text, in millimetres of paper.
 
-A place is a complex number in mm from the lower left corner of the sheet, x to the right and y up. Every mark
-names its ``layer`` (what it means); how it looks is decided by ``style`` alone, so widths and letters are
-never scaled by a plan's μ. Back-ends know these six records and nothing else.
+A place is a complex number in mm from the lower left corner of the sheet, x to the right and y up. Every mark names its
+``layer`` (its meaning); its appearance is decided by ``style`` alone, so widths and letters are never scaled by a
+plan's μ. Back-ends know these six records and nothing else.
 """
 
 from collections.abc import Iterator
@@ -15,13 +15,13 @@ from planes.words.frozen import field, frozen, replace
 Layer = Literal[
     "construction", "axis", "hatch", "table", "dimension", "frame", "scheme", "plan", "force", "result", "text"
 ]
-"""From the lowest to the topmost: a paper-white disc hides only what lies beneath it."""
+"""From the lowest to the topmost: a paper-white disc hides only layers beneath it."""
 Anchor = Literal["start", "middle", "end"]
 
 
 @frozen
 class Face:
-    """``font`` is the path of a font's file, "" for the engine's own lettering; ``family`` what the font is called."""
+    """``font`` is the path of a font's file, "" for the built-in lettering; ``family`` the name of the font."""
 
     font: str = ""
     slanted: bool = False
@@ -34,18 +34,18 @@ _chosen: ContextVar[Face] = ContextVar("face", default=OWN)
 
 
 def current() -> Face:
-    """The face of texts that are made now."""
+    """The face of texts created now."""
     return _chosen.get()
 
 
 def lettered(face: Face) -> AbstractContextManager[None]:
-    """Within it, texts are made and measured in that face."""
+    """In this context, texts are created and measured in that face."""
     return within(_chosen, face)
 
 
 @contextmanager
 def within(asked: ContextVar[Asked], value: Asked) -> Iterator[None]:
-    """Within it, what is asked of whoever draws has that value."""
+    """In this context, the drawing setting has that value."""
     token = asked.set(value)
     try:
         yield
@@ -57,7 +57,7 @@ def within(asked: ContextVar[Asked], value: Asked) -> Iterator[None]:
 class Line:
     """A polyline through ``points`` (two or more), open or closed, in the line type of its ``style``.
 
-    ``name`` says what a line is for where that cannot be seen ("leader").
+    ``name`` gives the purpose of a line that does not show it ("leader").
     """
 
     points: tuple[complex, ...]
@@ -85,7 +85,7 @@ class Arc:
 
 @frozen
 class Arrow:
-    """A straight arrow; the head is a filled triangle at ``end``. ``name`` says what it shows ("v_CB")."""
+    """A straight arrow; the head is a filled triangle at ``end``. ``name`` is that of the vector ("v_CB")."""
 
     start: complex
     end: complex
@@ -107,8 +107,8 @@ class Shape:
 class Text:
     """One line of text at its base line; ``text`` may hold _{…} and ^{…} for lower and upper indices.
 
-    ``height`` is the height of capitals in mm; ``turn_deg`` turns it about ``place``; ``face`` is what it is
-    lettered in; its letters are ``narrow`` times as wide as that face has them.
+    ``height`` is the height of capitals in mm; ``turn_deg`` rotates it about ``place``; ``face`` is its typeface; its
+    letters are ``narrow`` times as wide as in that face.
     """
 
     text: str
@@ -136,7 +136,7 @@ Mark = Line | Arc | Arrow | Shape | Text | Hatch
 
 
 def moved(mark: Mark, by: complex) -> Mark:
-    """The same mark ``by`` millimetres further on the paper."""
+    """The same mark shifted ``by`` a vector in mm."""
     if isinstance(mark, Arrow):
         return replace(mark, start=mark.start + by, end=mark.end + by)
     if isinstance(mark, Arc):

@@ -1,8 +1,8 @@
-"""Installed fonts: the one a scene asks for, by name or by file, and text in its outlines.
+"""Installed fonts: the one named in a scene, by name or by file, and text as its outlines.
 
-Text is measured and drawn from the font's own glyphs, without any font at the reader.  The same contract as
-``lettering``: a height is that of the capitals, ink begins at x = 0 on the base line, all in mm.  A character the font
-lacks is taken from DejaVu Sans, which comes with matplotlib.
+Text is measured and drawn from the font's own glyphs, so the reader needs no font.  The same contract as ``lettering``:
+a height is that of the capitals, ink begins at x = 0 on the base line, all in mm.  A character missing in the font is
+taken from DejaVu Sans, which comes with matplotlib.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 Line = tuple[complex, ...]
 
-_FLAT = 2e-3  # how far a flattened curve may be from it, over the height of capitals: 0.01 mm at 5 mm
+_FLAT = 2e-3  # largest error of a flattened curve, over the height of capitals: 0.01 mm at 5 mm
 _NARROW = "\u2009\u202f\u2006\u200a"
 
 
@@ -42,15 +42,15 @@ def dejavu() -> Path:
 
 
 def tables(path: str) -> TTFont:
-    """The tables of a font's file (the first of a collection), read as they are asked for."""
+    """The tables of a font's file (the first of a collection), read on demand."""
     from fontTools.ttLib import TTFont
 
-    logging.getLogger("fontTools").setLevel(logging.CRITICAL)  # what matters of a font is said in our own sentence
+    logging.getLogger("fontTools").setLevel(logging.CRITICAL)  # serious faults get our own sentence
     return TTFont(io.BytesIO(Path(path).read_bytes()), fontNumber=0, lazy=True)
 
 
 def family(path: str) -> str:
-    """What the font of a file is called."""
+    """The family name of a font file."""
     font = tables(path)
     return str((font["name"].getBestFamilyName() if "name" in font else "") or Path(path).stem)
 
@@ -87,7 +87,7 @@ class Font:
 
 @lru_cache(maxsize=16)
 def opened(path: str) -> Font:
-    """The font of a file; an error of fontTools or OSError where it is not one."""
+    """The font of a file; an error of fontTools or OSError if it is not one."""
     return Font(path)
 
 
@@ -134,7 +134,7 @@ TRIAL = "АЯабёжщэяABZabyz0123456789.,+−=()′μωεφ"
 
 
 def face_of(scene: Scene) -> Face:
-    """The face of a scene's sheets; a font that is not there is a :class:`SceneError` that names near ones."""
+    """The face of a scene's sheets; for a missing font a :class:`SceneError` suggests similar ones."""
     slanted, font = scene.sheet.get("lettering") == "slanted", str(scene.sheet.get("font") or "").strip()
     if not font:
         return Face("", slanted)
@@ -143,7 +143,7 @@ def face_of(scene: Scene) -> Face:
 
 
 def _font_file(scene: Scene, name: str) -> tuple[str, str]:
-    """A font's file, its path taken from the scene's folder."""
+    """A font's file, its path relative to the scene's folder."""
     path = Path(scene.file).parent / Path(name).expanduser()
     if not path.is_file():
         raise _refused(scene, Phrase("no_font_file", file=shown(name)))
@@ -151,7 +151,7 @@ def _font_file(scene: Scene, name: str) -> tuple[str, str]:
 
 
 def _installed(scene: Scene, name: str) -> tuple[str, str]:
-    """The upright regular file of an installed family, by its name in any letter case."""
+    """The upright regular file of an installed family, by its name, ignoring case."""
     from matplotlib.font_manager import fontManager
 
     plain = [f for f in fontManager.ttflist if f.style == "normal" and str(f.fname).lower().endswith(FONT_FILES)]
@@ -171,7 +171,7 @@ def _weight(weight: object) -> float:
 
 
 def _newly_installed(known: set[str]) -> Iterator[tuple[str, str]]:
-    """Files and families of fonts that matplotlib's list, kept from an earlier run, does not have."""
+    """Files and families of fonts that are missing in matplotlib's cached list."""
     from fontTools.ttLib import TTLibError
     from matplotlib.font_manager import findSystemFonts
 
@@ -183,11 +183,11 @@ def _newly_installed(known: set[str]) -> Iterator[tuple[str, str]]:
 
 
 def _checked(scene: Scene, path: str, name: str) -> str:
-    """The name of the family, once letters of the file have been drawn for a trial."""
+    """The name of the family, after a trial drawing of some letters of the file."""
     try:
         contours(TRIAL, 5.0, path)
         return family(path)
-    except Exception as error:  # whatever a reader of fonts says of a file that is none, or a broken one
+    except Exception as error:  # any exception of a font reader for a file that is not a font, or is broken
         raise _refused(scene, Phrase("bad_font", name=shown(name), why=str(error)[:80] or "?")) from None
 
 

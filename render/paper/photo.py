@@ -1,4 +1,4 @@
-"""A photograph beneath a drawing: its light made even, faded so that lines upon it can be read, cut to a field."""
+"""A photograph beneath a drawing: its light evened out, faded so that lines on it are readable, cut to a field."""
 
 from __future__ import annotations
 
@@ -19,34 +19,34 @@ if TYPE_CHECKING:
 Box = tuple[float, float, float, float]
 """Left, bottom, right, top in mm."""
 
-FADED = 0.58  # how dark black ink is left; where a JPEG overshoots, a little darker
-CLEAN = 0.96  # what is as light as this beside its surroundings is clean paper
-SHADES = 40  # of grey: more are only noise
+FADED = 0.58  # how dark black ink remains; overshoots of a JPEG are slightly darker
+CLEAN = 0.96  # as light as this relative to its surroundings is clean paper
+SHADES = 40  # levels of grey: more are only noise
 SHADOW_PX = 12  # light changes slowly, ink does not
-DARK = 0.72  # of the paper's light: darker is a person's pencil, lighter a printed grid
+DARK = 0.72  # of the paper's light: darker is the student's pencil, lighter a printed grid
 LEAST_PX = 8
 CELL_MM = 0.8
-NEAR_MM = 1.2  # of a line that is drawn anyway
+NEAR_MM = 1.2  # width of a line that is drawn anyway
 SHARPEST = 6.0  # pixels to a mm of paper
 QUALITY = 72
 
 
 @frozen
 class Photo:
-    """A picture file and where it lies."""
+    """A picture file and its place."""
 
     data: bytes
     box: Box
 
 
 def moved(photo: Photo, reduction: float, shift: complex) -> Photo:
-    """The same, drawn 1 : ``reduction`` and moved."""
+    """The same, reduced 1 : ``reduction`` and moved."""
     x0, y0, x1, y1 = (side / reduction for side in photo.box)
     return Photo(photo.data, (x0 + shift.real, y0 + shift.imag, x1 + shift.real, y1 + shift.imag))
 
 
 def faded(photo: Photo, field: Box) -> Photo | None:
-    """What of it lies in a field, in pale grey on white; None where nothing does."""
+    """The part of it within a field, in pale grey on white; None where there is none."""
     from PIL import Image
 
     x0, y0, x1, y1 = photo.box
@@ -66,7 +66,7 @@ def faded(photo: Photo, field: Box) -> Photo | None:
 
 
 def _pale(grey: Image) -> NDArray[np.uint8]:
-    """Pixels in a few pale shades, by their share of the light of the paper there, whatever lamp it lay under."""
+    """Pixels in a few pale shades, by their brightness relative to the paper there, whatever the lighting."""
     import numpy as np
     from PIL import ImageFilter
 
@@ -79,7 +79,7 @@ def _pale(grey: Image) -> NDArray[np.uint8]:
 
 
 def ink_of(photo: Photo, lines: Sequence[tuple[complex, complex]]) -> Iterator[Mark]:
-    """Small areas where a faded picture is dark, a person's letters for instance; what runs along ``lines`` aside."""
+    """Small areas where a faded picture is dark, the student's letters for instance; ink along ``lines`` is ignored."""
     import numpy as np
     from PIL import Image, ImageFilter
 

@@ -1,4 +1,4 @@
-"""How marks look: pens, letter heights and sizes of symbols, in mm of paper (ГОСТ 2.303, 2.304).
+"""The appearance of marks: pens, letter heights and sizes of symbols, in mm of paper (ГОСТ 2.303, 2.304).
 
 Nothing here is ever scaled by a plan's μ.  A mark names its style; this table turns the name into a pen.
 """
@@ -33,7 +33,7 @@ PENS: dict[str, Pen] = {
     "thick": Pen(THICK.pen),
     "result": Pen(THICK.pen),
     "frame": Pen(THICK.pen),
-    "vector": Pen(MEDIUM.pen),  # a force, or a vector a result is made of
+    "vector": Pen(MEDIUM.pen),  # a force, or a component of a result
     "rule": Pen(MEDIUM.pen),  # under the head of a table
     "thin": Pen(THIN.pen),
     "axis": Pen(THIN.pen, (10.0, 1.4, 0.6, 1.4)),
@@ -49,7 +49,7 @@ REPORT_PENS: dict[str, Pen] = {
     "wrong": Pen(0.5, (), "#b3201a"),
     "follows": Pen(0.3, (), "#a35c00"),
 }
-"""Lines of the report of a checked drawing, in the colours of its page; each can be told without them too."""
+"""Lines of the report on a checked drawing, in the colours of its page; each is recognisable without them too."""
 
 LAYERS: tuple[Layer, ...] = get_args(Layer)
 """The layers from the lowest to the topmost."""
@@ -60,11 +60,11 @@ LETTER_GAP = 0.2  # clear distance of letters over their height
 WORD_GAP = 0.6  # clear distance of words over their height
 INDEX_SIZE = 0.7  # height of an index over the letter height: 5 -> 3.5 -> 2.5
 LEAST_MM = 1.8  # the smallest letters of ГОСТ 2.304: no index is smaller, unless its base is
-INDEX_DROP = 0.32  # how far below the base line a lower index stands, over the letter height
-INDEX_RISE = 0.6  # how far above it an upper index stands, over the letter height
+INDEX_DROP = 0.32  # distance of a lower index below the base line, over the letter height
+INDEX_RISE = 0.6  # distance of an upper index above it, over the letter height
 INDEX_GAP = 0.12  # clear distance of an index from its base, over the letter height
 
-SHORTEST = 0.51  # of its usual length is the pattern of a line of two dashes
+SHORTEST = 0.51  # of the usual length: the pattern of a line with two dashes
 
 HINGE_MM = 1.5  # radius of a hinge
 DOT_MM = 0.8  # radius of a mass centre or a marked point
@@ -76,23 +76,24 @@ HATCH_GAP_MM = 1.6  # between its strokes
 
 
 def large() -> bool:
-    """Whether figures are drawn for a large format, to be read from farther off."""
+    """Whether figures are drawn for a large format, to be read from farther away."""
     return _large.get()
 
 
 def tall(mm: float) -> float:
-    """The height of letters of figures that are so high on usual formats."""
+    """The height of letters in figures that have this height on usual formats."""
     return LARGER[mm] if large() else mm
 
 
 def lettered_for(large: bool) -> AbstractContextManager[None]:
-    """Within it figures are drawn for a ``large`` format, or a usual one."""
+    """In this context figures are drawn for a ``large`` format, or a usual one."""
     return within(_large, large)
 
 
 @lru_cache
 def pen(style: str) -> Pen:
-    """The pen of a style, "vector" or coloured "vector #0072B2"; an unknown name is an error that lists the known."""
+    """The pen of a style, "vector" or coloured "vector #0072B2"; an unknown name is an error that lists the valid
+    ones."""
     name, _, colour = style.partition(" ")
     known = PENS.get(name) or REPORT_PENS.get(name)
     if known is None:
@@ -104,15 +105,15 @@ _WEIGHTS = (5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100, 1
 
 
 def weight(width: float) -> int:
-    """The line weight of a DXF nearest to a width in mm: in hundredths of a mm, of the values the format knows."""
+    """The DXF line weight nearest to a width in mm: in hundredths of a mm, of the values in the format."""
     return min(_WEIGHTS, key=lambda w: abs(w - 100 * width))
 
 
 def fitted(pattern: tuple[float, ...], length_mm: float, closed: bool = False) -> tuple[float, ...]:
     """The pattern stretched so that a line of that length begins and ends with a whole dash.
 
-    Between two dashes it shrinks to no less than ``SHORTEST``; a line too short for that comes out solid, as small
-    centre lines are drawn (a chain under 12 mm).
+    Between two dashes it shrinks to no less than ``SHORTEST``; a line too short for that is solid, as small centre
+    lines are drawn (a chain under 12 mm).
     """
     if not pattern:
         return ()
@@ -122,6 +123,6 @@ def fitted(pattern: tuple[float, ...], length_mm: float, closed: bool = False) -
 
 
 def head_size(length_mm: float, width_mm: float) -> tuple[float, float]:
-    """Length and width in mm of the head of an arrow of that length, of the pen nearest in width; zeros: none."""
+    """Length and width in mm of the head of an arrow of that length, with the pen nearest in width; zeros: none."""
     shape = min(SHAPES, key=lambda one: abs(one.pen - width_mm)).on(length_mm)
     return (shape.long, shape.wide) if shape else (0.0, 0.0)

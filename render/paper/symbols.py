@@ -1,9 +1,9 @@
 """Signs of kinematic schemes (ГОСТ 2.770) as marks: sizes in mm of paper, angles in degrees, y up.
 
-A sign is a tuple of marks in drawing order.  Paper-filled ones (hinges, sliders) hide what was drawn
-before them; ``uncovered`` in ``ink`` turns that into lines really cut.  So the order is:
-guides, sliders, bars, hinges; then a bar is seen up to the hinge within a slider, a guide only up to the
-slider.  Without a layer of their own the marks lie on "scheme", hatching on "hatch".
+A sign is a tuple of marks in drawing order.  Paper-filled ones (hinges, sliders) hide marks drawn before them;
+``uncovered`` in ``ink`` turns that into lines really cut.  So the order is: guides, sliders, bars, hinges; then a bar
+is visible up to the hinge within a slider, a guide only up to the slider.  The default layer is "scheme", for hatching
+"hatch".
 """
 
 import cmath
@@ -18,7 +18,7 @@ from render.paper.style import BASE_MM, BLOCK_MM, DOT_MM, HATCH_GAP_MM, HATCH_MM
 
 Marks = tuple[Mark, ...]
 PLATE_GAP_MM, GUSSET_MM = 3.0, 4.5
-ALIKE = 0.2  # the sine of an angle at which lines run alike
+ALIKE = 0.2  # the sine of an angle at which lines count as parallel
 
 
 def unit(angle_deg: float) -> complex:
@@ -35,7 +35,7 @@ def hinge(at: complex) -> Marks:
 
 
 def hatching(at: complex, angle_deg: float, length: float, side: int = -1) -> Marks:
-    """Slanting strokes along a line centred at ``at``, on its right (``side`` −1) or left (+1)."""
+    """Oblique strokes along a line centred at ``at``, on its right (``side`` −1) or left (+1)."""
     along = unit(angle_deg)
     count = max(2, round(length / HATCH_GAP_MM))
     step = length / count
@@ -71,7 +71,7 @@ def block(at: complex, angle_deg: float = 0, size: tuple[float, float] = BLOCK_M
 
 
 def rail(at: complex, angle_deg: float, reach: float, side: int = -1, across: float = BLOCK_MM[1]) -> Marks:
-    """A guide of the frame along the long side of a slider at ``at``, ``reach`` mm before it and after: on its right
+    """A guide of the frame along the long side of a slider at ``at``, ``reach`` mm to either end: on its right
     (``side`` −1) or left."""
     return base(at + side * 1j * across / 2 * unit(angle_deg), angle_deg, 2 * reach, side)
 
@@ -82,15 +82,15 @@ def bar(*points: complex) -> Marks:
 
 
 def plate(points: Sequence[complex]) -> Marks:
-    """A rigid link with three or more hinges: a polygon, hatched as ГОСТ 2.306 does, the other way where an edge runs
-    alike."""
+    """A rigid link with three or more hinges: a polygon, hatched by ГОСТ 2.306, the other way where an edge is parallel
+    to the strokes."""
     edges = (b - a for a, b in pairwise((*points, points[0])))
     alike = any(abs((way * unit(-45)).imag) < ALIKE * abs(way) for way in edges)
     return (Hatch(tuple(points), 135.0 if alike else 45.0, PLATE_GAP_MM), Line(tuple(points), closed=True))
 
 
 def rigid(at: complex, one: complex, other: complex) -> Marks:
-    """The sign that two rods of a link are fixed to each other where they meet: a gusset in their angle."""
+    """The sign of two rods rigidly joined in one link: a gusset in their angle."""
     u, v = (toward(at, z) for z in (one, other))
     return (Shape((at, at + GUSSET_MM * u, at + GUSSET_MM * v)),) if abs((u * v.conjugate()).imag) > ALIKE else ()
 

@@ -1,7 +1,7 @@
 """A line of text with indices, laid out as pen strokes in mm of the sheet.
 
-``v_{CB}`` lowers, ``a^{n}`` raises; both after one base stand above each other: ``a_{CB}^{n}``.  Nothing
-else is markup: a bare ``_`` or ``^`` is drawn as it stands.
+``v_{CB}`` lowers, ``a^{n}`` raises; both after one base are stacked: ``a_{CB}^{n}``.  Nothing else is markup: a bare
+``_`` or ``^`` is drawn literally.
 """
 
 import cmath
@@ -35,9 +35,9 @@ class Run:
 class LaidText:
     """A laid-out text: ``strokes`` in sheet mm.
 
-    ``pens`` holds the width of every stroke and ``width`` is the length of the ink, in mm; ``origin`` is the
-    left end of the base line on the sheet and ``turn_deg`` its direction.  In an installed font the strokes are
-    closed outlines with pens of no width, to be ``filled`` together by the non-zero rule.
+    ``pens`` holds the width of every stroke and ``width`` is the length of the ink, in mm; ``origin`` is the left end
+    of the base line on the sheet and ``turn_deg`` its direction.  In an installed font the strokes are closed outlines
+    with pens of zero width, to be ``filled`` together by the non-zero rule.
     """
 
     strokes: tuple[Polyline, ...]
@@ -50,7 +50,7 @@ class LaidText:
 
     @property
     def plain(self) -> str:
-        """The text without markup, as it is read aloud or searched for."""
+        """The text without markup, for reading aloud or searching."""
         return " ".join("".join(run.text for run in self.runs).split())
 
     def by_pen(self) -> list[tuple[float, list[Polyline]]]:
@@ -71,7 +71,8 @@ class Indexed:
 
 
 def box_of(text: Text) -> Polyline:
-    """The four corners of a text's ink after its anchor and its turn, counter-clockwise; all in one place of none."""
+    """The four corners of a text's ink after its anchor and its rotation, counter-clockwise; all in one place without
+    ink."""
     _, y0, _, y1 = _bounds(text.text, text.height, text.face, text.narrow)
     origin, turn, x0, x1 = _turned(text)
     corners = (complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1))
@@ -79,7 +80,7 @@ def box_of(text: Text) -> Polyline:
 
 
 def _turned(text: Text) -> tuple[complex, complex, float, float]:
-    """Where the base line of a text mark begins, its direction, and from where to where along it there is ink."""
+    """The start of a text mark's base line, its direction, and the interval of ink along it."""
     x0, _, x1, _ = _bounds(text.text, text.height, text.face, text.narrow)
     shift = {"start": -x0, "middle": -(x0 + x1) / 2, "end": -x1}[text.anchor]
     turn = cmath.rect(1, math.radians(text.turn_deg)) if text.turn_deg else 1 + 0j
@@ -87,7 +88,7 @@ def _turned(text: Text) -> tuple[complex, complex, float, float]:
 
 
 def layout(text: Text) -> LaidText:
-    """Strokes and runs of a text mark after its anchor and its turn."""
+    """Strokes and runs of a text mark after its anchor and its rotation."""
     runs = _runs(text.text, text.height, text.face)
     inked = _inked(runs, text.face, text.narrow)
     runs = tuple(_narrowed(run, text.narrow) for run in runs)
@@ -115,7 +116,7 @@ def ink_width(text: str, height_mm: float) -> float:
 
 
 def wrapped(text: str | Sequence[str], width: float, height_mm: float) -> list[str]:
-    """A sentence, or what is not to be broken of one, in lines no wider than so many mm."""
+    """A sentence, or its unbreakable parts, in lines within a given width in mm."""
     lines: list[str] = []
     for word in text.split() if isinstance(text, str) else text:
         longer = f"{lines[-1]} {word}" if lines else word
@@ -127,7 +128,7 @@ def wrapped(text: str | Sequence[str], width: float, height_mm: float) -> list[s
 
 
 def over(text: str, height_mm: float, rise: float) -> tuple[float, float]:
-    """From where to where, in mm from the left end of the base line, a bar ``rise`` mm above a text runs."""
+    """The interval, in mm from the left end of the base line, of a bar ``rise`` mm above a text."""
     face = current()
     lean = lettering.SLANT * min(rise, 0.7 * height_mm) if face.slanted else 0.0
     return lean, lean + _width(text, height_mm, face)
@@ -162,12 +163,12 @@ def _blanks(text: str, face: Face) -> tuple[float, float]:
 
 
 def _width(text: str, height: float, face: Face) -> float:
-    """Width in mm of the ink of a run, were it upright."""
+    """Width in mm of the ink of a run, as if upright."""
     return outlines.width(text, height, face.font) if face.font else lettering.width(text, height)
 
 
 def _strokes(run: Run, face: Face) -> Iterator[tuple[float, Polyline]]:
-    """Pens and strokes of a run where it stands; a slanted one leans about the base line of the whole text."""
+    """Pens and strokes of a run in place; a slanted one leans about the base line of the whole text."""
     if not face.font:
         lines = lettering.strokes(run.text, run.height, face.slanted)
         for pen, line in zip(lettering.pens(run.text, run.height), lines, strict=True):
@@ -202,13 +203,13 @@ def _runs(text: str, height: float, face: Face) -> tuple[Run, ...]:
 
 
 def _narrowed(run: Run, narrow: float) -> Run:
-    """A run so many times as wide."""
+    """A run with its width multiplied."""
     return replace(run, at=complex(narrow * run.at.real, run.at.imag), width=narrow * run.width)
 
 
 @lru_cache(maxsize=2048)
 def _inked(runs: tuple[Run, ...], face: Face, narrow: float) -> _Inked:
-    """Pens with their strokes, all so many times as wide."""
+    """Pens with their strokes, all with their width multiplied."""
     inked = (stroke for run in runs for stroke in _strokes(run, face))
     if narrow == 1.0:
         return tuple(inked)
@@ -228,7 +229,7 @@ def _bounds(text: str, height: float, face: Face, narrow: float = 1.0) -> Box:
 
 
 def _indices(part: Indexed, x: float, height: float, face: Face, runs: list[Run]) -> float:
-    """Set the indices of a base at x; the x where the wider of them ends. They lean with a slanted base."""
+    """Set the indices of a base at x; returns the x at the end of the wider one. They lean with a slanted base."""
     size, ends = min(height, max(INDEX_SIZE * height, LEAST_MM)), [x]
     for index, level in ((part.lower, -INDEX_DROP), (part.upper, INDEX_RISE)):
         if index.strip():

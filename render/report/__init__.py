@@ -9,7 +9,7 @@ from planes.words.errors import PlanesError
 from planes.words.naming import Naming
 
 SUFFIXES = {".html": "html", ".htm": "html", ".pdf": "pdf", ".docx": "word"}
-WORD = ("docx", "latex2mathml", "mathml2omml")  # what a Word document needs: the extra ``word``
+WORD = ("docx", "mathml2omml")  # what a Word document needs: the extra ``word``
 
 
 def rendered(blocks: Sequence[Block], suffix: str, naming: Naming) -> bytes:

@@ -34,12 +34,12 @@ if TYPE_CHECKING:
 
 WIDTH_MM = 170.0
 GAP_MM = 8.0
-LETTER_MM = {True: 3.5, False: 2.5}  # of equations that stand alone, and of those beneath their plan
+LETTER_MM = {True: 3.5, False: 2.5}  # heights of equations alone, and of those beneath their plan
 DPI = 220
 
 
 class MarkedFigure(Page):
-    """Marks in mm on a paper of their own size; like a :class:`Picture` it knows its points and draws itself."""
+    """Marks in mm on a paper of their size; like a :class:`Picture` it knows its size in points and draws itself."""
 
     @property
     def width(self) -> float:
@@ -52,7 +52,7 @@ class MarkedFigure(Page):
         return POINTS_PER_MM * self.size[1]
 
     def svg(self, label: str) -> str:
-        """Inline SVG; groups lose their ids, for a page may hold many drawings."""
+        """Inline SVG; groups lose their ids, since a page may hold many drawings."""
         text = svg.write(self.marks, self.size, label).decode().partition("?>\n")[2]
         return re.sub(r' (id|xml:lang|lang)="[^"]*"', "", text).strip()
 
@@ -84,7 +84,7 @@ class Studio:
     composers: dict[int, Composer] = field(default_factory=dict)  # by the scene
 
     def shown(self, figure: Figure) -> tuple[list[Shown], str]:
-        """The pictures of a figure, none where there is nothing to be seen, and what stands beneath."""
+        """The pictures of a figure, none where there is nothing to see, and its caption."""
         match figure.of:
             case Chart() as chart:
                 return [charts.chart(chart, WIDTH_MM, self.lang)], figure.caption
@@ -94,7 +94,7 @@ class Studio:
                 return self.drawn(drawn, figure.caption)
 
     def drawn(self, block: DrawnViews, caption: str) -> tuple[list[Shown], str]:
-        """The views of one position, side by side where they fit; a caption with every μ if it is asked for."""
+        """The views of one position, side by side where they fit; a caption with every μ if requested."""
         composer = self.composers.setdefault(id(block.scene), Composer(block.scene, self.lang, block.position.plans))
         plotted, _ = with_links_apart(block.position)
         views = []
@@ -143,7 +143,7 @@ def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, al
 
 
 def _scaled(name: str, composer: Composer, plotted: Plotted) -> str:
-    """A view's name with its μ, which no line breaks."""
+    """A view's name with its μ, unbroken across lines."""
     mu = composer.mu(plotted, "position" if name == "scheme" else name).replace(" ", "\u00a0")
     return mu if name == "scheme" else f"{composer.plan_name(name).lower()}, {mu}"
 

@@ -1,4 +1,4 @@
-"""Figures of a paged report float: one that has no room on its page stands at the head of the next, and what follows it
+"""Figures of a paged report float: one without room on its page moves to the head of the next, and the text after it
 fills the page before."""
 
 from collections.abc import Iterable, Sequence
@@ -11,7 +11,7 @@ from planes.words.frozen import frozen
 
 @frozen
 class PagePiece:
-    """What stands together: a figure with its caption, a heading with what follows it."""
+    """Elements kept together: a figure with its caption, a heading with the first block after it."""
 
     parts: Sequence[Flowable]
     floats: bool = False
@@ -19,7 +19,7 @@ class PagePiece:
 
 @dataclass
 class Filled:
-    """A page being filled as reportlab fills it: how much of it is used, and the room after what stands last."""
+    """A page filled in the manner of reportlab: the height used, and the space after the last element."""
 
     width: float
     height: float
@@ -31,7 +31,7 @@ class Filled:
         return self.ended(piece.parts)[0] <= self.height
 
     def ended(self, parts: Sequence[Flowable]) -> tuple[float, float]:
-        """How much is used, and the room after it, with these too."""
+        """The height used, and the space after it, with these elements added."""
         used, after = self.used, self.after
         for part in parts:
             used += (max(after, part.getSpaceBefore()) if used else 0.0) + part.wrap(self.width, self.height)[1]
@@ -39,7 +39,7 @@ class Filled:
         return used, after
 
     def put(self, piece: PagePiece) -> None:
-        """Fill it; what has no room begins the next page, of a paragraph what is left of it."""
+        """Add an element; one without room begins the next page, a paragraph with its remainder."""
         if not self.holds(piece):
             parts, room = piece.parts, self.height - self.used - max(self.after, piece.parts[0].getSpaceBefore())
             rest = parts[0].split(self.width, room)[1:] if len(parts) == 1 else []
@@ -50,7 +50,7 @@ class Filled:
 
 
 def glued(blocks: Iterable[PagePiece]) -> list[PagePiece]:
-    """Pieces that are kept with what follows them, together with it; a figure right after its heading stays there."""
+    """Elements joined to those they must precede; a figure right after its heading stays there."""
     groups: list[PagePiece] = []
     held: list[Flowable] = []
     for piece in blocks:
@@ -63,7 +63,7 @@ def glued(blocks: Iterable[PagePiece]) -> list[PagePiece]:
 
 
 def floated(pieces: Iterable[PagePiece], page: Filled) -> list[Flowable]:
-    """All that is set, in the order in which pages are full; figures keep their order."""
+    """All elements, in the order in which pages are full; figures keep their order."""
     set_pieces, waiting = list[PagePiece](), list[PagePiece]()
 
     def put(*those: PagePiece) -> None:

@@ -1,20 +1,20 @@
-"""A document as one HTML page that needs nothing beside it: styles, formulas and figures stand inside."""
+"""A document as one HTML page without external files: styles, formulas and figures are inside."""
 
 import re
 from collections.abc import Sequence
 from html import escape
 
-from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
-from render.charts.strokes import formula
 from render.page import web_page
 from render.paper.letters import tagged
 from render.report.figures import Studio
+from render.report.mathml import mathml
 
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     """The page, UTF-8."""
-    title = next((b.text for b in blocks if isinstance(b, Heading)), "")
+    title = next((b.text for b in blocks if isinstance(b, Cover | Heading)), "")
     body = "\n".join(map(_HtmlPage(blocks, naming).block, blocks))
     return web_page.page(title, naming.lang, web_page.part("report.css"), body).encode()
 
@@ -31,16 +31,17 @@ class _HtmlPage:
     def block(self, block: Block) -> str:
         """One block as HTML."""
         match block:
+            case Cover():
+                return self.cover(block) + self.contents()
             case Heading():
                 return self.heading(block)
             case Paragraph():
-                kind = ' class="mistake" role="note"' if block.mistake else ""
+                kind = ' class="why"' if block.why else ' class="mistake" role="note"' if block.mistake else ""
                 count = f'<span class="count">{block.number}.</span>' if block.number else ""
-                why = f'<p class="why">{self.text(block.why, block.plan)}</p>' if block.why else ""
-                return f"<p{kind}>{count}{self.text(block.text, block.plan)}</p>{why}"
-            case Formula(tex, number):
+                return f"<p{kind}>{count}{self.text(block.text, block.plan)}</p>"
+            case Formula(pieces, number):
                 tail = f'<span class="number">({escape(number)})</span>' if number else ""
-                parts = "".join(formula(t, 12.5).svg(plain(t)) for t in tex.split(r"\quad"))
+                parts = "".join(map(mathml, pieces))
                 return f'<div class="formula"><span class="parts">{parts}</span>{tail}</div>'
             case DocumentTable(caption, rows):
                 return self.table(caption, rows)
@@ -50,18 +51,29 @@ class _HtmlPage:
                 shown = "".join(p.svg(caption) for p in pictures)
                 return f"<figure>{shown}{beneath}</figure>" if pictures else ""
 
+    def cover(self, cover: Cover) -> str:
+        """The head of the page."""
+        lines = "".join(f"<p>{escape(line)}</p>" for line in cover.above)
+        beneath = "".join(f"<p>{escape(line)}</p>" for line in (*cover.people, cover.foot) if line)
+        mechanism = f"<br><small>{escape(cover.of)}</small>" if cover.of else ""
+        return f'<header class="cover">{lines}<h1>{escape(cover.kind)}{mechanism}</h1>{beneath}</header>'
+
     def heading(self, heading: Heading) -> str:
         """The title with the list of contents, a chapter, which the list links to, or a section."""
-        text = self.text(heading.text) if heading.level else escape(heading.text)  # the title is anybody's
+        text = self.text(heading.text) if heading.level else escape(heading.text)  # the title may come from anybody
         tag = f"h{heading.level + 1}"
         if heading.level == 1:
             place = next(n for n, one in enumerate(self.chapters, 1) if one is heading)
             return f'<{tag} id="c{place}">{text}</{tag}>'
+        return f"<{tag}>{text}</{tag}>" + ("" if heading.level else self.contents())
+
+    def contents(self) -> str:
+        """The list of chapters."""
         links = "".join(f'<li><a href="#c{n}">{self.text(c.text)}</a></li>' for n, c in enumerate(self.chapters, 1))
-        return f"<{tag}>{text}</{tag}>" + (f"\n<nav><ul>{links}</ul></nav>" if links and not heading.level else "")
+        return f"\n<nav><ul>{links}</ul></nav>" if links else ""
 
     def table(self, caption: str, rows: Sequence[Sequence[str]]) -> str:
-        """A table that scrolls by itself on a narrow screen."""
+        """A table that scrolls separately on a narrow screen."""
         head = "".join(f'<th scope="col">{self.text(cell)}</th>' for cell in rows[0])
         body = "".join("<tr>" + "".join(map(self.cell, row)) + "</tr>" for row in rows[1:])
         parts = f"<caption>{self.text(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody>"
@@ -74,11 +86,5 @@ class _HtmlPage:
 
 
 def is_number(text: str) -> bool:
-    """Whether a cell holds a number, so that it stands on the right."""
+    """Whether a cell holds a number, to be aligned right."""
     return bool(re.match(r"^[−-]?[\d∞…—]", text))
-
-
-def plain(tex: str) -> str:
-    """A formula as words for those who hear the page."""
-    text = re.sub(r"\\(?:mathrm|left|right|quad|,|;|\s)", " ", tex)
-    return re.sub(r"\s+", " ", re.sub(r"[\\{}]", " ", text)).strip()

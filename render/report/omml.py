@@ -1,29 +1,17 @@
-"""A formula as Word's own equation (Office MathML, ECMA-376-1 §22.1), which a person can go on editing there."""
+"""A formula as Word's own equation (Office MathML, ECMA-376-1 §22.1), which can be edited there."""
 
-import re
 from typing import Any
 
 import mathml2omml
 from docx.oxml import parse_xml
 from docx.oxml.ns import nsdecls
-from latex2mathml.converter import convert
 
-FOR_WORD = {
-    r"\\dfrac": r"\\frac",
-    r"\\quad": r"\\quad ",
-    r"(\d+)\{,\}(\d+)": r"\\text{\1,\2}",  # a number is one thing
-    r"\\mathrm\{": r"\\text{",
-    r"\|([^|]*)\|": r"\\left|\1\\right|",  # what stands in brackets, too
-    r"(?<!\\left)[(\[]": r"\\left\g<0>",
-    r"(?<!\\right)[)\]]": r"\\right\g<0>",
-}
-"""Patterns of our mathtext and what replaces them before conversion, in this order."""
+from render.report.mathml import mathml
+
 ROOT = "<m:radPr><m:degHide m:val='1'/></m:radPr><m:deg/>"  # a square root shows no degree
 
 
 def equation(tex: str) -> Any:
     """The equation, an element for a paragraph."""
-    for ours, other in FOR_WORD.items():
-        tex = re.sub(ours, other, tex)
-    made = mathml2omml.convert(convert(tex)).replace("<m:rad>", f"<m:rad>{ROOT}")
+    made = mathml2omml.convert(mathml(tex)).replace("<m:rad>", f"<m:rad>{ROOT}")
     return parse_xml(made.replace("<m:oMath>", f"<m:oMath {nsdecls('m')}>", 1))

@@ -11,19 +11,20 @@ from typing import TYPE_CHECKING
 from reportlab.lib.styles import ParagraphStyle
 from reportlab.lib.units import mm
 from reportlab.pdfbase import pdfmetrics
-from reportlab.platypus import Flowable, SimpleDocTemplate
+from reportlab.platypus import Flowable, PageBreak, SimpleDocTemplate, Spacer
 from reportlab.platypus import Paragraph as Words
 from reportlab.platypus import Table as Grid
+from reportlab.platypus.tableofcontents import TableOfContents
 
-from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
-from render.charts.strokes import formula
 from render.files.pdf import registered
 from render.paper.letters import tagged
 from render.paper.outlines import dejavu
 from render.report.figures import Shown, Studio
 from render.report.floats import Filled, PagePiece, floated, glued
 from render.report.html import is_number
+from render.report.math_line import MathLine, broken
 
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
@@ -35,7 +36,7 @@ HEIGHT = 170 * mm  # of a figure
 PADDING = 12.0  # on both sides together, of reportlab's frame
 FACES = {"Note": "DejaVuSerif.ttf", "NoteBold": "DejaVuSerif-Bold.ttf", "NoteItalic": "DejaVuSerif-Italic.ttf"}
 LETTER = 10.5
-ROOMY = 85  # letters across a table; one with more has smaller ones
+ROOMY = 85  # letters across a table; one with more has smaller type
 
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
@@ -44,15 +45,21 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
         registered(name, dejavu().parent / file)
     pdfmetrics.registerFontFamily("Note", normal="Note", bold="NoteBold", italic="NoteItalic", boldItalic="NoteBold")
     data = io.BytesIO()
-    title = next((b.text for b in blocks if isinstance(b, Heading)), "")
+    title = next((b.text for b in blocks if isinstance(b, Cover | Heading)), "")
     margins = {"leftMargin": LEFT, "rightMargin": RIGHT, "topMargin": EDGE, "bottomMargin": EDGE}
     metadata = {"title": title, "author": "", "creator": "planes", "lang": naming.lang}
     paper = _Paper(data, pagesize=PAGE, invariant=1, initialFontName="Note", **margins, **metadata)
     setter = _Setter(naming)
-    pieces = glued(PagePiece(setter.flow(b), isinstance(b, Figure) and bool(b.caption)) for b in blocks)
+    first = [part for block in blocks if isinstance(block, Cover) for part in setter.flow(block)]
+    rest = (block for block in blocks if not isinstance(block, Cover))
+    pieces = glued(PagePiece(setter.flow(b), isinstance(b, Figure) and bool(b.caption)) for b in rest)
     story = floated(pieces, Filled(WIDTH - PADDING, PAGE[1] - 2 * EDGE - PADDING))
-    paper.build(story, onFirstPage=_number, onLaterPages=_headed)
+    paper.multiBuild([*first, *story], onFirstPage=_titled if first else _number, onLaterPages=_headed)
     return data.getvalue()
+
+
+def _titled(*_: object) -> None:
+    """A title page has no number."""
 
 
 def _number(canvas: Canvas, paper: SimpleDocTemplate) -> None:
@@ -61,7 +68,7 @@ def _number(canvas: Canvas, paper: SimpleDocTemplate) -> None:
 
 
 def _headed(canvas: Canvas, paper: SimpleDocTemplate) -> None:
-    """The number of the page, and what it belongs to."""
+    """The page number, and the document's title."""
     _number(canvas, paper)
     canvas.setFont("Note", 8)
     canvas.setFillColor("#555555")
@@ -70,16 +77,18 @@ def _headed(canvas: Canvas, paper: SimpleDocTemplate) -> None:
 
 class _Paper(SimpleDocTemplate):  # type: ignore[misc]
     def afterFlowable(self, flowable: Flowable) -> None:
-        """Headings stand in the PDF's outline."""
+        """Headings appear in the PDF's outline."""
         style = getattr(getattr(flowable, "style", None), "name", "")
         if style in ("h1", "h2"):
             key = f"{style}-{self.seq.nextf(style)}"
             self.canv.bookmarkPage(key)
-            self.canv.addOutlineEntry(flowable.getPlainText(), key, level=int(style[1]) - 1, closed=style == "h1")
+            text = flowable.getPlainText()
+            self.canv.addOutlineEntry(text, key, level=int(style[1]) - 1, closed=style == "h1")
+            self.notify("TOCEntry", (int(style[1]) - 1, text, self.page, key))
 
 
 class _Setter:
-    """Turns blocks into what reportlab sets."""
+    """Turns blocks into reportlab flowables."""
 
     def __init__(self, naming: Naming) -> None:
         self.naming, self.studio = naming, Studio(naming.lang)
@@ -101,14 +110,17 @@ class _Setter:
         ]
 
     def flow(self, block: Block) -> list[Flowable]:
-        """What a block becomes."""
+        """The flowables of a block."""
         match block:
+            case Cover():
+                return self.cover(block)
             case Heading(text, level):
                 return [Words(self.text(text) if level else escape(text), self.heads[level])]
             case Paragraph():
-                return self.paragraph(block)
-            case Formula(tex, number):
-                return [_Picture(formula(tex, LETTER - 0.5), number, left=True)]
+                return [self.paragraph(block)]
+            case Formula(parts, number):
+                *lines, last = broken(parts, LETTER - 0.5, WIDTH - 14 * mm)
+                return [*(_Picture(line, left=True, keep=True) for line in lines), _Picture(last, number, left=True)]
             case DocumentTable(caption, rows):
                 return [Words(self.text(caption), self.above), self.table(rows)]
             case Figure():
@@ -116,15 +128,35 @@ class _Setter:
                 beneath = [Words(self.text(caption), self.small)] if caption and pictures else []
                 return [*(_Picture(p, keep=bool(beneath)) for p in pictures), *beneath]
 
-    def paragraph(self, block: Paragraph) -> list[Flowable]:
-        """What is said, and why."""
+    def cover(self, cover: Cover) -> list[Flowable]:
+        """The title page, and the contents on another."""
+        middle, right = (ParagraphStyle(f"cover{k}", self.plain, firstLineIndent=0, alignment=k) for k in (1, 2))
+        contents = TableOfContents(levelStyles=[ParagraphStyle("contents", self.plain, firstLineIndent=0)] * 2)
+        contents.dotsMinLevel = 0
+        return [
+            *(Words(escape(line), middle) for line in cover.above),
+            Spacer(0, 70 * mm),
+            Words(escape(cover.kind), ParagraphStyle("title", self.heads[0], alignment=1)),
+            Words(escape(cover.of), middle),
+            Spacer(0, 50 * mm),
+            *(Words(escape(line), right) for line in cover.people),
+            Spacer(0, 50 * mm),
+            Words(escape(cover.foot), middle),
+            PageBreak(),
+            Words(escape(cover.contents), ParagraphStyle("contents", self.heads[1])),
+            contents,
+            PageBreak(),
+        ]
+
+    def paragraph(self, block: Paragraph) -> Flowable:
+        """A paragraph in its style."""
         count = f"{block.number}. " if block.number else ""
-        style = self.mistake if block.mistake else self.leading if block.text[-1:] == ":" else self.plain
-        said = [Words(count + self.text(block.text, block.plan), style)]
-        return [*said, Words(self.text(block.why, block.plan), self.why)] if block.why else said
+        style = self.leading if block.text[-1:] == ":" else self.plain
+        style = self.why if block.why else self.mistake if block.mistake else style
+        return Words(count + self.text(block.text, block.plan), style)
 
     def table(self, rows: Sequence[Sequence[str]]) -> Flowable:
-        """A grid whose columns are as wide as what stands in them, with smaller letters if there is much."""
+        """A grid with columns as wide as their contents, in smaller type if there is much."""
         longest = [max(len(re.sub(r"[_^{}⟨⟩]", "", cell)) for cell in column) + 2 for column in zip(*rows, strict=True)]
         size = 9.5 if sum(longest) <= ROOMY else 7.5
         face = {"fontName": "Note", "fontSize": size, "leading": 1.27 * size}
@@ -148,9 +180,9 @@ class _Setter:
 
 
 class _Picture(Flowable):  # type: ignore[misc]
-    """A picture in the middle of the column or on its left, smaller if it is larger, its number on the right."""
+    """A picture in the middle of the column or at its left, reduced if necessary, with its number on the right."""
 
-    def __init__(self, picture: Shown, number: str = "", left: bool = False, keep: bool = False) -> None:
+    def __init__(self, picture: Shown | MathLine, number: str = "", left: bool = False, keep: bool = False) -> None:
         super().__init__()
         self.keepWithNext = int(keep)
         self.picture, self.number = picture, number

@@ -1,4 +1,4 @@
-"""Sketches of a crankshaft as a broken bar: its bearings, webs, pin and counterweights, with masses, forces, sizes."""
+"""Sketches of a crankshaft as a cranked bar: bearings, webs, pin, counterweights, with masses, forces, dimensions."""
 
 import cmath
 import math
@@ -9,16 +9,16 @@ from render.labels.footprints import bounds
 from render.paper.marks import Anchor, Arc, Arrow, Line, Mark, Text
 from render.views import View
 
-LONG_MM = 92.0  # the span
+LONG_MM = 92.0  # length of the span
 FORCE_MM = 15.0  # forces are not to scale
 WAYS = {"up": 1j, "down": -1j, "across": cmath.rect(0.9, math.radians(35.0))}
-"""How a force is drawn: in the plane of the crank, or square to the paper, which is shown aslant."""
+"""The symbol of a force: in the plane of the crank, or perpendicular to the paper, which is drawn obliquely."""
 WEIGHT_MM, MASS_MM, BEARING_MM = 3.0, 1.6, 1.5  # radii
 LETTER_MM = 3.5
 
 
 class ShaftDrawing:
-    """A crankshaft being sketched, the first bearing in the origin."""
+    """A crankshaft being drawn, the first bearing at the origin."""
 
     def __init__(self, block: ShaftSketch) -> None:
         self.block, self.scale = block, LONG_MM / block.span
@@ -57,7 +57,7 @@ class ShaftDrawing:
         yield from self.sizes()
 
     def force(self, place: str, way: str, name: str) -> Iterator[Mark]:
-        """A force that begins at its place, or against a bearing, with its name beside its far end."""
+        """A force that begins at its place, or acts against a bearing, with its name beside its far end."""
         near = self.places[place] + (WEIGHT_MM * WAYS[way] if place.startswith("weight") else 0j)
         far = near + FORCE_MM * WAYS[way]
         yield Arrow(far, near, name=name) if place in "AB" else Arrow(near, far, name=name)
@@ -67,13 +67,13 @@ class ShaftDrawing:
             yield self.beside(place, far - 3.5 * WAYS[way] - 1j, name)
 
     def beside(self, place: str, z: complex, name: str) -> Text:
-        """A name beside a place, on the side where there is room."""
+        """A name beside a place, on the free side."""
         outside = place in ("web_1", "weight_1")
         anchor: Anchor = "start" if outside else "end"
         return Text(name, z + (1 if outside else -1) * (WEIGHT_MM + 1.5), LETTER_MM, anchor)
 
     def sizes(self) -> Iterator[Mark]:
-        """The sizes asked for: along the shaft in rows beneath it, radii beside it."""
+        """The requested dimensions: along the shaft in rows beneath it, radii beside it."""
         left, pin, right, end = self.left, self.pin, self.right, self.end
         row = (0.0, left, "m"), (right, end, "m"), (left, pin, "a"), (pin, right, "b")
         rows = row, ((pin, end, "n"),), ((0.0, end, "L"),)

@@ -1,12 +1,12 @@
 """A document as a Word file with the margins, type and spacing of ГОСТ 7.32-2017 (6.1), contents and page numbers;
-formulas are Word's own equations.
-"""
+formulas are Word's own equations."""
 
 import io
 from collections.abc import Sequence
 
 from docx import Document
 from docx.document import Document as WordFile
+from docx.enum.text import WD_BREAK as Break
 from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as Side
 from docx.enum.text import WD_TAB_ALIGNMENT as Tab
 from docx.oxml import OxmlElement
@@ -15,14 +15,14 @@ from docx.shared import Mm, Pt, RGBColor
 from docx.styles.style import ParagraphStyle
 from docx.text.paragraph import Paragraph as Words
 
-from planes.solving.document import Block, DocumentTable, Figure, Formula, Heading, Paragraph
+from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
 from render.paper.letters import pieces
 from render.report.figures import Shown, Studio, raster
 from render.report.html import is_number
 from render.report.omml import equation
 
-COLUMN_MM = 165.0  # of text, between margins of 30 and 15 mm
+COLUMN_MM = 165.0  # width of text, between margins of 30 and 15 mm
 WIDTH, HEIGHT = COLUMN_MM * 72 / 25.4, 540.0  # of a figure, points
 LETTER, SMALL = 14, 12  # of text, and of tables
 INDENT_MM = 12.5
@@ -40,22 +40,24 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     writer.field(page.footer.paragraphs[0], "PAGE").alignment = Side.CENTER
     for block in blocks:
         writer.put(block)
-        if isinstance(block, Heading) and not block.level:
+        if isinstance(block, Cover) or (isinstance(block, Heading) and not block.level):
             chapters = [one.text for one in blocks if isinstance(one, Heading) and one.level]
             writer.field(writer.line(), r"TOC \o 1-2 \h \z", "\n".join(chapters))
+        if isinstance(block, Cover):
+            writer.next_page()
     paper.save(data := io.BytesIO())
     return data.getvalue()
 
 
 def set_type(style: ParagraphStyle, heading: bool) -> None:
-    """Times New Roman in black, one and a half lines; a heading in bold."""
+    """Times New Roman in black, line spacing 1.5; a heading in bold."""
     style.font.name, style.font.size, style.font.color.rgb = "Times New Roman", Pt(LETTER), RGBColor(0, 0, 0)
     fonts = style.element.rPr.rFonts
     for key in [key for key in fonts.attrib if key.endswith("Theme")]:
         del fonts.attrib[key]
     fonts.set(qn("w:cs"), "Times New Roman")
     shape = style.paragraph_format
-    for line in style.element.iterdescendants(qn("w:bottom")):  # beneath what is set apart
+    for line in style.element.iterdescendants(qn("w:bottom")):  # beneath a set-off paragraph
         line.set(qn("w:color"), "000000")
     shape.line_spacing, shape.space_before, shape.space_after = 1.5, Pt(12 * heading), Pt(6 * heading)
     shape.first_line_indent = Mm(0 if style.name == "Title" else INDENT_MM)
@@ -69,20 +71,20 @@ class _Writer:
     def put(self, block: Block) -> None:
         """One block at the end of the paper."""
         match block:
+            case Cover():
+                self.cover(block)
             case Heading(text, level):
                 title = self.paper.add_heading("" if level else text, level)
                 self.runs(title, text if level else "").alignment = Side.LEFT if level else Side.CENTER
             case Paragraph():
                 style = "Intense Quote" if block.mistake else None
                 count = f"{block.number}. " if block.number else ""
-                self.runs(self.paper.add_paragraph(count, style), block.text, block.plan)
-                if block.why:
-                    self.runs(self.paper.add_paragraph(), block.why, block.plan, italic=True)
-            case Formula(tex, number):
+                self.runs(self.paper.add_paragraph(count, style), block.text, block.plan, block.why)
+            case Formula(number=number):
                 line = self.line("\t")
                 for place, side in ((COLUMN_MM / 2, Tab.CENTER), (COLUMN_MM, Tab.RIGHT)):
                     line.paragraph_format.tab_stops.add_tab_stop(Mm(place), side)
-                line._p.append(equation(tex))
+                line._p.append(equation(block.tex))
                 line.add_run(f"\t({number})" if number else "")
             case DocumentTable(caption, rows):
                 self.table(caption, rows)
@@ -93,14 +95,35 @@ class _Writer:
                 if pictures and caption:
                     self.runs(self.line(), caption).alignment = Side.CENTER
 
+    def cover(self, cover: Cover) -> None:
+        """The title page."""
+        for text in cover.above:
+            self.line(text).alignment = Side.CENTER
+        title = self.paper.add_heading(cover.kind, 0)
+        title.alignment, title.paragraph_format.space_before = Side.CENTER, Pt(180)
+        title.paragraph_format.space_after = Pt(12)
+        self.line(cover.of).alignment = Side.CENTER
+        for k, text in enumerate(cover.people):
+            line = self.line(text)
+            line.alignment, line.paragraph_format.space_before = Side.RIGHT, Pt(0 if k else 120)
+        foot = self.line(cover.foot)
+        foot.alignment, foot.paragraph_format.space_before = Side.CENTER, Pt(120)
+        self.next_page()
+        self.line(cover.contents).runs[0].bold = True
+        self.paper.sections[0].different_first_page_header_footer = True
+
+    def next_page(self) -> None:
+        """What follows begins a page."""
+        self.line().add_run().add_break(Break.PAGE)
+
     def line(self, text: str = "") -> Words:
-        """A paragraph that begins where the column does."""
+        """A paragraph that begins at the left edge of the column."""
         paragraph = self.paper.add_paragraph(text)
         paragraph.paragraph_format.first_line_indent = Mm(0)
         return paragraph
 
     def field(self, paragraph: Words, code: str, shown: str = "") -> Words:
-        """What Word reckons itself, and what is there until it does."""
+        """A field that Word updates, and its text until then."""
         made = OxmlElement("w:fldSimple")
         made.set(qn("w:instr"), code)
         run = paragraph.add_run(shown)
@@ -131,7 +154,7 @@ class _Writer:
         self.line()
 
     def picture(self, picture: Shown) -> Words:
-        """A paragraph that holds a picture, made smaller if it is larger than the column."""
+        """A paragraph with a picture, reduced if it is wider than the column."""
         scale = min(1.0, WIDTH / picture.width, HEIGHT / picture.height)
         paragraph = self.line()
         paragraph.add_run().add_picture(io.BytesIO(raster(picture)), width=Pt(picture.width * scale))

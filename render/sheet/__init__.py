@@ -1,4 +1,4 @@
-"""One sheet: views composed, the smallest format that holds them, places, frame and title block."""
+"""One sheet: views composed, the smallest format that holds them, their places, frame and title block."""
 
 import math
 from collections.abc import Sequence
@@ -25,7 +25,7 @@ LONG, LONGEST = "A2x3", "A1x3"  # as high as A1 and A0, half as wide again
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Sheet(Page):
-    """A composed sheet: its format, its marks, its views with their places (left, top), and what must be said of it."""
+    """A composed sheet: its format, its marks, its views with their places (left, top), and the remarks about it."""
 
     paper: Paper
     views: tuple[tuple[View, float, float], ...]
@@ -35,10 +35,10 @@ class Sheet(Page):
 
 
 def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = None) -> Sheet:
-    """The sheet of a scene: the smallest format, or the one it names, on which all views find room.
+    """The sheet of a scene: the smallest format, or the one it names, with room for all views.
 
-    Only where no format holds all of them are those left out that may be; the sheet then says so. A2×3 is taken where
-    nothing less holds even the others, then A0, and A1×3 rather than plans whose μ is not that of the note.
+    Only if no format holds all of them are the optional ones left out; the sheet then says so. A2×3 is taken where
+    nothing smaller holds even the others, then A0, and A1×3 rather than plans whose μ differs from that of the note.
     """
     stacking_on.cache_clear()
     chosen = str(scene.sheet.get("format", "auto"))
@@ -56,7 +56,7 @@ def compose(scene: Scene, contents: Contents, lang: Lang, number: int | None = N
 
 @frozen
 class FilledPaper:
-    """A paper with views in their places, and those that wait for room and found none."""
+    """A paper with views in place, and those still waiting for room."""
 
     paper: Paper
     contents: Contents
@@ -65,7 +65,7 @@ class FilledPaper:
 
     @cached_property
     def waiting(self) -> list[View]:
-        """The views that wait for room, each in the shape liked best."""
+        """The views waiting for room, each in its preferred shape."""
         shapes = {shaped(v.key): v for v in reversed(self.contents.extra(*self.how))}
         return [*reversed(shapes.values())]
 
@@ -85,7 +85,7 @@ def filled(contents: Contents, formats: Sequence[str], factor: float, everything
 
 
 def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: int | None, lang: Lang) -> str:
-    """What was left out, and which format would hold it."""
+    """The views left out, and the format that would hold them."""
     fitting = next((n for n in larger_than(paper) if packed([*views, *spare], Paper(n))), "")
     listed = "; ".join(f"«{plain(v.title or v.key)}» ({v.width:.0f} × {v.height:.0f} {say('mm', lang)})" for v in spare)
     key = "left_out_larger" if fitting else "left_out_sheet" if number is None else "left_out"
@@ -108,13 +108,13 @@ def finished(
 
 
 def unseen(one: View, lang: Lang) -> list[str]:
-    """Sentences about what cannot be seen or read in a view."""
+    """Sentences about details of a view that cannot be seen or read."""
     facts = {"view": plain(one.title or one.key), "names": ", ".join(one.crowded)}
     return [*one.unseen, *([say("overprinted", lang, **facts)] if one.crowded else [])]
 
 
 def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
-    """Which view is too large, or that all of them together are; and which format holds them, if one was found to."""
+    """The error that a view is too large, or all of them together; with the format that holds them, if there is one."""
     views = contents.lettered(Sizes(contents.factors[-1]), LETTERS[paper.name[:2]][-1], contents.together[-1], ())[0]
     largest = max(views, key=lambda v: v.width * v.height)
     key = "no_room" if not packed([largest], paper) else "no_room_together"
@@ -127,5 +127,5 @@ def no_room(contents: Contents, paper: Paper, lang: Lang) -> SceneError:
 
 
 def larger_than(paper: Paper) -> list[str]:
-    """The formats larger than one, but for the additional ones."""
+    """The formats larger than one, without the additional ones."""
     return [name for name in FORMATS if math.prod(FORMATS[name]) > math.prod(paper.size)]

@@ -1,6 +1,5 @@
-"""A blank to draw a plan on: corner marks a camera finds, the code that says whose it is, the frame, the pole, μ, the
-title, room for a name, and a ruler.
-"""
+"""A blank to draw a plan on: corner marks for the camera, the student's code, frame, pole, μ, title, a line for the
+name, a ruler."""
 
 from collections.abc import Iterable, Sequence
 from itertools import groupby
@@ -10,11 +9,11 @@ from render.paper.typeset import ink_width, wrapped
 from render.sheet.check_sheet import EDGE, LEFT, SMALL
 from render.sheet.frame import framed
 
-RULER_MM, RULER_X = 100, 11.0  # how far it stands from the left edge
-PLAN_MM, LETTER_MM, LEAST_MM = 5.0, 3.5, 2.5  # letters: of the plan's name, of the other lines, and the smallest ones
-TEXT_X, FIRST_Y, LINE_MM = 38.0, 14.0, 7.5  # where the lines begin; the first from the upper edge; one from the next
-BENEATH_MM, NEXT_MM, BESIDE_MM = 7.2, 4.2, 24.0  # what is given: its last line, the step, the edge at the right
-ROOM_MM, FIELDS_MM = 200.0, (162.0, 236.0)  # of a line beside the code; from where to where a name is written
+RULER_MM, RULER_X = 100, 11.0  # its distance from the left edge
+PLAN_MM, LETTER_MM, LEAST_MM = 5.0, 3.5, 2.5  # letters: the plan's name, the other lines, the smallest
+TEXT_X, FIRST_Y, LINE_MM = 38.0, 14.0, 7.5  # left edge of the lines; the first from the upper edge; line spacing
+BENEATH_MM, NEXT_MM, BESIDE_MM = 7.2, 4.2, 24.0  # the data: their last line, the spacing, the right edge
+ROOM_MM, FIELDS_MM = 200.0, (162.0, 236.0)  # width of a line beside the code; both ends of the line for a name
 Square = tuple[complex, Sequence[Sequence[bool]], float]  # its centre, black cells from the top row, its side in mm
 
 
@@ -27,8 +26,8 @@ def blank(
     fields: Sequence[str] = (),
     given: Sequence[str] = (),
 ) -> list[Mark]:
-    """The marks of a blank: ``pole`` its letter and place, ``size`` what its ruler says, ``fields`` what is written by
-    hand, ``given`` what stands beneath the plan, between the lower corner marks."""
+    """The marks of a blank: ``pole`` its letter and place, ``size`` the text of its ruler, ``fields`` to fill in by
+    hand, ``given`` the data beneath the plan, between the lower corner marks."""
     w, h = size_mm
     out: list[Mark] = [framed((LEFT, EDGE, w - EDGE, h - EDGE), "thin")]
     for centre, cells, side in squares:
@@ -48,21 +47,21 @@ def blank(
 
 
 def _lines(texts: Sequence[str], room: float) -> list[tuple[str, float]]:
-    """Lines of text with their letters: the first one smaller if it is long, the others in several."""
+    """Lines of text with their letter heights: the first one smaller if it is long, the others wrapped."""
     first, *more = texts
     letter = next((mm for mm in (PLAN_MM, LETTER_MM) if ink_width(first, mm) <= room), LEAST_MM)
     return [(first, letter), *((line, LETTER_MM) for text in more for line in wrapped(text, room, LETTER_MM))]
 
 
 def _field(name: str, y: float) -> list[Mark]:
-    """A line to write on, and what. It stands beside the title, where no drawing is looked for."""
+    """A line to write on, and its label. It is beside the title, outside the searched area."""
     begins = FIELDS_MM[0] + ink_width(name, LETTER_MM) + 2
     line = Line((complex(begins, y - 0.6), complex(FIELDS_MM[1], y - 0.6)), "thin", "text")
     return [Text(name, complex(FIELDS_MM[0], y), LETTER_MM), line]
 
 
 def _ruler(low: complex, size: str) -> list[Mark]:
-    """A length to lay a ruler on, in the margin, where nobody draws."""
+    """A length to check with a ruler, in the margin, where nobody draws."""
     ticks = [low + 1j * mm for mm in range(0, RULER_MM + 1, 10)]
     lines = [(low, ticks[-1]), *((z, z - 2.5) for z in ticks)]
     text = Text(size, low + complex(-3.4, RULER_MM / 2), SMALL, "middle", 90.0)
@@ -83,5 +82,5 @@ def printed_square(centre: complex, cells: Sequence[Sequence[bool]], side: float
 
 
 def _box(z: complex, width: float, height: float) -> Shape:
-    over = 0.02  # no hair of white between two boxes
+    over = 0.02  # to avoid a white hairline between two boxes
     return Shape((z - 1j * over, z + width - 1j * over, z + complex(width, height), z + 1j * height), "frame")

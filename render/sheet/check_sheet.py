@@ -1,4 +1,4 @@
-"""Sheets of checking: a person's plan over the right one with the table of its steps."""
+"""Sheets of checking: a student's plan over the correct one with the table of its steps."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -17,21 +17,21 @@ from render.views.table_grid import TableGrid, folded
 
 Vector = tuple[complex, complex]
 Table = tuple[Sequence[str], Sequence[Sequence[str]]]  # head and rows
-LEFT, EDGE, GAP = 20.0, 5.0, 5.0  # margins of the sheet, mm, and the room between its parts
+LEFT, EDGE, GAP = 20.0, 5.0, 5.0  # margins of the sheet, mm, and the gap between its parts
 SMALL, LETTER, TITLE = 2.5, 3.5, 5.0
 LINE, SMALL_LINE = 6.5, 4.6
 RING = {"wrong": 2.4, "follows": 1.6}
-LEAST_MM = 0.2  # a shorter vector is a point
+LEAST_MM = 0.2  # a shorter vector is drawn as a point
 PENS = ("own", "truth", "next")
 REDUCTIONS = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.5, 10.0, 15.0, 20.0, 50.0, 100.0)
 
 
 @frozen
 class Overlay:
-    """What is drawn: places in mm from the pole, names as they are lettered, words in the sheet's language.
+    """The contents: places in mm from the pole, lettered names, words in the sheet's language.
 
-    ``lines`` tells that the vectors are links of a scheme; ``next`` leads from a wrong mark to where the person's own
-    marks lead; ``photo`` is the person's own picture.
+    ``lines`` says that the vectors are links of a scheme; ``next`` leads from a wrong mark to the place that follows
+    from the student's own marks; ``photo`` is the student's picture.
     """
 
     own: Sequence[Vector]
@@ -52,7 +52,7 @@ class Overlay:
 
     @property
     def bounds(self) -> tuple[complex, complex]:
-        """The corners of everything drawn; of a picture nobody could read, its own."""
+        """The corners of everything drawn; for an unreadable picture, its own."""
         ends = [z for v in (*self.own, *self.true, *self.next) for z in v]
         if self.photo and not self.marks:
             x0, y0, x1, y1 = self.photo.box
@@ -62,7 +62,7 @@ class Overlay:
 
 @frozen
 class Fit:
-    """The part of the sheet the drawing has, how far it is reduced, and where its pole stands."""
+    """The part of the sheet for the drawing, its reduction, and the place of its pole."""
 
     field: Box
     reduction: float
@@ -93,7 +93,7 @@ def compose(size_mm: tuple[float, float], sheet: Overlay) -> tuple[list[Mark], P
 
 
 def _said(sheet: Overlay, w: float, h: float) -> tuple[list[Mark], float]:
-    """Title, sentence and notes, and how low they reach."""
+    """Title, sentence and notes, and the height where they end."""
     left, top = LEFT + GAP, h - EDGE - GAP
     out: list[Mark] = []
     parts = [(sheet.sentence, LETTER, LINE), *((note, SMALL, SMALL_LINE) for note in sheet.notes)]
@@ -105,7 +105,7 @@ def _said(sheet: Overlay, w: float, h: float) -> tuple[list[Mark], float]:
 
 
 def _tables(sheet: Overlay) -> tuple[list[Mark], complex]:
-    """The tables one under another, their upper left corner at 0; width and height."""
+    """The tables one beneath another, their upper left corner at 0; width and height."""
     out: list[Mark] = []
     wide = low = 0.0
     for head, rows in sheet.tables:
@@ -120,10 +120,10 @@ def _tables(sheet: Overlay) -> tuple[list[Mark], complex]:
 
 
 def fitted(sheet: Overlay, field: Box) -> Fit:
-    """The plans in the middle of a field, as large as they are, or reduced to fit."""
+    """The plans in the middle of a field, at full size, or reduced to fit."""
     x0, y0, x1, y1 = field
     low, high = sheet.bounds
-    room = complex(max(x1 - x0 - 24, 10), max(y1 - y0 - 16, 10))  # letters stand about the drawing
+    room = complex(max(x1 - x0 - 24, 10), max(y1 - y0 - 16, 10))  # there are letters around the drawing
     if sheet.photo and not sheet.marks:
         room = complex(max(x1 - x0, 10), max(y1 - y0, 10))
     need = max((high - low).real / room.real, (high - low).imag / room.imag)
@@ -132,7 +132,7 @@ def fitted(sheet: Overlay, field: Box) -> Fit:
 
 
 def _drawing(sheet: Overlay, fit: Fit, photo: Photo | None) -> list[Mark]:
-    """The plans: the person's own, the right one, and where it should have led."""
+    """The plans: the student's own, the correct one, and where the student's marks should have led."""
     own, true, leads = ([(fit.at(a), fit.at(b)) for a, b in part] for part in (sheet.own, sheet.true, sheet.next))
     marks = {n: (fit.at(z), v) for n, (z, v) in sheet.marks.items()}
     drawn = [_stroke(sheet, a, b, "own") for a, b in own if abs(b - a) > LEAST_MM]

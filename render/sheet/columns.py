@@ -1,9 +1,9 @@
 """Places of views on a sheet: in the order of the calculation, down one column after the other; all in mm.
 
-A module divides the field: as many columns as title blocks stand side by side, each of some units. Every view begins at
-the edge of a unit. Where columns end is chosen as Knuth and Plass break a paragraph into lines (Software: Practice and
-Experience 11, 1981): for all of them together, so that least white is left, and no step of the calculation is torn that
-need not be.
+A module divides the field: as many columns as there are title blocks side by side, each of several units. Every view
+begins at the edge of a unit. The ends of columns are chosen as Knuth and Plass break a paragraph into lines (Software:
+Practice and Experience 11, 1981): for all of them together, with the least white space and without unnecessary breaks
+within a step of the calculation.
 """
 
 import math
@@ -19,18 +19,18 @@ from planes.words.frozen import frozen
 from render.sheet.module import GAP_MM, UNITS
 from render.sheet.stacking import TOO_MUCH, Piece, Spot, Stacking
 
-MOST_GAP_MM = 29.0  # of rows of a column between which its white is shared out
+MOST_GAP_MM = 29.0  # of rows of a column between which its white space is shared
 FULLEST = 0.8  # no field can hold more in columns
-TORN = 0.1  # what it costs to end a column amid a step, as a column of white squared
-ASTRAY = 0.05  # what it costs that a table stands one place from where it would be read
-TURNED = 0.1  # what it costs that a table stands before one that is read earlier
-OVER, OVERFULL = 100.0, 0.3  # what it costs that a column holds too much; how much, of its height, is tried at all
+TORN = 0.1  # cost of ending a column within a step, as the square of a column's white space
+ASTRAY = 0.05  # cost of a table one place away from its place in reading order
+TURNED = 0.1  # cost of a table before one that is read earlier
+OVER, OVERFULL = 100.0, 0.3  # cost of an overfull column; largest excess, of its height, that is tried at all
 
 
 @frozen
 class Item:
-    """A view to be placed: its size, the step of the calculation it belongs to, and whether it is a table, which may
-    stand earlier or later than it would be read."""
+    """A view to be placed: its size, its step of the calculation, and whether it is a table, which may move away from
+    its place in reading order."""
 
     width: float
     height: float
@@ -39,7 +39,7 @@ class Item:
 
 
 Column = tuple[Piece, int, int]
-"""Views, and the units in which they stand: the first, and the one after the last."""
+"""Views, and their units: the first, and the one after the last."""
 
 
 @dataclass
@@ -50,8 +50,8 @@ class Columns:
     stacking: Stacking
 
     def arranged(self, order: Sequence[int] = (), enough: float = 0.0) -> "tuple[list[int], Columns]":
-        """The order in which the views fill the columns best, and these; tables are moved about, one after another, but
-        none before the first view, and no more once the columns cost less than is ``enough``."""
+        """The order in which the views fill the columns best, and these columns; tables are moved, one after another,
+        but none before the first view, and only until the cost is less than ``enough``."""
         now = list(order or range(len(self.items)))
         best = self.ordered(now)
         needed = sum((i.width + GAP_MM) * (i.height + GAP_MM) for i in self.items)
@@ -74,13 +74,13 @@ class Columns:
 
     @cached_property
     def cost(self) -> float:
-        """How far they are from being filled well; less than ``OVER`` where every view has room."""
+        """The cost of these columns; less than ``OVER`` where every view has room."""
         return float(self._ended.min()) if self._roomy else math.inf
 
     @cached_property
     def hopeless(self) -> bool:
-        """Whether the views have no room wherever the tables stand that may be moved about: the others have none by
-        themselves, or none with some table among them."""
+        """Whether the views have no room wherever the movable tables are: the others have none by themselves, or none
+        with some table among them."""
         moved = [k for k, item in enumerate(self.items) if k and item.loose]
         piece, last, units = self.piece, self.stacking.last, self.stacking.module.units
         fixed = tuple(size for k, size in enumerate(piece) if k not in moved)
@@ -89,13 +89,13 @@ class Columns:
 
     @property
     def _roomy(self) -> bool:
-        """Whether the field is not smaller than all views together, each with its gap and as wide as its units."""
+        """Whether the field is at least as large as all views together, each with its gap and as wide as its units."""
         module = self.stacking.module
         return sum(module.span(i.width) * module.pitch * (i.height + GAP_MM) for i in self.items) <= module.area
 
     @cached_property
     def spots(self) -> list[Spot]:
-        """Where every view stands; all columns begin at one level, where there is room beneath it."""
+        """The place of every view; all columns begin at one level, if there is room beneath it."""
         free, ways = self.stacking.module.free, (*map(self._spaced, (True, False)), self._columns)
         columns = next((way for way in ways if self._under(way)), self._columns)
         level = min(free(x, end)[0] for _, x, end in columns)
@@ -115,7 +115,7 @@ class Columns:
 
     @cached_property
     def torn(self) -> tuple[float, ...]:
-        """What it costs to begin a column with each view: with one that goes on with the step of that before it."""
+        """The cost of beginning a column with each view: that of a view that continues the step before it."""
         pairs = pairwise(["", *(item.step for item in self.items)])
         return tuple(TORN * (step == before != "") for before, step in pairs)
 
@@ -132,14 +132,14 @@ class Columns:
 
     @cached_property
     def _ended(self) -> Array:
-        """What all columns cost, by the unit where they end: those after it are white."""
+        """The cost of all columns, by the unit where they end: later units are white."""
         units = self.stacking.module.units
         costs: Array = self._costs(len(self.items)) + numpy.arange(units, -1, -1) / UNITS
         return costs
 
     def _spaced(self, flush: bool) -> list[Column]:
-        """The columns no wider than they need to be, with the units they do not need between them; the last one is to
-        stand ``flush`` over the title block, if it is no wider."""
+        """The columns reduced to their necessary width, with the spare units between them; the last one is to be
+        ``flush`` over the title block, if it is no wider."""
         highs = [self.stacking.high(piece)[: end - unit + 1] for piece, unit, end in self._columns]
         needs = [int((high > high[-1] + 1e-9).sum()) for high in highs]
         block, units = self.stacking.module.block, self.stacking.module.units
@@ -149,11 +149,11 @@ class Columns:
         return [(piece, x, x + n) for (piece, _, _), x, n in zip(self._columns, lefts, needs, strict=True)]
 
     def _costs(self, last: int) -> Array:
-        """The cheapest ways to have the first views in the first units."""
+        """The lowest costs of the first views in the first units."""
         return self._known(last)[0]
 
     def _known(self, last: int) -> tuple[Array, Array]:
-        """The same, and what is to be paid before a column begins, by its end and its span."""
+        """The same, with the cost before a column begins, by its end and its span."""
         known, key, module = self.stacking.broken, (self.piece[:last], self.torn[:last]), self.stacking.module
         if key not in known:
             costs = reduce(numpy.minimum, self._ways(last)).min(axis=1) if last else module.begun
@@ -161,8 +161,8 @@ class Columns:
         return known[key]
 
     def _ways(self, last: int) -> Iterator[Array]:
-        """What the first views cost, by how many there are in their last column before its last one: by the unit where
-        it ends, and by how many it spans."""
+        """The costs of the first views, by the number in their last column but one: by the unit where it ends, and by
+        its span."""
         stacking = self.stacking
         most = (1 + OVERFULL) * stacking.module.height
         for k in range(last - 1, -1, -1):
@@ -173,7 +173,7 @@ class Columns:
             yield (begun + torn if torn else begun) + self.price(part)
 
     def price(self, piece: Piece) -> Array:
-        """What a column of some views costs, by its end and its span: its white, or what is too much in it."""
+        """The cost of a column of some views, by its end and its span: its white space, or its excess."""
         prices = self.stacking.prices
         if piece not in prices:
             white = self.stacking.white(piece)
@@ -183,7 +183,7 @@ class Columns:
         return prices[piece]
 
     def _placed(self, piece: Piece, unit: int, end: int, level: float) -> Iterator[Spot]:
-        """The views of a column from no higher than a level, its white shared out between its rows."""
+        """The views of a column from a level downwards, its white space shared between its rows."""
         (free, low), span = self.stacking.module.free(unit, end), end - unit
         top = min(free, level)
         rows = self.stacking.rows(piece, span)
@@ -191,7 +191,7 @@ class Columns:
         return self.stacking.placed(rows, unit, span, top, min(spare, MOST_GAP_MM))
 
     def _astray(self, order: Sequence[int]) -> float:
-        """What it costs that tables stand elsewhere than they would be read, one before an earlier one above all."""
+        """The cost of tables away from their places in reading order, above all of one before an earlier one."""
         tables = [k for k in order if self.items[k].loose]
         turned = sum(k > j for k, j in combinations(tables, 2))
         return ASTRAY * sum(abs(k - place) for place, k in enumerate(order)) + TURNED * turned

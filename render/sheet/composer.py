@@ -30,7 +30,7 @@ from render.views.special_points import special_points
 from render.views.tables import Tables
 
 RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1, "cremona": 2}
-"""Of kinds of plans that are shown beside the scheme: rates first."""
+"""Kinds of plans shown beside the scheme: velocities and accelerations first."""
 MU = {
     "position": "l",
     "contour": "l",
@@ -40,16 +40,16 @@ MU = {
     "cremona": "F",
     "motion": "q",
 }
-"""The index of μ by the kind of plans; velocities of a unit drive have a q."""
+"""The index of μ by the kind of plan; velocities of a unit drive have a q."""
 NOTE_MM = tuple(share * MODULE_MM - GAP_MM for share in (1.0, 1.5, 2.0, 0.6, 0.4))
-"""How wide the lines of a note may be, the shape liked best first."""
+"""Line widths of a note, the preferred shape first."""
 
 
 Shown = TypeVar("Shown", bound=View | None)
 
 
 class Together(NamedTuple):
-    """What stands together on a sheet: ``equations`` with their plans, ``rates`` of both plans in one table."""
+    """Views combined on a sheet: ``equations`` with their plans, ``rates`` of both plans in one table."""
 
     equations: bool = True
     rates: bool = True
@@ -57,21 +57,21 @@ class Together(NamedTuple):
 
 @dataclass
 class Composer:
-    """Makes the views of a scene; the same view at the same scale is made once."""
+    """Makes the views of a scene; the same view at the same scale is made only once."""
 
     scene: Scene
     lang: Lang
-    stated: Plans | None = None  # of a mechanism: what its names mean
+    stated: Plans | None = None  # of a mechanism: the meanings of its names
     made: dict[tuple[object, ...], Any] = field(default_factory=dict)
-    details: dict[tuple[str, float], int] = field(default_factory=dict)  # how many a plan has at its μ
+    details: dict[tuple[str, float], int] = field(default_factory=dict)  # the number of details in a plan at its μ
 
     @cached_property
     def naming(self) -> Naming:
-        """How this sheet names things."""
+        """The lettering of this sheet."""
         return Naming(self.lang, **lettering(self.scene, self.stated))
 
     def once(self, key: tuple[object, ...], make: Callable[[], Shown]) -> Shown:
-        """The view of that key, made the first time it is asked for."""
+        """The view with that key, made on first request."""
         key = (large(), *key)
         if rough() and key not in self.made:
             key = ("roughly", *key)
@@ -80,18 +80,18 @@ class Composer:
         return self.made[key]  # type: ignore[no-any-return]
 
     def written(self, key: tuple[object, ...], make: Callable[[], Shown]) -> Shown:
-        """The same of a view without labels that look for their places: it is made roughly as it is made wholly."""
+        """The same for a view without label placement: its rough version is already final."""
         if (large(), *key) not in self.made:
             self.made[large(), *key] = make()
         return self.made[large(), *key]  # type: ignore[no-any-return]
 
     def stack(self, key: str, *views: View | None, gap: float = 6.0) -> View:
-        """Views of this composer one beneath the other, those there are."""
+        """Views of this composer one beneath another, those that exist."""
         there = [v for v in views if v]
         return self.once(("stack", key, *map(id, there)), lambda: stacked(key, there, gap))
 
     def views(self, position: Position, letter: float, together: Together) -> list[View]:
-        """Every view of one position, in the order they are read."""
+        """Every view of one position, in reading order."""
         plotted = of_position(position)
         every_view = [self.scheme(position) if position.plans.moves else self.space(position)]
         every_view += self.plans(plotted, drawn_plans(plotted, position), letter, together.equations)
@@ -100,7 +100,7 @@ class Composer:
         return [v for v in every_view if v]
 
     def notes(self, letter: float) -> list[View]:
-        """What the scene adds in words, where there is room for it: as wide as the title block, or in another shape."""
+        """The scene's notes, if there is room: as wide as the title block, or in another shape."""
         text = indexed(text_in(self.lang, self.scene.note))
         high, title = max(0.7 * letter, REMARK_MM), say("sheet_note", self.lang)
 
@@ -116,7 +116,7 @@ class Composer:
         return Tables(position, self.naming, letter, self.scene.used, self.written, own)
 
     def plans(self, plotted: Plotted, plans: list[str], letter: float, beneath: bool) -> list[View | None]:
-        """Plans with their equations: ``beneath`` each, or all of a kind in one view."""
+        """Plans with their equations: ``beneath`` each, or all of one kind in one view."""
         drawn = [self.plan(plotted, plan) for plan in plans]
         if beneath:
             written = [self.formulas(plotted, (plan,), letter, "") for plan in plans]
@@ -127,7 +127,7 @@ class Composer:
         return [*drawn, *(self.formulas(plotted, some, letter, say(x, self.lang)) for some, x in titled if some)]
 
     def mu(self, plotted: Plotted, plan: str) -> str:
-        """μ of a plan as it is written in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
+        """μ of a plan as in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
         kind = kind_of(plan)
         letter, unit = MU.get(kind, ""), kind
         if kind == "motion" and self.stated:
@@ -146,7 +146,7 @@ class Composer:
         return self.once(key, make)
 
     def space(self, position: Position, asked: bool = False) -> View | None:
-        """The space diagram of bodies in equilibrium, or what of it is ``asked``; of vectors alone there is none."""
+        """The space diagram of bodies in equilibrium, or the part of it that is ``asked``; none for vectors alone."""
         if not position.plans.figure:
             return None
         title, drawer = self.titled(position, "space_diagram"), SpaceDiagram(position, self.naming, asked)
@@ -154,7 +154,7 @@ class Composer:
         return self.once(key, lambda: view("space", title, drawer.drawn(), True))
 
     def beam(self, position: Position) -> View | None:
-        """Shear force and bending moment of a straight beam; of anything else there is none."""
+        """Shear force and bending moment of a straight beam; none for other scenes."""
         if not (outlines := beam_outlines(position)):
             return None
         mu = position.scales[mu_of("position")]
@@ -166,13 +166,13 @@ class Composer:
         return f"{say(key, self.lang, **names)}, {self.mu(of_position(position), 'position')}"
 
     def plan(self, plotted: Plotted, plan: str) -> View:
-        """A plan of rates or forces."""
+        """A velocity, acceleration or force plan."""
         title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
         if plan == CREMONA:
             drawer = Cremona(plotted, self.naming)
             return self.once(("plan", plan, plotted.mu(plan)), lambda: view(plan, title, drawer.drawn(), True))
         polygon = Polygon(plotted, plan, self.naming, counted=self.details, valued=bool(self.scene.sheet.get("values")))
-        key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details follow those of other plans
+        key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details continue those before
         return self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title)))
 
     def plan_name(self, plan: str) -> str:
@@ -188,7 +188,7 @@ class Composer:
     def formulas(
         self, plotted: Plotted, plans: tuple[str, ...], letter: float, title: str, asked: bool = False
     ) -> View | None:
-        """The vector equations of some plans; without numbers as they are ``asked``."""
+        """The vector equations of some plans; without numbers if so ``asked``."""
 
         def make() -> View | None:
             marks = Formulas(plotted, self.naming, LARGER[letter], asked).drawn(plans)
@@ -208,6 +208,6 @@ class Composer:
 
 
 def drawn_plans(plotted: Plotted, position: Position) -> list[str]:
-    """The plans that are shown: of rates if anything moves, and all of forces."""
+    """The plans shown: velocities and accelerations if anything moves, and all force plans."""
     drawn = [p for p in position.plans.drawn if kind_of(p) in RANK and not plotted.still(p)]
     return sorted(drawn, key=lambda p: RANK[kind_of(p)])

@@ -1,4 +1,4 @@
-"""How the views of a sheet fill a format: which letters, which blocks, how large the plans, in which order."""
+"""How the views of a sheet fill a format: the letters, the blocks, the size of the plans, the order."""
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache
@@ -17,7 +17,8 @@ from render.sheet.sizes import LARGEST, Extents, Sizes, grown
 from render.views import View
 
 SMALLER = (0.8, 0.63, 0.5, 0.4)
-"""How small, against the scene's choice, plans may become where μ is open and no paper holds them; it is said."""
+"""The smallest reduction of plans with an open μ, relative to the scene's choice, where no paper holds them; it is
+reported."""
 
 
 class Letters(NamedTuple):
@@ -30,43 +31,42 @@ class Letters(NamedTuple):
 LARGE = (Letters(5.0, True), Letters(3.5, True), Letters(3.5))
 LETTERS = {"A4": (Letters(2.5),), "A3": (Letters(3.5), Letters(2.5)), "A1": LARGE, "A0": LARGE}
 LETTERS["A2"] = LETTERS["A3"]
-"""What to try on a format, or on several of it side by side; equations are a step larger than tables."""
+"""Letters to try on a format, or on several of it side by side; equations are a step larger than tables."""
 NOTE = "note"
 Held = tuple[list[View], list[View]]
-"""The views that a sheet must hold, and those that may be left out."""
+"""The views that a sheet must hold, and the optional ones."""
 Upright = tuple[str, ...]
 UPRIGHT: tuple[Upright, ...] = (("motion", "rates"), ("motion",), ("rates",), ())
-"""Blocks of views that are to stand beneath each other: as many as a format has room for."""
+"""Blocks of views to be put beneath each other: as many as a format has room for."""
 
 
 @frozen
 class Contents:
-    """What a sheet shows.
+    """The contents of a sheet.
 
-    ``views`` are those it must hold, and those that may be left out, for sizes of plans, a letter height of tables,
-    and what stands ``together``; ``extents`` what may grow, with its size in mm; ``free``: the μ of some plans is open.
+    ``views`` are the required and the optional ones, for given sizes of plans, a letter height of tables, and combined
+    views; ``extents`` are the parts that can grow, with their size in mm; ``free``: the μ of some plans is open.
     """
 
     views: Callable[[Sizes, float, Together], Held]
     extents: Extents = lambda sizes: {}
-    extras: tuple[str, ...] = ()  # those of the views that wait for room that have found some
+    extras: tuple[str, ...] = ()  # those of the waiting views that have found room
     free: bool = False
     together: Sequence[Together] = tuple(starmap(Together, product((True, False), repeat=2)))
     known: dict[tuple[object, ...], Held] = field(default_factory=dict, repr=False)
 
     @property
     def factors(self) -> tuple[float, ...]:
-        """How large plans may be, against the scene's choice."""
+        """Factors for the size of plans, relative to the scene's choice."""
         return (1.0, *SMALLER) if self.free else (1.0,)
 
     def lettered(self, sizes: Sizes, letters: Letters, together: Together, upright: Upright) -> Held:
-        """The views with titles as high as their equations, in blocks if those stand ``upright``."""
+        """The views with titles as high as their equations, in blocks if those are ``upright``."""
         key = self.extras, sizes, letters, together, upright
         return self.once(key, lambda: self._lettered(sizes, letters, together, upright))
 
     def once(self, key: tuple[object, ...], made: Callable[[], Held]) -> Held:
-        """Views as they were made for this key before; those but roughly made are forgotten once others are made
-        wholly."""
+        """Views made before for this key; rough versions are dropped once final ones are made."""
         key = (rough(), *key)
         if key not in self.known:
             if not rough():
@@ -85,29 +85,29 @@ class Contents:
         return list(map(shown, wanted)), list(map(shown, spare))
 
     def extra(self, sizes: Sizes, letters: Letters, together: Together, upright: Upright) -> list[View]:
-        """The views that wait for room, in every shape they may have."""
+        """The views waiting for room, in all their shapes."""
         held = {shaped(key) for key in self.extras}
         return [v for v in self.every(sizes, letters, together)[0] if v.extra and shaped(v.key) not in held]
 
     def every(self, sizes: Sizes, letters: Letters, together: Together) -> Held:
-        """All views, whatever room there is."""
+        """All views, ignoring the room."""
         with lettered_for(letters.large):
             return self.once((sizes, letters, together), lambda: self.views(sizes, letters.tables, together))
 
 
 def shaped(key: str) -> str:
-    """What a view shows, whatever its shape: "note" of "note 2"."""
+    """The contents of a view, whatever its shape: "note" of "note 2"."""
     return key.partition(" ")[0]
 
 
 Way = tuple[Sizes, Letters, Together, Upright]
-"""Sizes of plans, letters, what stands together, and which blocks stand upright."""
+"""Sizes of plans, letters, combined views, and the blocks that are upright."""
 
 
 def ways(
     contents: Contents, sizes: Sizes, name: str, everything: bool, best: Way | None = None, upright: bool = False
 ) -> Way | None:
-    """The best looking way to fill a format, but none better than ``best``, nor with fewer blocks ``upright``; large
+    """The best looking way to fill a format, but not better than ``best``, and with no fewer blocks ``upright``; large
     letters only where small ones fit."""
 
     @cache
@@ -127,8 +127,8 @@ def ways(
 def attempts(
     contents: Contents, name: str, factor: float, everything: bool
 ) -> Iterator[tuple[Contents, Way, tuple[int, ...]]]:
-    """What is to be tried on a format, with the order of its views: plans as large as there seems to be room for. How
-    large a view is, is known where it was tried; labels of the others are put but roughly."""
+    """The attempts on a format, with the order of its views and plans as large as there seems to be room for. Sizes are
+    known for views already tried; labels of the others are only placed roughly."""
     tried = set[tuple[tuple[str, ...], Way]]()
     while True:
         with roughly():
@@ -144,14 +144,14 @@ def attempts(
 
 
 def fitted(contents: Contents, name: str, factor: float, everything: bool) -> Way | None:
-    """The best looking way in which all views fit on a format; unless ``everything`` must, without those that may be
-    left out."""
+    """The best looking way in which all views fit on a format; without the optional ones, unless ``everything`` is
+    required."""
     return ways(contents, Sizes(factor), name, everything)
 
 
 def with_extras(contents: Contents, how: Way, name: str, everything: bool) -> tuple[Contents, Way]:
-    """The same with as many of the views that wait for room as there is some for, with plans no smaller; for a note
-    blocks are torn only where it has no place else."""
+    """The same with as many of the waiting views as there is room for, with plans no smaller; for a note blocks are
+    broken only if there is no other place."""
     waiting = contents.extra(*how)
     notes = [v for v in waiting if shaped(v.key) == NOTE]
     tried = [
@@ -159,7 +159,7 @@ def with_extras(contents: Contents, how: Way, name: str, everything: bool) -> tu
         *((v, upright) for upright in (True, False) for v in notes),
     ]
     for one, upright in tried:
-        if shaped(one.key) not in map(shaped, contents.extras):  # in no other shape yet
+        if shaped(one.key) not in map(shaped, contents.extras):  # not yet in another shape
             more = replace(contents, extras=(*contents.extras, one.key))
             other = ways(more, how[0], name, everything, how, upright)
             contents, how = (more, other) if other else (contents, how)
@@ -167,13 +167,13 @@ def with_extras(contents: Contents, how: Way, name: str, everything: bool) -> tu
 
 
 def shown(contents: Contents, how: Way, everything: bool) -> list[View]:
-    """The views of a sheet: all of them, or those only that it must hold."""
+    """The views of a sheet: all of them, or only the required ones."""
     wanted, spare = contents.lettered(*how)
     return [*wanted, *spare] if everything else wanted
 
 
 def enlarged(contents: Contents, how: Way, everything: bool, paper: Paper) -> tuple[Way, tuple[int, ...]]:
-    """The same with plans as large as there is room for on the paper, and the order of the views."""
+    """The same with plans as large as the paper allows, and the order of the views."""
     x0, y0, x1, y1 = paper.field
     views = shown(contents, how, everything)
     stacking = stacking_of(views, paper)
@@ -195,11 +195,11 @@ def enlarged(contents: Contents, how: Way, everything: bool, paper: Paper) -> tu
 def laid(
     contents: Contents, how: Way, order: Sequence[int], everything: bool, paper: Paper
 ) -> list[tuple[View, float, float]]:
-    """Places of the views on the paper; none, if there is no room, or where rather is left out what may be than all
-    drawn too small for its letters."""
+    """Places of the views on the paper; empty if there is no room, or if leaving out optional views is better than
+    drawing all too small for its letters."""
     views = shown(contents, how, everything)
     stacking = stacking_of(views, paper)
-    begun = (order, ()) if order else ((),)  # the order that was found roughly may lead nowhere
+    begun = (order, ()) if order else ((),)  # the order found roughly may fail
     tried = map(columns_of(views, stacking).arranged, begun)
     order, best = next((one for one in tried if one[1].cost < OVER), ((), columns_of(views, stacking)))
     knotted = everything and how[0].factor < 1 and contents.lettered(*how)[1] and any(v.crowded for v in views)

@@ -1,5 +1,5 @@
-"""The second sheet of a course project, forces, as a list of views: every group apart with its loads, its plan and its
-links; the driver; the lever."""
+"""The second sheet of a course project, forces, as a list of views: every group as a free body with its loads, its plan
+and its links; the driver; the lever."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -26,7 +26,7 @@ class ForceSheet:
 
     def views(self, position: Position, scheme: Position, letter: float) -> list[View]:
         """The scheme with loads, which may be larger; every group with its forces and its plan, the driver, the lever,
-        tables, all at one choice of μ, at which its arms are told everywhere."""
+        tables, all at one choice of μ, used for the arms everywhere."""
         c, (plotted, links_apart) = self.composer, with_links_apart(position)
         every_view: list[View | None] = [self.loaded(scheme)]
         for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
@@ -46,7 +46,7 @@ class ForceSheet:
         return [v for v in (*every_view, tables.given(), tables.reactions(), tables.check(), *c.notes(letter)) if v]
 
     def loaded(self, position: Position) -> View:
-        """The scheme with all outer loads."""
+        """The scheme with all external loads."""
         c = self.composer
 
         def make() -> View:
@@ -58,7 +58,7 @@ class ForceSheet:
         return c.once(("loaded", position.scales[mu_of("position")]), make)
 
     def group(self, position: Position, plan: str, links: tuple[str, ...]) -> View | None:
-        """A group apart with its forces, reactions and arms."""
+        """A group as a free body with its forces, reactions and arms."""
         c = self.composer
 
         def make() -> View:
@@ -78,8 +78,8 @@ class ForceSheet:
         return c.once(("loaded", links, position.scales[mu_of("position")]), make)
 
     def apart(self, position: Position, links: tuple[str, ...], written: Sequence[View] = ()) -> View | None:
-        """The links of a group one by one, each with its loads and all reactions on it, the inner ones too; with what
-        is ``written`` beneath them."""
+        """The links of a group one by one, each with its loads and all reactions on it, including the inner ones; with
+        the text ``written`` beneath them."""
         if len(links) < 2:
             return None
         c = self.composer
@@ -91,7 +91,7 @@ class ForceSheet:
         return c.stack(APART, c.once(("apart", links, position.scales[mu_of("position")]), make), *written)
 
     def closed(self, plotted: Plotted, apart: Sequence[LinkApart], letter: float, polygons: bool) -> list[View]:
-        """The plans of links alone with their equations; or the equations of those on which but two forces act."""
+        """The plans of single links with their equations; or only the equations where just two forces act."""
         c, drawn = self.composer, [x for x in apart if x.polygon is polygons and plotted.has(x.plan, POLE)]
         return [
             c.stack(x.plan, c.plan(plotted, x.plan) if polygons else None, c.formulas(plotted, (x.plan,), letter, ""))

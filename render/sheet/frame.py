@@ -1,5 +1,5 @@
-"""Formats of ГОСТ 2.301, frames with title blocks as marks (ГОСТ 2.104 form 1; ISO 5457 and 7200), and what a scene
-says in their cells."""
+"""Formats of ГОСТ 2.301, frames with title blocks as marks (ГОСТ 2.104 form 1; ISO 5457 and 7200), and the scene's
+texts for their cells."""
 
 import cmath
 import math
@@ -28,7 +28,7 @@ FORMATS: dict[str, tuple[float, float]] = {
     "A1": (841.0, 594.0),
     "A0": (1189.0, 841.0),
 }
-"""Width × height in mm; A4 stands, the larger ones lie."""
+"""Width × height in mm; A4 is portrait, the larger ones are landscape."""
 
 _LONG: dict[float, tuple[float, ...]] = {
     297: (630, 841, 1051, 1261, 1471, 1682, 1892),
@@ -42,16 +42,16 @@ EXTENDED = {
     for n, (high, widths) in zip((4, 3, 2, 1, 0), _LONG.items(), strict=True)
     for k, wide in enumerate(widths, 3 if n else 2)
 }
-"""The additional formats of ГОСТ 2.301, lying: A3x3 is three A3 side by side."""
+"""The additional formats of ГОСТ 2.301, landscape: A3x3 is three A3 side by side."""
 
 _SIZES = (10.0, 7.0, 5.0, 3.5, 2.5, 1.8)  # ГОСТ 2.304; lettering of type B is no lower
-_SIDE = 0.9  # from the side of a cell to a text that begins there
-_CLEAR = 0.5  # the least distance of a text from the sides of its cell, over the letter height the cell is meant for
-_PITCH = 1.6  # from line to line over the letter height
-_SLIGHTLY = 0.9  # of its own width: a word may be that narrow before it is written in smaller letters
+_SIDE = 0.9  # from the side of a cell to a text at its left edge
+_CLEAR = 0.5  # least distance of a text from the sides of its cell, over the cell's intended letter height
+_PITCH = 1.6  # line spacing over the letter height
+_SLIGHTLY = 0.9  # relative: a word is narrowed this far before it gets smaller letters
 _WORDS = re.compile(r"\s+(?!\d)")  # no line begins with a number
-_NEARLY = 0.7  # of the height of letters of a text in one, which are a step larger at most
-APART = ".\n"  # between sentences of a cell, each of which begins a line of its own where there is room
+_NEARLY = 0.7  # of the height of letters in one cell, which differ by a step at most
+APART = ".\n"  # between sentences of a cell; each begins a new line if there is room
 _LEAST = 0.6  # the least distance of a narrowed text from the sides of its cell
 
 
@@ -59,7 +59,7 @@ _asked: ContextVar[Form] = ContextVar("form", default=form1.FORM)
 
 
 def form_of(scene: Scene) -> AbstractContextManager[None]:
-    """Within it, papers have the frame the scene asks for."""
+    """In this context, papers have the frame the scene asks for."""
     return within(_asked, FORMS[str(scene.sheet.get("frame", form1.FORM.name))])
 
 
@@ -83,19 +83,19 @@ class Paper:
 
     @property
     def block(self) -> Bounds:
-        """Where the title block stands: in the lower right corner."""
+        """The place of the title block: the lower right corner."""
         _, low, right, _ = self.field
         return right - self.form.block[0], low, right, low + self.form.block[1]
 
     @property
     def taken(self) -> tuple[Bounds, ...]:
-        """What views must keep clear of within the field: the title block, and graph 26 in the upper left corner."""
+        """Areas of the field not available for views: the title block, and graph 26 in the upper left corner."""
         left, _, _, top = self.field
         wide, high = self.form.top_cell or (0.0, 0.0)
         return (self.block, (left, top - high, left + wide, top)) if high else (self.block,)
 
     def marks(self, cells: Mapping[str, str], lang: Lang = "ru") -> tuple[Mark, ...]:
-        """Frame, title block and what stands beside the frame, with the cells filled."""
+        """Frame, title block and the columns beside the frame, with the cells filled."""
         ruled = [Line((a, b), style, "frame") for a, b, style in self.form.lines(self.size)]
         own = [mark for text, cell in self.form.words(self.size, lang) for mark in fitted(text, cell)]
         filled: list[Mark] = []
@@ -107,14 +107,14 @@ class Paper:
 
 
 def framed(inside: Bounds, style: str) -> Line:
-    """A frame of a sheet."""
+    """The frame of a sheet."""
     x0, y0, x1, y1 = inside
     return Line((complex(x0, y0), complex(x1, y0), complex(x1, y1), complex(x0, y1)), style, "frame", True)
 
 
 def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
-    """A text in its cell, on several lines or in smaller letters where it is long, in narrower ones only where it must
-    be; lines of a cell share a name."""
+    """A text in its cell, wrapped or in smaller letters if it is long, narrowed only if necessary; lines of a cell
+    share a name."""
     if not text:
         return []
     wide, high = (cell.height, cell.width) if cell.turn_deg % 180 else (cell.width, cell.height)
@@ -132,8 +132,9 @@ def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
 
 
 def _lines(text: str, wide: float, height: float, letter: float) -> tuple[list[str], float]:
-    """The text broken between words at the largest letter height at which it fits the cell, sentences apart where that
-    is little smaller; where it fits at none, at the least one, shared among as many lines as there is room for."""
+    """The text broken between words at the largest letter height at which it fits the cell, with sentences separate if
+    that costs little; if it fits at no height, at the smallest one, divided among as many lines as there is room
+    for."""
     sizes = [s for s in _SIZES if s <= letter]
     flowing = _largest([text], wide, height, sizes)
     apart = _largest(text.split(APART), wide, height, sizes)
@@ -145,8 +146,8 @@ def _lines(text: str, wide: float, height: float, letter: float) -> tuple[list[s
 def _largest(
     parts: Sequence[str], wide: float, height: float, sizes: Sequence[float]
 ) -> tuple[list[str], float] | None:
-    """Parts of a text broken between words at the largest of some letter heights at which they fit a cell, a word alone
-    in its line a little narrowed; None if they fit at none."""
+    """Parts of a text broken between words at the largest of some letter heights at which they fit a cell, a single
+    word in a line slightly narrowed; None if they fit at none."""
     width = wide - 2 * max(_CLEAR * sizes[0], _LEAST)
     for size in sizes:
         lines, word = [x for part in parts for x in _evenly(part, width, size)], wide - 2 * _LEAST - PEN * size
@@ -157,21 +158,21 @@ def _largest(
 
 
 def _evenly(text: str, width: float, size: float) -> list[str]:
-    """A text in as few lines of a width as there may be, none of them much longer than another."""
+    """A text in as few lines of a width as possible, of roughly equal length."""
     lines = wrapped(_WORDS.split(text), width, size)
     return _in_lines(text, len(lines), size) if len(lines) > 1 else lines or [""]
 
 
 def _in_lines(text: str, most: int, size: float) -> list[str]:
-    """A text in no more lines than there are to be, the longest as short as it can be."""
-    halves = range(2 * math.ceil(ink_width(text, size)) + 1)  # of mm, how wide the lines are to be
+    """A text in at most so many lines, the longest as short as possible."""
+    halves = range(2 * math.ceil(ink_width(text, size)) + 1)  # in mm, available for the lines
     words = _WORDS.split(text)
     shortest = bisect_left(halves, True, key=lambda w: len(wrapped(words, w / 2, size)) <= most)
     return wrapped(words, halves[shortest] / 2, size)
 
 
 def _room(height: float, size: float) -> int:
-    """How many lines of letters of that height a cell has room for."""
+    """The number of lines of letters of that height in a cell."""
     return int((height - 0.8 + 0.6 * size) / (_PITCH * size) + 1e-9)
 
 
@@ -181,11 +182,11 @@ _SAME = (
     *(f"{person}_date" for person in _PEOPLE),
     *BESIDE,
 )
-"""Keys of the scene that are names of cells."""
+"""Keys of the scene that are also names of cells."""
 
 
 def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str, str]:
-    """Texts of the cells of form 1 by name; ``number`` is that of a sheet of a project of two."""
+    """Texts for the cells of form 1 by name; ``number`` is that of a sheet of a project of two."""
     given = scene.sheet
     said = {key: _said_text(value, lang) for key, value in given.items()}
     texts = {key: said[key] for key in _SAME if key in said}
@@ -204,7 +205,7 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     texts["sheet_of"] = "/".join(texts[key] for key in ("sheet", "sheets") if texts[key])
     letters, revisions = given.get("letter", say("study_letter", lang)), given.get("revisions")
     for k, letter in enumerate(letters if isinstance(letters, list) else str(letters or "").split(), 1):
-        texts[f"letter_{k}"] = _said_text(letter, lang)  # graph 4, filled from its left cell on
+        texts[f"letter_{k}"] = _said_text(letter, lang)  # graph 4, filled from its left cell
         texts["status"] = f"{texts.get('status', '')} {texts[f'letter_{k}']}".strip() if "letter" in given else ""
     for k, row in enumerate(revisions if isinstance(revisions, list) else (), 1):  # graphs 14–18, the lowest first
         texts |= {f"revision_{k}_{column}": _said_text(text, lang) for column, text in row.items()}

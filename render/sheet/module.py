@@ -12,15 +12,15 @@ from render.labels.footprints import Bounds
 
 Indices = NDArray[numpy.intp]
 
-GAP_MM = 7.0  # least distance of views from each other and from the frame
-LEAST_GAP_MM = 3.5  # from the right edge of the frame, of the widest views
-MODULE_MM = 185.0  # the width of the title block, over which a column of tables stands
-UNITS, WIDEST = 12, 2  # units to a module, modules to the widest column, unless a view is wider
+GAP_MM = 7.0  # least distance between views, and from the frame
+LEAST_GAP_MM = 3.5  # distance of the widest views from the right edge of the frame
+MODULE_MM = 185.0  # the width of the title block, with a column of tables over it
+UNITS, WIDEST = 12, 2  # units per module, modules in the widest column, unless a view is wider
 
 
 @frozen
 class Module:
-    """The units of a field: the inside of a frame, what stands in it already, and the widest of the views to come."""
+    """The units of a field: the inside of a frame, the areas already taken, and the widest of the coming views."""
 
     inside: Bounds
     taken: tuple[Bounds, ...]
@@ -33,23 +33,23 @@ class Module:
 
     @property
     def area(self) -> float:
-        """What is free of it, mm²."""
+        """Its free area, mm²."""
         taken = sum((right - left) * (top - low) for left, low, right, top in self.taken)
         return (self.inside[2] - self.inside[0]) * self.height - taken
 
     @cached_property
     def units(self) -> int:
-        """How many there are: as many as leave the frame at the right some room."""
+        """The number of units: as many as leave a margin at the right of the frame."""
         return math.floor((self.inside[2] - self.inside[0] - LEAST_GAP_MM) / self.pitch + 1e-9)
 
     @property
     def widest(self) -> int:
-        """How many a column may span."""
+        """The largest span of a column."""
         return min(max(WIDEST * UNITS, self.span(self.wide)), self.units)
 
     @cached_property
     def pitch(self) -> float:
-        """From unit to unit: such that one begins over the left edge of the title block."""
+        """The distance of units: such that one begins over the left edge of the title block."""
         wide = self.inside[2] - self.inside[0]
         usual = (wide - GAP_MM) / (UNITS * max(1, round(wide / MODULE_MM)))
         count = round(self._before / usual)
@@ -62,7 +62,7 @@ class Module:
 
     @property
     def _before(self) -> float:
-        """From the first unit to the title block."""
+        """The distance from the first unit to the title block."""
         return max(0.0, self.taken[0][0] - self.inside[0] - GAP_MM) if self.taken else 0.0
 
     def left(self, unit: int) -> float:
@@ -70,11 +70,11 @@ class Module:
         return self.inside[0] + GAP_MM + unit * self.pitch
 
     def span(self, width: float) -> int:
-        """How many units a view needs."""
+        """The number of units a view needs."""
         return math.ceil((width + GAP_MM) / self.pitch - 1e-9)
 
     def free(self, unit: int, end: int) -> tuple[float, float]:
-        """From where down to where a column of some units is free."""
+        """The free interval of height for a column of some units."""
         x0, x1 = self.left(unit) - GAP_MM, self.left(end)
         low, top = self.inside[1], self.inside[3]
         for left, lower, right, upper in self.taken:
@@ -84,29 +84,29 @@ class Module:
 
     @cached_property
     def starts(self) -> Indices:
-        """Where a column begins, by its end and by how many units it spans; 0 where it cannot."""
+        """The start of a column, by its end and its span; 0 where there is none."""
         begins: Indices = numpy.maximum(numpy.subtract.outer(numpy.arange(self.units + 1), self.spans), 0)
         return begins
 
     @cached_property
     def begun(self) -> Array:
-        """What it costs to have no column yet, by the unit where the first one begins: at the edge of the field."""
+        """The cost without any column yet, by the unit where the first one begins: at the edge of the field."""
         return numpy.where(numpy.arange(self.units + 1) == 0, 0.0, numpy.inf)
 
     @cached_property
     def spans(self) -> Indices:
-        """How many units a column may span."""
+        """Possible spans of a column."""
         return numpy.arange(self.widest + 1)
 
     @cached_property
     def shares(self) -> Array:
-        """The spans as shares of the module; 1 for none, where no column is."""
+        """The spans relative to the module; 1 for none, where there is no column."""
         return numpy.where(self.spans > 0, self.spans, UNITS) / UNITS
 
     @cached_property
     def heights(self) -> Array:
-        """How high a column is, by its end and by how many units it spans, as a share of the field's height; less than
-        nothing where it would begin outside."""
+        """The height of a column, by its end and its span, relative to the field's height; negative where it would
+        begin outside."""
         shares = numpy.full(self.starts.shape, -numpy.inf)
         for end in range(self.units + 1):
             for span in range(1, min(end, self.widest) + 1):

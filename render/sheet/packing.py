@@ -12,7 +12,7 @@ from render.views import View, plumbed
 
 
 def blocks(views: Sequence[View]) -> list[list[View]]:
-    """Views that stand beneath each other, whatever is about them: those of one block."""
+    """Views put beneath each other in any case: those of one block."""
     stacks: list[list[View]] = []
     for v in views:
         if v.block and stacks and stacks[-1][-1].block == v.block:
@@ -23,14 +23,14 @@ def blocks(views: Sequence[View]) -> list[list[View]]:
 
 
 def stacking_of(views: Sequence[View], paper: Paper) -> Stacking:
-    """What views may fill, with what was found out of columns of them before."""
+    """How views may fill the module, with the results for earlier columns."""
     wide, usual = max((v.width for b in blocks(views) for v in b), default=0.0), Module(paper.field, paper.taken)
     return stacking_on(usual if usual.span(wide) <= usual.widest else replace(usual, wide=wide))
 
 
 @lru_cache(maxsize=8)
 def stacking_on(module: Module) -> Stacking:
-    """What is known of columns on a module; it is forgotten when a sheet is begun."""
+    """The results for columns on a module; they are dropped when a new sheet is begun."""
     return Stacking(module)
 
 

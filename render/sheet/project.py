@@ -28,15 +28,14 @@ from render.views.scheme import Scheme
 from render.views.special_points import special_points
 
 REDUCED_MM = (105.0, 75.0)
-"""How large the scheme would be at whose μ groups are drawn apart, and those that would else be too wide."""
+"""The size of the scheme at whose μ the groups are drawn, and the size for groups that would otherwise be too wide."""
 
 
 @dataclass
 class Project:
-    """The views of sheet 1. ``values`` are the driver's places over its range (``whole``: a turn) and ``turn`` the
-    places there; ``numbered`` are the positions of the scheme; ``curves`` and ``loops`` are the diagrams (of the
-    driven link, if the scene asks for no others) and hodographs; ``reduced`` draws the position with its scheme no
-    larger than so many mm."""
+    """The views of sheet 1. ``values`` are the driver's positions over its range (``whole``: a turn) and ``turn`` the
+    places there; ``numbered`` are the positions of the scheme; ``curves`` and ``loops`` are the diagrams (by default of
+    the driven link) and hodographs; ``reduced`` draws the position with its scheme reduced to so many mm."""
 
     composer: Composer
     values: Sequence[float] = ()
@@ -49,7 +48,7 @@ class Project:
     known: dict[float, ManyPositions] = field(default_factory=dict, repr=False)
 
     def kinematics(self, position: Position, size: float, letter: float, together: Together) -> list[View]:
-        """Sheet 1: scheme in many positions, groups, plans of rates, tables, diagrams."""
+        """Sheet 1: scheme in many positions, groups, velocity and acceleration plans, tables, diagrams."""
         c, plotted = self.composer, of_position(position)
         rates = [p for p in drawn_plans(plotted, position) if kind_of(p) != "force"]
         t, plans = c.tables(position, letter), c.plans(plotted, rates, letter, together.equations)
@@ -70,7 +69,7 @@ class Project:
         return [replace(v, step=step) for step, views in steps.items() for v in views if v]
 
     def many(self, position: Position) -> View | None:
-        """The scheme, in the calculated position thick, in twelve more thin."""
+        """The scheme, in the calculated position thick, in twelve others thin."""
         c, mu = self.composer, position.scales[mu_of("position")]
         if not self.numbered:
             return c.scheme(position)
@@ -93,7 +92,7 @@ class Project:
         return c.once(("many", mu), make)
 
     def positions(self, position: Position, mu: float) -> ManyPositions:
-        """The many positions at a μ, looked at once."""
+        """The numbered positions at a μ, computed only once."""
         if mu not in self.known:
             self.known[mu] = ManyPositions(position.plans, self.numbered, self.turn, mu)
         return self.known[mu]
@@ -104,8 +103,8 @@ class Project:
         return c.once(("directions",), lambda: Directions(position, c.naming).view(say("directions", c.lang)))
 
     def groups(self, position: Position, letter: float) -> View | None:
-        """The structure: its figures have no μ, and are drawn smaller than the scheme, still more where they are wider
-        than the title block."""
+        """The structure: its figures have no μ, and are smaller than the scheme, still smaller if they are wider than
+        the title block."""
         c = self.composer
 
         def make() -> View:
@@ -118,7 +117,7 @@ class Project:
         return c.once(("groups", position.scales[mu_of("position")], letter), make)
 
     def structure(self, position: Position, letter: float) -> View:
-        """The primary mechanism and the groups of Assur apart, with W, q and the formula of structure."""
+        """The primary mechanism and the Assur groups separately, with W, q and the structural formula."""
         c, structure = self.composer, position.plans.structure
         parts = [self.part(position, (structure.driver,), say("primary", c.lang), True, letter)]
         for g in structure.groups:
@@ -134,8 +133,8 @@ class Project:
         return view("structure", say("structure", c.lang), stack.marks, figure=True)
 
     def self_aligning(self, position: Position, letter: float) -> View | None:
-        """The variant without redundant constraints: its count, and the signs of its pairs. Only where a scene names a
-        format that has no room for it, is it left out."""
+        """The variant without redundant constraints: its count, and the signs of its pairs. It is left out only where
+        the scene names a format without room for it."""
         c = self.composer
 
         def make() -> View | None:
@@ -164,6 +163,6 @@ class Project:
         return c.once(("diagrams", section), lambda: view("diagrams", drawer.title, drawer.drawn()))
 
     def hodographs(self) -> View | None:
-        """The hodographs the scene asks for."""
+        """The hodographs named in the scene."""
         c = self.composer
         return c.once(("hodographs",), lambda: hodograph_view(self.loops, c.naming)) if self.loops else None

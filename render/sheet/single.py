@@ -1,4 +1,4 @@
-"""One view by itself, or a drawing without its mechanism: a page cut to its ink with a margin around it."""
+"""A single view, or a drawing without its mechanism: a page cut to its ink with a margin around it."""
 
 import cmath
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -27,11 +27,11 @@ MARGIN_MM = 5.0
 LETTER_MM = 3.5  # letter height of tables; equations are a step larger
 
 Makers = Mapping[str, Callable[[], View | None]]
-"""The views that can be asked for, by name, each made when it is asked for."""
+"""The available views, by name, each made on request."""
 
 
 def page(makers: Makers, name: str | None, composer: Composer) -> Page:
-    """The page of one view (the first, if none is named); one that does not exist, or is empty, is a sentence."""
+    """The page of one view (by default the first); a missing or empty one is an error in a sentence."""
     name = name or next(iter(makers))
     if name not in makers:
         raise PlanesError(Phrase("bad_view", view=name, known=tuple(makers)))
@@ -43,7 +43,7 @@ def page(makers: Makers, name: str | None, composer: Composer) -> Page:
 
 
 def cut_to(one: View, title: str, lang: Lang, said: Iterable[str] = ()) -> Page:
-    """A page no larger than a view with a margin around it."""
+    """A page as large as a view with a margin around it."""
     size = (one.width + 2 * MARGIN_MM, one.height + 2 * MARGIN_MM)
     return Page(one.placed(MARGIN_MM, MARGIN_MM + one.height), size, title, lang, tuple(said))
 
@@ -53,7 +53,7 @@ def of_mechanism(
 ) -> Makers:
     """The views of a mechanism in one position; ``project`` turns its driver once around, where a view needs that.
 
-    ``more`` are views of what is not seen in a position: constructions over the cycle, the self-aligning variant.
+    ``more`` are views that do not belong to a position: constructions over the cycle, the self-aligning variant.
     """
     plotted, links_apart = with_links_apart(position)
     bare, loaded, tables = Project(composer), ForceSheet(composer), composer.tables(position, LETTER_MM)
@@ -116,12 +116,12 @@ def of_vectors(position: Position, composer: Composer) -> Makers:
 
 
 def name_of_view(plan: str) -> str:
-    """What the view of a plan is asked for by."""
+    """The name of a plan's view."""
     return plan.replace(":", "-") if kind_of(plan) in ("force", "vectors") else f"{plan}-plan"
 
 
 def traced(drawing: Drawing, lang: Lang = "ru") -> Page | None:
-    """The plans of one drawing, one beneath the other, in mm; None where there is no plan, or many drawings at once."""
+    """The plans of one drawing, one beneath another, in mm; None without a plan, or for many drawings at once."""
     plans = dict.fromkeys(plan_of(s.makes) for s in drawing.program.steps if s.kind == "mark" and s.makes in drawing)
     figures = [v for plan in plans if (v := _plan(drawing, plan, lang))]
     if not figures:
@@ -130,7 +130,7 @@ def traced(drawing: Drawing, lang: Lang = "ru") -> Page | None:
 
 
 def _plan(drawing: Drawing, plan: str, lang: Lang) -> View | None:
-    """One plan: a dot and a letter at every mark, a line from the marks it was drawn from."""
+    """One plan: a dot and a letter at every mark, a line from its construction marks."""
     places = dict(_places(drawing, plan))
     steps = [s for s in drawing.program.steps if s.makes in places]
     ways = ((name, s.makes) for s in steps for name, _ in s.reads() if name in places and name != s.makes)
@@ -144,7 +144,7 @@ def _plan(drawing: Drawing, plan: str, lang: Lang) -> View | None:
 
 
 def _places(drawing: Drawing, plan: str) -> Iterator[tuple[str, complex]]:
-    """The marks of a plan that could be drawn."""
+    """The drawn marks of a plan."""
     for step in drawing.program.steps:
         if step.kind == "mark" and plan_of(step.makes) == plan and step.makes not in drawing.program.trials:
             z = drawing.things.get(step.makes)

@@ -1,19 +1,19 @@
-"""How large the figures of a sheet are drawn: all by one factor, then those with a scale of their own larger while
-there is room."""
+"""The size of figures on a sheet: all by one factor, then those with a separate scale are enlarged while there is
+room."""
 
 from collections.abc import Callable, Mapping
 
 from planes.words.frozen import frozen
 
 STEPS = (1.12, 1.25, 1.42, 1.6, 1.8, 2.0, 2.24, 2.5)  # μ of the standard series are no farther apart
-LARGEST = 0.55  # of the shorter side of the field, which a plan never exceeds by growing
-SAME = 1.01  # plans whose sizes differ by less have one μ
-LOADED, APART = "loaded", "apart"  # views: the scheme with loads; links each by itself, which are no figure together
+LARGEST = 0.55  # of the shorter side of the field: the largest size of an enlarged plan
+SAME = 1.01  # plans whose sizes differ by less share one μ
+LOADED, APART = "loaded", "apart"  # views: the scheme with loads; single links, which together are no figure
 
 
 @frozen
 class Sizes:
-    """How many times its usual size every plan may be: ``factor``, and ``more`` for some of them."""
+    """The factors of the usual sizes: ``factor`` for every plan, and ``more`` for some of them."""
 
     factor: float = 1.0
     more: tuple[tuple[str, float], ...] = ()
@@ -23,18 +23,18 @@ class Sizes:
         return self.factor * dict(self.more).get(plan, 1.0)
 
     def larger(self, plan: str, times: float) -> "Sizes":
-        """The same with one plan so many times larger."""
+        """The same with one plan enlarged by a factor."""
         more = dict(self.more)
         more[plan] = more.get(plan, 1.0) * times
         return Sizes(self.factor, tuple(sorted(more.items())))
 
 
 Extents = Callable[[Sizes], Mapping[str, float]]
-"""The size in mm of every plan of the sheet whose μ the scene leaves open."""
+"""The size in mm of every plan of the sheet with an open μ."""
 
 
 def grown(start: Sizes, extents: Extents, most: float, fits: Callable[[Sizes], bool]) -> Sizes:
-    """Sizes with every plan as large as the sheet holds: the smallest first, by one μ at a time."""
+    """Sizes with every plan as large as the sheet allows: the smallest first, one step of μ at a time."""
     sizes, now = start, dict(extents(start))
     growing = set(now)
     while growing:
@@ -48,6 +48,6 @@ def grown(start: Sizes, extents: Extents, most: float, fits: Callable[[Sizes], b
 
 
 def _next(sizes: Sizes, plan: str, extents: Extents, now: float) -> Sizes | None:
-    """The sizes at which a plan has the next larger μ; None where it is nothing or has no larger one near."""
+    """The sizes at which a plan has the next larger μ; None for an empty plan, or without a larger one nearby."""
     tried = (sizes.larger(plan, times) for times in STEPS)
     return next((s for s in tried if now > 0 and extents(s)[plan] > SAME * now), None)

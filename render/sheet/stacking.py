@@ -1,7 +1,7 @@
-"""Views that follow each other in one column: beneath each other, or beside each other where that is lower.
+"""Consecutive views in one column: beneath each other, or beside each other where that is lower.
 
-Parts of them are put together in the same way, so that a tall view has two small ones beside it. How high views are at
-the least is known for every number of units they may span.
+Parts of them are combined in the same way, so that a tall view has two small ones beside it. The least height of views
+is known for every span in units.
 """
 
 from collections.abc import Iterator, Sequence
@@ -16,14 +16,14 @@ from planes.words.frozen import frozen
 from render.sheet.module import GAP_MM, Indices, Module
 
 Piece = tuple[int, ...]
-"""Views that follow each other: each as the number of its size."""
+"""Consecutive views: each as the index of its size."""
 Size = tuple[float, float]
-TOO_MUCH = 1e-9  # of the field's height: what a column may hold more than there is room for
+TOO_MUCH = 1e-9  # of the field's height: largest excess of a column
 
 
 @frozen
 class Spot:
-    """Where a view stands: its left and upper edges."""
+    """The place of a view: its left and upper edges."""
 
     x: float
     top: float
@@ -31,8 +31,8 @@ class Spot:
 
 @dataclass
 class Stacking:
-    """Pieces in the units of a module, and what is known of columns of them: what one costs, and what the first ones
-    do."""
+    """Pieces in the units of a module, and the results for columns of them: the cost of one, and those of the first
+    ones together."""
 
     module: Module
     sizes: dict[Size, int] = field(default_factory=dict)
@@ -45,7 +45,7 @@ class Stacking:
     lasts: dict[Piece, int] = field(default_factory=lambda: {(): 0}, repr=False)
 
     def piece(self, sizes: Sequence[Size]) -> Piece:
-        """Views of these sizes."""
+        """Views of these sizes as a piece."""
         for size in sizes:
             if size not in self.sizes:
                 self.sizes[size] = len(self.sizes)
@@ -55,7 +55,7 @@ class Stacking:
         return tuple(self.sizes[size] for size in sizes)
 
     def high(self, piece: Piece) -> Array:
-        """How high views are at the least, by the units they may span: two parts beneath or beside each other."""
+        """The least height of views, by their span in units: two parts beneath or beside each other."""
         number = self._number(piece)
         heights: Array = self.highs[number]
         return heights
@@ -65,7 +65,7 @@ class Stacking:
         return self.numbers[piece] if piece in self.numbers else self._found(piece)
 
     def _found(self, piece: Piece) -> int:
-        """What is found out of more views than one."""
+        """The results for more than one view."""
         above = [self._number(piece[:k]) for k in range(1, len(piece))]
         below = [self._number(piece[k:]) for k in range(1, len(piece))]
         first, second = self.highs[above], self.highs[below]
@@ -77,7 +77,7 @@ class Stacking:
         return self._keep(piece, high, max(self.least[above[0]], self.least[below[0]]))
 
     def _keep(self, piece: Piece, high: Array, least: int) -> int:
-        """Keep how high a piece is, and the least units it needs."""
+        """Store the heights of a piece, and the least units it needs."""
         number = self.numbers[piece] = len(self.least)
         self.least.append(least)
         if number >= len(self.highs):
@@ -87,13 +87,13 @@ class Stacking:
         return number
 
     def white(self, piece: Piece) -> Array:
-        """What a column of some views leaves white, by its end and its span, as a share of the field's height."""
+        """The white space in a column of some views, by its end and its span, relative to the field's height."""
         whites: Array = self.module.heights - self.high(piece) / self.module.height
         return whites
 
     def last(self, piece: Piece) -> int:
-        """The least unit before which views have room in columns, with units to spare between them as may be; one more
-        than there are, if they have none. Views taken out of them, those left never need more."""
+        """The least unit before which views have room in columns, with any spare units between them; one more than
+        exist, if they have none. If views are removed, the remaining ones never need more."""
         if piece not in self.lasts:
             nowhere = self.module.units + 1
             parts = takewhile(lambda k: self.next(piece[k:])[0] < nowhere, range(len(piece) - 1, -1, -1))
@@ -110,7 +110,7 @@ class Stacking:
         return self.nexts[piece]
 
     def rows(self, piece: Piece, span: int) -> list[Piece]:
-        """The parts of a piece that stand beneath each other."""
+        """The parts of a piece that are beneath each other."""
         for k in range(1, len(piece)):
             parts = piece[:k], piece[k:]
             if sum(self.high(part)[span] for part in parts) + GAP_MM <= self.high(piece)[span] + 1e-9:
@@ -118,7 +118,7 @@ class Stacking:
         return [piece]
 
     def placed(self, rows: Sequence[Piece], unit: int, span: int, top: float, gap: float = GAP_MM) -> Iterator[Spot]:
-        """The views of rows that stand beneath each other."""
+        """The views of rows beneath each other."""
         for row in rows:
             yield from self._beside(row, unit, span, top)
             top -= float(self.high(row)[span]) + gap
@@ -136,7 +136,7 @@ class Stacking:
 
 @lru_cache
 def _shares(count: int) -> tuple[Indices, Indices, Indices]:
-    """The two shares into which each number of units from 2 can be parted, all in a row; where each number begins."""
+    """The two shares into which each number of units from 2 can be divided, all in a row; the start of each number."""
     every = [(share, total - share) for total in range(2, count) for share in range(1, total)]
     left, right = numpy.array(every, dtype=numpy.intp).reshape(-1, 2).T
     return left, right, numpy.cumsum([0, *range(1, count - 2)])

@@ -1,4 +1,4 @@
-"""The square code that opens a scene in a studio, as a view of a sheet, a figure of a text, or a page of its own."""
+"""The QR code that opens a scene in a studio, as a view of a sheet, a figure of a text, or a separate page."""
 
 from planes.scene import Scene
 from planes.studio.links import RIM, cells, module_mm
@@ -9,7 +9,7 @@ from render.sheet.blank_sheet import printed_square
 from render.views import View, view
 
 BEST_MM = 0.4  # of a module
-ROOM_MM, SMALL_ROOM_MM = 74.0, 45.0  # on a sheet, and where it is to be an A4 or an A3
+ROOM_MM, SMALL_ROOM_MM = 74.0, 45.0  # on a sheet, and where that is to be an A4 or an A3
 ON_TASK_MM, ON_BACK_MM = 62.0, 160.0
 CAPTION_MM = 3.5
 SMALL_FORMATS = ("A4", "A3")
@@ -30,7 +30,7 @@ def code_view(scene: Scene, lang: Lang, room_mm: float | None = None, best_mm: f
 
 
 def back(scene: Scene, size_mm: tuple[float, float], lang: Lang) -> list[Mark]:
-    """The back of a blank, with the code in its middle; nothing where there is none."""
+    """The back of a blank, with the code in its middle; empty without one."""
     made = code_view(scene, lang, ON_BACK_MM, best_mm=0.6)
     if made is None:
         return []

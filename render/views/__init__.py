@@ -1,4 +1,4 @@
-"""A view: one part of a sheet drawn about its own origin, in mm, with its title and the box of its ink."""
+"""A view: one part of a sheet drawn about its own origin, in mm, with its title and its bounding box."""
 
 from collections.abc import Iterable, Sequence
 from functools import cached_property
@@ -12,33 +12,33 @@ from render.paper.typeset import extent, ink_width, plain, wrapped
 TITLE_MM = 5.0  # letter height of titles
 REMARK_MM = 2.5
 REMARK_WIDE = 24.0  # letters: a line of remarks beneath what is narrower
-EVENLY = 1.15  # how much longer than the others a line of remarks may be, where else a word stands alone
+EVENLY = 1.15  # how much longer than the others a line of remarks may be to avoid a single word on the last line
 TITLE_GAP = 4.0  # from a title to its view
-SET_IN_MM = 35.0  # no view begins farther to the right of its title
+SET_IN_MM = 35.0  # largest indentation of a view relative to its title
 
 
 @frozen
 class View:
     """``key`` names the view for settings ("velocity"), ``title`` is lettered above it ("" for none), ``heading`` mm
-    high; ``body`` and ``inked`` are what is beneath the title, and its box; ``unseen`` are sentences about what should
-    be in it and is not; ``step`` is the part of the calculation it belongs to; views of one ``block`` stand beneath
-    each other where there is room, with their ``plumb`` lines, where they have some, on one vertical."""
+    high; ``body`` and ``inked`` are the part beneath the title, and its box; ``unseen`` are sentences about parts that
+    are missing; ``step`` is its part of the calculation; views of one ``block`` are put beneath each other where there
+    is room, with their ``plumb`` lines, if any, on one vertical."""
 
     key: str
     title: str
     body: tuple[Mark, ...]
     inked: Bounds
-    figure: bool = False  # a scheme or a plan: they are read one after the other
+    figure: bool = False  # a scheme or a plan: read one after another
     unseen: tuple[str, ...] = ()
     step: str = ""
     heading: float = TITLE_MM
-    extra: bool = False  # shown only where the format that holds all others has room for it too
+    extra: bool = False  # shown only if the format that holds all others has room for it too
     block: str = ""
     plumb: float | None = None  # x of the body
 
     @cached_property
     def titled(self) -> tuple[tuple[Mark, ...], Bounds]:
-        """The marks with the title, which begins where they do at the left, and the box of all."""
+        """The marks with the title, which begins at their left edge, and the box of all."""
         if not self.title:
             return self.body, self.inked
         (left, low, right, top), (x0, y0, x1, y1) = self.inked, extent(self.title, self.heading)
@@ -47,17 +47,17 @@ class View:
 
     @property
     def marks(self) -> tuple[Mark, ...]:
-        """All that is drawn, with the title."""
+        """All marks, with the title."""
         return self.titled[0]
 
     @property
     def box(self) -> Bounds:
-        """What is around it, with the title."""
+        """Its bounding box, with the title."""
         return self.titled[1]
 
     @cached_property
     def crowded(self) -> tuple[str, ...]:
-        """The labels that found no place of their own."""
+        """The labels that found no place."""
         return tuple(dict.fromkeys(map(plain, overprinted(self.marks))))
 
     @property
@@ -77,13 +77,13 @@ class View:
 
 
 def view(key: str, title: str, marks: Iterable[Mark], figure: bool = False, unseen: Iterable[str] = ()) -> View:
-    """A view of marks, with the box of their ink."""
+    """A view of marks, with their bounding box."""
     held = tuple(marks)
     return View(key, title, held, bounds(held), figure, tuple(unseen))
 
 
 def remark(text: str, marks: Iterable[Mark]) -> list[Text]:
-    """What must be known of the marks, in small letters beneath them, from their left edge, no wider than they are."""
+    """A remark about the marks, in small letters beneath them, from their left edge, no wider than they are."""
     (x0, y0, x1, _), high = bounds(tuple(marks)), tall(REMARK_MM)
     wide = max(x1 - x0, REMARK_WIDE * high)
     lines = wrapped(text, wide, high)
@@ -93,13 +93,13 @@ def remark(text: str, marks: Iterable[Mark]) -> list[Text]:
 
 
 def paragraph(key: str, title: str, text: str, width: float, letter: float) -> View:
-    """Sentences in lines of no more than so many mm."""
+    """Sentences in lines within a given width in mm."""
     lines = wrapped(text, width, letter)
     return view(key, title, [Text(line, -1.7j * letter * k, letter) for k, line in enumerate(lines)])
 
 
 def stacked(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = False) -> View:
-    """Views one beneath the other, at one left edge or on one middle line, as one view with the title of the first."""
+    """Views one beneath another, flush left or centred, as one view with the title of the first."""
     marks: list[Mark] = []
     y, boxes = 0.0, list[Bounds]()
     for one in (replace(views[0], title=""), *views[1:]):
@@ -114,7 +114,7 @@ def stacked(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = F
 
 
 def plumbed(views: Sequence[View]) -> list[View]:
-    """The views set in from a common left edge so far that their plumb lines are one; none, if one would be too far
+    """The views indented from a common left edge so that their plumb lines coincide; unchanged if one would be too far
     from its title."""
     lines = [None if v.plumb is None else v.plumb - v.inked[0] for v in views]
     far = max((x for x in lines if x is not None), default=0.0)
@@ -125,7 +125,7 @@ def plumbed(views: Sequence[View]) -> list[View]:
 
 
 def beside(views: Sequence[View], gap: float = 8.0, top: float | None = None, left: float = 0.0) -> View:
-    """Views one beside the other as one view, their lower edges in one line, or their upper ones at ``top``."""
+    """Views side by side as one view, their lower edges in line, or their upper ones at ``top``."""
     marks: list[Mark] = []
     for one in views:
         marks += one.placed(left, one.height if top is None else top)

@@ -30,7 +30,7 @@ class AlignedScheme(Scheme):
     aligned: Aligned
 
     def pairs(self) -> None:
-        """Hinges and their legs, then what makes a pair cylindrical or spherical."""
+        """Hinges and their legs, then the signs of cylindrical or spherical pairs."""
         super().pairs()
         for pair, sign in self.aligned.pairs:
             if pair.kind == "R" and sign != "R" and self.places.has(pair.point):
@@ -46,15 +46,15 @@ class AlignedScheme(Scheme):
         return (Arc(z, CUP_MM, towards + 55, towards + 305), *symbols.hinge(z))
 
     def way(self, z: complex, link: str) -> complex:
-        """From a pair towards the rest of a link."""
+        """The direction from a pair towards the rest of a link."""
         points = [self.places.at(p) - z for p in self.mechanism.link(link).points if self.places.has(p)]
         return max((w for w in points if abs(w) > 1.0), key=abs, default=0j) if link != FRAME else 0j
 
     def slider(self, link: Link, foot: complex, along: complex) -> None:
-        """A cylindrical slider is a bushing: the round rod is seen through it, its axis chain-dotted."""
+        """A cylindrical slider is a bushing: the round rod is visible through it, its axis chain-dotted."""
         super().slider(link, foot, along)
         pairs = (p for p in self.position.plans.structure.pairs if p.kind == "P" and p.link == link.name)
-        if any(self.aligned.sign(pair) == "C" for pair in pairs):  # of a passive link there is none
+        if any(self.aligned.sign(pair) == "C" for pair in pairs):  # none for a passive link
             long = self.size(link)[0] / 2 + ROD_MM
             self.hinges.append(Line((foot - long * along, foot + long * along), "axis", "axis"))
             self.hinges += _bushing(foot, degrees(along), self.size(link))
@@ -77,19 +77,19 @@ class AlignedScheme(Scheme):
 
 
 def _bushing(foot: complex, angle: float, size: tuple[float, float]) -> tuple[Mark, ...]:
-    """Short strokes over both ends of a slider's block: the round hole it is bored with."""
+    """Short strokes over both ends of a slider's block: the edges of its bore."""
     along, (long, wide) = symbols.unit(angle), size
     starts = (foot + side * 1j * along * (0.28 * wide) for side in (-1, 1))
     return tuple(Line((z - long / 2 * along, z + long / 2 * along), "thin") for z in starts)
 
 
 def between(pair: Pair, naming: Naming) -> str:
-    """A sliding pair by the links it joins: "(4–5)"."""
+    """A sliding pair by its links: "(4–5)"."""
     return f"({'–'.join(sorted(map(naming.link, (pair.other, pair.link))))})"
 
 
 def alignment_view(position: Position, aligned: Aligned, naming: Naming, title: str, letter: float) -> View:
-    """Scheme, count and signs, one beneath the other."""
+    """Scheme, count and signs, one beneath another."""
     scheme = AlignedScheme(position, naming, aligned=aligned)
     drawn = view("self-aligning", title, scheme.drawn(False), figure=True)
     return stacked("self-aligning", [drawn, alignment_told(aligned, naming, "", letter)])
@@ -102,7 +102,7 @@ def alignment_told(aligned: Aligned, naming: Naming, title: str, letter: float) 
 
 
 def counted(aligned: Aligned, letter: float) -> list[Mark]:
-    """The formula of Somov and Malyshev, its numbers beneath it."""
+    """The formula of Somov and Malyshev, with its numbers beneath."""
     p1, p2, p3 = aligned.counts
     numbers = f"= 6·{aligned.n} − 5·{p1} − 4·{p2} − 3·{p3} = {aligned.W};   q = {aligned.q}"
     lines, high = ("W = 6n − 5p_{1} − 4p_{2} − 3p_{3} =", numbers), 1.4 * letter
@@ -110,7 +110,7 @@ def counted(aligned: Aligned, letter: float) -> list[Mark]:
 
 
 def legend(aligned: Aligned, naming: Naming, letter: float) -> View:
-    """The sign of every kind of pair there is, seen from its side, with its name, class and places."""
+    """The sign of every kind of pair present, seen from its side, with its name, class and places."""
     marks: list[Mark] = []
     there = {sign for _, sign in aligned.pairs}
     for row, kind in enumerate(k for k in CLASSES if k in there):
@@ -124,7 +124,7 @@ def legend(aligned: Aligned, naming: Naming, letter: float) -> View:
 
 
 _SHAFT: tuple[Mark, ...] = (
-    *(Line((complex(-4, y), complex(4, y))) for y in (-2.2, 2.2)),  # in a sleeve, in which it turns and slides
+    *(Line((complex(-4, y), complex(4, y))) for y in (-2.2, 2.2)),  # a rod in a sleeve, in which it turns and slides
     Line((-10 + 0j, 10 + 0j)),
 )
 _CUP = 1.7 * HINGE_MM * 1.2

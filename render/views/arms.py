@@ -1,4 +1,4 @@
-"""Arms of forces on a scheme: perpendiculars on their lines of action."""
+"""Arms of forces on a scheme: perpendiculars to their lines of action."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -13,20 +13,20 @@ from render.views import remark
 
 NAME_MM = 3.5
 LEAST_MM = 2.0  # of an arm
-SAME_MM = 0.1  # arms that differ by less are one
-ARM = "arm "  # how the name of its label begins
-BREAK_MM = 2.5  # half of a break along its line
+SAME_MM = 0.1  # arms that differ by less are equal
+ARM = "arm "  # prefix of its label's name
+BREAK_MM = 2.5  # half the gap of a break along its line
 
 
 @dataclass
 class Arms:
-    """Arms with the lines of action they are dropped on; one that two forces share is drawn once, with both names."""
+    """Arms with their lines of action; an arm shared by two forces is drawn once, with both names."""
 
     marks: list[Mark] = field(default_factory=list)
     named: list[labels.Label] = field(default_factory=list)
 
     def add(self, point: complex, along: complex, about: complex, text: str, force: str) -> None:
-        """The arm about a place of the force at ``point``, unless it is too short to be seen."""
+        """Add the arm about a place of the force at ``point``, unless it is too short to see."""
         ends = about, dropped(about, point, along)
         if abs(ends[1] - about) < LEAST_MM:
             return
@@ -41,12 +41,12 @@ class Arms:
 
 
 def drops_of(drawing: Drawing) -> dict[str, Drop]:
-    """The steps that measure arms, by what they make."""
+    """The steps that measure arms, by their results."""
     return {s.makes: s for s in drawing.program.steps if isinstance(s, Drop)}
 
 
 def broken(start: complex, end: complex) -> list[Mark]:
-    """A guide drawn out to a line of action that is too far for the paper: shortened by a break."""
+    """A guide extended to a line of action too far for the paper: shortened by a break."""
     along, middle = toward(start, end), (start + end) / 2
     zigzag = [middle + z * along for z in (-BREAK_MM, complex(-0.3, 0.8) * BREAK_MM, complex(0.3, -0.8) * BREAK_MM)]
     return [
@@ -57,7 +57,7 @@ def broken(start: complex, end: complex) -> list[Mark]:
 
 
 def with_unlettered(named: Iterable[labels.Label], marks: Sequence[Mark], lang: Lang) -> tuple[Mark, ...]:
-    """A figure with the names of the arms beneath that it has no room for, which their equation tells."""
+    """A figure with the names of the arms beneath it that have no room in it, and are in their equation."""
     there = {m.name for m in marks if isinstance(m, Text)}
     missing = [x.text for x in named if x.name.startswith(ARM) and x.name not in there]
     return (

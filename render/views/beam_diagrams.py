@@ -1,4 +1,4 @@
-"""Diagrams of shear force and bending moment beneath one another: along the beam, hatched, with their values."""
+"""Diagrams of shear force and bending moment, one beneath the other: along the beam, hatched, with their values."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -16,13 +16,13 @@ HIGH_MM = 20.0  # of the largest ordinate
 APART_MM = 13.0  # between both diagrams
 HATCH_MM = 3.0
 NAME_MM, LETTER_MM = 3.5, 5.0
-NOTHING = 1e-9  # of the largest: none
-JUMP = 1e-3  # of the largest: a smaller step is none
+NOTHING = 1e-9  # of the largest: below this it is zero
+JUMP = 1e-3  # of the largest: a smaller step is not a step
 
 
 @dataclass
 class BeamDiagrams:
-    """Both diagrams being drawn, at a scale of lengths."""
+    """Both diagrams under construction, at a scale of lengths."""
 
     found: BeamOutlines
     naming: Naming
@@ -53,7 +53,7 @@ class BeamDiagrams:
         return labelled(named, marks)
 
     def place(self, x: float, v: float, y: float, most: float) -> complex:
-        """Where an ordinate ends on the paper."""
+        """The end of an ordinate on the paper."""
         return complex(self.mu * x, y + v / most * HIGH_MM)
 
     def diagram(self, outline: Outline, y: float, most: float) -> list[Mark]:
@@ -72,7 +72,7 @@ class BeamDiagrams:
         return marks
 
     def values(self, outline: Outline, y: float, most: float) -> list[labels.Label]:
-        """The values where the outline turns or jumps, and the greatest."""
+        """The values where the outline bends or jumps, and the greatest."""
         stops, shown = set(self.found.stops.values()), dict[tuple[float, float], None]()
         extreme = max(outline, key=lambda one: abs(one[1]))
         for x, v in outline:

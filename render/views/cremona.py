@@ -1,4 +1,4 @@
-"""The plan of a truss: outside forces as arrows, members as lines by their senses, regions by their letters."""
+"""The plan of a truss: external forces as arrows, members as lines by their senses, regions by their letters."""
 
 from dataclasses import dataclass
 
@@ -17,7 +17,7 @@ STYLES = {"tension": "vector", "compression": "vector", "idle": "thin"}
 
 @dataclass
 class Cremona:
-    """The plan being drawn."""
+    """The plan under construction."""
 
     plotted: Plotted
     naming: Naming

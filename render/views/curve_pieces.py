@@ -1,16 +1,16 @@
-"""Curves before they are drawn: round values on their axes, what is cut off, the runs between gaps."""
+"""Preparation of curves for drawing: round values on their axes, clipping, the runs between gaps."""
 
 import math
 from collections.abc import Sequence
 
 from planes.words.units import standard_mu
 
-STEEP = 5.0  # ordinates are cut at so many times their median at the ends of a range, which are dead positions
-WILD = 30.0  # and at so many anywhere
+STEEP = 5.0  # ordinates are clipped at so many times their median at the ends of a range, which are dead points
+WILD = 30.0  # and at so many elsewhere
 
 
 def round_step(mu: float, apart_mm: float) -> float:
-    """The least round step of values that stand so far apart on a scale."""
+    """The smallest round step of values with that least distance on a scale."""
     return 1.0 / standard_mu(apart_mm, mu)
 
 
@@ -20,7 +20,7 @@ def round_between(low: float, high: float, step: float) -> list[float]:
 
 
 def runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple[list[complex], bool]]:
-    """Runs of a path, with the jumps over its single gaps, those that go no farther across."""
+    """Runs of a path, with jumps across its single gaps, if they are short."""
     pieces: list[tuple[list[complex], bool]] = []
     run: list[complex] = []
     gap = 0
@@ -38,7 +38,7 @@ def runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple
 
 
 def cut_off(values: Sequence[float | None]) -> tuple[float | None, ...]:
-    """A curve without ordinates far beyond the rest, which grow without bounds beside dead positions."""
+    """A curve without ordinates far beyond the rest, which grow without bound beside dead points."""
     sizes = sorted(abs(v) for v in values if v is not None)
     usual = sizes[len(sizes) // 2] if sizes else 0.0
     calm = [k for k, v in enumerate(values) if v is not None and abs(v) <= STEEP * usual]

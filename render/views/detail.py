@@ -1,4 +1,4 @@
-"""Details of a plan: what is too short to be read is circled, and drawn once more enlarged, with its own scale."""
+"""Details of a plan: parts too short to be read are circled, and drawn again enlarged, with a separate scale."""
 
 from collections.abc import Iterable, Sequence
 
@@ -13,9 +13,9 @@ from render.views import TITLE_GAP
 from render.views.plotted import Ends, upon
 
 SHORT_MM = 3.0  # a vector shorter than this is drawn again
-TOGETHER_MM = 3.0  # short vectors nearer to each other than this are drawn in one detail
+TOGETHER_MM = 3.0  # short vectors closer than this share one detail
 ENLARGED = (2, 4, 5, 10, 20, 40, 50, 100)  # scales of ГОСТ 2.302
-ALONE_TIMES = 20  # so many times no force is enlarged by itself
+ALONE_TIMES = 20  # largest enlargement of a single force
 RADIUS_MM = 16.0  # of the largest detail
 LEAST_MM = 1.6  # radius of the smallest circle on the plan
 AROUND = 1.35  # a detail reaches so many times as far as its vectors
@@ -23,13 +23,13 @@ LETTER_MM = 5.0
 MOST_LABELS = 4  # of a circle, on the plan too
 BESIDE_MM = 8.0
 LOOK_ALIKE = dict(zip("АВЕКМНРСТУ", "ABEKMHPCTY", strict=True))
-UPON_MM = 1.0  # vectors that run side by side and no farther apart are read as one line
-SEEN_MM = 1.5  # what is shorter in its detail has another
+UPON_MM = 1.0  # parallel vectors no farther apart are read as one line
+SEEN_MM = 1.5  # a part shorter than this in its detail gets another
 
 
 @frozen
 class Detail:
-    """A circle on the plan, how many times it is enlarged, and its letter."""
+    """A circle on the plan, its enlargement, and its letter."""
 
     centre: complex
     radius: float
@@ -51,15 +51,15 @@ class Detail:
         return labels.Label(self.letter, self.centre, LETTER_MM, clear=clear, name=self.title)
 
     def enlarged(self, z: complex) -> complex:
-        """Where a place of the plan stands in the detail, whose centre is the origin."""
+        """The place of a plan's point in the detail, whose centre is the origin."""
         return self.times * (z - self.centre)
 
     def holds(self, z: complex) -> bool:
-        """Whether a place is seen in the detail."""
+        """Whether a place is inside the detail."""
         return abs(z - self.centre) < 0.97 * self.radius
 
     def seen(self, ends: Ends) -> Ends | None:
-        """The part of a straight stroke within the detail, enlarged; None if there is next to nothing."""
+        """The part of a straight stroke within the detail, enlarged; None if there is almost nothing."""
         a, b = map(self.enlarged, ends)
         reach, way = self.times * self.radius, toward(a, b)
         foot = a - (a * way.conjugate()).real * way
@@ -71,7 +71,7 @@ class Detail:
         return (foot + low * way, foot + high * way) if high - low > 1.0 else None
 
     def drawn(self, marks: Iterable[Mark], named: Sequence[labels.Label]) -> tuple[Mark, ...]:
-        """The strokes of the plan within the circle, the labels of what is seen whole, and the title."""
+        """The strokes of the plan within the circle, the labels of vectors wholly inside, and the title."""
         ground: list[Mark] = [Arc(0j, self.times * self.radius, style="thin", layer="dimension")]
         ground += (part for mark in marks for part in self.part(mark))
         ground += labels.place([self.label(x) for x in named if self.shows(x)], ground).marks
@@ -79,7 +79,7 @@ class Detail:
         return (*ground, Text(self.title, complex(0, top + TITLE_GAP), tall(LETTER_MM), "middle", name=self.title))
 
     def part(self, mark: Mark) -> list[Mark]:
-        """What is seen of one mark."""
+        """The visible part of one mark."""
         if isinstance(mark, Arrow) or (isinstance(mark, Line) and len(mark.points) == 2):
             ends = (mark.start, mark.end) if isinstance(mark, Arrow) else (mark.points[0], mark.points[1])
             piece = self.seen(ends)
@@ -92,16 +92,16 @@ class Detail:
         return []
 
     def shows(self, label: labels.Label) -> bool:
-        """Whether what a label names is seen whole."""
+        """Whether the object of a label is wholly visible."""
         return all(map(self.holds, label.at if isinstance(label.at, tuple) else (label.at,)))
 
     def alone(self, named: Sequence[labels.Label]) -> list[labels.Label]:
-        """The labels that are read in the detail alone: those of what is seen whole there, where they are many."""
+        """The labels that are read in the detail alone: those of vectors wholly visible there, where they are many."""
         held = [x for x in named if self.shows(x)]
         return held if len(held) > MOST_LABELS else []
 
     def label(self, label: labels.Label) -> labels.Label:
-        """The label at its enlarged place."""
+        """The label in its enlarged place."""
         z = label.at
         at = (self.enlarged(z[0]), self.enlarged(z[1])) if isinstance(z, tuple) else self.enlarged(z)
         return replace(label, at=at, clear=0.7)
@@ -115,14 +115,14 @@ def one_line(one: Ends, other: Ends, shown: Iterable[Detail]) -> bool:
 
 
 def details(vectors: Iterable[Ends], letters: Sequence[str], alone: bool = True) -> list[Detail]:
-    """The details of the vectors that are too short; neighbours share one, but for those that are too short there. Not
-    ``alone``: a vector by itself that would have to be enlarged very much has none, it is a point with its name."""
+    """The details of the vectors that are too short; neighbours share one, unless they are too short there. Unless
+    ``alone``, a single vector that would need a very large enlargement has none: it is a point with its name."""
     groups = groups_of(vectors, alone)
     return [Detail(*_seat(group), letter) for group, letter in zip(groups, letters, strict=False)]
 
 
 def _seat(group: Sequence[Ends]) -> tuple[complex, float, int]:
-    """The centre and radius of a detail of some vectors, and how many times it is enlarged."""
+    """The centre and radius of a detail of some vectors, and its enlargement."""
     low, high = corners(z for ends in group for z in ends)
     centre = (low + high) / 2
     radius = AROUND * max(abs(z - centre) for ends in group for z in ends)
@@ -130,7 +130,7 @@ def _seat(group: Sequence[Ends]) -> tuple[complex, float, int]:
 
 
 def groups_of(vectors: Iterable[Ends], alone: bool = True) -> list[list[Ends]]:
-    """Short vectors by details: neighbours together, and once more, by themselves, those that are hardly seen there."""
+    """Short vectors by details: neighbours together, and again, separately, those that are hardly visible there."""
     details = list[list[Ends]]()
     for group in _neighbours(ends for ends in vectors if abs(ends[1] - ends[0]) < SHORT_MM):
         times = _seat(group)[2]
@@ -141,7 +141,7 @@ def groups_of(vectors: Iterable[Ends], alone: bool = True) -> list[list[Ends]]:
 
 
 def _neighbours(short: Iterable[Ends]) -> list[list[Ends]]:
-    """Vectors, those that are near each other together."""
+    """Vectors in groups of neighbours."""
     groups: list[list[Ends]] = []
     for ends in short:
         near = [g for g in groups if any(abs(z - w) < TOGETHER_MM for two in g for z in two for w in ends)]

@@ -1,4 +1,4 @@
-"""Motion over the cycle: diagrams against the driver's place."""
+"""Motion over the cycle: diagrams over the driver's position."""
 
 import math
 from collections.abc import Sequence
@@ -24,25 +24,25 @@ from render.views.senses import labelled
 SECTIONS = 12
 WIDTHS_MM = (12.0, 15.0, 18.0, 24.0, 30.0)  # of a section: over a whole turn μ_φ is 0.4, 0.5, … mm per degree
 TALL = 2.1  # the largest ordinate, over a section
-RANGE_MM = 40.0  # from the least ordinate to the greatest, of diagrams that are to be read
-ROUND_MM = 5.0  # from a round value on their ordinate to the next, at least
-STROKE_MM = 1.5  # of it
-STILL = 1e-6  # places that vary less than this, beside how large they are, stand still
+RANGE_MM = 40.0  # from the least ordinate to the greatest, in diagrams with readable values
+ROUND_MM = 5.0  # least distance of round values on their ordinate
+STROKE_MM = 1.5  # length of a tick
+STILL = 1e-6  # relative to their size: positions that vary less are constant
 LINES = ("thick", "dash", "thin", "axis", "phantom", "construction")  # of curves on the same axes
-SAMPLE_MM = 18.0  # of a line beside the name of its curve, on which all its dashes are seen
-JUMP_MM = 0.01  # a curve that goes on no farther along the axis jumps there
+SAMPLE_MM = 18.0  # length of the line sample beside the name of a curve, with all its dashes
+JUMP_MM = 0.01  # a step no longer than this along the axis is a jump
 BETWEEN_MM = 12.0
-NAME_MM = 3.5  # letters of axes and numbers
-HEADING = 14.0  # letters: no name of a curve with its μ is wider
+NAME_MM = 3.5  # letter heights of axes and numbers
+HEADING = 14.0  # letter heights: largest width of a curve's name with its μ
 FULL = 360.0
 
 
 @frozen
 class DiagramCurve:
-    """One quantity over the turn: its letter, its unit, and a value or None for every angle. ``name`` is its whole name
-    as it is lettered, where it is not the driven link's own; ``places`` its angles, where they are finer than the
+    """One quantity over the turn: its letter, its unit, and a value or None for every angle. ``name`` is its whole
+    lettered name, where it is not the driven link's own; ``places`` are its angles, where they are finer than the
     others' and None marks a jump; ``ends`` where it is least and where greatest, with these values; the zero of a
-    ``place`` need not be seen."""
+    ``place`` need not be visible."""
 
     letter: str
     unit: str
@@ -55,8 +55,8 @@ class DiagramCurve:
 
 @frozen
 class Axes:
-    """Axes of curves on paper: μ, the height of the driver's axis and the value there, from where to where the curves
-    go over it, and how much higher than usual their names stand, mm."""
+    """Axes of curves on paper: μ, the height of the driver's axis and the value there, the range of heights of the
+    curves, and the extra height of their names, mm."""
 
     mu: float
     zero: float
@@ -71,15 +71,15 @@ class Axes:
 
 
 def section_mm(size: float) -> float:
-    """The width of a section, so many times its usual one."""
+    """The width of a section, a multiple of the usual one."""
     return max(w for w in WIDTHS_MM if w <= max(1.0, size) * WIDTHS_MM[0] + 1e-9)
 
 
 @frozen
 class Diagrams:
-    """Diagrams one beneath the other over the driver's range: three of the driven link, or those asked for, each with
-    all the curves on its axes. Those ``to_read`` have round values on the ordinates, the least and the greatest, and
-    the driver's place at every position."""
+    """Diagrams one beneath another over the driver's range: three of the driven link, or those requested, each with all
+    the curves on its axes. Those ``to_read`` have round values on the ordinates, the least and the greatest, and the
+    driver's position at every numbered position."""
 
     plans: Plans
     angles: Sequence[float]
@@ -91,7 +91,7 @@ class Diagrams:
 
     @property
     def title(self) -> str:
-        """What they show."""
+        """Their title."""
         if any(curve.name for panel in self.panels for curve in panel):
             return say("diagrams_asked", self.naming.lang)
         link, slides = driven(self.plans)
@@ -100,7 +100,7 @@ class Diagrams:
 
     @property
     def driver(self) -> tuple[str, str]:
-        """The letter of the driver's place, and its unit."""
+        """The letter of the driver's coordinate, and its unit."""
         return ("φ", "°") if self.plans.mechanism.drive.kind == "phi" else ("s", "m")
 
     @property
@@ -125,7 +125,7 @@ class Diagrams:
         return (*marks, *self.numbers(lowest - 8.0 - self.letter))
 
     def axes(self, panel: Sequence[DiagramCurve], above: float | None) -> Axes:
-        """Axes of curves, beneath those that end ``above``; that of places far from zero stands beneath them."""
+        """Axes of curves, beneath those that end ``above``; an axis for positions far from zero is beneath them."""
         known = [v for curve in panel for v in (*curve.values, *(v for _, v in curve.ends)) if v is not None]
         low, high, size = min(known, default=0.0), max(known, default=0.0), max(map(abs, known), default=0.0)
         afar = self.to_read and panel[0].place and low * high > 0
@@ -167,8 +167,8 @@ class Diagrams:
         return self.with_values(panel[0], axes, marks) if len(panel) == 1 else tuple(marks)
 
     def ends(self, curve: DiagramCurve) -> list[tuple[complex, tuple[float, float]]]:
-        """Where a curve is least and where greatest, beneath it and above it, at the ends of the axis beside it; those
-        told, or those that are seen."""
+        """The least and greatest places of a curve, beneath it and above it, at the ends of the axis beside it; the
+        given ones, or those of the drawn curve."""
         if curve.ends or self.to_read:
             return [*zip((-1j, 1j), curve.ends, strict=False)]
         angles, values = curve.places or self.angles, curve.values
@@ -177,19 +177,19 @@ class Diagrams:
         ends = []
         for side, (value, k) in zip((-1j, 1j), (min(known), max(known)), strict=True) if known else ():
             beside = [(k - 1) % count, (k + 1) % count] if self.whole else [max(k - 1, 0), min(k + 1, count)]
-            if k not in beside and all(values[j] is not None for j in beside):  # it goes no farther unseen
-                k = k or count  # of a whole turn: its end has more room than its beginning
+            if k not in beside and all(values[j] is not None for j in beside):  # it continues outside the range
+                k = k or count  # of a whole turn: there is more room at its end than at its beginning
                 inwards = (SECTIONS * k < count) - (SECTIONS * (count - k) < count)
                 ends.append((side + 2 * inwards, (angles[k], value)))
         return ends
 
     def heading(self, panel: Sequence[DiagramCurve], mu: float, place: complex) -> list[Mark]:
-        """The names of the curves, each with a piece of its line where there are several, and their scale."""
+        """The names of the curves, each with a sample of its line if there are several, and their scale."""
         link, lang = self.naming.link(driven(self.plans)[0]), self.naming.lang
         names = [curve.name or f"{curve.letter}_{{{link}}}" for curve in panel]
         if self.to_read:
             names = [with_unit(name, curve.unit, lang) for name, curve in zip(names, panel, strict=True)]
-        letters = {c.letter + ("" if c.name else link): c.unit for c in panel}  # plans have a μ_v of their own
+        letters = {c.letter + ("" if c.name else link): c.unit for c in panel}  # plans have a different μ_v
         scales = ", ".join(f"μ_{{{letter}}} = {scale(mu, unit, self.naming)}" for letter, unit in letters.items())
         if len(panel) == 1:
             return [Text(f"{names[0]}, {scales}", place, self.letter)]
@@ -230,7 +230,8 @@ class Diagrams:
         return (angle - self.angles[0]) / (self.angles[-1] - self.angles[0]) * self.section * SECTIONS
 
     def numbers(self, level: float) -> list[Mark]:
-        """Numbers of the positions beneath, the driver's place in the first, or in each, and the scale of the axis."""
+        """Numbers of the positions beneath, the driver's position at the first, or at each, and the scale of the
+        axis."""
         places = [complex(self.section * k, level) for k in range(SECTIONS + 1)]
         texts: list[Mark] = [Text(str(k), z, self.letter, "middle") for k, z in enumerate(places)]
         (letter, key), lang = self.driver, self.naming.lang

@@ -1,4 +1,4 @@
-"""Sizes on a scheme: two arrows that part from the middle, lines that lead to what is measured, the size over them."""
+"""Dimensions on a scheme: two arrows from the middle, extension lines to the measured object, the number over them."""
 
 from collections.abc import Iterable, Iterator, Sequence
 
@@ -17,20 +17,20 @@ from render.paper.style import tall
 from render.paper.typeset import ink_width
 from render.views.plotted import Places, degrees
 
-PAST_MM = 1.5  # of a leading line beyond the arrow
-OVER_MM = 0.9  # of the size over the line of its arrows
-TAIL_MM = 0.6  # of a comma beneath its line: so much higher a size stands over a head
+PAST_MM = 1.5  # of an extension line beyond the arrow
+OVER_MM = 0.9  # of the number over the dimension line
+TAIL_MM = 0.6  # of a comma below the base line: extra height of a number over an arrowhead
 LETTER_MM = 3.5
-BESIDE_MM = 10.0  # of sizes from what is drawn
+BESIDE_MM = 10.0  # distance of dimensions from the drawing
 HEADS_MM = 8.0  # of the arrows beside the text
-ANGLE_MM, AXIS_MM = 16.0, 21.0  # the radius at which the driver's angle is shown, and the axis it is measured from
-PARTING = (0.5, 0.42, 0.58, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85)  # of a size's length, where its text may stand
+ANGLE_MM, AXIS_MM = 16.0, 21.0  # the radius of the driver's angle, and the length of the axis it is measured from
+PARTING = (0.5, 0.42, 0.58, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85)  # of a dimension's length, where its text may be
 SQUARE = 1e-6
 
 
 @frozen
 class Size:
-    """A size between two ``places``, with the ends of its arrows, ``aside`` of them."""
+    """A dimension between two ``places``, with the ends of its arrows, ``aside`` of them."""
 
     places: tuple[complex, complex]
     ends: tuple[complex, complex]
@@ -40,16 +40,16 @@ class Size:
 
     @property
     def fits(self) -> bool:
-        """Whether it is long enough for its text and the heads beside that."""
+        """Whether it is long enough for its text and the heads beside it."""
         return abs(self.ends[1] - self.ends[0]) > ink_width(self.text, tall(LETTER_MM)) + HEADS_MM
 
     def leading(self) -> list[Line]:
-        """The lines that lead to its arrows from what is measured."""
+        """The extension lines from the measured object to its arrows."""
         pairs = zip(self.places, self.ends, strict=True)
         return [Line((z, end + PAST_MM * self.aside), "thin", "dimension") for z, end in pairs]
 
     def marks(self, others: Sequence[Line] = ()) -> list[Mark]:
-        """All of it; its arrows part, beneath the text, where no other line comes near."""
+        """All its marks; its arrows part, beneath the text, where no other line comes near."""
         a, b = self.ends
         free = (z for t in PARTING if self.clear(z := a + t * (b - a), others))
         parting = next(free, (a + b) / 2)
@@ -72,7 +72,7 @@ class Size:
 
     @property
     def turn(self) -> float:
-        """The direction of its text, degrees: it is read from below or from the right."""
+        """The direction of its text, degrees: read from below or from the right."""
         turn = degrees(self.ends[1] - self.ends[0])
         return turn - 180 * round(turn / 180 - 1e-9)
 
@@ -85,21 +85,21 @@ class Size:
 
 
 def sizes_drawn(sizes: Sequence[Size], ground: Iterable[Mark] = ()) -> list[Mark]:
-    """Sizes whose texts no line of the ground crosses, and none that leads to another one."""
+    """Dimensions whose texts are crossed neither by a line of the drawing nor by another's extension line."""
     lines = [m for m in ground if isinstance(m, Line)] + [line for one in sizes for line in one.leading()]
     return [m for one in sizes for m in one.marks(lines)]
 
 
 def stroke(one: complex, other: complex, off: complex, text: str) -> Size:
-    """The way of a slider between two places, drawn so far off, square to it."""
+    """The stroke of a slider between two places, drawn at that distance, perpendicular to it."""
     return Size((one, other), (one + off, other + off), off / abs(off), text, "stroke")
 
 
 def frame_sizes(places: Places, mu: float, about: Bounds, lang: Lang) -> list[Size]:
-    """How far the frame's hinges, level and upright guides are from the driver's pair, in mm as they are: level sizes
-    beneath everything drawn, upright ones at its left."""
+    """The distances of the frame's hinges and of horizontal and vertical guides from the driver's pair, in true mm:
+    horizontal dimensions beneath everything drawn, vertical ones at its left."""
     sizes, pair = list[Size](), places.position.plans.structure.drive_pair.point
-    if places.mechanism.drive.on != FRAME:  # the driver is nowhere on the frame: from its first hinge
+    if places.mechanism.drive.on != FRAME:  # the driver has no pair with the frame: from the first hinge of the frame
         pair = next((p for p in places.mechanism.frame.points if p in places.shared), "")
     if not places.has(pair):
         return sizes
@@ -115,12 +115,12 @@ def frame_sizes(places: Places, mu: float, about: Bounds, lang: Lang) -> list[Si
 
 
 def in_mm(metres: float, lang: Lang) -> str:
-    """A size as a drawing has it."""
+    """A dimension as a drawing has it."""
     return number(round(1000 * metres, 1), lang, 7)
 
 
 def _held(places: Places, way: complex) -> Iterator[complex]:
-    """The frame's hinges, and the feet of sliders on its guides that stand square to a way."""
+    """The frame's hinges, and the feet of sliders on its guides perpendicular to a direction."""
     m = places.mechanism
     yield from (places.at(p) for p in m.frame.points if p in places.shared and places.has(p))
     for foot, along in (places.foot(x) for x in places.sliders(*m.frame.guides)):
@@ -129,7 +129,7 @@ def _held(places: Places, way: complex) -> Iterator[complex]:
 
 
 def driver_angle(places: Places, naming: Naming) -> tuple[list[Mark], list[Label]]:
-    """The driver's angle from the axis x, about its pivot, and its name."""
+    """The driver's angle from the x axis, about its pivot, and its name."""
     drive, pair = places.mechanism.drive, places.position.plans.structure.drive_pair.point
     turn = places.position.at % 360 if drive.kind == "phi" and places.has(pair) and drive.on == FRAME else 0.0
     if not turn:

@@ -1,5 +1,5 @@
-"""Small figures of directions, as they stand beside the plans: a relative vector carried over to its point tells the
-sense in which its link turns; a relative velocity turned with its guide by a right angle, Coriolis' acceleration."""
+"""Small figures of directions beside the plans: a relative vector carried to its point shows the sense in which its
+link turns; a relative velocity turned with its guide by a right angle, Coriolis' acceleration."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -20,9 +20,9 @@ from render.views.formulas import NOISE_MM
 from render.views.plotted import degrees
 from render.views.senses import labelled
 
-ROD, ARROW, SENSE = 3.7, 2.3, 1.6  # of a figure: its rod, its vectors, the radius of its curved arrow, in its letters
-SWEEP_DEG, FROM_DEG = 65.0, 15.0  # of a curved arrow, and from its rod
-A_ROW = 5  # figures
+ROD, ARROW, SENSE = 3.7, 2.3, 1.6  # in letter heights: its rod, its vectors, the radius of its curved arrow
+SWEEP_DEG, FROM_DEG = 65.0, 15.0  # angle of a curved arrow, and its gap from the rod
+A_ROW = 5  # distance of figures
 LETTER_MM = 3.5
 
 
@@ -35,12 +35,12 @@ class Directions:
 
     @property
     def steps(self) -> dict[str, Step]:
-        """The steps by what they make."""
+        """The steps by their results."""
         return self.position.drawing.program.makers
 
     @property
     def letter(self) -> float:
-        """The height of their letters, by which all is measured."""
+        """The height of their letters, the unit of all lengths."""
         return tall(LETTER_MM)
 
     def view(self, title: str) -> View | None:
@@ -51,7 +51,7 @@ class Directions:
         return figure and replace(figure, extra=True)
 
     def turned(self) -> Iterator[Sequence[Mark]]:
-        """A rod with the vector of its far end, and the sense of ω or ε that this gives."""
+        """A rod with the vector of its far end, and the resulting sense of ω or ε."""
         links = self.position.plans.links.values()
         rates = {name for x in links for name in (x.omega, x.epsilon)}
         for rate, (vector, _) in products(self.position.drawing.program, -1).items():
@@ -60,7 +60,7 @@ class Directions:
                 yield self.turning(rod, way, vector, rate)
 
     def rod(self, across: str | None) -> Through | None:
-        """The line of the scheme that a direction is square to."""
+        """The line of the scheme to which a direction is perpendicular."""
         turn = self.steps.get(across or "")
         line = self.steps.get(turn.of) if isinstance(turn, Turn) else None
         return line if isinstance(line, Through) else None
@@ -80,7 +80,7 @@ class Directions:
         return self.figure(ground, vectors, rate, degrees(tip), letters)
 
     def coriolis(self) -> Iterator[Sequence[Mark]]:
-        """A guide with the relative velocity on it, and the acceleration to which the guide's turning leads."""
+        """A guide with the relative velocity on it, and the acceleration that follows from the guide's rotation."""
         for laid in (s for s in self.steps.values() if isinstance(s, LayOff) and parts_of(s.length)[2] == "k"):
             made = self.steps[laid.length]
             rate, velocity = (name for name, _ in made.terms[0].factors) if isinstance(made, Calculate) else ("", "")
@@ -100,7 +100,7 @@ class Directions:
     def figure(
         self, ground: Sequence[Mark], vectors: Sequence[Arrow], rate: str, from_deg: float, letters: Sequence[Label]
     ) -> Sequence[Mark]:
-        """A figure with its vectors and the curved arrow of a rate, and all letters."""
+        """A figure with its vectors and the curved arrow of an angular velocity or acceleration, and all letters."""
         sense, (kind, link, _) = math.copysign(1.0, float(self.position.drawing[rate])), parts_of(rate)
         turning = symbols.turn_arrow(0j, SENSE * self.letter, from_deg + sense * FROM_DEG, sense * SWEEP_DEG)
         middle = SENSE * self.letter * symbols.unit(from_deg + sense * (FROM_DEG + SWEEP_DEG / 2))

@@ -1,4 +1,4 @@
-"""Vector equations as on paper: bars over vectors, underlines for what is known, action lines and numbers beneath."""
+"""Vector equations as on paper: bars over vectors, underlines for known parts, lines of action and numbers beneath."""
 
 import cmath
 import math
@@ -18,7 +18,7 @@ from render.views.plotted import Plotted
 
 NOISE_MM = 1e-7  # a shorter vector is rounding noise
 GAP = 0.55  # between words of an equation, over the letter height
-WIDEST = 40.0  # of a row, over the letter height: a longer equation goes on in the next one
+WIDEST = 40.0  # width of a row, over the letter height: a longer equation continues in the next one
 _SIGN = re.compile("[+−=]")
 _LETTER = re.compile(r"^[^\W\d_]+")
 
@@ -44,11 +44,11 @@ class Setter:
 
     @property
     def small(self) -> float:
-        """Letter height of what stands beneath."""
+        """Letter height of the texts beneath."""
         return 2.5 if self.letter <= 3.5 else 3.5
 
     def row(self, words: list[Word], y: float) -> float:
-        """Set the words at base line ``y``, broken before signs where they are too long; the lowest ink."""
+        """Set the words at base line ``y``, broken before signs where they are too long; returns the lowest ink."""
         lowest = y
         for k, line in enumerate(self.lines(words)):
             lowest = self.line(line, y, 3 * GAP * self.letter if k else 0.0)
@@ -56,13 +56,13 @@ class Setter:
         return lowest
 
     def lines(self, words: list[Word]) -> list[list[Word]]:
-        """The words in lines that are not too wide, each but the first beginning with a sign."""
+        """The words in lines within the width, each but the first beginning with a sign."""
         lines: list[list[Word]] = [[]]
         wide, gap = 0.0, GAP * self.letter
         for k, word in enumerate(words):
             sign = bool(_SIGN.match(word.text)) and not word.vector
             end = k + 1 + sign
-            with_last = end == len(words) - 1 and words[-1].text[:1] == "="  # "= 0" never stands alone
+            with_last = end == len(words) - 1 and words[-1].text[:1] == "="  # "= 0" is never alone on a line
             step = sum(self.wide(w) + gap for w in words[k : end + with_last])
             if sign and lines[-1] and wide + step > WIDEST * self.letter:
                 lines.append([])
@@ -72,12 +72,12 @@ class Setter:
         return lines
 
     def wide(self, word: Word) -> float:
-        """Width of a word with what stands beneath it."""
+        """Width of a word with the texts beneath it."""
         beneath = (ink_width(t, self.small) for t in (word.action, word.value) if t)
         return max(ink_width(word.text, self.letter), *beneath, 0.0)
 
     def line(self, words: list[Word], y: float, left: float = 0.0) -> float:
-        """Set one line at base line ``y`` from ``left``; the lowest ink."""
+        """Set one line at base line ``y`` from ``left``; returns the lowest ink."""
         under = y + min(extent(w.text, self.letter)[1] for w in words) - 0.9
         has_action, has_value = any(w.action for w in words), any(w.value for w in words)
         action_y = under - 2.2 - 1.1 * self.small
@@ -89,7 +89,7 @@ class Setter:
         return lines - 0.45 * self.small
 
     def word(self, word: Word, y: float, under: float, action_y: float, value_y: float) -> None:
-        """One word centred over what stands beneath it."""
+        """One word centred over the texts beneath it."""
         own, wide = ink_width(word.text, self.letter), self.wide(word)
         middle = self.x + wide / 2
         left = middle - own / 2
@@ -116,12 +116,12 @@ class Setter:
 
 @frozen
 class Formulas:
-    """The equations of some plans, set one beneath the other."""
+    """The equations of some plans, set one beneath another."""
 
     plotted: Plotted
     naming: Naming
     letter: float = 5.0
-    asked: bool = False  # as they are to be drawn: without numbers
+    asked: bool = False  # in the form for drawing: without numbers
 
     def drawn(self, plans: tuple[str, ...]) -> tuple[Mark, ...]:
         """All equations of these plans, from the top down."""
@@ -133,7 +133,8 @@ class Formulas:
         return tuple(setter.marks)
 
     def words(self, equation: Equation) -> list[Word]:
-        """v_C = v_B + v_CB; what a point does against the frame is its own vector, with its line of action."""
+        """v_C = v_B + v_CB; the motion of a point relative to the frame is its absolute vector, with its line of
+        action."""
         total = equation.total or ""
         unit = say(UNIT[kind_of(equation.plan)], self.naming.lang)
         first, sides = Word(self.naming.vector(total), value="" if self.asked else unit), []
@@ -153,7 +154,7 @@ class Formulas:
         return words
 
     def closed_words(self, equation: Equation) -> list[Word]:
-        """The unit; both sides as they are stated, or all vectors of a closed polygon added up to nothing."""
+        """The unit; both sides as stated, or the sum of all vectors of a closed polygon, equal to zero."""
         unit = say(UNIT[kind_of(equation.plan)], self.naming.lang)
         words, sides = [Word("", vector=False, value="" if self.asked else unit)], equation.written
         for n, side in enumerate(sides):
@@ -164,7 +165,7 @@ class Formulas:
         return [*words, Word("= 0", vector=False)] if equation.closed else words
 
     def word(self, term: Term, plan: str) -> Word:
-        """A vector with its underlines, its line of action and, where it is known, its number."""
+        """A vector with its underlines, its line of action and, where known, its number."""
         text, known, value = self.naming.vector(term.name), term.known, ""
         if known == 2 and not self.asked:
             length = abs(self.plotted.mark(plan, term.end) - self.plotted.mark(plan, term.start))
@@ -173,7 +174,7 @@ class Formulas:
         return Word(text, known, self.action(term), value)
 
     def action(self, term: Term) -> str:
-        """The line of action as it is written beneath: ⊥BC, ∥y–y, C→B."""
+        """The line of action as written beneath: ⊥BC, ∥y–y, C→B."""
         text = written(term.action).replace("-", "–")
         if text[:1] == "∠" and term.direction:
             way = complex(self.plotted.drawing[term.direction])

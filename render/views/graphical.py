@@ -1,5 +1,5 @@
-"""Graphical differentiation and integration drawn: diagrams one beneath the other, poles with their rays, carried
-ordinates, the curve that was drawn and, in dashes, the exact one."""
+"""Graphical differentiation and integration drawn: diagrams one beneath another, poles with their rays, carried
+ordinates, the constructed curve and, in dashes, the exact one."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -29,7 +29,7 @@ FORMULAS = {
 
 @frozen
 class Graphical:
-    """A construction as it was drawn, with its scales."""
+    """A drawn construction, with its scales."""
 
     construction: Construction
     drawing: Drawing
@@ -47,11 +47,11 @@ class Graphical:
         return (*marks, *self.numbers(lowest - 6.5), *self.legend(lowest - 15.0))
 
     def place(self, plan: str, label: str) -> complex:
-        """Where a mark stands from the origin of its own diagram."""
+        """The place of a mark from the origin of its diagram."""
         return complex(self.drawing[at(plan, label)]) - complex(self.drawing[at(plan, "o")])
 
     def points(self, stage: Stage) -> list[complex]:
-        """The points a diagram was drawn through; of a turn that comes back, two more at either end."""
+        """The points of a diagram; for a closed turn, two more at either end."""
         own = [self.place(stage.plan, label) for half, label in stage.points if half >= 0]
         if not self.construction.motion.closed or stage.given or self.construction.kind != "differentiation":
             return own
@@ -75,7 +75,7 @@ class Graphical:
     # one diagram
 
     def one(self, stage: Stage, k: int, zero: complex, bottom: float, top: float) -> list[Mark]:
-        """Axes, sections, the exact curve, the construction and what it gave."""
+        """Axes, sections, the exact curve, the construction and its result."""
         wide, n = self.place(stage.plan, "t").real, self.construction.motion.sections
         ends = ((zero + wide * k / n + 1j * y for y in (bottom - 1.5, top + 1.5)) for k in range(1, n + 1))
         marks: list[Mark] = [Line(tuple(two), "construction", "construction") for two in ends]
@@ -90,7 +90,7 @@ class Graphical:
         return [*marks, *self.pole(stage, zero), *self.curve(stage, zero, wide)]
 
     def heading(self, stage: Stage, k: int) -> str:
-        """The quantity and its scale, with the formula it follows from."""
+        """The quantity and its scale, with its formula."""
         c, letters = self.construction, "sva" if self.construction.motion.slides else "φωε"
         own = letters[stage.rank]
         text = f"{own}_{{{self.naming.link(c.motion.link)}}};  μ_{{{own}}} = "
@@ -110,7 +110,7 @@ class Graphical:
         marks += [*dot(low, 0.6, "construction"), Line((low, zero), "thin", "dimension")]
         text, middle = f"H = {number(stage.pole_mm, self.naming.lang)}", (low + high) / 2
         written = Text(text, middle + 1j * (level + 1.2), 3.5, "middle")
-        if ink_width(text, 3.5) > stage.pole_mm - 2.0:  # beside a short distance, on its line drawn further
+        if ink_width(text, 3.5) > stage.pole_mm - 2.0:  # beside a short distance, on an extension of its line
             written = Text(text, low + complex(-4.0, level - 1.3), 3.5, "end")
             marks.append(Line((low + complex(-3.0, level), low + 1j * level), "thin", "dimension"))
         return [
@@ -123,11 +123,11 @@ class Graphical:
         ]
 
     def pole_room(self, stage: Stage) -> float:
-        """Where the distance of the pole is written: beneath all its rays."""
+        """Room for the pole distance: beneath all the rays."""
         return min(0.0, *(z.imag for z in self.cuts(stage))) - 7.0
 
     def cut_labels(self, stage: Stage) -> list[str]:
-        """Labels of the points whose ordinates stand on the axis too."""
+        """Labels of the points whose ordinates are on the axis too."""
         labels = [label for half, label in stage.points if half >= 0]
         if self.construction.kind == "integration":
             labels = [f"{k}½" for k in range(self.construction.motion.sections)]
@@ -138,7 +138,7 @@ class Graphical:
         return [self.place(stage.plan, f"h{x}") for x in self.cut_labels(stage)]
 
     def curve(self, stage: Stage, zero: complex, wide: float) -> list[Mark]:
-        """The points and the curve through them (of an integral the line of chords it is), with its construction."""
+        """The points and the curve through them (for an integral its polygon), with its construction."""
         points, by_chords = self.points(stage), self.construction.kind == "differentiation"
         marks: list[Mark] = []
         for label in self.cut_labels(stage):  # ordinates carried to or from the axis
@@ -167,7 +167,7 @@ class Graphical:
         return [*texts, Text(start, complex(wide + 6, level), 3.5)]
 
     def legend(self, level: float) -> list[Mark]:
-        """Which line is which."""
+        """A legend of the lines."""
         marks: list[Mark] = []
         for x, style, key in ((0, "thick", "graphical_drawn"), (62, "dash", "graphical_exact")):
             marks.append(Line((complex(x, level), complex(x + 14, level)), style, "plan"))
@@ -176,7 +176,7 @@ class Graphical:
 
 
 def smooth(points: Sequence[complex]) -> list[complex]:
-    """A curve through points as a French curve would draw it: cubic pieces whose slopes follow the neighbours."""
+    """A curve through points as with a French curve: cubic pieces whose slopes follow the neighbours."""
     if len(points) < 3:
         return list(points)
     ends = [2 * points[0] - points[1], *points, 2 * points[-1] - points[-2]]
@@ -190,7 +190,7 @@ def smooth(points: Sequence[complex]) -> list[complex]:
 
 
 def cropped(path: Sequence[complex], wide: float) -> list[complex]:
-    """The part of a curve over the axis, cut exactly at both ends."""
+    """The part of a curve over the axis, clipped exactly at both ends."""
     kept: list[complex] = []
     for a, b in pairwise(path):
         for x in (0.0, wide):

@@ -1,4 +1,4 @@
-"""Hatching of the similar triangles of a plan: thin strokes across them, none nearly along a side."""
+"""Hatching of the similar triangles of a plan: thin strokes across them, none nearly parallel to a side."""
 
 import cmath
 import math
@@ -10,12 +10,12 @@ import shapely
 from render.paper.ink import hatch_strokes
 from render.paper.marks import Hatch, Line
 
-HATCHED_MM, HATCH_GAP_MM, HATCH_MM = 6.0, 3.5, 1.0  # of hatched triangles: least radius, between strokes, to the sides
-ALONG_DEG = 12.0  # strokes nearer than this to the direction of a side seem to be along it
+HATCHED_MM, HATCH_GAP_MM, HATCH_MM = 6.0, 3.5, 1.0  # triangles: least radius, stroke spacing, distance to sides
+ALONG_DEG = 12.0  # angle to a side within which strokes look parallel to it
 
 
 def hatched(triangles: Iterable[tuple[complex, complex, complex]]) -> list[Line]:
-    """Thin strokes in the similar triangles that lie apart from each other, large enough to hold some."""
+    """Thin strokes in the similar triangles that do not overlap, and are large enough for some."""
     kept: list[shapely.Polygon] = []
     for corners in triangles:
         area = shapely.Polygon([(z.real, z.imag) for z in corners])
@@ -33,7 +33,7 @@ def hatched(triangles: Iterable[tuple[complex, complex, complex]]) -> list[Line]
 
 
 def _across(corners: Sequence[complex]) -> float:
-    """The angle of hatching: 45°, or the next that is not nearly along a side of the triangle, degrees."""
+    """The angle of hatching: 45°, or the next that is not nearly parallel to a side of the triangle, degrees."""
     sides = [math.degrees(cmath.phase(b - a)) for a, b in pairwise((*corners, corners[0]))]
     away = {turn: min(abs((turn - side + 90) % 180 - 90) for side in sides) for turn in (45.0, 135.0, 30.0, 60.0)}
     return next((turn for turn, least in away.items() if least > ALONG_DEG), 45.0)

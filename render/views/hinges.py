@@ -1,4 +1,4 @@
-"""How the base of a fixed hinge is turned."""
+"""The rotation of a fixed hinge's base."""
 
 import cmath
 import math
@@ -10,8 +10,8 @@ from render.paper.marks import Line, Mark
 
 
 def base_angle(z: complex, ways: Sequence[complex], marks: Sequence[Mark]) -> float:
-    """The turn of a fixed hinge's base that keeps clear of its own bars, which go ``ways``, and then of other marks:
-    upright if it can."""
+    """The angle of a fixed hinge's base that keeps clear of the hinge's bars, in the directions ``ways``, and then of
+    other marks: upright if possible."""
     bars = ink(marks)
 
     def hits(turn: int) -> tuple[int, int]:

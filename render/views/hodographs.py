@@ -1,4 +1,4 @@
-"""Hodographs, ends of a vector over the cycle laid off from a pole, and paths of points; positions are numbered."""
+"""Hodographs, the curves of a vector's end over the cycle about a pole, and paths of points; positions are numbered."""
 
 from collections.abc import Sequence
 
@@ -20,13 +20,13 @@ from render.views.senses import labelled
 WIDE_MM = 70.0  # the larger side of a hodograph
 AXIS_MM = 8.0  # of the axes beyond it
 APART_MM = 14.0
-ROUND_MM = 12.0  # from a line of the net to the next, at least
+ROUND_MM = 12.0  # least distance of grid lines
 
 
 @frozen
 class Hodograph:
     """A vector over the cycle, as complex numbers in ``unit`` (None where the mechanism does not assemble; a single one
-    is a jump), and at the numbered positions; ``point`` is whose path it is."""
+    is a jump), and at the numbered positions; ``point`` is that of a path."""
 
     name: str
     unit: str
@@ -36,7 +36,7 @@ class Hodograph:
 
 
 def hodograph_view(loops: Sequence[Hodograph], naming: Naming, to_read: bool = False) -> View:
-    """Hodographs side by side, each under its name and scale; those ``to_read`` on a net of round values."""
+    """Hodographs side by side, each under its name and scale; those ``to_read`` on a grid of round values."""
     row = beside([_one(loop, naming, to_read) for loop in loops], APART_MM, top=0.0)
     return view("hodographs", "", row.marks, figure=True)
 

@@ -1,4 +1,4 @@
-"""The instant centre of a link: where the lines square to the velocities of its points meet."""
+"""The instantaneous centre of a link: the intersection of the perpendiculars to the velocities of its points."""
 
 from itertools import combinations
 
@@ -11,13 +11,14 @@ from render.views import View, view
 from render.views.plotted import Places
 from render.views.scheme import Scheme
 
-LONGEST_MM = 20.0  # of the velocities drawn
+LONGEST_MM = 20.0  # length of the velocity arrows
 FAR_MM = 130.0  # a centre farther from its link is not shown
-PARALLEL = 0.05  # of lines that meet too far off to tell where
+PARALLEL = 0.05  # sine of the angle between lines that meet too far off
 
 
 def instant_centre(position: Position, link: str, naming: Naming) -> View | None:
-    """The scheme with the centre P of a link and the velocities of its points; none where it lies too far off."""
+    """The scheme with the instantaneous centre P of a link and the velocities of its points; None if it is too far
+    off."""
     places, v = Places(position), position.v
     points = [p for p in position.plans.mechanism.links[link].points if places.has(p) and p in v]
     centre = _centre([(places.at(p), v[p]) for p in points])
@@ -35,7 +36,7 @@ def instant_centre(position: Position, link: str, naming: Naming) -> View | None
 
 
 def _centre(moving: list[tuple[complex, complex]]) -> complex | None:
-    """Where lines through places square to their velocities meet; of those, the two least along each other."""
+    """The intersection of lines through places perpendicular to their velocities; of the two least parallel ones."""
     best, centre = PARALLEL, None
     for (a, v), (b, w) in combinations(moving, 2):
         if not v or not w:

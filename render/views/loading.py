@@ -20,28 +20,28 @@ from render.views.plotted import Ends, Places, set_apart
 from render.views.senses import freest
 
 FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale
-STEP_MM = 6.0  # by which the next one of the same point and direction is longer
-ASIDE_MM, NEAR_MM = 1.5, 1.2  # how far it is set beside, and how near to it, or to a rod, no force may lie
-TOUCH_MM = 0.4  # how near to it they may come where they slant but slightly
-BEFORE_MM = 1.6  # from the tip of a reaction to the place it acts at: the radius of a hinge
+STEP_MM = 6.0  # extra length of the next force with the same point and direction
+ASIDE_MM, NEAR_MM = 1.5, 1.2  # lateral shift, and the least distance from another force or a rod
+TOUCH_MM = 0.4  # least distance where they are slightly inclined
+BEFORE_MM = 1.6  # from the tip of a reaction to its point of application: the radius of a hinge
 COUPLE_MM = 6.5  # radius of a couple's curved arrow
-BESIDE_MM = 5.0  # how far the line that is tangent to a friction circle is drawn to either side
+BESIDE_MM = 5.0  # half the length of the tangent to a friction circle
 NAME_MM = 3.5
-NOTHING = 1e-9  # of the largest force: none
+NOTHING = 1e-9  # of the largest force: below this it is zero
 FAR_MM = 60.0  # an arm longer than this, and than its links, is drawn with a break
-FAR_M = 10.0  # an arm longer than this is that of a couple
+FAR_M = 10.0  # a longer arm means a couple
 
 
 @dataclass
 class Arrows:
-    """Where arrows of forces, not to scale, are drawn so that each is seen by itself; ``upon`` are the lines none may
-    lie upon, and the arrows there are."""
+    """The places of force arrows, not to scale, so that each is visible; ``upon`` are the lines that none may overlap,
+    and the arrows already drawn."""
 
     upon: list[Ends] = field(default_factory=list)
     taken: list[tuple[complex, complex]] = field(default_factory=list)
 
     def placed(self, point: complex, way: complex, from_outside: bool = False) -> Ends:
-        """Start and end of a force: longer where others of its point are on the same side, and set beside them."""
+        """Start and end of a force: longer if others of its point are on the same side, and shifted beside them."""
         side = -way if from_outside else way
         like = sum(abs(p - point) < 0.5 and (s * side.conjugate()).real > 0.9 for p, s in self.taken)
         self.taken.append((point, side))
@@ -53,7 +53,7 @@ class Arrows:
 
 @dataclass
 class Loading:
-    """The forces on some links, being drawn over their scheme."""
+    """The forces on some links, drawn over their scheme."""
 
     position: Position
     naming: Naming
@@ -67,7 +67,7 @@ class Loading:
         self.arrows = Arrows([rod for link in self.links for rod in self.places.rods(link)])
 
     def loads(self, carried: bool, from_outside: bool = False) -> None:
-        """Weights, inertia, loads; and, where ``carried``, the reactions that came from groups solved before."""
+        """Weights, inertia, loads; and, where ``carried``, the reactions from groups solved before."""
         acting, inner = self.position.plans.acting, self.inner() if carried else set[str]()
         for link in self.links:
             for f in (f for f in acting.forces[link] if f.spot or (carried and f.name not in inner)):
@@ -81,7 +81,7 @@ class Loading:
                     self.couple(couple.name, link, value, k, about=self.hinge(couple.value))
 
     def reactions(self, plan: str) -> None:
-        """The reactions of a plan's outer pairs, in the parts the plan finds them in, at their points."""
+        """The reactions of a plan's outer pairs, in the components found on the plan, at their points."""
         outer, rubbing = self.outer(), dict[str, None]()
         for equation in self.position.plans.equations:
             for term in equation.terms if equation.plan == plan else ():
@@ -97,7 +97,7 @@ class Loading:
             self.rub(key)
 
     def whole_reactions(self) -> None:
-        """Every reaction on these links from outside of them, whole, where its line of action passes."""
+        """Every whole reaction on these links from outside, on its line of action."""
         results = self.position.of("reactions")
         for key, reaction in self.position.plans.reactions.items():
             pair, result = reaction.pair, results.get(key)
@@ -114,18 +114,18 @@ class Loading:
                 self.couple(f"MR_{name}", inside[0], result.moment * (-1 if turned else 1), 0)
 
     def arm(self, key: str) -> float | None:
-        """The arm of a slider's reaction, m; None where there is none to speak of."""
+        """The arm of a slider's reaction, m; None where it is negligible."""
         name = self.position.plans.reactions[key].arm
         arm = float(self.drawing[name]) if name in self.drawing else math.nan
         return arm if math.isfinite(arm) and abs(arm) < FAR_M else None
 
     def hinge(self, couple: str) -> complex | None:
-        """The place of the hinge whose friction a couple is; None of any other."""
+        """The place of the hinge with that friction couple; None for any other couple."""
         own = (r.pair.point for r in self.position.plans.reactions.values() if r.moment == couple and r.pair.point)
         return next(map(self.places.at, own), None)
 
     def rub(self, key: str) -> None:
-        """The couple of friction on one of these links, in its hinge."""
+        """The friction couple on one of these links, in its hinge."""
         r = self.position.plans.reactions[key]
         value = float(self.drawing[r.friction]) if r.pair.point and r.friction in self.drawing else 0.0
         if abs(value) > NOTHING:
@@ -133,7 +133,7 @@ class Loading:
             self.couple(r.moment, on, value if on == r.pair.link else -value, 0, about=self.places.at(r.pair.point))
 
     def friction_circle(self, key: str) -> None:
-        """The circle in a hinge that the line of the reaction is tangent to, and that line."""
+        """The friction circle in a hinge, and the line of the reaction tangent to it."""
         pair = self.position.plans.reactions[key].pair
         place = self.seat(key) if pair.kind == "R" else 0j
         if place and (shift := place - (centre := self.places.at(pair.point))):
@@ -142,8 +142,8 @@ class Loading:
             self.marks.append(Line((place - along, place + along), "thin", "construction"))
 
     def seat(self, key: str, aside: bool = True) -> complex:
-        """Where a reaction acts: in its hinge, or ``aside`` on its friction circle; its arm from the foot on the guide,
-        which is drawn as far as that."""
+        """The point of application of a reaction: in its hinge, or ``aside`` on its friction circle; its arm from the
+        foot on the guide, which is drawn up to there."""
         r = self.position.plans.reactions[key]
         pair = r.pair
         if pair.kind == "R":
@@ -163,7 +163,7 @@ class Loading:
         return foot + shown * along
 
     def balancing(self, link: str) -> None:
-        """The balancing couple (or force) on the driver, or the opposite force on a link that it is driven from."""
+        """The balancing couple (or force) on the driver, or the opposite force on the link that drives it."""
         plans = self.position.plans
         if plans.balancing not in self.drawing:
             return
@@ -185,8 +185,8 @@ class Loading:
         return names
 
     def outer(self) -> dict[str, str]:
-        """Names of the reactions from outside on these links, whole and in parts, that no plan before found; with the
-        reaction each is, or is the opposite of."""
+        """Names of the reactions from outside on these links, whole and in components, that are not known from an
+        earlier plan; with the reaction that each is, or is opposite to."""
         known = {f.name for link in self.links for f in self.position.plans.acting.forces[link]}
         reactions: dict[str, str] = {}
         for key, reaction in self.position.plans.reactions.items():
@@ -203,7 +203,7 @@ class Loading:
         return abs(size) > NOTHING * max(sizes, default=0.0)
 
     def force(self, name: str, point: complex, way: complex, from_outside: bool = False) -> None:
-        """An arrow from its point (a load), or with its head there (a reaction), beside the rods and forces there."""
+        """An arrow from its point (a load), or with its head there (a reaction), clear of the rods and forces there."""
         start, end = self.arrows.placed(point, way, from_outside)
         self.marks.append(Arrow(start, end, "vector", "force", name))
         far = start if from_outside else end
@@ -223,7 +223,7 @@ class Loading:
         self.named.append(labels.Label(text or self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
 
     def arms(self, equations: list[Moments]) -> None:
-        """Thin perpendiculars from the centre of moments to the lines of action, which are drawn out to meet them."""
+        """Thin perpendiculars from the moment point to the lines of action, which are extended to meet them."""
         drops, drawn = drops_of(self.drawing), Arms()
         for name, arm in (term for equation in equations for term in equation.terms):
             step = drops.get(arm)

@@ -20,17 +20,17 @@ from render.views.dimensions import Size, in_mm, stroke
 from render.views.plotted import NEAR_MM, along_joints, gathered, outline_of
 from render.views.senses import POSITION
 
-MOST = 3.5  # times its usual size a scheme may have in the course of a turn
-TOGETHER_MM = 2.0  # places nearer than this are numbered together
-FINE = 10  # places of a line looked at
-BELOW_MM = 16.0  # how far from everything else a stroke is measured
-FURTHER = 1.02  # than the positions looked at an extreme one may reach
-NEAR = 1.3  # and so many times where it grows beyond that: the positions farther off are not drawn
+MOST = 3.5  # largest growth of a scheme in the course of a turn, relative to its usual size
+TOGETHER_MM = 2.0  # places closer than this are numbered together
+FINE = 10  # sample points of a line
+BELOW_MM = 16.0  # clear distance of a stroke from everything else
+FURTHER = 1.02  # how much farther an extreme position may reach than the sampled positions
+NEAR = 1.3  # and the limit if it grows beyond that: positions farther off are not drawn
 
 
 @frozen
 class PlacedMechanism:
-    """A mechanism in one position: where its points are, in m, and how its links are turned, in degrees."""
+    """A mechanism in one position: the places of its points, in m, and the angles of its links, in degrees."""
 
     points: Mapping[str, complex]
     angles: Mapping[str, float]
@@ -38,7 +38,7 @@ class PlacedMechanism:
 
 @frozen
 class Numbered:
-    """One of many positions: its number, where it is (None where the mechanism does not work), whether an extreme."""
+    """One of many positions: its number, its pose (None where the mechanism does not work), whether an extreme."""
 
     number: str
     result: PlacedMechanism | None
@@ -55,12 +55,12 @@ class ManyPositions:
     mu: float
 
     def place(self, result: PlacedMechanism, point: str) -> complex:
-        """Where a point stands in a position, on paper."""
+        """The place of a point in a position, on paper."""
         return result.points[point] * self.mu
 
     @cached_property
     def reach(self) -> float:
-        """How far from the driver's pair a point may stand to be drawn: near a dead point it may be anywhere."""
+        """Largest distance of a drawn point from the driver's pair: near a dead point it may be anywhere."""
         sizes = [self.size(r) for r in self.turn if r]
         if not sizes:
             return 0.0
@@ -69,7 +69,7 @@ class ManyPositions:
 
     @property
     def closed(self) -> bool:
-        """Whether the driver goes round: everything ends where it began."""
+        """Whether the driver turns fully, so that all paths are closed."""
         first, last = self.turn[0], self.turn[-1]
         if not first or not last:
             return False
@@ -81,12 +81,12 @@ class ManyPositions:
         return max(abs(self.place(result, p) - centre) for p in result.points)
 
     def near(self, result: PlacedMechanism | None) -> bool:
-        """Whether a position is there and on the paper."""
+        """Whether a position exists and fits on the paper."""
         return result is not None and self.size(result) <= self.reach
 
     @cached_property
     def seen(self) -> list[tuple[PlacedMechanism | None, bool]]:
-        """The finer turn, with whether each of its positions is on the paper."""
+        """The finer turn, with whether each of its positions fits on the paper."""
         return [(result, self.near(result)) for result in self.turn]
 
     @cached_property
@@ -100,11 +100,11 @@ class ManyPositions:
         return [*bars, *self.paths()]
 
     def shown(self) -> Iterator[tuple[Numbered, PlacedMechanism]]:
-        """The numbered positions that are drawn, with their places."""
+        """The numbered positions that are drawn, with their poses."""
         return ((one, one.result) for one in self.numbered if one.result and self.near(one.result))
 
     def axes(self, link: Link, result: PlacedMechanism) -> list[list[complex]]:
-        """One stroke through the joints of a link, and the rods of its guides as far as their sliders."""
+        """One stroke through the joints of a link, and the rods of its guides up to their sliders."""
         links = [self.plans.mechanism.frame, *self.plans.mechanism.links.values()]
         hinged = {p for x in links if x is not link for p in x.points}
         own = self.plans.mechanism.joined(link)
@@ -136,11 +136,11 @@ class ManyPositions:
         return self.place(result, first) + (given.through - owner.points[first]) * turn * self.mu, along * turn
 
     def foot(self, slider: Link, guide: str, result: PlacedMechanism) -> complex:
-        """Where a slider's first point is dropped on its guide."""
+        """The foot of the perpendicular from a slider's first point to its guide."""
         return dropped(self.place(result, slider.first_point), *self.line(guide, result))
 
     def paths(self) -> list[Mark]:
-        """Paths of the moving points, in dashes; a point on a frame's guide has none of interest."""
+        """Paths of the moving points, dashed; a point on a frame's guide has none of interest."""
         dashed: list[Mark] = []
         m = self.plans.mechanism
         straight = {p for x in m.links.values() if x.slides and m.owner(x.slides.guide) == FRAME for p in x.points}
@@ -153,7 +153,7 @@ class ManyPositions:
         return dashed
 
     def way_there(self, point: str, run: Sequence[complex]) -> slice:
-        """The places from one end of a rocker's swing to the other: dashes of its way back would fill the gaps."""
+        """The path from one end of a rocker's swing to the other: dashes of the way back would fill the gaps."""
         m = self.plans.mechanism
         pivots = [q for link in m.links.values() if point in link.points for q in m.frame.points if q in link.points]
         if not pivots:
@@ -163,15 +163,15 @@ class ManyPositions:
         return slice(first, last + 1)
 
     def unseen(self, lang: Lang) -> list[str]:
-        """What there is to say about the numbered positions that are not drawn."""
+        """A remark about the numbered positions that are not drawn."""
         failed = [x.number for x in self.numbered if not x.result]
         far = [x.number for x in self.numbered if x.result and not self.near(x.result)]
         groups = (("positions_failed", failed), ("positions_far", far))
         return [say(key, lang, numbers=", ".join(numbers)) for key, numbers in groups if numbers]
 
     def labels(self) -> list[Label]:
-        """Numbers of the positions at the end of the crank, or beneath a sliding driver; of extreme ones where sliders
-        of the frame stand, or rockers end where there is none."""
+        """Numbers of the positions at the end of the crank, or beneath a sliding driver; of extreme ones at sliders of
+        the frame, or at the ends of rockers if there are none."""
         drive, pair = self.plans.mechanism.drive, self.plans.structure.drive_pair
         link, numbers = self.plans.mechanism.links[drive.link], list[Label]()
         ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
@@ -184,12 +184,12 @@ class ManyPositions:
         return [*numbers, *(label for link, point in sliding for label in self.stations(link, point))]
 
     def tip(self, link: Link, pivot: complex, result: PlacedMechanism) -> complex:
-        """Where what is drawn of a link ends that has no point but its pivot."""
+        """The end of the drawn part of a link with no point but its pivot."""
         drawn = (z for shape in self.axes(link, result) for z in shape)
         return max(drawn, key=lambda z: abs(z - pivot), default=pivot)
 
     def followers(self) -> Iterator[tuple[Link, str]]:
-        """The links but the driver that slide on the frame or turn about it, each with its farthest point."""
+        """The links except the driver that slide on the frame or turn about it, each with its farthest point."""
         m = self.plans.mechanism
         for link in (x for x in m.links.values() if x.name != m.drive.link):
             held = [p for p in link.points if p in m.frame.points]
@@ -200,8 +200,8 @@ class ManyPositions:
                 yield link, max(free, key=lambda p: abs(link.points[p] - link.points[held[0]]))
 
     def stations(self, link: Link, point: str) -> Iterator[Label]:
-        """Numbers of the extreme positions along the path of a point, those of one place together; the first and the
-        last of all, where that hardly moves."""
+        """Numbers of the extreme positions along the path of a point, coinciding ones together; the first and the last
+        of all, where that hardly moves."""
         places = gathered(((one.number, self.place(result, point)) for one, result in self.shown()), TOGETHER_MM)
         extreme = {one.number for one, _ in self.shown() if one.extreme}
         for z, numbers in places:
@@ -212,7 +212,7 @@ class ManyPositions:
                 yield Label(text, z, 2.5, side=self.outside(link, z), name=f"position {text} of {point}")
 
     def outside(self, link: Link, z: complex) -> complex:
-        """Away from what a link turns about, or from the guide of the frame it slides on."""
+        """The direction away from the pivot of a link, or from the guide of the frame it slides on."""
         frame = self.plans.mechanism.frame
         if link.slides:
             return -1j * cmath.rect(1, math.radians(self.plans.mechanism.guide(link.slides.guide).angle_deg))
@@ -220,14 +220,14 @@ class ManyPositions:
 
     @cached_property
     def finely(self) -> list[complex]:
-        """Places all along the links in the positions that are drawn."""
+        """Sample points along the links in the drawn positions."""
         moving = self.plans.mechanism.links.values()
         shapes = [shape for _, r in self.shown() for x in moving for shape in self.axes(x, r)]
         return [a + k / FINE * (b - a) for shape in shapes for a, b in pairwise(shape) for k in range(FINE + 1)]
 
     def strokes(self, lang: Lang) -> list[Size]:
-        """How far sliders go on the frame's guides, in mm as they are, beyond everything that is drawn beside; nothing
-        where the ends of the range are not drawn."""
+        """The strokes of sliders on the frame's guides, in true mm, outside everything drawn; none where the ends of
+        the range are not drawn."""
         sizes, shown = list[Size](), [r for r in self.turn if r]
         if not all(map(self.near, shown)):
             return sizes

@@ -1,6 +1,6 @@
-"""Moments as they are drawn: equations with the value of every product beneath, and Zhukovsky's lever.
+"""Moments as drawn: equations with the value of every product beneath, and Zhukovsky's lever.
 
-The lever is the velocity plan turned by a right angle, with the outer forces at the images of their points.
+The lever is the velocity plan turned by a right angle, with the external forces at the images of their points.
 """
 
 import math
@@ -27,19 +27,19 @@ from render.views.loading import Arrows
 from render.views.plotted import Ends, gathered, of_position
 from render.views.senses import labelled
 
-NOISE = 1e-9  # of the largest moment of the equation: nothing
+NOISE = 1e-9  # of the largest moment of the equation: below this it is zero
 
 
 @frozen
 class MomentLines:
-    """The moment equations of a position, set one beneath the other."""
+    """The moment equations of a position, set one beneath another."""
 
     position: Position
     naming: Naming
     letter: float = 5.0
 
     def drawn(self, links: tuple[str, ...] | None = None) -> tuple[Mark, ...]:
-        """All equations (those of some links) that say anything, from the top down."""
+        """All nontrivial equations (those of some links), from the top down."""
         setter, y = Setter(self.letter), 0.0
         plans = self.position.plans
         equations = (m for m in plans.moments if m.links != ("lever",))
@@ -56,7 +56,7 @@ class MomentLines:
         unknown_value = float(self.position.drawing[equation.unknown])
         acting = (
             -1.0 if equation.arm and unknown_value < 0 else 1.0
-        )  # a force is positive as it is drawn, a couple to the left
+        )  # a force is positive as drawn, a couple counter-clockwise
         values = [acting * self.value(term) for term in made.terms]
         biggest = max(map(abs, values))
         shown = [(n, a, v) for (n, a), v in zip(equation.terms, values, strict=False) if abs(v) > NOISE * biggest]
@@ -64,10 +64,10 @@ class MomentLines:
             return []
         about = flat(self.naming.point(equation.about))
         links = ",".join(self.naming.link(x) for x in equation.links if x != "lever")
-        # what every product is divided by: the unknown's arm, or on the lever the driver's rate
+        # the common divisor of the products: the unknown's arm, or on the lever the driver's rate
         factor = next((name for name, power in made.terms[0].factors if power < 0), "")
         by = float(self.position.drawing[factor]) if factor else 1.0
-        by = abs(by) if factor == equation.arm else by  # an arm has no sign, a rate has
+        by = abs(by) if factor == equation.arm else by  # an arm has no sign, an angular velocity has
         unknown_value *= acting
         over = self.naming.arm(equation.unknown, factor) if factor in self.arms else self.naming.vector(factor)
         head = self.unknown(equation) + (over if factor else "")
@@ -96,21 +96,20 @@ class MomentLines:
         ]
 
     def length(self, arm: str) -> float:
-        """How long an arm is where it was measured, mm."""
+        """The measured length of an arm, mm."""
         step, drawing = self.arms[arm], self.position.drawing
         point, along, about = (complex(drawing[name]) for name in (step.point, step.along, step.about))
         return abs(((about - point) * along.conjugate()).imag)
 
     def unit(self, of_power: bool) -> str:
-        """The unit of every product: of the lever's that of power, or what is left of it where the rates are of a
-        unit drive."""
+        """The unit of every product: on the lever that of power, or the rest of it for rates of a unit drive."""
         plans = self.position.plans
         if not of_power or (plans.at_rest and plans.mechanism.drive.kind == "phi"):
             return "N·m"
         return "N" if plans.at_rest else "W"
 
     def unknown(self, equation: Moments) -> str:
-        """The letter of what the equation is solved for."""
+        """The letter of the unknown of the equation."""
         drive = self.position.plans.mechanism.drive
         if equation.unknown in (self.position.plans.balancing, self.position.plans.zhukovsky):
             return self.naming.balancing(drive.kind == "phi")
@@ -122,17 +121,17 @@ class MomentLines:
         return force + self.by(name, lever)
 
     def sized(self, name: str) -> str:
-        """The letter of a couple or a rate, in bars where it is negative: its sign stands before the product."""
+        """The letter of a couple or a rate, in bars where it is negative: its sign is before the product."""
         letter = self.naming.vector(name)
         return f"|{letter}|" if name in self.position.drawing and float(self.position.drawing[name]) < 0 else letter
 
     def by(self, name: str, lever: str) -> str:
-        """What a force is multiplied by: its arm, a length or a rate; nothing, if there is no lever."""
+        """The factor of a force: its arm, a length or a rate; None without an arm."""
         return self.naming.arm(name, lever) if lever in self.arms else self.sized(lever) if lever else ""
 
     @cached_property
     def arms(self) -> Mapping[str, Drop]:
-        """The steps that measure arms, by the names of those."""
+        """The steps that measure arms, by the names of the arms."""
         return drops_of(self.position.drawing)
 
     def value(self, term: Product) -> float:
@@ -143,7 +142,7 @@ class MomentLines:
 
 @dataclass
 class Lever:
-    """The lever of one position; a driver at rest has the plan of a unit drive turned instead."""
+    """The lever of one position; with a driver at rest the plan of a unit drive is turned instead."""
 
     position: Position
     naming: Naming
@@ -153,7 +152,7 @@ class Lever:
         plan = "motion" if self.position.plans.at_rest else "velocity"
         plotted = of_position(self.position)
         marks, lines = list[Mark](), list[Ends]()
-        helping = ("false", "relative")  # no part of what is loaded
+        helping = ("false", "relative")  # not part of the loaded figure
         aside = {s.makes for s in plotted.drawing.program.steps if s.quantity in helping}
         for s in plotted.drawn_segments(plan):
             if {at(plan, s.start), at(plan, s.end)} & aside:
@@ -167,7 +166,7 @@ class Lever:
             for x in plotted.labels(plan)
             if at(plan, x) not in aside
         )
-        places = gathered(letters)  # letters of marks that coincide share one
+        places = gathered(letters)  # letters of coinciding marks share one label
         named = [labels.Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
         marks += dot(0j, 0.8, "plan")
         forces, names = self.forces(lines)

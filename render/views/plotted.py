@@ -1,4 +1,4 @@
-"""What views are drawn from: plans of a mechanism or of vectors, and where its parts stand on the scheme."""
+"""The input of views: plans of a mechanism or of vectors, and the places of its parts on the scheme."""
 
 import cmath
 import math
@@ -25,7 +25,7 @@ Ends = tuple[complex, complex]
 
 @frozen
 class Plotted:
-    """One drawing: ``scales`` are mm per SI unit, ``fixed`` the labels of points of the frame (they stand in poles)."""
+    """One drawing: ``scales`` are mm per SI unit, ``fixed`` the labels of points of the frame (they are in poles)."""
 
     drawing: Drawing
     segments: tuple[Segment, ...]
@@ -35,20 +35,20 @@ class Plotted:
     figure: StaticsFigure | None = None
 
     def mark(self, plan: str, label: str) -> complex:
-        """Where a mark stands, mm from the pole of its plan."""
+        """The place of a mark, mm from the pole of its plan."""
         return complex(self.drawing[at(plan, label)])
 
     def has(self, plan: str, *labels: str) -> bool:
-        """Whether all these marks have been drawn (a sliced program draws only what is asked)."""
+        """Whether all these marks are drawn (a sliced program draws only the requested ones)."""
         return all(at(plan, label) in self.drawing for label in labels)
 
     def labels(self, plan: str) -> list[str]:
-        """Labels of all marks of a plan in the order they were drawn, the helping ones left out."""
+        """Labels of all marks of a plan in drawing order, without auxiliary ones."""
         made = [s for s in self.drawing.program.steps if s.kind == "mark" and plan_of(s.makes) == plan]
         return [label_of(s.makes) for s in made if not s.loose]
 
     def drawn_segments(self, plan: str) -> list[Segment]:
-        """The segments of a plan that have been drawn."""
+        """The drawn segments of a plan."""
         return [s for s in self.segments if s.plan == plan and s.start != s.end and self.has(plan, s.start, s.end)]
 
     def mu(self, plan: str) -> float:
@@ -56,7 +56,7 @@ class Plotted:
         return self.scales[mu_of(plan)]
 
     def still(self, plan: str) -> bool:
-        """Whether every mark of the plan stands in its pole: there is nothing to draw."""
+        """Whether every mark of the plan is at its pole: there is nothing to draw."""
         ends = self.labels(plan) or [s.end for s in self.drawn_segments(plan)]
         return all(abs(self.mark(plan, label)) < 1e-6 for label in ends)
 
@@ -69,7 +69,7 @@ def of_position(p: Position) -> Plotted:
 
 
 def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
-    """The same with the plans of links alone; and these links by the plan of their group."""
+    """The same with the plans of single links; and these links by the plan of their group."""
     plotted, plans = of_position(p), {plan: [*links_apart(p.plans, plan)] for plan in p.plans.drawn}
     things, scales, segments, equations = (
         dict(p.drawing.things),
@@ -87,9 +87,9 @@ def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
     return replace(plotted, drawing=drawing, segments=tuple(segments), equations=tuple(equations), scales=scales), plans
 
 
-NEAR_MM = 0.4  # places closer than this are one
-SAME_MM = 0.35  # marks closer than this share one label
-SLIGHT = 0.06  # lines whose slopes differ by less run upon each other where they cross
+NEAR_MM = 0.4  # closer places are one
+SAME_MM = 0.35  # closer marks share one label
+SLIGHT = 0.06  # lines whose slopes differ by less overlap where they cross
 
 
 @frozen
@@ -100,12 +100,12 @@ class Places:
 
     @property
     def mechanism(self) -> Mechanism:
-        """The mechanism that is drawn."""
+        """The drawn mechanism."""
         return self.position.plans.mechanism
 
     @property
     def links(self) -> tuple[Link, ...]:
-        """The moving links, those too that only hold what is held already."""
+        """The moving links, including passive ones."""
         return *self.mechanism.links.values(), *self.position.plans.passive
 
     @cached_property
@@ -118,11 +118,11 @@ class Places:
         return {point: owners for point, owners in held.items() if len(owners) > 1}
 
     def has(self, point: str) -> bool:
-        """Whether the point has been drawn."""
+        """Whether the point is drawn."""
         return at(SCHEME, point) in self.position.drawing
 
     def at(self, point: str) -> complex:
-        """Where a point stands."""
+        """The place of a point."""
         return complex(self.position.drawing[at(SCHEME, point)])
 
     def size(self, links: Sequence[str]) -> float:
@@ -142,7 +142,7 @@ class Places:
         return list(pairwise((*outline, outline[0])))[: len(outline) if len(outline) > 2 else len(outline) - 1]
 
     def sliders(self, *guides: str) -> Iterator[Link]:
-        """The links that slide on some guides, where they have been drawn."""
+        """The links that slide on some guides, if they are drawn."""
         links = self.mechanism.links.values()
         return (x for x in links if x.slides and x.slides.guide in guides and self.has(x.first_point))
 
@@ -150,7 +150,7 @@ class Places:
         """A point of a guide's line and its direction."""
         given = self.mechanism.guide(guide)
         label = given.through_point or f"°{guide}"
-        if f"∥{guide}" not in self.position.drawing:  # nothing that moves is placed by it
+        if f"∥{guide}" not in self.position.drawing:  # nothing that moves determines it
             return self.position.scales[mu_of(SCHEME)] * given.through, cmath.rect(1.0, math.radians(given.angle_deg))
         along = complex(self.position.drawing[f"∥{guide}"])
         if self.has(label):
@@ -160,15 +160,15 @@ class Places:
         return self.at(slider.first_point) - 1j * along * offset * self.position.scales[mu_of(SCHEME)], along
 
     def foot(self, link: Link) -> tuple[complex, complex]:
-        """The foot of a slider's first point on its guide, and the guide's direction."""
+        """The foot of the perpendicular from a slider's first point to its guide, and the guide's direction."""
         assert link.slides
         through, along = self.line(link.slides.guide)
         return dropped(self.at(link.first_point), through, along), along
 
 
 def upon(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:
-    """Whether two lines run side by side for more than a millimetre, nowhere there farther apart than so many mm; or
-    slant but slightly, and come nearer than to ``touch`` mm."""
+    """Whether two lines run side by side for more than a millimetre within a given distance; or are slightly inclined,
+    and come closer than ``touch`` mm."""
     way = toward(*other)
     a, b = sorted(((z - other[0]) * way.conjugate() for z in one), key=lambda w: w.real)
     low, high = max(a.real, 0.0), min(b.real, abs(other[1] - other[0]))
@@ -181,7 +181,8 @@ def upon(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:
 
 
 def set_apart(ends: Ends, others: Iterable[Ends], step: float, near: float, touch: float = -1.0) -> Ends:
-    """The ends of a vector, moved sideways by steps of so many mm where it would lie upon others, or ``near`` them."""
+    """The ends of a vector, shifted sideways step by step where it would overlap others, or be ``near``
+    them."""
     side, others = 1j * (ends[1] - ends[0]) / abs(ends[1] - ends[0]), list(others)
     if side.real < -1e-9 or (abs(side.real) <= 1e-9 and side.imag < 0):
         side = -side
@@ -220,7 +221,7 @@ def along_joints(places: list[complex]) -> list[complex]:
 
 
 def nearest(z: complex, outline: list[complex]) -> complex:
-    """The point of a link's outline that is nearest to a place."""
+    """The point of a link's outline nearest to a place."""
     corners = [(c.real, c.imag) for c in outline]
     kinds = {1: shapely.Point, 2: shapely.LineString}
     shape = kinds.get(len(corners), shapely.Polygon)(corners)
@@ -228,7 +229,7 @@ def nearest(z: complex, outline: list[complex]) -> complex:
 
 
 def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> list[tuple[complex, list[str]]]:
-    """Names by their places; those that stand closer than ``same`` mm to one before share its place."""
+    """Names by their places; those closer than ``same`` mm to an earlier one share its place."""
     clusters: list[tuple[complex, list[str]]] = []
     for name, z in marks:
         near = next((names for place, names in clusters if abs(place - z) <= same), None)

@@ -1,4 +1,4 @@
-"""A plan of rates or forces as marks: arrows, lines of action, traces of similarity and the names of all."""
+"""A velocity, acceleration or force plan as marks: arrows, lines of action, traces of similarity and all names."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -25,24 +25,25 @@ from render.views.senses import parted
 from render.views.strings import drawn_strokes
 from render.views.traces import traces
 
-NOTHING_MM = 1e-10  # a vector shorter than this is none
-BEYOND_MM = 7.0  # how far a line of action runs past the crossing
-ALONE_MM = 12.0  # half of a line of action on which the vector vanished
-ASIDE_MM = 2.0  # from a sum of forces to the forces it lies upon
+NOTHING_MM = 1e-10  # a shorter vector is not drawn
+BEYOND_MM = 7.0  # how far a line of action extends past the crossing
+ALONE_MM = 12.0  # half the length of a line of action whose vector vanished
+ASIDE_MM = 2.0  # distance of a sum of forces from the forces it overlaps
 TICK = 0.3, 0.8  # of the way there
-TOUCH_MM = 0.5  # how near they may come where they slant but slightly
+TOUCH_MM = 0.5  # least distance where they are slightly inclined
 MARK_MM = 5.0
 END_MM = 2.5  # numbers of ends
-VALUE = "value"  # in the names of labels with one
+VALUE = "value"  # part of the names of labels with one
 FORCE_MM = 3.5
 
 
 @dataclass
 class Polygon:
-    """One plan being drawn: every vector once, though several names may stand for it.
+    """One plan being drawn: every vector once, even with several names.
 
-    Forces stand head to tail. Those that lie upon each other are told by their numbered ends; only a sum of them is
-    drawn ``aside``, with ticks to its ends."""
+    Forces are head to tail. Those that overlap are recognised by their numbered ends; only a sum of them is drawn
+    ``aside``, with ticks to its ends.
+    """
 
     plotted: Plotted
     plan: str
@@ -60,11 +61,11 @@ class Polygon:
         return self.plan in ("velocity", "acceleration")
 
     def mark(self, label: str) -> complex:
-        """Where a mark stands, mm from the pole."""
+        """The place of a mark, mm from the pole."""
         return self.plotted.mark(self.plan, label)
 
     def drawn(self) -> tuple[Mark, ...]:
-        """All marks of the plan, its labels too."""
+        """All marks of the plan, including its labels."""
         self.collect()
         lines, triangles = traces(self.plotted, self.plan, self.arrows)
         self.marks += lines
@@ -99,7 +100,7 @@ class Polygon:
         return detail.letters(taken, say("detail_letters", self.naming.lang))[used:]
 
     def details_of(self, plan: str) -> int:
-        """How many details another plan of this drawing has."""
+        """The number of details in another plan of this drawing."""
         key = plan, self.plotted.mu(plan)
         if key not in self.counted:
             other = Polygon(self.plotted, plan, self.naming)
@@ -125,18 +126,18 @@ class Polygon:
         return [say("too_short", self.naming.lang, **facts)] if names else []
 
     def terms(self) -> Iterable[Term]:
-        """The terms of this plan's equations whose ends are drawn."""
+        """The terms of this plan's equations with drawn ends."""
         for equation in self.plotted.equations:
             if equation.plan == self.plan:
                 yield from (t for t in equation.terms if self.plotted.has(self.plan, t.start, t.end))
 
     @cached_property
     def given(self) -> set[str]:
-        """The vectors this plan was begun with."""
+        """The vectors at the start of this plan."""
         return {term.name for term in self.terms() if term.known == 2}
 
     def lines_of_action(self) -> None:
-        """Thin lines of the terms known in direction only, a little past the crossing they were drawn for."""
+        """Thin lines of the terms known in direction only, slightly past the crossing."""
         for term in self.terms():
             if term.known != 1 or not term.direction:
                 continue
@@ -146,7 +147,7 @@ class Polygon:
             self.marks.append(Line(ends, "construction", "construction"))
 
     def vectors(self) -> None:
-        """The arrows: results thick, what they are made of thinner; sums of forces beside what they lie upon."""
+        """The arrows: results thick, their components thinner; sums of forces beside the forces they overlap."""
         terms = {ends for t in self.terms() for ends in ((t.start, t.end), (t.end, t.start))}
         order = sorted(self.arrows.items(), key=lambda item: (item[0] not in terms, not self.is_result(*item)))
         for (start, end), names in order:
@@ -171,7 +172,7 @@ class Polygon:
         return ends[0] == POLE and at(self.plan, ends[1]) not in self.plotted.drawing.program.corners
 
     def named(self, details: Sequence[detail.Detail] = (), times: float = 1.0) -> list[labels.Label]:
-        """The names of marks or vectors, as they stand where the plan is drawn so many times larger."""
+        """The names of marks or vectors, in their places on a plan enlarged by a factor."""
         if self.of_rates:
             return self.mark_labels(SAME_MM / times)
         places = self.numbered(details)
@@ -182,7 +183,7 @@ class Polygon:
         for k, ((start, end), names) in enumerate(self.arrows.items()):
             back = self.arrows.get((end, start), [])
             if back and (end, start) in [*self.arrows][:k]:
-                continue  # it is named with the one against it
+                continue  # it is named with the opposite one
             text = " = ".join(map(self.naming.vector, names))
             text += f" ({numbers[start]}–{numbers[end]})" if {start, end} <= numbers.keys() else ""
             text += "".join(f" = −{self.naming.vector(name)}" for name in back)
@@ -190,7 +191,7 @@ class Polygon:
         return named_labels
 
     def numbered(self, details: Sequence[detail.Detail]) -> list[tuple[complex, list[str]]]:
-        """The ends of the vectors that lie upon each other here or in a detail, along the polygon."""
+        """The ends of the vectors that overlap here or in a detail, along the polygon."""
         standing = {(a, b): (self.mark(a), self.mark(b)) for a, b in self.arrows}
         standing = {key: ends for key, ends in standing.items() if self.places[key] == ends}
         lying = {
@@ -205,8 +206,8 @@ class Polygon:
         return gathered([(corner, self.mark(corner)) for corner in corners], ZERO_MM)
 
     def with_values(self, named: Sequence[labels.Label]) -> list[labels.Label]:
-        """The same labels with the values of vectors, if these are wanted: of forces after their names; of rates, whose
-        ends are named, with names of their own, as far as there is room."""
+        """The same labels with the values of vectors, if requested: of forces after their names; of velocities and
+        accelerations, whose ends are named, as separate names, as far as there is room."""
         at = {self.places[ends]: names for ends, names in self.arrows.items() if self.valued}
         if self.of_rates:
             texts = ((place, " = ".join(map(self.naming.vector, names))) for place, names in at.items())
@@ -222,7 +223,7 @@ class Polygon:
         return replace(label, text=f"{label.text}{sign}{measured(size, self.naming.lang)}")
 
     def mark_labels(self, same: float = SAME_MM) -> list[labels.Label]:
-        """Letters of the marks; those that coincide share one label."""
+        """Letters of the marks; coinciding ones share one label."""
         clusters = gathered([(label, self.mark(label)) for label in self.plotted.labels(self.plan)], same)
         centre = sum(z for z, _ in clusters) / len(clusters)
         letters, prime = [], "'" if self.plan == "acceleration" else ""
@@ -235,5 +236,5 @@ class Polygon:
 
 
 def tick(start: complex, end: complex) -> Ends:
-    """A tick between an end of a sum's forces and its own, which touches neither: it is no vector."""
+    """A tick between an end of a sum's forces and its own, without touching either: it is not a vector."""
     return start + TICK[0] * (end - start), start + TICK[1] * (end - start)

@@ -1,4 +1,4 @@
-"""A guide along a circle on the scheme: the slider's block on its arc, instead of the link it is solved as."""
+"""A circular guide on the scheme: the slider's block on its arc, instead of the link it is solved as."""
 
 import cmath
 import math
@@ -11,12 +11,12 @@ from render.paper.marks import Arc, Line, Mark
 from render.paper.style import BLOCK_MM
 from render.views.plotted import Places
 
-REACH_MM = 26.0  # of the guide shown on each side of the block, along it
+REACH_MM = 26.0  # of the guide on each side of the block, along it
 STROKE_MM, GAP_MM = 3.0, 2.4  # of the hatching of the frame
 
 
 def round_slider(places: Places, link: Link, guide: RoundGuide, owner: str) -> Iterator[Mark]:
-    """The block turned along its arc, and the arc beneath it, hatched where it is the frame's."""
+    """The block turned along its arc, and the arc beneath it, hatched if it is the frame's."""
     centre, z = places.at(guide.centre), places.at(link.first_point)
     radius, out = abs(z - centre), toward(centre, z)
     yield from symbols.block(z, math.degrees(cmath.phase(1j * out)))

@@ -20,18 +20,18 @@ from render.views.plotted import NEAR_MM, Places, degrees, nearest, outline_of
 from render.views.round_guides import round_slider
 from render.views.senses import driver_arrows, labelled
 
-RAIL_MM = 17.0  # of a guide shown on each side of its slider
-ROD_MM = 12.0  # of a moving guide shown beyond its slider
+RAIL_MM = 17.0  # of a guide on each side of its slider
+ROD_MM = 12.0  # of a moving guide beyond its slider
 LETTER_MM = 5.0
-SMALL_MM = (8.0, 4.6)  # a block held inside another
+SMALL_MM = (8.0, 4.6)  # size of a block held inside another
 ALONE_MM = 13.0  # of the axis of a guide that is not drawn, on each side of its slider
 LARGE_MM = (14.0, 10.5)  # the block that holds it
-CLEAR_MM = 0.8  # of the end of a rod from a rail
+CLEAR_MM = 0.8  # distance of a rod's end from a rail
 
 
 @dataclass
 class Scheme:
-    """The scheme being drawn; places are mm of paper about the origin of the frame's axes."""
+    """The scheme being drawn; places are mm of paper from the origin of the frame's axes."""
 
     position: Position
     naming: Naming
@@ -54,7 +54,7 @@ class Scheme:
     def drawn(
         self, arrows: bool = True, marks: Sequence[Mark] = (), named: Sequence[labels.Label] = ()
     ) -> tuple[Mark, ...]:
-        """All marks: guides, sliders, bars, hinges, letters, the driver's arrows; and what is drawn on top."""
+        """All marks: guides, sliders, bars, hinges, letters, the driver's arrows; and the marks on top."""
         ground = [*self.strokes, *marks]
         if arrows:
             turning, letters = driver_arrows(self.places, self.naming, ground)
@@ -98,7 +98,7 @@ class Scheme:
                 self.ways.setdefault(p, []).extend(z - self.places.at(p) for z in outline)
 
     def offside(self, link: Link, outline: list[complex]) -> None:
-        """The mass centre, and a thin arm to it where it lies away from its link."""
+        """The mass centre, and a thin arm to it if it lies away from its link."""
         centre = link.centre
         if not centre or centre in self.shared or not self.places.has(centre):
             return
@@ -139,27 +139,27 @@ class Scheme:
         return LARGE_MM if rank > other_rank else SMALL_MM
 
     def beside(self, link: Link) -> Link | None:
-        """The other slider in the place of one."""
+        """The other slider in the same place."""
         here, others = self.places.at(link.first_point), (x for x in self.mechanism.links.values() if x is not link)
         there = (x for x in others if x.slides and self.places.has(x.first_point))
         return next((x for x in there if abs(self.places.at(x.first_point) - here) < NEAR_MM), None)
 
     def beyond(self, link: Link, rod: complex) -> float:
-        """How far a rod runs on beyond a slider on it: no farther than to the rail of the block that holds this one."""
+        """How far a rod extends beyond a slider on it: at most to the rail of the block that holds this one."""
         if (other := self.beside(link)) is None or self.size(other) != LARGE_MM:
             return ROD_MM
         across = abs((rod * self.places.foot(other)[1].conjugate()).imag)
         return min(ROD_MM, max((LARGE_MM[1] / 2 - CLEAR_MM) / max(across, 1e-9), SMALL_MM[0] / 2 + CLEAR_MM))
 
     def rail_side(self, link: Link, foot: complex, along: complex) -> int:
-        """The side of the slider that is away from the rods hinged to it, or from the rest of the mechanism."""
+        """The side of the slider away from its rods, or from the rest of the mechanism."""
         z, places = self.places.at(link.first_point), self.places
         rods = [rod for x in self.mechanism.links for rod in places.rods(x) if min(abs(z - w) for w in rod) < NEAR_MM]
         far = [w for rod in rods for w in rod] or [places.at(p) for p in places.shared if places.has(p)]
         return 1 if ((sum(far) / len(far) - foot) * along.conjugate()).imag < -1 else -1
 
     def moving_guide(self, name: str, joints: list[complex]) -> list[complex]:
-        """The rod of a guide that a link carries; the place where the link's own bars join it, if none is on it."""
+        """The rod of a guide on a link; the place where the link's own bars join it, if none is on it."""
         if f"∥{name}" not in self.position.drawing:
             return []
         through, along = self.places.line(name)
@@ -180,14 +180,14 @@ class Scheme:
         return [] if on else [through + reach[0] * along]
 
     def corner(self, z: complex, rod: Sequence[complex], joints: Sequence[complex]) -> None:
-        """The sign of a rigid joint where the rod of a guide stands on the link's own bar."""
+        """The sign of a rigid joint where the rod of a guide meets the link's own bar."""
         far = [end for end in rod if abs(end - z) > symbols.GUSSET_MM]
         for joint in joints if far else ():
             nearer = max(far, key=lambda end: math.cos(cmath.phase((end - z) / (joint - z))))
             self.bars += symbols.rigid(z, nearer, joint)
 
     def rod(self, reach: list[float], stops: list[float]) -> tuple[float, float]:
-        """From where the link holds the guide to beyond its sliders; no more than that on the holding side."""
+        """From the place where the link holds the guide to beyond its sliders; no farther on the holding side."""
         low, high = min([*reach, *stops]), max([*reach, *stops])
         if min(reach) <= min(stops) + ROD_MM:
             low = min(reach)
@@ -239,7 +239,7 @@ class Scheme:
             self.named.append(labels.Label(text, z, LETTER_MM, clear=clear, priority=1, name=p))
 
     def images(self, point: str) -> list[str]:
-        """Letters of the places on guides that coincide with a slider's point, as the plans call them: L, B3."""
+        """Letters of the places on guides that coincide with a slider's point, as on the plans: L, B3."""
         plans, drawn = self.position.plans, {x.name for x in self.links}
         known, images = {POLE, *(label_of(x.velocity) for x in plans.points.values())}, list[str]()
         for link in (x for x in self.links if x.slides and x.first_point == point and x.name in plans.velocity_slides):

@@ -1,4 +1,4 @@
-"""Curved arrows of the driver's ω and ε, and thin lines that make way for letters."""
+"""Curved arrows of the driver's ω and ε, and thin lines broken for letters."""
 
 import cmath
 import math
@@ -17,8 +17,8 @@ from render.paper.typeset import box_of
 from render.views.plotted import Places
 
 LETTER_MM = 5.0
-POSITION = "position"  # how names of links in other positions, and of the numbers of those, begin
-CLEAR_MM = 0.6  # between a letter and the thin line that is broken for it
+POSITION = "position"  # prefixes of names of links in other positions, and of their numbers
+CLEAR_MM = 0.6  # between a letter and the thin line broken for it
 
 
 def driver_arrows(places: Places, naming: Naming, ground: Sequence[Mark]) -> tuple[list[Mark], list[labels.Label]]:
@@ -57,8 +57,8 @@ def freest(
     style: str = "thin",
     layer: Layer = "scheme",
 ) -> tuple[symbols.Marks, complex]:
-    """Of curved arrows about a place, by their radii and where they start, the first that comes near least of what is
-    drawn; with the middle of its arc."""
+    """Of curved arrows about a place, by their radii and start angles, the first with the most clearance; with the
+    middle of its arc."""
     arrows = (
         (symbols.turn_arrow(centre, r, start, sweep, style, layer), centre + r * symbols.unit(start + sweep / 2))
         for r, start in ways
@@ -77,8 +77,8 @@ def freest(
 
 
 def labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark, ...]:
-    """Marks with their letters in places found for them; construction lines and hatching are broken where a letter
-    stands on them, but links in other positions not for their numbers, which find their places first."""
+    """Marks with their letters in places found for them; construction lines and hatching are broken under a letter, but
+    links in other positions not for their numbers, which are placed first."""
     kept = [m for m in marks if isinstance(m, Line) and m.name == POSITION]
     numbers = [x for x in named if x.name.startswith(POSITION)]
     gives = [isinstance(m, Hatch) or (isinstance(m, Line) and m.layer == "construction") for m in marks]
@@ -91,7 +91,7 @@ def labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark
 
 
 def parted(lines: Sequence[Mark], texts: Sequence[Text]) -> tuple[Mark, ...]:
-    """The lines broken where a letter stands on one, as a draughtsman breaks them."""
+    """The lines broken under letters, as a draughtsman breaks them."""
     if not lines or not texts or labels.rough():
         return tuple(lines)
     boxes = polygons([box_of(t) for t in texts])
@@ -100,7 +100,7 @@ def parted(lines: Sequence[Mark], texts: Sequence[Text]) -> tuple[Mark, ...]:
 
 
 def _around(text: Text) -> Shape:
-    """The box of a text with a little room."""
+    """The box of a text with a small margin."""
     box, sign = box_of(text), partial(math.copysign, 1.0)
     out = (z - sum(box) / 4 for z in box)
     return Shape(tuple(z + CLEAR_MM * complex(sign(w.real), sign(w.imag)) for z, w in zip(box, out, strict=True)))

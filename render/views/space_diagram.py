@@ -25,7 +25,7 @@ from render.views.strings import STRING_MM, drawn_strokes
 WHEEL_MM = 0.9  # radius of a roller's wheels
 REGION_MM = 5.0  # letters of regions
 WALL_MM = 14.0  # of a clamp
-SPREAD_MM, SPREAD_GAP_MM = 9.0, 9.0  # how high a distributed load is drawn, and how far apart its arrows stand
+SPREAD_MM, SPREAD_GAP_MM = 9.0, 9.0  # height of a distributed load, and distance of its arrows
 
 
 class BodyScheme(Scheme):
@@ -52,7 +52,7 @@ class SpaceDiagram:
 
     position: Position
     naming: Naming
-    asked: bool = False  # of a task: bodies, supports and loads, and nothing that is found
+    asked: bool = False  # of a task: bodies, supports and loads, without results
 
     def __post_init__(self) -> None:
         plans = self.position.plans
@@ -73,7 +73,7 @@ class SpaceDiagram:
         return scheme.drawn(False, more, [*named, *loading.named, *([] if self.asked else self.knots())])
 
     def at(self, mark: str) -> complex:
-        """Where a mark stands on the paper."""
+        """The place of a mark on the paper."""
         return complex(self.position.drawing[mark])
 
     def loads(self) -> Loading:
@@ -101,7 +101,7 @@ class SpaceDiagram:
             yield labels.Label(self.naming.point(label_of(mark)), self.at(mark), STRING_MM, clear=0.8, name=mark)
 
     def members(self) -> Iterator[Mark]:
-        """The members of a truss, as they are stretched or pressed."""
+        """The members of a truss, by tension and compression."""
         senses = strains(self.figure, self.position.drawing)
         for name, one, other in self.figure.members:
             sense = senses.get(name, "idle")
@@ -118,7 +118,7 @@ class SpaceDiagram:
         return self.wall(z, s.point) if s.kind == "clamp" else ()
 
     def wall(self, z: complex, point: str) -> tuple[Mark, ...]:
-        """The wall a body is clamped in: across the body there, hatched away from it."""
+        """The wall of a clamp: across the body there, hatched on the far side."""
         points = next(x.points for x in self.position.plans.mechanism.links.values() if point in x.points)
         others = [self.places.at(p) - z for p in points if p != point]
         way = min(others, key=abs, default=1 + 0j)
@@ -141,7 +141,7 @@ class SpaceDiagram:
 
 
 def roller(z: complex, angle_deg: float) -> tuple[Mark, ...]:
-    """A hinge on wheels: it holds across the base alone, whose turn is the angle."""
+    """A hinge on wheels: it holds only perpendicular to its base, whose rotation is the angle."""
     along = symbols.unit(angle_deg)
     foot = z - 1j * along * (LEG_MM - 2 * WHEEL_MM)
     legs = symbols.legs(z, foot, angle_deg)

@@ -14,7 +14,7 @@ FAR_MM = 60.0  # a special point farther from every point of the mechanism is no
 
 
 def special_points(position: Position, naming: Naming) -> tuple[list[Mark], list[Label]]:
-    """The lines of leads drawn out to their special points, with the letters of these."""
+    """The lines of leads extended to their special points, with the letters of these."""
     marks, named, drawing = list[Mark](), list[Label](), position.drawing
     points = [complex(drawing[m]) for p in position.plans.points if (m := at(SCHEME, p)) in drawing]
     for step in drawing.program.steps:

@@ -1,4 +1,4 @@
-"""The thin lines of statics on a plan: strings and their rays, closing lines, lines of action drawn out."""
+"""The thin lines of statics on a plan: strings and their rays, closing lines, extended lines of action."""
 
 from planes.drafting.drawing import Drawing
 from planes.plans.structures.figure import StaticsFigure
@@ -18,7 +18,7 @@ STYLES = {
 
 
 def drawn_strokes(drawing: Drawing, figure: StaticsFigure | None, plan: str) -> tuple[list[Mark], list[labels.Label]]:
-    """The lines of a plan, with the letters of strings and rays; on a plan of forces the pole has its letter, too."""
+    """The lines of a plan, with the letters of strings and rays; on a force plan the pole has its letter, too."""
     marks, named, poles = list[Mark](), list[labels.Label](), dict[complex, labels.Label]()
     for s in figure.strokes if figure else ():
         if s.plan == plan and s.start in drawing and s.end in drawing:

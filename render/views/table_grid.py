@@ -1,4 +1,4 @@
-"""A table as marks: a head, rows between thin lines, numbers of one unit with their decimal signs in one line."""
+"""A table as marks: a head, rows between thin lines, numbers of one unit aligned by their decimal signs."""
 
 import re
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ from render.paper.marks import Arc, Line, Mark, Shape, Text
 from render.paper.typeset import extent, ink_width
 
 Row = Sequence[str]
-CLEAR_MM = 0.65  # least distance of a text from the middle of the lines above and beneath it
+CLEAR_MM = 0.65  # least distance of a text from the lines above and beneath it
 MOST_ROWS = 18  # of a table in one column
 _NUMBER = re.compile(r"([−-]?\d+)(?:[.,]\d*)?(?:·10.*)?[↺↻]?$")
 _SENSES = {"↺": 1.0, "↻": -1.0}
@@ -19,14 +19,14 @@ _SENSES = {"↺": 1.0, "↻": -1.0}
 
 @frozen
 class TableGrid:
-    """A table in the making: letters of ``letter`` mm, the head's names in the first row; where it is ``spanned`` a
-    cell reaches down over empty ones."""
+    """A table under construction: letters of ``letter`` mm, the head's names in the first row; where it is ``spanned``
+    a cell extends down over empty ones."""
 
     letter: float = 3.5
     spanned: bool = False
 
     def drawn(self, head: Row, rows: Sequence[Row]) -> tuple[Mark, ...]:
-        """The marks of a table whose upper left corner is the origin."""
+        """The marks of a table with its upper left corner at the origin."""
         lines = [head, *rows] if any(head) else list(rows)
         (high, drop), pad = self.rows(lines), 0.5 * self.letter
         columns = [self.aligned([row[k] for row in lines], any(head)) for k in range(len(lines[0]))]
@@ -53,8 +53,7 @@ class TableGrid:
         return tuple(marks)
 
     def aligned(self, column: Row, alike: bool) -> list[float]:
-        """Where the cells of a column begin: numbers of one unit with their decimal signs in one line, others in the
-        middle."""
+        """The left edges of a column's texts: numbers of one unit aligned by their decimal signs, others centred."""
         wide = list(map(self.wide, column))
         whole_parts = [ink_width(m[1], self.letter) if alike and (m := _NUMBER.match(cell)) else 0.0 for cell in column]
         most = max(whole_parts)
@@ -75,7 +74,7 @@ class TableGrid:
         return ink_width(cell.rstrip("↺↻"), self.letter) + (self.letter * 1.5 if cell[-1:] in _SENSES else 0.0)
 
     def cell(self, cell: str, left: complex) -> tuple[Mark, ...]:
-        """A text that begins at a place, a curved arrow after it for a sense of turning."""
+        """A text at a place, followed by a curved arrow for a sense of rotation."""
         sense = _SENSES.get(cell[-1:])
         text = cell.rstrip("↺↻")
         if sense is None:

@@ -39,10 +39,10 @@ class Tables:
     letter: float = 3.5
     parameters: Mapping[str, float] = field(default_factory=dict)
     once: Callable[[tuple[object, ...], Callable[[], View]], View | None] = lambda key, make: make()
-    own: tuple[tuple[VectorEquation, ...], str] = ((), "")  # a person's equations, and their file
+    own: tuple[tuple[VectorEquation, ...], str] = ((), "")  # the user's equations, and their file
 
     def vectors(self) -> View | None:
-        """Length on its plan, magnitude and direction of every vector of a scene that states them."""
+        """Length on its plan, magnitude and direction of every vector in a scene of vectors."""
         mu, rows = of_position(self.position).mu, []
         for f in self.position.of("vectors").values():
             mm = abs(f.vector) * mu(plan_of(f.quantity.needs[0]))
@@ -52,7 +52,7 @@ class Tables:
         return self.table("vectors-table", self.say("measured"), ["", self.say("mm"), "", "", self.say("angle")], rows)
 
     def values(self) -> View | None:
-        """What is reckoned from the vectors."""
+        """The values computed from the vectors."""
         values = [
             (f, f.quantity.columns[0].unit) for n, f in self.position.of("values").items() if n not in self.strains
         ]
@@ -66,11 +66,11 @@ class Tables:
 
     @cached_property
     def strains(self) -> dict[str, Strain]:
-        """How the members of a truss are strained, by the names of their forces."""
+        """The state of every member of a truss, tension or compression, by the name of its force."""
         return strains(self.position.plans.figure, self.position.drawing)
 
     def members(self) -> View | None:
-        """Length on the plan, force and strain of every member of a truss."""
+        """Length on the plan, force and state of every member of a truss."""
         values, rows, mu = self.position.of("values"), [], of_position(self.position).mu
         for name, strain in self.strains.items():
             force = values[name].number if name in values and strain != "idle" else 0.0
@@ -95,7 +95,7 @@ class Tables:
     def table(
         self, key: str, title: str, head: Row, rows: Sequence[Row], notes: Sequence[str] = (), spanned: bool = False
     ) -> View | None:
-        """A table as a view, or nothing when it has no rows; ``notes`` stand beneath it."""
+        """A table as a view, or None without rows; ``notes`` are beneath it."""
         if not rows:
             return None
         head, rows = folded(head, rows)
@@ -109,7 +109,7 @@ class Tables:
         return self.once(("table", key, self.letter, *map(tuple, rows)), make)
 
     def all(self, joined: bool = True) -> list[View]:
-        """Every table that has something to say; what was measured on both plans of rates ``joined`` in one."""
+        """Every table with contents; the measurements on both motion plans ``joined`` in one."""
         if not self.position.plans.moves:
             return [t for t in (self.given(), self.vectors(), self.members(), self.values()) if t]
         tables = (
@@ -124,7 +124,7 @@ class Tables:
         return [t for t in tables if t]
 
     def equations(self) -> View | None:
-        """A person's own equations: what each gives, or whether it closes and what would close it."""
+        """The user's equations: the result of each, or whether it closes and what would close it."""
         p = self.position
         own = self.own if "equations" in p.results else ((), "")
         told_rows = own_rows(p.plans, p.drawing, p.scales, own, self.naming.lang)
@@ -132,20 +132,20 @@ class Tables:
         return self.table("own-equations", self.say("own_equations"), ["", ""], rows)
 
     def given(self) -> View | None:
-        """What the scene gives, each thing once."""
+        """The data of the scene, each item once."""
         given = GivenTable(self.position, self.naming, self.parameters)
         return self.table(
             "given", self.say("given"), ["", "", ""], [*given.rows(), *given.laws()], list(given.formulas())
         )
 
     def plan(self, plan: str) -> View | None:
-        """What was measured on a plan: vector, segment, mm, value."""
+        """The measurements on a plan: vector, segment, mm, value."""
         rows = [row for _, row in self.measured_rows(plan)]
         return self.table(f"{plan}-table", self.say(f"by_{plan}"), self.measured_head(plan), rows)
 
     def rates(self, joined: bool) -> list[View | None]:
-        """What was measured on the plans of rates: a table each, or ``joined`` with the vectors of one point, or of one
-        link, side by side."""
+        """The measurements on the velocity and acceleration plans: a table each, or ``joined`` with the vectors of one
+        point, or of one link, side by side."""
         plans = [plan for plan in ("velocity", "acceleration") if any(self.measured_rows(plan))]
         if not joined or len(plans) < 2:
             return [self.plan(plan) for plan in plans]
@@ -160,11 +160,11 @@ class Tables:
         return [self.table("rates-table", self.say("by_plans"), head, rows, spanned=True)]
 
     def measured_head(self, plan: str) -> Row:
-        """The head over what was measured on a plan."""
+        """The head over the measurements on a plan."""
         return ["", "", self.say("mm"), self.say(UNIT[kind_of(plan)])]
 
     def measured_rows(self, plan: str) -> Iterator[tuple[str, Row]]:
-        """What was measured on a plan, with what each vector is of: a point, two points of a link, a guide."""
+        """The measurements on a plan, with the owner of each vector: a point, two points of a link, a guide."""
         known = self.position.results.get("plans", {}).get(plan, {"segments": {}})["segments"]
         if max((s["mm"] for s in known.values()), default=0.0) <= NOISE_MM:
             return
@@ -174,7 +174,7 @@ class Tables:
             yield parts_of(vector)[1], [self.naming.vector(vector), ends, self.tenths(measures["mm"]), value]
 
     def links(self) -> View | None:
-        """ω and ε of every link with their senses; nothing where the driver stands."""
+        """ω and ε of every link with their senses; empty if the driver is at rest."""
         rows, links = [], self.position.rows("links")
         for name in (x for x in self.position.plans.mechanism.links if x in links and not self.position.plans.at_rest):
             cells = [self.turning(links[name][k].number) if k in links[name] else "" for k in ("omega", "epsilon")]
@@ -194,7 +194,8 @@ class Tables:
         return shown if shown == "0" else shown + ("↺" if value > 0 else "↻")
 
     def reactions(self) -> View | None:
-        """Length on its force plan, magnitude and direction of every reaction, and a slider's arm, if any acts."""
+        """Length on its force plan, magnitude and direction of every reaction, and a slider's arm, if any force
+        acts."""
         if self.idle:
             return None
         rows, armed, lengths = [], False, self.lengths()
@@ -210,7 +211,7 @@ class Tables:
         return self.table("reactions", self.say("reactions_table"), head, rows, [convention])
 
     def edges(self) -> View | None:
-        """The forces of both edges of a slider's face, where its length is given."""
+        """The forces at both edges of a slider's face, where its length is given."""
         rows = [
             [self.naming.vector(f.quantity.name), self.number(f.number)] for f in self.position.of("edges").values()
         ]
@@ -218,11 +219,11 @@ class Tables:
 
     @property
     def idle(self) -> bool:
-        """Whether nothing loads the mechanism: all reactions are nothing."""
+        """Whether the mechanism has no loads: all reactions are zero."""
         return all(self.number(abs(r.vector)) == "0" for r in self.position.of("reactions").values())
 
     def lengths(self) -> dict[str, float]:
-        """How long each reaction is on the force plan that shows it, or its opposite, mm."""
+        """The length of each reaction on the force plan that shows it, or its opposite, mm."""
         plotted, lengths = of_position(self.position), dict[str, float]()
         for s in (s for s in plotted.segments if kind_of(s.plan) == "force" and plotted.has(s.plan, s.start, s.end)):
             mm = abs(plotted.mark(s.plan, s.end) - plotted.mark(s.plan, s.start))
@@ -232,7 +233,7 @@ class Tables:
         return lengths
 
     def check(self) -> View | None:
-        """The balancing moment (or force), Zhukovsky's, and the difference in per cent, if anything acts."""
+        """The balancing moment (or force), Zhukovsky's, and the difference in per cent, if any force acts."""
         p, rows = self.position, []
         for what, unit in () if self.idle else (("moment", "N·m"), ("force", "N")):
             balancing, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")

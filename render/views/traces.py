@@ -1,4 +1,4 @@
-"""Traces of similarity on a plan: the sides of the triangles by which points of links were found."""
+"""Traces of similarity on a plan: the sides of the triangles that gave points of links."""
 
 from collections.abc import Collection, Iterator
 
@@ -13,13 +13,13 @@ Triangle = tuple[complex, complex, complex]
 
 
 def traces(plotted: Plotted, plan: str, drawn: Collection[tuple[str, str]]) -> tuple[list[Line], list[Triangle]]:
-    """Construction lines of a plan whose vectors are ``drawn`` between those marks, and the triangles to be hatched."""
+    """Construction lines of a plan with ``drawn`` vectors between those marks, and the triangles to be hatched."""
     sides, triangles = list(_of_false_points(plotted, plan)), list[Triangle]()
     for step in plotted.drawing.program.steps:
         if plan_of(step.makes) != plan or not isinstance(step, (Similar, Image)):
             continue
         base = (step.start, step.end) if isinstance(step, Similar) else step.image
-        if step.start not in base:  # laid off from a mark of its own: there is no triangle on the base
+        if step.start not in base:  # laid off from a separate mark: there is no triangle on the base
             sides.append((plotted.mark(plan, label_of(step.start)), plotted.mark(plan, label_of(step.makes))))
             continue
         corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]
@@ -32,7 +32,7 @@ def traces(plotted: Plotted, plan: str, drawn: Collection[tuple[str, str]]) -> t
 
 
 def _of_false_points(plotted: Plotted, plan: str) -> Iterator[Ends]:
-    """The lines by which points of false positions were found."""
+    """The lines that gave points of false positions."""
     for step in plotted.drawing.program.steps:
         if plan_of(step.makes) == plan and step.quantity == "false" and isinstance(step, (Carry, Cross)):
             for mark in (step.start,) if isinstance(step, Carry) else (step.start, step.other):

@@ -484,7 +484,7 @@ def test_slips_are_named_beside_a_wrong_drawing(tmp_path: Path, capsys: pytest.C
         ("v_S2", None),
     ]
     assert main(["check", SIX, str(file), "--plan", "velocity", "--lang", "en"]) == 1
-    assert "wrong: the millimetres of the segment stand for the value" in capsys.readouterr().out
+    assert "wrong: the millimetres of the segment are given as the value" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

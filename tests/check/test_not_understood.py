@@ -18,6 +18,7 @@ from planes.drafting.skill import HAND, PENCIL, cad
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.solving import solve
+from planes.words import say
 from tests.helpers import ROOT
 
 SIX = str(ROOT / "samples" / "six-link.yaml")
@@ -135,6 +136,36 @@ def test_a_number_in_an_unknown_unit_or_left_empty_is_not_seen(tmp_path: Path) -
     assert "furlong" in " ".join(note.told("en") for note in found.notes)
     file.write_text("result,value,unit\nomega_3,-153,rpm\nv_C,2404,мм/с\nF_21,9.87,kN\n", "utf-8")
     assert check(ASKED, read_table(file)).verdict == "right"
+
+
+UNITS = ("m/s", "m/s²", "rad/s", "rad/s²", "N", "N·m", "W", "kg")
+
+
+@pytest.mark.parametrize("name", ["v_C", "a_C", "omega_3", "epsilon_3", "F_21", "M_1", "phi_3"])
+def test_a_number_in_the_unit_of_another_quantity_is_not_seen(name: str) -> None:
+    position = solve(ASKED.scene).positions[0]
+    asked = next(f for f in position.found if f.quantity.name == name)
+    true, own = asked.number if name[0] in "oeMp" else abs(asked.vector), asked.quantity.columns[0].unit
+    for unit in UNITS:
+        found = check(ASKED, ReadPaper("t", results=[("v_B", 2.0, "m/s"), (name, true, unit)]))
+        assert found.verdict == ("right" if unit == own else "right_as_seen"), unit
+        assert found.unseen == ([] if unit == own else [name])
+        assert unit == own or say(own, "en") in " ".join(note.told("en") for note in found.notes)
+
+
+def test_who_hits_all_other_numbers_within_a_hair_has_no_shaky_hand() -> None:
+    """A number 3.06 σ off among five that are exact, and among five that are up to one σ off."""
+    scene = planes.loads(OFFSET)
+    position, asked = planes.solve(scene), Asked(scene, "acceleration")
+    true = {n: position.value(n) for n in ("omega_2", "epsilon_2")}
+    true |= {n: abs(position.value(n)) for n in ("v_B", "v_C", "a_B", "a_C")}
+    chances = []
+    for share in (1.0, 1.01):
+        others = [(n, share * x, "") for n, x in true.items() if n != "a_C"]
+        found = check(asked, ReadPaper("t", results=[*others, ("a_C", 1.2 * true["a_C"], "")]))
+        assert found.verdict == "wrong" and found.first_wrong == "a_C"
+        chances.append(found.chance)
+    assert chances[0] > 0.9 > chances[1]
 
 
 CRANK = """

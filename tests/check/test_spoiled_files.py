@@ -103,7 +103,10 @@ def test_what_no_plan_has_so_many_of_is_counted(tmp_path: Path, capfd: pytest.Ca
 
 @pytest.mark.parametrize(
     ("row", "said"),
-    [("b,10,5,0", "t.csv:3: the row has 4 cells under 3 columns"), ("a,1,2", 't.csv:3: "a" stands in an earlier row')],
+    [
+        ("b,10,5,0", "t.csv:3: the row has 4 cells under 3 columns"),
+        ("a,1,2", 't.csv:3: "a" is already in an earlier row'),
+    ],
 )
 def test_rows_that_would_be_read_otherwise_than_meant_are_refused(row: str, said: str, tmp_path: Path) -> None:
     file = tmp_path / "t.csv"

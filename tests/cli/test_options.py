@@ -274,7 +274,7 @@ def test_a_load_by_an_angle_the_drives_is_made_of_holds_there_alone(argv, right,
     scene.write_text(made, encoding="utf-8")
     status, _, err, _ = said([argv[0], str(scene), *argv[1:], "--lang", "en"], capsys, tmp_path)
     assert status == (0 if right else 2), err
-    assert right or ("law.yaml:10: force of load 1 depends on phi_1" in err and "holds at phi = 40 alone" in err)
+    assert right or ("law.yaml:10: force of load 1 depends on phi_1" in err and "valid at phi = 40 only" in err)
 
 
 @pytest.mark.parametrize("command", ["solve", "cycle", "lesson", "note", "sheet", "chart", "blank"])

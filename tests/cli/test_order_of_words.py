@@ -76,7 +76,7 @@ def test_a_table_of_marks_without_its_plan_is_answered_with_the_plans(
     marks = tmp_path / "marks.csv"
     marks.write_text("mark,x,y\na,-57.8,48.5\n", encoding="utf-8")
     assert main(["check", "--lang", "en", str(ROOT / "samples" / "kind-2-rrp.yaml"), str(marks)]) == 2
-    assert "marks.csv is of: --plan position, velocity, acceleration, force:2-3, force:1." in capsys.readouterr().err
+    assert "marks.csv shows: --plan position, velocity, acceleration, force:2-3, force:1." in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("line", ["--lang ru --help", "--help --lang=ru", "--lang ru solve --help"])

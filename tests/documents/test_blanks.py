@@ -120,7 +120,7 @@ def test_a_blank_with_half_of_its_marks_says_what_to_do(tmp_path: Path) -> None:
     assert main(["blank", str(ROOT / "samples/six-link.yaml"), "-o", str(tmp_path / "b.pdf")]) == 0
     cv2.imwrite(str(tmp_path / "b.png"), printed(tmp_path / "b.pdf")[:, :2150])
     asked = Asked(SIX, "velocity")
-    with pytest.raises(PlanesError, match=r"Only 2 of the blank's four corner marks.*take the whole sheet"):
+    with pytest.raises(PlanesError, match=r"Only 2 of the blank's four corner marks.*photograph the whole sheet"):
         read_paper(str(tmp_path / "b.png"), asked, Known())
 
 

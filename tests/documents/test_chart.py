@@ -55,7 +55,7 @@ def test_a_chart_and_its_table(tmp_path: Path, quick: None) -> None:
 def test_a_length_that_is_none_is_told_with_those_there_are(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     out = str(tmp_path / "c.png")
     assert main(["chart", str(SAMPLES / "six-link.yaml"), "--length", "l_XY", "-o", out, "--lang", "en"]) == 2
-    assert "no length l_XY that can be altered alone; valid: l_AB, l_BC, l_DC" in capsys.readouterr().err
+    assert "no length l_XY that can be changed alone; valid: l_AB, l_BC, l_DC" in capsys.readouterr().err
 
 
 @pytest.mark.slow

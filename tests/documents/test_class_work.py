@@ -26,6 +26,7 @@ from planes.documents.class_work import ClassWork
 from planes.lesson.handed_practice import checksum
 from planes.lesson.told import Told
 from planes.scene import load
+from planes.solving import solve
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT
 from tests.helpers.browser import watched
@@ -209,7 +210,7 @@ def test_only_what_has_changed_is_judged_anew(
     (folder / "IMG_2.csv").write_text(f"# planes check x\n# box -1 -2 3 4\n{marks}", "utf-8")
     again, after = run()  # marks put right in its report
     assert again == ["IMG_2.jpg"] and after["IMG_2.jpg"]["verdict"] == "right" and "IMG_2.csv" not in after
-    assert "put right by hand" in " ".join(after["IMG_2.jpg"]["warnings"])
+    assert "corrected by hand" in " ".join(after["IMG_2.jpg"]["warnings"])
     assert "data:image/jpeg" in (out / "IMG_2.jpg.html").read_text("utf-8")  # the picture still lies under them
     seen = cv2.imread(str(folder / "IMG_1.jpg"), cv2.IMREAD_GRAYSCALE)
     look = opened(str(folder / "IMG_1.jpg"))
@@ -221,7 +222,7 @@ def test_only_what_has_changed_is_judged_anew(
     assert again == ["IMG_1.jpg"] and after["IMG_1.jpg"]["verdict"] == "right"
     assert "not taken" in " ".join(after["IMG_1.jpg"]["warnings"]) and "IMG_1.csv" not in after
     assert "not taken" in (out / "index.html").read_text("utf-8")
-    assert "Call the table IMG_1.csv" in after["IMG_1 (1).csv"]["sentence"]["en"]
+    assert "Name the table IMG_1.csv" in after["IMG_1 (1).csv"]["sentence"]["en"]
     file = own / "out/teacher" / BORIS / "scene.yaml"
     file.write_text(f"{file.read_text('utf-8')}\n", "utf-8")
     assert run()[0] == ["IMG_2.jpg"]
@@ -487,3 +488,26 @@ def test_practices_and_drawings_are_one_table(course: Path, tmp_path: Path, caps
     for name in ("2.practice", "3.practice", "4.practice"):
         (folder / name).unlink()
     assert main(["check", str(course), str(folder)]) == 1  # the drawing of another's numbers is wrong
+
+
+def test_work_that_is_right_for_another_student_is_said_to_be(course: Path, tmp_path: Path, capsys: Any) -> None:
+    """Numbers and a plan of somebody else's variant; of numbers that are merely wrong nobody is named."""
+    boris = load(course / "out" / "teacher" / BORIS / "scene.yaml")
+    position = solve(boris).positions[0]
+    numbers = [
+        (f.quantity.name, abs(f.vector))
+        for f in position.found
+        if f.quantity.path[0] == "points" and f.quantity.key == "v"
+    ]
+    numbers = [(name, size) for name, size in numbers if size > 1e-3]
+    assert len(numbers) >= 3
+    for name, share in (("петрова", 1.0), ("петрова скорости", 1.31)):
+        table = "\n".join(f"{n},{share * x:.4g}" for n, x in numbers)
+        (tmp_path / f"{name}.csv").write_text(f"result,value\n{table}\n", "utf-8")
+    marks = {"p": 0j, **prepare(Asked(boris, "velocity")).true_marks}
+    table = "\n".join(f"{n},{z.real:.2f},{z.imag:.2f}" for n, z in marks.items())
+    (tmp_path / "анна петрова velocity.csv").write_text(f"mark,x,y\n{table}\n", "utf-8")
+    found = rows(capsys, str(course), str(tmp_path))
+    said = {name: "Иванов Пётр" in " ".join(one["warnings"]) for name, one in found.items()}
+    assert {one["verdict"] for one in found.values()} <= {"wrong", "unreadable"}
+    assert said == {"петрова.csv": True, "петрова скорости.csv": False, "анна петрова velocity.csv": True}

@@ -202,7 +202,7 @@ def test_a_position_prints_its_tables(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_parameter_from_which_nothing_is_made_cannot_be_changed() -> None:
     text = planes.load(FOUR_BAR).to_yaml()  # in plain numbers: no expression is left
     assert planes.loads(text)
-    with pytest.raises(planes.PlanesError, match=r"nothing in this scene is made from the parameter l_AB"):
+    with pytest.raises(planes.PlanesError, match=r"nothing in this scene depends on the parameter l_AB"):
         planes.loads(text, l_AB=0.2)
 
 

@@ -95,7 +95,7 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
         table,
         document.Paragraph(name, name),
         document.Paragraph(name, mistake=True),
-        document.Formula("x", name),
+        document.Formula(("x",), name),
         document.Figure(document.Chart("x", "y", (document.PlottedLine([0, 1], [0, 1]),)), name),
     ]
     return {

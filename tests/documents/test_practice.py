@@ -326,7 +326,7 @@ def test_a_code_is_verified_and_an_altered_one_refused(desk: Any, tmp_path: Path
     out = capsys.readouterr().out
     assert "altered" in out and "104 of 104" in out and "give 103" in out and "the code is damaged" in out
     assert cli.main(["check", str(HERE / "kind-1-rrr.yaml"), str(codes / "0.practice"), "--lang", "en"]) == 2
-    assert "not of the scene" in capsys.readouterr().out
+    assert "does not belong to" in capsys.readouterr().out
 
 
 MARKED: dict[str, list[pytest.MarkDecorator]] = {"bntu-4": [], "excavator": [pytest.mark.slow]}

@@ -28,7 +28,7 @@ def test_a_point_stands_still_in_its_dead_points_alone(browser: Any, tmp_path: P
         told, outer = {}, 60 - math.degrees(math.asin(0.015 / 0.26))  # crank and rod in one line
         for angle in (outer, outer + 0.001, 90, inner := 240 - math.degrees(math.asin(0.015 / 0.14)), 359.9):
             page.evaluate(f"turn({angle}); draw()")
-            told[angle] = "C stands still in this position: c lies at the pole" in page.inner_text("#sentence")
+            told[angle] = "C is at rest in this position: c lies at the pole" in page.inner_text("#sentence")
             speed = abs(position(scene, plans, wanted, angle, None, "en").v["C"])
             assert told[angle] == (speed < 1e-9), angle
         assert told[outer] and told[inner]

@@ -26,7 +26,7 @@ from planes.plans.quantities import catalogue
 from planes.plans.scales import scales
 from planes.scene import load, loads
 from planes.solving import solve
-from planes.solving.document import DocumentTable, Figure, Heading, Paragraph
+from planes.solving.document import Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.names import at, label_of
 from render.page.lesson_page import page
@@ -326,7 +326,7 @@ def test_a_load_that_holds_in_one_position_leaves_the_lesson_standing_there() ->
     exported = lesson_data(loads(text, "s.yaml"))
     drive = exported["drive"]
     assert drive["from"] == drive["to"] == drive["at"] == 150.0 and not PageTape(exported).failed
-    assert "phi_1" in drive["held"]["ru"] and "holds at phi = 150 alone" in drive["held"]["en"]
+    assert "phi_1" in drive["held"]["ru"] and "valid at phi = 150 only" in drive["held"]["en"]
     same = data(SIX)
     assert [f["key"] for f in exported["frames"]] == [f["key"] for f in same["frames"]]
     assert PageTape(exported).mark("acceleration:b'") == PageTape(same).mark("acceleration:b'")
@@ -369,10 +369,15 @@ def test_a_lesson_whose_own_position_fails_is_refused() -> None:
 
 def test_a_note_says_whose_it_is_as_the_sheet_does() -> None:
     text = (HERE / "kind-1-rrr.yaml").read_text("utf-8")
-    for sheet, said in (("", 0), ("sheet: {student: Smith J., group: M-31}\n", 1)):
+    cells = "student: Smith J., group: M-31, teacher: Jones, company: BNTU, department: TMM, date: 2026"
+    for sheet, people, above in (
+        ("", ("Done by: " + "_" * 24, "Checked by: " + "_" * 24), ()),
+        (f"sheet: {{{cells}}}\n", ("Done by: Smith J., M-31", "Checked by: Jones"), ("BNTU", "TMM")),
+    ):
         scene = loads(text + sheet, "s.yaml")
-        blocks = [*Note(scene, placed(scene, None, "en"), "en").opening()]
-        assert blocks.count(Paragraph("Student: Smith J., group M-31.")) == said
+        cover = next(Note(scene, placed(scene, None, "en"), "en").opening())
+        assert isinstance(cover, Cover) and (cover.people, cover.above) == (people, above)
+        assert cover.foot == ("2026" if sheet else "")
 
 
 @pytest.mark.few(3)
@@ -383,16 +388,19 @@ def test_a_note_stands_in_the_usual_order(path: Path, lang) -> None:
     blocks = Note(scene, placed(scene, None, lang), lang).blocks()
     kinds = [type(b) for b in blocks]
     assert (
-        isinstance(blocks[0], Heading)
-        and blocks[0].level == 0
-        and {Heading, Paragraph, Figure, DocumentTable} == set(kinds)
+        isinstance(blocks[0], Cover)
+        and kinds.count(Cover) == 1
+        and {Cover, Heading, Paragraph, Formula, Figure, DocumentTable} == set(kinds)
     )
+    formulas = [b.number for b in blocks if isinstance(b, Formula)]
+    assert formulas == [str(k + 1) for k in range(len(formulas))]
     numbers = [b.number for b in blocks if isinstance(b, Paragraph) and b.number]
     assert numbers == list(range(1, len(numbers) + 1))
     captions = [re.match(r"\D+(\d+)", b.caption)[1] for b in blocks if isinstance(b, Figure) and b.caption]
     assert captions == [str(k + 1) for k in range(len(captions))]
     assert all(len(row) == len(b.rows[0]) for b in blocks if isinstance(b, DocumentTable) for row in b.rows)
-    assert not any("⟦" in b.text or "nan" in b.text for b in blocks if isinstance(b, Paragraph))
+    told = [b.text if isinstance(b, Paragraph) else b.tex for b in blocks if isinstance(b, Paragraph | Formula)]
+    assert not any("⟦" in text or "⟪" in text or "nan" in text for text in told)
 
 
 @pytest.mark.few(1)

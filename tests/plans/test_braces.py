@@ -189,7 +189,7 @@ def test_a_cylinder_between_two_rockers_closes_a_contour() -> None:
 
 
 def test_a_cylinder_that_makes_a_parallelogram_is_at_a_dead_point() -> None:
-    with pytest.raises(SceneError, match="two of them are one"):
+    with pytest.raises(SceneError, match="two of them coincide"):
         plans_of(loads(BETWEEN.replace("P: [0.4, 0.15]", "P: [0.3, 0.1]")).mechanism)  # type: ignore[arg-type]
 
 

@@ -117,7 +117,7 @@ def test_a_number_that_holds_in_one_position_is_refused_on_either_side_of_it() -
     assert scene.mechanism and planes_solve(scene, [40]).positions[0].omega["1"] == pytest.approx(10)
     plans = plans_of(scene.mechanism)
     for value in (39.0, 41.0, np.array([40.0, 39.0]), np.array([41.0, 40.0])):
-        with pytest.raises(SceneError, match="holds at phi = 40 alone"):
+        with pytest.raises(SceneError, match="valid at phi = 40 only"):
             plans.at(value)
     assert plans.at(40.0) == {plans.drive_given: 40.0}
     assert (plans.at(np.full(2, 40.0))[plans.drive_given] == 40).all()

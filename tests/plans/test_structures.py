@@ -342,7 +342,7 @@ def test_strings_through_points_refuse_loads_out_of_order() -> None:
     for text in (turned % "C, ", THROUGH.replace("C: [4, 3]", "C: [1, 3]") % "C, "):
         with pytest.raises(SceneError) as refusal:
             solve(loads("planes: 1\n" + text))
-        assert "do not stand in order" in refusal.value.told("en")
+        assert "are not in order between" in refusal.value.told("en")
 
 
 @pytest.mark.parametrize("pole", ["[187.93852415718169, -68.40402866513374]", "{r: 200, angle: -20}"])

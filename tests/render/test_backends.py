@@ -217,7 +217,13 @@ def test_hatching_and_arcs_stay_in_their_shapes() -> None:
 @pytest.mark.parametrize("suffix", report.SUFFIXES)
 def test_a_document_of_every_kind_of_block_is_written(suffix: str) -> None:
     row = (("точка", "v, м/с"), ("B", "3,14"))
-    blocks = [Heading("Расчёт", 0), Heading("Глава"), Paragraph("Скорость ⟨v_B⟩:", "почему", 1), Formula("v_B=1", "2")]
+    blocks = [
+        Heading("Расчёт", 0),
+        Heading("Глава"),
+        Paragraph("Скорость ⟨v_B⟩:", 1),
+        Paragraph("почему", why=True),
+        Formula(("v_B=1",), "2"),
+    ]
     data = report.rendered([*blocks, DocumentTable("Таблица 1", row)], suffix, Naming())
     if suffix == ".pdf":
         said = pdf_text(data)

@@ -47,7 +47,7 @@ def test_a_formula_is_made_of_what_it_is(tex: str, expected: str) -> None:
     assert told(tex) == expected
 
 
-@pytest.mark.parametrize("package", ["docx", "latex2mathml", "mathml2omml"])
+@pytest.mark.parametrize("package", ["docx", "mathml2omml"])
 def test_a_missing_package_is_one_sentence(package: str, monkeypatch: pytest.MonkeyPatch) -> None:
     for module in [
         name for name in sys.modules if name.startswith(("render.report.word", "render.report.omml", package))

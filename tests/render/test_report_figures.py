@@ -76,7 +76,8 @@ def test_no_page_is_half_empty(what: str, lang: Lang) -> None:
     six_link = load(ROOT / "samples" / "six-link.yaml")
     report = rendered(document(calculated(SAMPLE), lang), ".pdf", Naming(lang)) if what == "report" else None
     pages = pypdfium2.PdfDocument(io.BytesIO(report or note(six_link, None, ".pdf", lang)))
-    for k in range(len(pages) - 1):
+    first = 0 if what == "report" else 2  # a title page and the contents are as long as they are
+    for k in range(first, len(pages) - 1):
         grey = pages[k].render(scale=0.5, grayscale=True).to_numpy()
         body = grey[: int(0.93 * len(grey))] < 200
         last = max(row for row, inked in enumerate(body.any(axis=1)) if inked)

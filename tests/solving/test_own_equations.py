@@ -38,7 +38,7 @@ def test_a_new_vector_is_given() -> None:
         ("a_C = a_B + a_CB^t", "a_CB^n is missing"),
         ("v_C = v_B - v_CB", "v_CB has the wrong sign"),
         ("v_C = v_B + v_CB + v_H", "v_H is one too many"),
-        ("v_C = v_B + v_HB", "v_CB should stand in the place of v_HB"),
+        ("v_C = v_B + v_HB", "v_CB should replace v_HB"),
     ],
 )
 def test_what_is_wrong_with_an_equation_is_named(equation: str, said: str) -> None:

@@ -47,7 +47,7 @@ def test_a_change_point_is_carried_on_from_the_side_the_driver_comes() -> None:
     assert p.results["points"]["C"]["r"] == pytest.approx([0.2, 0], abs=1e-3)
     assert p.value("r_C") == p.r["C"] == complex(*p.results["points"]["C"]["r"])
     assert p.value("phi_1") == p.results["links"]["1"]["angle_deg"]
-    assert "carried on from 170° and 175°" in p.results["warnings"][0]
+    assert "extrapolated from 170° and 175°" in p.results["warnings"][0]
 
 
 @pytest.mark.parametrize("values", [[190.0, 180.0, 170.0], [180.0, 20.0, 0.0, 90.0]])

@@ -169,7 +169,7 @@ def test_the_unit_is_told_by_the_names(names, plan, unit):
         ),
         (FORCES + "mu: 30 mm/(m/s)\n", ("s.yaml:10: mu does not fit F_21^t", "mm/N or N/mm")),
         (CHAIN.replace("v_L: {}", "v_L: {}, v_X: {value: 1, direction: 3}"), ("v_X is in no equation",)),
-        (CHAIN.replace("v_C: {", "v_C: {near: 5, "), ("near of vector v_C decides nothing",)),
+        (CHAIN.replace("v_C: {", "v_C: {near: 5, "), ("near of vector v_C has no effect",)),
         (CHAIN + "find: [v_Q]\n", ("s.yaml:6: ", "v_Q", "valid: v_B, v_CB")),
     ],
 )

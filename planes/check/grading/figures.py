@@ -13,7 +13,7 @@ from planes.words.frozen import frozen
 from planes.words.lettering import flat
 from planes.words.names import POLE, at, end_of, label_of, plan_of
 from planes.words.naming import Names
-from planes.words.written_units import unit_factor
+from planes.words.written_units import unit_in_si
 
 Things = Mapping[str, Real]
 
@@ -35,19 +35,19 @@ Written = tuple[str, float, str]  # a name, a value and its unit, as written
 
 @dataclass
 class Figures:
-    """What a table holds: its figures; names that mean nothing here, with the nearest there is; numbers in units nobody
-    knows; and what is asked and not there."""
+    """What a table holds: its figures; names that mean nothing here, with the nearest there is; what is wrong with the
+    units of other numbers; and what is asked and not there."""
 
     figures: list[WrittenNumber]
     unknown: dict[str, str]
-    strange: dict[str, str] = field(default_factory=dict)
+    strange: dict[str, Phrase] = field(default_factory=dict)
     missing: list[str] = field(default_factory=list)
 
     @property
     def notes(self) -> list[Phrase]:
         """What is said of the numbers left out."""
-        notes = [Phrase("check_unit", name=name, unit=unit) for name, unit in self.strange.items()]
-        return notes + ([Phrase("check_unknown_results", names=offers(self.unknown))] if self.unknown else [])
+        unknown = [Phrase("check_unknown_results", names=offers(self.unknown))] if self.unknown else []
+        return [*self.strange.values(), *unknown]
 
 
 def offers(unknown: Mapping[str, str]) -> tuple[Told, ...]:
@@ -63,14 +63,22 @@ def read_results(
     known: Mapping[str, Quantity], names: Names, written: Sequence[Written], asked: Iterable[str]
 ) -> Figures:
     """The figures of a table of results, in SI; a name of two that are one quantity means that."""
-    read = [(text, value, unit_factor(unit), unit) for text, value, unit in written]
-    meant = {text: names.meant(text) for text, *_ in read}
+    meant = {text: names.meant(text) for text, *_ in written}
     sure = {text: one[0] for text, one in meant.items() if len({known[n].path for n in one}) == 1}
-    figures = [figure(n, known[n], value * by) for text, value, by, _ in read if by and (n := sure.get(text))]
-    unknown = {text: _nearest(text, names) for text, _, by, _ in read if by and text not in sure}
+    figures, unknown, strange = list[WrittenNumber](), dict[str, str](), dict[str, Phrase]()
+    for text, value, unit in written:
+        name, in_si = sure.get(text), unit_in_si(unit)
+        if in_si is None:
+            strange[text] = Phrase("check_unit", name=text, unit=unit)
+        elif name is None:
+            unknown[text] = _nearest(text, names)
+        elif in_si[1] not in ("", known[name].whole.unit):
+            strange[text] = Phrase("check_other_unit", name=text, unit=unit, right=Phrase(known[name].whole.unit))
+        else:
+            figures.append(figure(name, known[name], value * in_si[0]))
     given = {known[f.name].path for f in figures}
     missing = [n for n in asked if (ways := names.meant(n)) and known[ways[0]].path not in given]
-    return Figures(figures, unknown, {text: unit for text, _, by, unit in read if by is None}, missing)
+    return Figures(figures, unknown, strange, missing)
 
 
 def figure(name: str, q: Quantity, value: float) -> WrittenNumber:

@@ -128,9 +128,10 @@ class Checked:
         if self.verdict == "unreadable":  # the notes say what to do
             every = told_all(self.found, "sheet") if self.report else [self.found.sentence, *self.found.notes]
         else:
-            lost = [n for n in self.found.notes if n.key == "check_marks_of_another"]
+            lost = [n for n in self.found.notes if n.key in ("check_marks_of_another", "check_anothers_work")]
             every = [self.found.sentence] * (self.verdict != "right") + lost
-        return " ".join(one.told(lang) for one in every)
+        *sentences, last = [one.told(lang) for one in every] or [""]
+        return " ".join([*(s if s[-1] in ".!?" else f"{s}." for s in sentences), last])
 
     def as_json(self, lang: Lang) -> Json:
         """The object of the drawing, with its file and whose it is."""

@@ -1,6 +1,6 @@
-"""A plan as a construction that goes on living elsewhere: the steps of its program in another program's own words.
+"""A plan as a live construction in another program: the steps of its program in the words of that program.
 
-A module of this folder is a format, named as the suffix of its file is: it has ``written``, and is found here.
+A module of this folder is a format, named by the suffix of its file: it has ``written``, and is found here.
 """
 
 import pkgutil
@@ -26,12 +26,12 @@ from render.sheet.sizes import Sizes
 from render.views.plotted import of_position
 
 SCHEME = "position"
-GAP_MM = 30.0  # between a figure and the next
+GAP_MM = 30.0  # mm between figures
 
 
 @frozen
 class Stretch:
-    """A vector of a plan, or a side of a link: the marks it runs between, and what it is called."""
+    """A vector of a plan, or a side of a link: its end marks and its name."""
 
     start: str
     end: str
@@ -40,7 +40,7 @@ class Stretch:
 
 @frozen
 class LiveFigure:
-    """What is shown: the scheme, if there is one, and some plans of a position, side by side."""
+    """The figure: the scheme, if any, and some plans of a position, side by side."""
 
     position: Position
     plans: tuple[str, ...]
@@ -56,7 +56,7 @@ class LiveFigure:
 
     @cached_property
     def marks(self) -> list[str]:
-        """The marks that are shown, by their full names."""
+        """The marks shown, by their full names."""
         made = [s for s in self.stated.program.steps if s.kind == "mark" and s.makes in self.position.drawing]
         shown = {at(s.plan, label) for s in self.stated.segments for label in (s.start, s.end)}
         own = (s.makes for s in made if s.makes in shown or not (s.loose or s.helper))
@@ -64,16 +64,16 @@ class LiveFigure:
 
     @cached_property
     def program(self) -> Program:
-        """The steps that lead to them."""
+        """The steps that these marks need."""
         return Program(self.stated.program.sliced(self.marks).steps)
 
     def place(self, mark: str) -> complex:
-        """Where a mark stands on its plan, mm from the pole."""
+        """The place of a mark on its plan, mm from the pole."""
         return complex(self.position.drawing[mark])
 
     @cached_property
     def poles(self) -> dict[str, complex]:
-        """Where the pole of each plan, or the origin of the scheme, lies on the whole picture."""
+        """The places of each plan's pole, and of the scheme's origin, on the whole picture."""
         poles, right = {}, 0.0
         for k, plan in enumerate(self.plans):
             xs = [self.place(m).real for m in self.marks if plan_of(m) == plan]
@@ -82,11 +82,11 @@ class LiveFigure:
         return {**poles, **{p: 0j for p in map(plan_of, self.program.made) if p not in poles}}
 
     def at(self, mark: str) -> complex:
-        """Where a mark stands on the whole picture."""
+        """The place of a mark on the whole picture."""
         return self.poles[plan_of(mark)] + self.place(mark)
 
     def text(self, mark: str) -> str:
-        """What a sheet writes at a mark, "" of one whose vectors are named instead."""
+        """The lettering of a mark on a sheet, "" for a mark whose vectors are named instead."""
         plan, label = plan_of(mark), label_of(mark)
         if plan == SCHEME:
             return "" if label == POLE else self.naming.point(label)
@@ -115,12 +115,12 @@ class LiveFigure:
 
 
 def suffixes() -> tuple[str, ...]:
-    """The suffixes of the formats there are."""
+    """The suffixes of the available formats."""
     return tuple(f".{m.name}" for m in pkgutil.iter_modules(__path__) if m.name[0] != "_")
 
 
 def figure_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> LiveFigure:
-    """The scheme with the plan that a view names, or with all."""
+    """The scheme with the plan named by a view, or with all."""
     drawn = DrawnPosition(replace(scene, find=None), values, lang)
     position, composer = drawn.at(Sizes()), Composer(scene, lang, drawn.stated[0])
     scheme = (SCHEME,) if position.plans.moves else ()
@@ -138,7 +138,7 @@ def figure_of(scene: Scene, view: str | None, values: Iterable[float] | None, la
 def draw_constructed(
     scene: Scene, view: str | None, values: Iterable[float] | None, output: str, lang: Lang
 ) -> tuple[str, ...]:
-    """Write the construction into a file of its format; a sentence for each thing that must be said of it."""
+    """Write the construction into a file of its format; returns sentences about its limitations."""
     suffix = Path(output).suffix.lower()
     format_ = import_module(f"{__name__}.{suffix[1:]}")
     data, said = format_.written(figure_of(scene, view, values, lang))

@@ -1,4 +1,4 @@
-"""The numbers a construction is given: those of the scene that are free, and what is reckoned of them as formulas."""
+"""The numbers of a construction: the free ones of the scene, and formulas for those computed from them."""
 
 import math
 from collections.abc import Mapping
@@ -14,14 +14,14 @@ from planes.geometry.arithmetic import Point, Real
 from planes.lesson.dimensions import FreeNumbers
 from render.files.ggb import written
 
-LONGEST = 2000  # of a formula: what is reckoned in a longer one stays a number
+LONGEST = 2000  # letters of a formula: a number with a longer one stays a number
 RADIAN = "pi / 180"
 INFIX = {"add": "+", "sub": "-", "mul": "*"}
 CALLED = {"abs": "abs", "sqrt": "sqrt", "sin": "sin", "cos": "cos", "atan2": "atan2"}
 
 
 class Trigonometry(PlainRecording):
-    """The arithmetic of formulas, in which angles have sines and cosines."""
+    """The arithmetic of formulas, with sines and cosines of angles."""
 
     def cis_deg(self, angle: Real) -> Point:
         if not isinstance(angle, Num):
@@ -37,7 +37,7 @@ class Trigonometry(PlainRecording):
 
 
 class GivenNumbers:
-    """Of a figure what its program is given."""
+    """The givens of a figure's program."""
 
     def __init__(self, figure: LiveFigure) -> None:
         self.figure = figure
@@ -46,7 +46,7 @@ class GivenNumbers:
 
     @cached_property
     def free(self) -> dict[str, float]:
-        """Every number that is free, of a place both coordinates, by the name the program has for it."""
+        """Every free number, for a place both coordinates, by its name in the program."""
         return {n: v for n, v in self._home.items() if n in self._read}
 
     @cached_property
@@ -72,7 +72,7 @@ class GivenNumbers:
 
     @cached_property
     def _read(self) -> set[str]:
-        """The free numbers that something is reckoned of, or that are given as they are."""
+        """The free numbers that formulas use, or that are givens themselves."""
         used = {n.removesuffix(end) + end for n in self.given for end in (".x", ".y", "")} & {*self._home}
         tape, _ = self._tape
         for name in self.reckoned:
@@ -82,7 +82,7 @@ class GivenNumbers:
 
     @cached_property
     def reckoned(self) -> list[str]:
-        """The given numbers and places that are reckoned of free ones."""
+        """The given numbers and places computed from free ones."""
         return [n for n in self.given if n not in self._home and f"{n}.x" not in self._home]
 
     def _parts(self, name: str) -> list[Real]:
@@ -90,7 +90,7 @@ class GivenNumbers:
         return [thing.real, thing.imag] if isinstance(self.given[name], complex) else [thing]
 
     def formulas(self, name: str, labels: Mapping[str, str]) -> list[str]:
-        """A reckoned number, or both coordinates of a place, by the ``labels`` of the free ones."""
+        """A computed number, or both coordinates of a place, by the ``labels`` of the free ones."""
         tape = self._tape[0]
         home: Any = self.given[name]
         plain = [home.real, home.imag] if isinstance(home, complex) else [home]
@@ -102,7 +102,7 @@ class GivenNumbers:
 
 
 def formula(tape: Tape, place: int, labels: Mapping[str, str]) -> str:
-    """A number of a tape as a formula, "" where it does what formulas here do not."""
+    """A number of a tape as a formula, "" where it uses an operation without a formula here."""
     op, args = tape.ops[place]
     if op == "const":
         return literal(float(tape.values[place]))

@@ -11,15 +11,15 @@ from planes.drafting.steps.laws import ByStroke
 from planes.words.names import POLE, at, plan_of
 from render.files.ggb import HIDDEN, PALE, Aspect, GeogebraFile
 
-STILL = "1E-12"  # of the largest vector: less is nothing
-NOTHING_MM = "1E-12"  # marks that are nearer have no direction: nothing is laid off along it
+STILL = "1E-12"  # of the largest vector: below this it is zero
+NOTHING_MM = "1E-12"  # marks closer than this have no direction: nothing is laid off along it
 Labels = dict[str, str]
 LINE = Aspect(PALE, thick=2, dashed=True)
 RIGHT = "90 * pi / 180"
 
 
 class Translator:
-    """Writes step after step into a construction; ``left`` are those that stay numbers."""
+    """Writes one step after another into a construction; ``left`` are those that stay numbers."""
 
     def __init__(self, figure: LiveFigure, made: GeogebraFile, labels: Labels, looks: Callable[[str], Aspect]) -> None:
         self.figure, self.made, self.labels, self.looks = figure, made, labels, looks
@@ -32,7 +32,7 @@ class Translator:
             self.stands(step)
 
     def stands(self, step: s.Step) -> None:
-        """A step as what it is in this position."""
+        """A step as a constant, with its value in this position."""
         label, thing = self.labels[step.makes], complex(self.figure.position.drawing[step.makes])
         both = f"({literal(thing.real)}, {literal(thing.imag)})"
         if step.kind == "mark":
@@ -46,7 +46,7 @@ class Translator:
         return self.labels.get(at(plan_of(mark), POLE), "(0, 0)")
 
     def mark(self, step: s.Step) -> bool:
-        """A point; whether there is a way to it."""
+        """A point; returns whether it can be constructed."""
         n, label, look = self.labels, self.labels[step.makes], self.looks(step.makes)
         match step:
             case s.Put() if step.at:
@@ -79,7 +79,7 @@ class Translator:
         return True
 
     def crossing(self, step: s.Step) -> bool:
-        """A point where lines or arcs meet; whether it is one."""
+        """A point where lines or arcs meet; returns whether the step is of this kind."""
         n, label, look = self.labels, self.labels[step.makes], self.looks(step.makes)
         match step:
             case c.Cross():
@@ -117,26 +117,26 @@ class Translator:
         return f"k{number}{label}"
 
     def one_of(self, label: str, met: list[str], side: str, look: Aspect) -> None:
-        """Of two meetings the one on the side that is meant, in whichever order they are found."""
+        """The one of two intersections on the chosen side, in whichever order they are found."""
         both = [f"i1{label}", f"i2{label}"]
         for k, one in enumerate(both, 1):
             self.made.command("point", [one], "Intersect", [*met, str(k)])
         self.made.command("point", [label], "If", [f"{side} >= 0", *both], look)
 
     def turned(self, label: str, start: str, way: str, quarter: int, look: Aspect) -> None:
-        """A mark a vector away, turned by right angles."""
+        """A mark at a vector from another, turned by right angles."""
         moved = f"t1{label}" if quarter % 4 else label
         self.made.command("point", [moved], "Translate", [start, way], HIDDEN if quarter % 4 else look)
         if quarter % 4:
             self.made.command("point", [label], "Rotate", [moved, f"{quarter % 4} * {RIGHT}", start], look)
 
     def similar(self, label: str, start: str, end: str, ratio: tuple[str, str], look: Aspect) -> None:
-        """A mark that stands to two others as a ratio has it: dilated and rotated."""
+        """A mark in a given ratio to two others: dilated and rotated."""
         self.made.command("point", [f"t2{label}"], "Dilate", [end, ratio[0], start])
         self.made.command("point", [label], "Rotate", [f"t2{label}", ratio[1], start], look)
 
     def chosen(self, step: r.Choose) -> str:
-        """The trial whose suppositions came true."""
+        """The trial whose assumptions hold."""
         text = ""
         for trial in reversed(step.trials):
             signs = zip(trial.pushes, trial.signs, strict=True)
@@ -145,7 +145,7 @@ class Translator:
         return text
 
     def ray(self, step: s.Step) -> bool:
-        """A unit vector; whether there is a way to it."""
+        """A unit vector; returns whether it can be constructed."""
         n, label, put = self.labels, self.labels[step.makes], self.made.command
         match step:
             case s.Aim():
@@ -175,14 +175,14 @@ class Translator:
         return True
 
     def value(self, step: s.Step) -> bool:
-        """A number; whether there is a formula for it."""
+        """A number; returns whether there is a formula for it."""
         text = self.number(step)
         if text:
             self.made.formula("numeric", self.labels[step.makes], text)
         return bool(text)
 
     def number(self, step: s.Step) -> str:
-        """The formula of a number, "" of what has none."""
+        """The formula of a number, "" if there is none."""
         n = self.labels
         match step:
             case r.Measure():
@@ -213,7 +213,7 @@ class Translator:
         return ""
 
     def length(self, step: r.Measure | r.Sense) -> str:
-        """Between two marks the distance, or how far it goes along a direction."""
+        """The distance between two marks, or its component along a direction."""
         start, end = self.labels[step.start], self.labels[step.end]
         return f"(({end} - {start}) * {self.labels[step.along]})" if step.along else f"Distance[{start}, {end}]"
 

@@ -1,4 +1,4 @@
-"""A plan for GeoGebra: the drive's place stands on a slider, and scheme and plans are drawn anew as it moves."""
+"""A plan for GeoGebra: a slider sets the drive's position, and scheme and plans follow it."""
 
 from collections.abc import Iterator
 
@@ -16,12 +16,12 @@ SIGNS = str.maketrans({"'": "p", "′": "p", "⊥": "n", "∥": "p", "→": "to"
 AXES = ("x", "y", "z")
 SLIDERS_FROM, SLIDER_STEP = 40 + 40j, 40j  # px from the upper left corner
 MARGIN_MM, ABOVE_MM = 40.0, 120.0
-SHARE = 0.5  # of a length, how far its slider goes to both sides
+SHARE = 0.5  # relative range of the slider for a length
 TURN = 360.0
 
 
 def written(figure: LiveFigure) -> tuple[bytes, list[str]]:
-    """The file, and what must be said: which things GeoGebra does not draw itself."""
+    """The file, and the sentences about it: the objects that GeoGebra does not draw itself."""
     numbers = GivenNumbers(figure)
     labels = labels_of(figure, numbers)
     corner = min((figure.at(m).real for m in figure.marks), default=0.0) - MARGIN_MM
@@ -40,7 +40,7 @@ def written(figure: LiveFigure) -> tuple[bytes, list[str]]:
 
 
 def _said(figure: LiveFigure, translator: Translator) -> Iterator[str]:
-    """Which things stay where they are when the drive moves."""
+    """The objects that stay in place when the drive moves."""
     stuck = [s.makes for s in translator.left]
     stuck += [n for n in figure.stated.laws if n in figure.program.givens]
     if stuck:
@@ -49,7 +49,7 @@ def _said(figure: LiveFigure, translator: Translator) -> Iterator[str]:
 
 
 def labels_of(figure: LiveFigure, numbers: GivenNumbers) -> Labels:
-    """A label for each name of the program, no two the same."""
+    """A unique label for each name of the program."""
     names = [*numbers.free, *_reckoned(numbers), *(s.makes for s in figure.program.steps)]
     labels, taken = Labels(), set[str]()
     for name in names:
@@ -64,7 +64,7 @@ def labels_of(figure: LiveFigure, numbers: GivenNumbers) -> Labels:
 
 
 def _label(figure: LiveFigure, name: str) -> str:
-    """What GeoGebra would call it: a letter and an index."""
+    """A label in the style of GeoGebra: a letter and an index."""
     drive, plan = figure.stated.mechanism.drive, plan_of(name)
     if figure.stated.moves and name == drive.given:
         return f"{'φ' if drive.kind == 'phi' else 's'}_{{{drive.link}}}"
@@ -80,13 +80,13 @@ def _label(figure: LiveFigure, name: str) -> str:
 
 
 def _reckoned(numbers: GivenNumbers) -> Iterator[str]:
-    """Names of reckoned numbers, and of both coordinates of reckoned places."""
+    """Names of computed numbers, and of both coordinates of computed places."""
     for name in numbers.reckoned:
         yield from (f"{name}.x", f"{name}.y") if isinstance(numbers.given[name], complex) else (name,)
 
 
 def _given(figure: LiveFigure, numbers: GivenNumbers, made: GeogebraFile, labels: Labels) -> None:
-    """The free numbers on sliders, and formulas for those reckoned of them."""
+    """The free numbers on sliders, and formulas for those computed from them."""
     drive, place = figure.stated.drive_given, SLIDERS_FROM
     for name, value in numbers.free.items():
         shown = name == drive or letter_of(name) in ("l", "omega", "epsilon")
@@ -100,7 +100,7 @@ def _given(figure: LiveFigure, numbers: GivenNumbers, made: GeogebraFile, labels
 
 
 def _range(name: str, value: float, drives: bool) -> tuple[float, float] | None:
-    """How far the slider of a number goes, None of one that has none."""
+    """The range of a number's slider, None for a number without one."""
     if letter_of(name) == "side":
         return None
     if aimed(name) or (drives and letter_of(name) == "angle"):
@@ -109,7 +109,7 @@ def _range(name: str, value: float, drives: bool) -> tuple[float, float] | None:
 
 
 def _look(figure: LiveFigure, mark: str) -> Aspect:
-    """How a point is shown."""
+    """The appearance of a point."""
     if mark not in figure.marks or (label_of(mark) == POLE and plan_of(mark) == SCHEME):
         return HIDDEN
     return Aspect(INK, figure.text(mark), 4 if plan_of(mark) == SCHEME else 2)

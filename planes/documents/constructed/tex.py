@@ -1,4 +1,4 @@
-"""A plan for TikZ: a document of its own, in which every mark is a named coordinate under the sentence of its step."""
+"""A plan for TikZ: a complete document in which every mark is a named coordinate under the sentence of its step."""
 
 import re
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ NAME = re.compile(r"⟨([^⟩]*)⟩")
 
 
 def written(figure: LiveFigure) -> tuple[bytes, list[str]]:
-    """The file; nothing must be said of it."""
+    """The file; it has no limitations to report."""
     lines = [*coordinates(figure), "", *strokes(figure), "", *letters(figure)]
     return document(lines, figure.title, figure.lang).encode(), []
 
@@ -30,7 +30,7 @@ def name_of(mark: str) -> str:
 
 
 def coordinates(figure: LiveFigure) -> Iterator[str]:
-    """Every mark on the shown plans, each under what is done for it."""
+    """Every mark on the plans shown, each under the sentence of its step."""
     drawing, left = figure.position.drawing, _drawn(figure)
     teller = Teller(figure.stated, drawing)
     names = dict(zip(figure.plans, figure.titles, strict=True))
@@ -46,9 +46,9 @@ def coordinates(figure: LiveFigure) -> Iterator[str]:
 
 
 def _drawn(figure: LiveFigure) -> list[str]:
-    """The marks of the shown plans that are drawn."""
+    """The marks of the plans shown that are drawn."""
     made = (s.makes for s in figure.program.steps if s.kind == "mark" and plan_of(s.makes) in figure.plans)
-    return [m for m in made if figure.place(m) == figure.place(m)]  # a trial that came to nothing is no number
+    return [m for m in made if figure.place(m) == figure.place(m)]  # a failed trial is not a number
 
 
 def _told(figure: LiveFigure, text: str, plan: str) -> str:
@@ -84,7 +84,7 @@ def _apart(figure: LiveFigure, one: str, two: str) -> bool:
 
 
 def letters(figure: LiveFigure) -> Iterator[str]:
-    """Points with their letters, and what each figure is."""
+    """Points with their letters, and the title of each figure."""
     for plan, title in zip(figure.plans, figure.titles, strict=True):
         named = [(m, figure.at(m)) for m in figure.marks if plan_of(m) == plan and figure.text(m)]
         dot = "hinge" if plan == SCHEME else "dot"

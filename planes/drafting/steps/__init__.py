@@ -1,9 +1,8 @@
-"""The steps of a drawing, each a draughtsman's verb: what a step is, and those that always can be done.
+"""The steps of a drawing, each a draughtsman's verb: the base class, and the steps that cannot fail.
 
-A step is one named thing made from things made before, a frozen record. It makes a mark in mm on a plan, a direction,
-or a value in SI; marks are named "plan:label" ("velocity:c"). It is drawn by an instrument (``tool``), which owns the
-arithmetic, the errors of hand and ruler, and what a failure does; so the same step serves one position or an array of
-many.
+A step makes one named object from earlier ones and is a frozen record. It makes a mark in mm on a plan, a direction, or
+a value in SI; marks are named "plan:label" ("velocity:c"). An instrument (``tool``) draws it and owns the arithmetic,
+the errors of hand and ruler, and the handling of failures; so the same step serves one position or an array of many.
 """
 
 from functools import partial
@@ -21,36 +20,36 @@ Read = tuple[str, Kind]
 
 @frozen
 class Step:
-    """One step; ``makes`` is the name of what it draws or reckons, ``means`` what that name means, where it is said."""
+    """One step; ``makes`` is the name of its result, ``means`` the meaning of that name, if given."""
 
     makes: str
     means: Meaning | None = field(default=None, kw_only=True, compare=False, repr=False)
     kind: ClassVar[Kind] = "mark"
-    needs: ClassVar[tuple[Read, ...]] = ()  # the fields that name what the step needs, or several, with the kind of it
+    needs: ClassVar[tuple[Read, ...]] = ()  # the fields that name its inputs, one or several, with their kind
 
     @property
     def quantity(self) -> str:
-        """What kind of thing the name stands for, "" where its maker does not say."""
+        """The quantity the name stands for; "" where it is not given."""
         return self.means.quantity if self.means else ""
 
     @property
     def helper(self) -> bool:
-        """Whether it draws a mark that nobody is asked for."""
+        """Whether it draws an auxiliary mark, which is never asked for."""
         return self.quantity in HELPERS
 
     @property
     def loose(self) -> bool:
-        """Whether it draws a mark that may lie anywhere, a guide's place, a trial, a centre: no part of what a plan
-        shows."""
+        """Whether it draws a mark that may lie anywhere (a guide's place, a trial, a centre) and is no part of the plan
+        proper."""
         return self.quantity in ("guide", "moved", "trial", "centre")
 
     def reads(self) -> tuple[Read, ...]:
-        """Names of what the step needs, each with its kind."""
+        """Names of its inputs, each with its kind."""
         needed = [(getattr(self, field) or (), kind) for field, kind in self.needs]
         return tuple([(n, kind) for names, kind in needed for n in ((names,) if isinstance(names, str) else names)])
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        """The thing itself, from the things in ``env``."""
+        """The result, from its inputs in ``env``."""
         raise NotImplementedError
 
 
@@ -87,7 +86,7 @@ class Aim(Step):
 
 @frozen
 class Through(Step):
-    """The direction from one mark to another; of two coinciding marks (a zero vector), any."""
+    """The direction from one mark to another; where they coincide (a zero vector), any direction."""
 
     start: str
     end: str
@@ -115,7 +114,7 @@ class Turn(Step):
 
 @frozen
 class LayOff(Step):
-    """Lay a signed length (SI, by the scale) off from a mark along a direction."""
+    """Lay off a signed length (SI, by the scale) from a mark along a direction."""
 
     start: str
     along: str
@@ -144,7 +143,7 @@ class Carry(Step):
 
 @frozen
 class Same(Step):
-    """Another name for a mark: the points of a link that does not turn share one end on the plan."""
+    """Another name for a mark: all points of a link in translation have one image on the plan."""
 
     of: str
     needs = marks("of")
@@ -155,8 +154,8 @@ class Same(Step):
 
 @frozen
 class Similar(Step):
-    """A mark that stands to ``start``–``end`` as a point of a link to two others: ``ratio`` is the complex ratio of
-    the link's own sides (a real ratio divides the segment in proportion)."""
+    """A mark placed relative to ``start``–``end`` as a point of a link relative to two others: ``ratio`` is the complex
+    ratio of the link's sides (a real ratio divides the segment in proportion)."""
 
     start: str
     end: str
@@ -169,7 +168,8 @@ class Similar(Step):
 
 @frozen
 class Image(Step):
-    """Similarity taken off the scheme: from ``start`` draw what ``image`` is to ``like`` for the segment ``of``."""
+    """Similarity taken from the scheme: a mark relative to ``start`` and the segment ``of``, as ``image`` is to
+    ``like``."""
 
     start: str
     of: tuple[str, str]

@@ -1,4 +1,4 @@
-"""A line and a crossing that there may not be: marks that coincide give no line, lines that never meet no mark."""
+"""A line and a crossing that may not exist: coinciding marks give no line, parallel lines no mark."""
 
 from planes.drafting.steps import Through
 from planes.drafting.steps.crossings import Cross
@@ -9,7 +9,7 @@ from planes.words.frozen import frozen
 
 @frozen
 class ThroughApart(Through):
-    """The direction from one mark to another, and none where they coincide."""
+    """The direction from one mark to another, missing where they coincide."""
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         start, end = env[self.start], env[self.end]
@@ -19,7 +19,7 @@ class ThroughApart(Through):
 
 @frozen
 class CrossApart(Cross):
-    """Where two lines cross, and no mark where they are parallel, or one of them is not there; neither is a failure."""
+    """The crossing of two lines, missing where they are parallel or one of them is missing; neither is a failure."""
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         u, w = tool.ray(env[self.along]), tool.ray(env[self.across])

@@ -1,4 +1,4 @@
-"""Steps by some leads of a basic link that others would serve better where those lean: crossings, arms and cosines."""
+"""Steps by some leads of a basic link, where others would be sharper once those lean: crossings, arms and cosines."""
 
 from functools import reduce
 from typing import ClassVar
@@ -12,25 +12,25 @@ from planes.geometry.arithmetic import Point, Real
 from planes.words.frozen import frozen
 
 LEAN = "leads_lean"
-"""Why other plans are taken: two leads that meet in a special point are too nearly parallel."""
-FAIR = 0.4  # of the best crossing of two leads: a pair that crosses less sharply leaves the special point to another
+"""Reason for other plans: two leads that meet in a special point are too nearly parallel."""
+FAIR = 0.4  # of the best crossing of two leads: a pair less sharp than this gives way to another
 
 
 class ByLeads(Step):
-    """A step by some leads of a basic link, that others serve better where those lean."""
+    """A step by some leads of a basic link; others are preferred where those are too nearly parallel."""
 
     @property
     def crossed(self) -> tuple[str, ...]:
-        """The directions that are to cross well."""
+        """The directions whose crossing should be sharp."""
         raise NotImplementedError
 
     def crossings(self, env: Env) -> tuple[Real, ...]:
-        """How sharply they cross: as they are taken, the first two, then as after each turn of the leads."""
+        """The sharpness of their crossings: as used, the first two, then after each rotation of the leads."""
         one, two, three, four = (env[name] for name in self.crossed)
         return abs(plane.cross(one, two)), abs(plane.cross(three, four))
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        """As ever; other leads are preferred where these cross much less sharply."""
+        """Draw as usual; prefer other leads where these cross much less sharply."""
         own, *others = self.crossings(env)
         tool.prefer(own >= FAIR * reduce(tool.ar.maximum, others), self, LEAN)
         return super().draw(env, tool)
@@ -38,7 +38,7 @@ class ByLeads(Step):
 
 @frozen
 class CrossLeads(ByLeads, Cross):
-    """Cross the lines of two leads in the special point, while they cross no much worse than with the ``third``."""
+    """The special point where the lines of two leads cross, unless a crossing with the ``third`` is much sharper."""
 
     third: str = ""
     third_along: str = ""
@@ -58,11 +58,11 @@ Line = tuple[Point, Point]  # a point of it, and its direction
 
 @frozen
 class CrossInChain(ByLeads, Cross):
-    """Cross the lines of two leads in the special point of one of some basic links hinged to each other, while all such
-    lines cross no much worse than were another lead, or hinge, found last.
+    """The special point where the lines of two leads cross, for one of several basic links joined by hinges, unless
+    another choice of the last lead or hinge makes all crossings much sharper.
 
-    ``points`` and ``lines`` are of the leads, ``sides`` which basic link each leads, ``pins`` the hinges, ``joined``
-    which two links each joins. Of leads and hinges, one after another, ``turn`` is found last.
+    ``points`` and ``lines`` are of the leads, ``sides`` the basic link of each lead, ``pins`` the hinges, ``joined``
+    the two links at each hinge. Of leads and hinges, in one sequence, ``turn`` is found last.
     """
 
     points: tuple[str, ...] = ()
@@ -85,7 +85,7 @@ class CrossInChain(ByLeads, Cross):
         return *products[self.turn :], *products[: self.turn]
 
     def _met(self, env: Env, basic: int, but: int) -> tuple[list[Line], Real]:
-        """The lines that lead to a basic link, but for one, and how sharply they and all beyond them cross."""
+        """The lines that lead to a basic link, except one, and the sharpness of all crossings on the way."""
         lines: list[Line] = []
         sharp: Real = 1.0
         for k, side in enumerate(self.sides):
@@ -102,7 +102,7 @@ class CrossInChain(ByLeads, Cross):
 
 
 def _towards(pin: Point, one: Line, two: Line) -> Point:
-    """The direction from a place to where two lines cross, or along both where they are parallel."""
+    """The direction from a place to the crossing of two lines, or along both where they are parallel."""
     (p, u), (q, w) = one, two
     line = u * plane.cross(q - pin, w) - w * plane.cross(p - pin, u)
     size = abs(line)
@@ -111,8 +111,8 @@ def _towards(pin: Point, one: Line, two: Line) -> Point:
 
 @frozen
 class CrossFalse(ByLeads, Cross):
-    """The hinge of a rod on a false plan, while the other rod would not give it much more sharply (``instead``: the
-    directions that would be crossed then)."""
+    """The hinge of a rod on a false plan, unless the other rod gives it much more sharply (``instead``: the directions
+    to cross then)."""
 
     instead: tuple[str, str] = ("", "")
     needs = marks("start", "other") + directions("along", "across", "instead")
@@ -124,7 +124,7 @@ class CrossFalse(ByLeads, Cross):
 
 @frozen
 class DropFalse(ByLeads, Drop):
-    """The arm of a rod's line about the hinge of what it leads to, while the other rod's is not much better placed
+    """The arm of a rod's line about the hinge of its driven link, unless the other rod is much better placed
     (``crossed``: the line of the rod, of the hinges it leads to, and both of the other rod)."""
 
     lines: tuple[str, str, str, str] = ("", "", "", "")
@@ -137,8 +137,8 @@ class DropFalse(ByLeads, Drop):
 
 @frozen
 class CosineFalse(ByLeads, Cosine):
-    """How much of a lead's force is along the guide of what it leads to, while the other lead's is not much better
-    placed (``crossed``: the line of the lead, that across the guide, and both of the other lead)."""
+    """The component factor of a lead's force along the driven guide, unless the other lead is much better placed
+    (``crossed``: the line of the lead, that across the guide, and both of the other lead)."""
 
     lines: tuple[str, str, str, str] = ("", "", "", "")
     needs = directions("of", "along", "lines")

@@ -1,4 +1,4 @@
-"""Where two lines, a line and an arc, or two arcs meet, and the tangent to a circle: the steps that can fail."""
+"""Intersections of two lines, a line and an arc, or two arcs, and the tangent to a circle: the steps that can fail."""
 
 from typing import ClassVar
 
@@ -11,14 +11,14 @@ from planes.words.frozen import frozen
 
 @frozen
 class Cross(Step):
-    """Cross two lines. A ``supposed`` crossing is a trial: lines that never meet give no mark instead of failing."""
+    """Cross two lines. A ``supposed`` crossing is a trial: parallel lines give no mark instead of a failure."""
 
     start: str
     along: str
     other: str
     across: str
     supposed: bool = False
-    far: ClassVar[str] = "parallel"  # why there is none
+    far: ClassVar[str] = "parallel"  # the reason for its absence
     needs = marks("start", "other") + directions("along", "across")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -36,10 +36,11 @@ class Cross(Step):
 
 
 class TwoPlaces(Step):
-    """A step with two places, of which a side is meant: they meet, and part, where it can only just be drawn."""
+    """A step with two solutions, one of which is selected by a side; they merge where the construction only just
+    exists."""
 
     def opening(self, env: Env) -> Real:
-        """Positive where it can be drawn, negative where it cannot, and smooth between them: mm² or mm⁴."""
+        """Positive where it can be drawn, negative where it cannot, and smooth in between: mm² or mm⁴."""
         raise NotImplementedError
 
 
@@ -47,7 +48,7 @@ class TwoPlaces(Step):
 class CrossArc(TwoPlaces):
     """Cross a line with an arc of a given radius (SI) about a mark; ``side`` +1 is ahead along the line.
 
-    ``arm`` names the mark, direction and length the centre was laid off by, for instruments without errors.
+    ``arm`` names the mark, direction and length by which the centre was laid off, for exact instruments.
     """
 
     start: str
@@ -102,7 +103,7 @@ class CrossArcs(TwoPlaces):
         place, sharpness, far, near = plane.arcs(centre, r, other, s, env[self.side], tool.ar)
         tool.sharpen(self.makes, sharpness)
         slack = tool.slack * (tool.ar.size(centre) + tool.ar.size(other) + r + s)
-        square = plane.dot(other - centre, other - centre)  # no root of it for a test
+        square = plane.dot(other - centre, other - centre)  # test without its square root
         tool.require((r > 0) & (s > 0), self, "no_lengths")
         tool.require(square <= (r + s + slack) ** 2, self, "arcs_apart", miss_mm=far)
         tool.require(square >= tool.ar.maximum(abs(r - s) - slack, 0.0) ** 2, self, "arcs_inside", miss_mm=near)
@@ -118,8 +119,8 @@ class CrossArcs(TwoPlaces):
 
 @frozen
 class Touch(TwoPlaces):
-    """The direction of the line through ``start`` that passes ``end`` at a given offset (SI) to its left: the
-    tangent to a circle, or simply the line through both when ``offset`` is None."""
+    """The direction of the line through ``start`` that passes ``end`` at a given offset (SI) to its left: the tangent
+    to a circle, or simply the line through both when ``offset`` is None."""
 
     start: str
     end: str

@@ -1,4 +1,4 @@
-"""Steps for numbers that a scene states as laws: worked out in every position from what is known there."""
+"""Steps for numbers that a scene gives as laws: evaluated in every position from known quantities."""
 
 from typing import ClassVar
 
@@ -12,21 +12,22 @@ from planes.words.errors import PlanFailure
 from planes.words.frozen import field, frozen
 from planes.words.lettering import name_in_words
 
-SLACK, SLACK_BY_HAND = 1e-9, 0.05  # of a table's length: dead points are its ends
+SLACK, SLACK_BY_HAND = 1e-9, 0.05  # of a table's length: dead points are at its ends
 
 
 @frozen
 class Follow(Step):
-    """A law at work: ``of`` are the names in its text, each with the value it stands for.
+    """The value of a law: ``of`` are the names in its text, each with the value it stands for.
 
-    Where it is of one stroke only, the value ``stroke`` times ``sense`` is positive there, and nothing else is asked.
+    For a law of one stroke only, the value ``stroke`` times ``sense`` is positive in that stroke; elsewhere the law is
+    not evaluated.
     """
 
     law: LoadLaw
     of: tuple[tuple[str, str], ...]
     stroke: str = ""
     sense: int = 1
-    line: str = field(default="", compare=False)  # of the scene, for whoever has to change the law
+    line: str = field(default="", compare=False)  # line of the scene, for whoever has to change the law
     kind: ClassVar[Kind] = "value"
 
     def reads(self) -> tuple[Read, ...]:
@@ -48,7 +49,7 @@ class Follow(Step):
         return tool.ar.where(ok & small, result, 0.0)
 
     def _told(self, inside: Truth, result: Real, tool: Tool) -> None:
-        """Fail beyond the table: of one position with its numbers, which have signs."""
+        """Fail beyond the table; for one position with the numbers and their signs."""
         if tool.many or inside:
             tool.require(inside, self, "law_beyond", value=result)
             return
@@ -58,15 +59,15 @@ class Follow(Step):
 
     @property
     def ends(self) -> dict[str, object]:
-        """What the table goes over, and from where to where."""
+        """The variable of the table, and its range."""
         table = self.law.table
         return {"over": self.law.text, "first": table[0][0], "last": table[-1][0]} if table else {}
 
 
 @frozen
 class ByStroke(Step):
-    """One value while a slider goes one way, another while it comes back, nothing while it stands; ``sense`` is the
-    sign of ``stroke`` in the first."""
+    """One value while a slider goes one way, another while it comes back, zero at rest; ``sense`` is the sign of
+    ``stroke`` in the first."""
 
     stroke: str
     sense: int

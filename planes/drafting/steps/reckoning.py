@@ -1,4 +1,4 @@
-"""Steps that read a drawing and reckon with what was read: measuring, arms, arithmetic, senses, choices."""
+"""Steps that read a drawing and compute from the readings: measuring, arms, arithmetic, senses, choices."""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -13,7 +13,7 @@ from planes.words.frozen import frozen
 
 @frozen
 class Measure(Step):
-    """The length of a segment in SI: signed along a direction if one is named, else its size."""
+    """The length of a segment in SI: signed along a direction if one is named, otherwise its magnitude."""
 
     start: str
     end: str
@@ -30,8 +30,8 @@ class Measure(Step):
 
 @frozen
 class Drop(Step):
-    """The arm, in SI, of a line of action through ``point`` about ``about``: positive when a force along the line
-    turns counter-clockwise."""
+    """The arm, in SI, of a line of action through ``point`` about ``about``: positive when a force along the line turns
+    counter-clockwise."""
 
     point: str
     along: str
@@ -59,7 +59,7 @@ class Protractor(Step):
 
 @frozen
 class Cosine(Step):
-    """The cosine of the angle between two directions: how much of a vector along one is along the other."""
+    """The cosine of the angle between two directions: the component of one unit vector along the other."""
 
     of: str
     along: str
@@ -106,7 +106,7 @@ class Calculate(Step):
 class Sense(Step):
     """+1, -1 or 0: the sense of a segment along a direction (without one: 1 unless the segment vanishes).
 
-    A segment is zero when nothing of it is left beside the largest of the marks ``beside``, taken from ``start``.
+    A segment is zero when it vanishes beside the largest of the marks ``beside``, measured from ``start``.
     """
 
     start: str
@@ -118,7 +118,7 @@ class Sense(Step):
     needs = marks("start", "end", "beside") + directions("along")
 
     def weighed(self, env: Mapping[str, Thing], ar: Arithmetic) -> tuple[Real, Real]:
-        """How long the segment is along its direction, and how far the farthest of the others."""
+        """The length of the segment along its direction, and the distance of the farthest of the others."""
         segment = env[self.end] - env[self.start]
         length = plane.dot(env[self.along], segment) if self.along else abs(segment)
         return length, reduce(ar.maximum, (abs(env[mark]) for mark in self.beside), 0.0)
@@ -157,8 +157,8 @@ class SizeOf(Step):
 
 @frozen
 class SenseBetween(Step):
-    """+1, -1 or 0: which way one thing turns against another, or against what stands still (""); each at its ``rate``
-    unless its ``sense`` says that it stands."""
+    """+1, -1 or 0: the sense of rotation of one link relative to another, or to a fixed one (""); each at its ``rate``,
+    or zero where its ``sense`` is zero."""
 
     rate: str
     sense: str
@@ -177,16 +177,16 @@ class SenseBetween(Step):
 
     @property
     def both(self) -> tuple[tuple[str, str], tuple[str, str]]:
-        """The rate of either with its sense."""
+        """The rate of each with its sense."""
         return (self.rate, self.sense), (self.other_rate, self.other_sense)
 
 
 @frozen
 class Lean(Step):
-    """The line of a guide's reaction with Coulomb friction: the normal leans by arctan f against the sliding.
+    """The line of a guide's reaction with Coulomb friction: the normal inclined by arctan f against the sliding.
 
-    ``push`` is the supposed sign of the reaction along the normal: friction opposes the sliding whichever side
-    of the guide bears.
+    ``push`` is the assumed sign of the reaction along the normal: friction opposes the sliding whichever side of the
+    guide bears.
     """
 
     normal: str
@@ -204,7 +204,7 @@ class Lean(Step):
 
 @frozen
 class Trial:
-    """A place drawn on the supposition that the reactions ``pushes`` have the signs of ``signs``."""
+    """A place drawn on the assumption that the reactions ``pushes`` have the signs ``signs``."""
 
     mark: str
     pushes: tuple[str, ...]
@@ -213,7 +213,7 @@ class Trial:
 
 @frozen
 class Choose(Step):
-    """Keep the one trial whose supposition came true; none, or two different ones, is self-locking."""
+    """Keep the one trial whose assumption holds; none, or two different ones, means self-locking."""
 
     trials: tuple[Trial, ...]
     size: str

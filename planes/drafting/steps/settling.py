@@ -11,7 +11,7 @@ from planes.words.frozen import frozen
 
 @frozen
 class Fed(Step):
-    """A value that a plan is drawn with and that it gives: ``factor`` times the ``size`` measured on it."""
+    """A value that a plan both needs and gives: ``factor`` times the ``size`` measured on it."""
 
     factor: str
     size: str
@@ -24,9 +24,9 @@ class Fed(Step):
 
 @frozen
 class Settle(Step):
-    """The value ``makes`` of those ``fed``, with which the steps of a plan give it again: they are drawn first with
-    nothing, then with what the plans before lead to, until nothing changes. Where plans do not settle it fails. They
-    are drawn aside, without the errors of hand and ruler that what they are drawn from has."""
+    """The value ``makes`` of those ``fed`` for which the steps of a plan reproduce it: first drawn with zero, then with
+    the results of earlier plans, until they agree. It fails where they do not converge. The plans are drawn without the
+    errors of hand and ruler that their inputs have."""
 
     plan: tuple[Step, ...]
     fed: tuple[Fed, ...]
@@ -43,7 +43,7 @@ class Settle(Step):
 
     @cached_property
     def _anew(self) -> tuple[Step, ...]:
-        """The steps that every plan draws anew."""
+        """The steps that every plan repeats."""
         changed, redrawn = {f.makes for f in self.fed}, []
         for step in self.plan:
             if any(name in changed for name, _ in step.reads()):
@@ -60,10 +60,11 @@ class Settle(Step):
         return things[self.makes]
 
     def _settled(self, first: list[Real], things: Env, tool: Tool) -> list[Real]:
-        """The sizes that plans drawn with them give again, by Newton's steps from those of the plan drawn with nothing.
+        """The sizes that a plan drawn with them reproduces, by Newton's steps from those of the plan drawn with zero.
 
-        Smaller couples lead to them without a fold; where the slope has turned over, they are of another assembly of
-        forces, and the hinges lock."""
+        Smaller couples lead to them without a fold; past a fold the slope is reversed, the solution belongs to another
+        assembly of forces, and the hinges lock.
+        """
         ar, failures, sizes = tool.ar, len(tool.failures), [0.0 for _ in first]
         largest = reduce(ar.maximum, first)
         least = ar.sqrt(ar.eps) * ar.where(largest > 0, largest, 1.0)
@@ -82,18 +83,18 @@ class Settle(Step):
         return sizes
 
     def _slope(self, k: int, sizes: list[Real], given: list[Real], step: Real, things: Env, tool: Tool) -> list[Real]:
-        """How what plans lack of giving their sizes again changes with one of these: a column."""
+        """How the error of the sizes changes with one of them: a column."""
         self._feed([s + step if i == k else s for i, s in enumerate(sizes)], things)
         moved = self._sizes(self._anew, things, tool)
         return [float(i == k) - (m - g) / step for i, (m, g) in enumerate(zip(moved, given, strict=True))]
 
     def _feed(self, sizes: list[Real], things: Env) -> None:
-        """Put what sizes make in the place of what the plan is drawn with."""
+        """Put the values made from the sizes into the inputs of the plan."""
         for fed, size in zip(self.fed, sizes, strict=True):
             things[fed.makes] = things[fed.factor] * size
 
     def _sizes(self, steps: tuple[Step, ...], things: Env, tool: Tool) -> list[Real]:
-        """Draw a plan; the sizes it gives."""
+        """Draw a plan; returns its sizes."""
         for step in steps:
             things[step.makes] = tool.draw(step, things)
         return [things[f.size] for f in self.fed]

@@ -1,10 +1,10 @@
-"""The method of tracks (of false positions): a link on three leads, drawn where the track of its hinge cuts a lead.
+"""The method of tracks (of false positions): a link on three leads, drawn where the curve of its hinge cuts a lead.
 
-With one lead taken off, the link moves as a coupler does, and its hinge draws a track; where that meets the arc or the
-line of the lead that was taken off, the group assembles. Which of the crossings is meant is a given, as the side of
-crossing arcs is: a series that says, over the range of the drive where that assembly lasts, where about it is. From
-there the crossing itself is found; the sign of ``side`` is that of the three lines' sense about each other, which
-changes at the ends of the range alone.
+With one lead removed, the link moves as a coupler and its hinge traces a coupler curve; the group assembles where this
+curve meets the arc or the line of that lead. The choice among the crossings is a given, like the side of crossing arcs:
+a series for its approximate place over the range of the drive where that assembly exists. The crossing itself is found
+from there. The sign of ``side`` is that of the sense of the three lines about each other, which changes only at the
+ends of the range.
 """
 
 from collections.abc import Iterator
@@ -16,15 +16,15 @@ from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.tracks import Pose, Tie, TieKind, advanced, origins
 from planes.words.frozen import frozen
 
-BEFORE = 5  # steps from the guess, a tenth off where lengths were changed, until it is no worse than rounding makes it
-SETTLED = 1e-9  # of the link's size: the last step moves it by less
+BEFORE = 5  # steps from the guess, a tenth off where lengths were changed, until only the rounding error is left
+SETTLED = 1e-9  # of the link's size: largest move in the last step
 
 
 @frozen
 class Hold:
     """A lead of the link, by names: ``local`` the point held (its place on the link), ``place`` the mark it is held
-    from, ``reach`` a length, ``turn`` the direction of a line, or the angle of a guide in the link's own axes. Of two
-    links hinged to each other, ``link`` is which it holds, and ``hinge`` the place of their hinge on that."""
+    from, ``reach`` a length, ``turn`` the direction of a line, or the angle of a guide in the link's axes. Of two links
+    with a common hinge, ``link`` is the one held, and ``hinge`` the place of the hinge on it."""
 
     kind: TieKind
     local: str
@@ -35,7 +35,7 @@ class Hold:
     hinge: str = ""
 
     def reads(self) -> Iterator[Read]:
-        """Names of what it needs."""
+        """Names of its inputs."""
         yield self.local, "place"
         if self.place:
             yield self.place, "mark"
@@ -47,7 +47,7 @@ class Hold:
             yield self.hinge, "place"
 
     def tie(self, env: Env, mu: Real, ar: Arithmetic) -> Tie:
-        """The lead as it lies, in mm."""
+        """The lead in its current position, in mm."""
         reach = abs(env[self.reach]) if self.kind == "arc" else env[self.reach] if self.reach else 0.0
         turn: Point = 1 + 0j
         if self.turn:
@@ -59,11 +59,11 @@ class Hold:
 
 @frozen
 class SeriesGuess:
-    """Where about an assembly is: series in the drive's value, of places (over ``size``) and of turns in radians, for
-    each link that is cut by one track.
+    """The approximate pose of an assembly: series in the drive's position for places (over ``size``) and rotations in
+    radians, for each link cut by one track.
 
-    They go by Chebyshev's polynomials of the angle whose cosine is the drive's part of its range, so that the ends of
-    it, where two assemblies meet and part at the rate of a square root, are as smooth as the middle.
+    They are series in Chebyshev polynomials of the angle whose cosine is the drive's relative position in its range, so
+    they are smooth even at the ends, where two assemblies merge as a square root.
     """
 
     drive: str
@@ -75,13 +75,13 @@ class SeriesGuess:
     turns: tuple[tuple[str, ...], ...]
 
     def reads(self) -> Iterator[Read]:
-        """Names of what it needs."""
+        """Names of its inputs."""
         yield from ((n, "value") for n in (self.drive, self.middle, self.half, self.size))
         yield from ((n, "value") for terms in self.turns for n in terms)
         yield from ((n, "place") for n in self.places)
 
     def part(self, env: Env, ar: Arithmetic) -> Real:
-        """Where the drive is in the range: -1 to 1."""
+        """The relative position of the drive in its range: -1 to 1."""
         off = env[self.drive] - env[self.middle]
         return (ar.angle_deg(ar.cis_deg(off)) if self.turning else off) / env[self.half]
 
@@ -95,7 +95,7 @@ class SeriesGuess:
 
 
 def series(terms: list[Thing], y: Real) -> Thing:
-    """A sum of Chebyshev's polynomials, by C. W. Clenshaw's recurrence."""
+    """A sum of Chebyshev polynomials, by C. W. Clenshaw's recurrence."""
     one: Thing = 0.0
     two: Thing = 0.0
     for term in reversed(terms[1:]):
@@ -105,8 +105,8 @@ def series(terms: list[Thing], y: Real) -> Thing:
 
 @frozen
 class CutTrack(Step):
-    """Cut the track of a link's point: the mark of the point ``local`` where all ``holds`` are kept: three, or two each
-    of two links hinged to each other, of which ``link`` has the point; the ``hinge`` is its place on that."""
+    """Cut the track of a link's point: the mark of the point ``local`` where all ``holds`` are met: three, or two each
+    of two links with a common hinge, of which ``link`` has the point; ``hinge`` is its place on that link."""
 
     local: str
     holds: tuple[Hold, ...]
@@ -129,7 +129,7 @@ class CutTrack(Step):
         return tool.mark(origin + axis * (local * env[self.mu]))
 
     def lie(self, env: Env, tool: Tool) -> tuple[Point, Point]:
-        """Where the link's origin is, and the direction of its axis."""
+        """The place of the link's origin, and the direction of its axis."""
         ar, mu = tool.ar, env[self.mu]
         size = env[self.guess.size] * mu
         ties = [hold.tie(env, mu, ar) for hold in self.holds]
@@ -155,9 +155,10 @@ class CutTurn(CutTrack):
 
 
 def settle(ties: list[Tie], pose: Pose, size: Real, ar: Arithmetic) -> tuple[Pose, Real, Real]:
-    """The pose near a guessed one that keeps the ties, how sharply (with its sign), and how far the last step was.
+    """The pose near a guess that satisfies the ties, the sharpness (with its sign), and the length of the last step.
 
-    All in parts of ``size``: the link's own."""
+    All relative to ``size``, the link's own.
+    """
     over = [Tie(t.kind, t.local / size, t.place / size, t.reach / size, t.turn, t.link) for t in ties]
     at: Pose = (pose[0] / size, *pose[1:])
     for _ in range(BEFORE):

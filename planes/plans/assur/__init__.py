@@ -1,1 +1,1 @@
-"""How the links of a mechanism make groups of Assur: structure, class, order, what drives what."""
+"""How the links of a mechanism form Assur groups: structure, class, order, and the sequence of attachment."""

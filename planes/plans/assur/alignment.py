@@ -2,9 +2,9 @@
 
 Somov–Malyshev: W = 6n − 5p₅ − 4p₄ − 3p₃. A planar group of one-freedom pairs holds its n links by 5p constraints where
 6n are enough; turning pairs may become cylindrical (2ц) or spherical (3с), sliding ones cylindrical. Counting is not
-enough: a rod between two spheres counts right and still spins. So the constraints out of the plane are written down at
-the mechanism's own places, and only a variant whose matrix has full rank is taken: no freedom is left in the group,
-and no constraint too many.
+enough: a rod between two spherical pairs has the right count and still spins. So the out-of-plane constraints are
+written down in actual positions of the mechanism, and a variant is accepted only if their matrix has full rank: no
+freedom left in the group, and no redundant constraint.
 """
 
 import cmath
@@ -29,23 +29,23 @@ from planes.words.records import Json
 
 Sign = Literal["R", "P", "C", "S"]
 FREEDOMS: Mapping[Sign, int] = {"R": 1, "P": 1, "C": 2, "S": 3}
-"""How a pair may move: revolute, prismatic, cylindrical, spherical, with as many freedoms."""
+"""The motion a pair allows: revolute, prismatic, cylindrical, spherical, with its number of freedoms."""
 CHOICES: Mapping[str, tuple[Sign, ...]] = {"R": ("R", "S", "C"), "P": ("P", "C")}
-FIRM = 1e-6  # a smaller determinant holds some link loosely
-POSITIONS = 24  # of the cycle that are looked at
+FIRM = 1e-6  # a smaller determinant means a loosely held link
+POSITIONS = 24  # positions of the cycle that are examined
 
 
 @frozen
 class Aligned:
-    """A variant with q = 0: every pair of the mechanism with what it becomes, and the numbers of Somov and Malyshev."""
+    """A variant with q = 0: every pair of the mechanism with its new kind, and the numbers of Somov and Malyshev."""
 
     n: int
-    freedom: int  # the mechanism's own W, in its plane
+    freedom: int  # the mechanism's planar W
     pairs: tuple[tuple[Pair, Sign], ...]
 
     @property
     def counts(self) -> tuple[int, int, int]:
-        """How many pairs there are of the fifth, fourth and third class."""
+        """The numbers of pairs of the fifth, fourth and third class."""
         return tuple(sum(FREEDOMS[sign] == f for _, sign in self.pairs) for f in (1, 2, 3))  # type: ignore[return-value]
 
     @property
@@ -56,15 +56,15 @@ class Aligned:
 
     @property
     def q(self) -> int:
-        """What is redundant, by Malyshev: as much as the count falls short of the mechanism's own freedom."""
+        """Redundant constraints by Malyshev: the mechanism's own freedom less the counted one."""
         return self.freedom - self.W
 
     def sign(self, pair: Pair) -> Sign:
-        """What a pair becomes."""
+        """The sign of a pair's new kind."""
         return next(sign for p, sign in self.pairs if p == pair)
 
     def json(self) -> Json:
-        """The variant as ``planes structure --json`` has it."""
+        """The variant as in ``planes structure --json``."""
         p5, p4, p3 = self.counts
         kinds = {"R": "revolute", "P": "prismatic", "C": "cylindrical", "S": "spherical"}
         rows = [
@@ -89,14 +89,14 @@ def aligned(plans: Plans, file: str = "") -> Aligned:
 
 
 def pairs_of(group: AnyGroup) -> tuple[Pair, ...]:
-    """The pairs that are loosened together: those of a group, and of a cylinder that braces it."""
+    """The pairs loosened together: those of a group, and of a cylinder that braces it."""
     if isinstance(group, Group) and group.brace and group.drive:
         return *group.pairs, group.drive, group.brace.near, group.brace.far
     return group.pairs
 
 
 def bodies_of(group: AnyGroup) -> tuple[tuple[str, ...], ...]:
-    """What these pairs hold: its links, those that are one with the drive stopped together."""
+    """The bodies that these pairs hold: the links, those rigidly joined by a stopped drive as one."""
     if not isinstance(group, Group):
         mates = {lead.link: lead.parts for lead in group.leads}
         return tuple(mates.get(link, (link,)) for link in group.solved)
@@ -106,7 +106,8 @@ def bodies_of(group: AnyGroup) -> tuple[tuple[str, ...], ...]:
 
 
 def _variants(group: AnyGroup) -> Iterator[tuple[Sign, ...]]:
-    """Ways to loosen a group's pairs by as much as is redundant: those that change least and keep bearings first."""
+    """Ways to loosen a group's pairs by the number of redundant constraints: the fewest changes first, bearings kept
+    longest."""
     pairs = pairs_of(group)
     excess = 5 * len(pairs) - 6 * len(bodies_of(group))
     ways = [w for w in product(*(CHOICES[p.kind] for p in pairs)) if sum(FREEDOMS[s] - 1 for s in w) == excess]
@@ -120,26 +121,26 @@ def _variants(group: AnyGroup) -> Iterator[tuple[Sign, ...]]:
     return iter(sorted(ways, key=awkward))
 
 
-# what a pair holds out of the plane
+# the out-of-plane constraints of a pair
 
 Line = tuple[complex, complex]  # a point of it, and its direction
 
 
 @frozen
 class PairPlaces:
-    """Where every pair is in one position of the mechanism."""
+    """The places of all pairs in one position of the mechanism."""
 
     lines: Mapping[Pair, Line]
 
     @cached_property
     def size(self) -> float:
-        """The distance of the two pairs farthest apart."""
+        """The distance between the two pairs farthest apart."""
         return spread([point for point, _ in self.lines.values()]) or 1.0
 
 
 def _places(plans: Plans, file: str) -> list[PairPlaces]:
-    """Where every pair is (for a hinge the direction means nothing), through the cycle: in the drive's own position
-    first, where that assembles."""
+    """The place of every pair through the cycle (for a hinge the direction means nothing): first in the drive's own
+    position, if it assembles there."""
     wanted = [v.angle for v in plans.links.values() if v.angle] + [m.position for m in plans.points.values()]
     program = plans.program.sliced(wanted)
     drive = plans.mechanism.drive
@@ -170,13 +171,13 @@ def _line(plans: Plans, pair: Pair, things: Mapping[str, Thing]) -> Line:
 
 
 def steadily(group: AnyGroup, signs: tuple[Sign, ...], cycle: list[PairPlaces]) -> bool:
-    """Whether the pairs hold the group's links out of the plane exactly, neither loosely nor twice over, everywhere."""
+    """Whether the out-of-plane constraints of the pairs are exact in all positions: no link loose, none held twice."""
     firmness = [firm(group, signs, places) for places in cycle]
     return all(f > FIRM for f in firmness) or all(f < -FIRM for f in firmness)
 
 
 def firm(group: AnyGroup, signs: tuple[Sign, ...], places: PairPlaces) -> float:
-    """The determinant of what the pairs hold out of the plane, rows and lengths of the size of one: 0 holds loosely."""
+    """The determinant of the out-of-plane constraints, rows and lengths scaled to unity; 0 means a loose link."""
     bodies = bodies_of(group)
     column = {link: 3 * k for k, body in enumerate(bodies) for link in body}
     rows: list[list[float]] = []
@@ -192,7 +193,7 @@ def firm(group: AnyGroup, signs: tuple[Sign, ...], places: PairPlaces) -> float:
 
 
 def determinant(rows: list[list[float]]) -> float:
-    """Of a small square matrix, by elimination with the largest pivots."""
+    """The determinant of a small square matrix, by elimination with the largest pivots."""
     left, value = [row[:] for row in rows], 1.0
     for k in range(len(left)):
         best = max(range(k, len(left)), key=lambda i: abs(left[i][k]))
@@ -208,9 +209,9 @@ def determinant(rows: list[list[float]]) -> float:
 
 
 def holds(sign: Sign, kind: str, place: complex, along: complex, size: float) -> list[tuple[float, float, float]]:
-    """What a pair forbids of a motion out of the plane (z, turn about x, turn about y; lengths over ``size``)."""
+    """The out-of-plane motions that a pair prevents (z, turn about x, turn about y; lengths over ``size``)."""
     z = place / size
-    level = (1.0, z.imag, -z.real)  # the pair's place stays in the plane
+    level = (1.0, z.imag, -z.real)  # the pair stays in the plane
     about_x, about_y = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
     if sign in ("R", "P"):
         return [level, about_x, about_y]
@@ -218,4 +219,4 @@ def holds(sign: Sign, kind: str, place: complex, along: complex, size: float) ->
         return [level]
     if kind == "R":  # a pin in a bushing: it may move along its axis
         return [about_x, about_y]
-    return [level, (0.0, -along.imag, along.real)]  # a round rod: it may turn about itself
+    return [level, (0.0, -along.imag, along.real)]  # a round rod: it may turn about its axis

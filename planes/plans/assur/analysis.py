@@ -1,7 +1,7 @@
-"""Pairs and the Assur groups of a mechanism, in the order they are attached; and the drives that make lighter groups.
+"""Pairs and the Assur groups of a mechanism, in the order of attachment; and the drives that give lower classes.
 
 Sources: Chebyshev's W = 3n - 2p₁, Reshetov's q = W - 6n + 5p₁ for one-freedom pairs; the five kinds of Artobolevsky.
-The class of a mechanism is that of its heaviest group, and another driver may lower it (Assur).
+The class of a mechanism is that of its highest group, and another driver may lower it (Assur).
 """
 
 from collections.abc import Iterator
@@ -20,8 +20,8 @@ from planes.words.errors import StructureError
 
 
 def analyse(mechanism: Mechanism, file: str = "") -> Structure:
-    """Find W, q and the groups, and which other drivers make lighter ones; :class:`StructureError` names the links
-    where the method cannot go on, and the drivers with which it can."""
+    """Find W, q and the groups, and other drivers that give lower groups; :class:`StructureError` names the links where
+    the method stops, and the drivers with which it does not."""
     try:
         structure = _found(mechanism, file)
     except StructureError as error:
@@ -33,12 +33,11 @@ def analyse(mechanism: Mechanism, file: str = "") -> Structure:
     return replace(structure, ways=_lighter(mechanism, structure.heaviness))
 
 
-TRIED = 8  # other drivers: few mechanisms have more links on the frame, and each is taken apart anew
+TRIED = 8  # other drivers: few mechanisms have more links on the frame, and each costs a new analysis
 
 
 def _lighter(mechanism: Mechanism, heaviness: int) -> tuple[Structure, ...]:
-    """The same driven by another link on the frame, wherever its heaviest group is of a lower class; the lightest
-    first."""
+    """The same mechanism driven by another link on the frame, wherever that lowers its class; the lowest first."""
     finder, structures = _Finder(mechanism, ""), []
     others = [(x, finder.between(x, FRAME)) for x in mechanism.links if heaviness]
     for link, (pair,) in [(x, pairs) for x, pairs in others if len(pairs) == 1][:TRIED]:
@@ -67,7 +66,7 @@ def _found(mechanism: Mechanism, file: str) -> Structure:
 
 
 class _Finder:
-    """Walks the links from the frame outwards, taking the earliest dyad of the file each time."""
+    """Walks the links from the frame outwards; of several possible dyads it takes the first in the file."""
 
     def __init__(self, mechanism: Mechanism, file: str) -> None:
         self.mechanism, self.file = mechanism, file
@@ -90,16 +89,16 @@ class _Finder:
         self.outer: dict[str, list[Pair]] = {link: [] for link in self.links}  # pairs with solved links
 
     def error(self, phrase: Phrase, *path: str) -> StructureError:
-        """A refusal that points at the line of what it speaks of."""
+        """An error at the line of its subject."""
         where = self.mechanism.where
         return StructureError(phrase, self.file, where.get(path, where.get(("links",))))
 
     def pair_count(self) -> int:
-        """Number of one-freedom pairs: k - 1 for a hinge of k links, one for each slide."""
+        """The number of one-freedom pairs: k - 1 for a hinge of k links, one for each slide."""
         return sum(len(h) - 1 for h in self.holders.values()) + len(self.slides)
 
     def suspect(self, loose: bool) -> str:
-        """The link a wrong W is put down to: that of the fewest pairs, or of the most; of equals the last."""
+        """The link blamed for a wrong W: the one with the fewest pairs, or the most; of equals the last."""
         count = {name: sum(name in h for h in self.holders.values() if len(h) > 1) for name in self.links}
         for slide in self.slides:
             for name in {slide.link, slide.other} - {FRAME}:
@@ -113,7 +112,7 @@ class _Finder:
         return (*hinges, *slides) or (Phrase("none"),)
 
     def drive_pair(self) -> Pair:
-        """The pair of the driver with the frame that the drive's motion is given in."""
+        """The pair of the driver with the frame that defines the drive's motion."""
         drive = self.mechanism.drive
         slides = self.mechanism.links[drive.link].slides
         if drive.kind == "s" and slides and self.mechanism.owner(slides.guide) != FRAME:
@@ -136,8 +135,8 @@ class _Finder:
         return [*(Pair("R", link, other, point=point) for point in points), *slides]
 
     def solve(self, link: str) -> None:
-        """Note a link as solved: each hinge of its that was not reached yet, and each slide, is an outer pair of the
-        others there."""
+        """Record a link as solved: its hinges not reached before, and its slides, become outer pairs of its
+        neighbours."""
         self.left.pop(link, None)
         for point in [p for p in self.mechanism.link(link).points if p not in self.reached]:
             self.reached.add(point)
@@ -149,7 +148,8 @@ class _Finder:
                 self.outer[slide.mate(link)].append(slide)
 
     def groups(self, drive: Pair) -> tuple[AnyGroup, ...]:
-        """Dyads in the order they attach, a higher group where none does; refuses what is left when none attaches."""
+        """Dyads in the order of attachment, a higher group where no dyad attaches; an error for the rest when nothing
+        does."""
         groups: list[AnyGroup] = []
         solved: tuple[str, ...] = (FRAME, drive.link)
         if drive.other != FRAME:
@@ -167,8 +167,7 @@ class _Finder:
             solved = group.solved
 
     def meeting(self) -> Iterator[tuple[str, str]]:
-        """Two links that hang on one solved link each and have a hinge or a guide in common, in the order of the
-        file."""
+        """Two links, each attached to a solved link, with a common hinge or guide, in the order of the file."""
         place = {link: k for link, k in self.left.items() if len(self.outer[link]) == 1}
         for one in place:
             points = (p for p in self.mechanism.link(one).points if p not in self.reached)
@@ -177,7 +176,7 @@ class _Finder:
             yield from ((one, self.links[k]) for k in sorted(place[m] for m in mates if place.get(m, -1) > place[one]))
 
     def dyad(self, links: tuple[str, str]) -> Group | None:
-        """The two links as a dyad on what is solved, or None."""
+        """The two links as a dyad on the solved links, or None."""
         one, two = links
         inner = self.inside(two, one)
         return self.classified(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
@@ -197,7 +196,8 @@ class _Finder:
         return Group(links, kind, one, two, inner, a, b)
 
     def higher(self) -> Tracked:
-        """The smallest group that is solved only all together, if it is of class III and order 3 or IV and 2."""
+        """The smallest group of links that can only be solved together, if it is of class III and order 3 or IV and
+        2."""
         names, free = self.together()
         if free >= 0 and (chain := chain_of(names, self.inside, self.outer)):
             return chain
@@ -213,11 +213,11 @@ class _Finder:
         raise self.stuck(names, free)
 
     def inside(self, link: str, other: str) -> list[Pair]:
-        """Pairs of two links that are not solved."""
+        """Pairs between two unsolved links."""
         return [p for p in self.between(link, other) if p.kind == "P" or p.point not in self.reached]
 
     def together(self) -> tuple[tuple[str, ...], int]:
-        """The links that keep what is left from being solved, and their freedom."""
+        """The links that prevent a solution of the rest, and their degree of freedom."""
         holders = [*self.holders.values(), *([s.link, s.other] for s in self.slides)]
         here = [tuple(x for x in links if x in self.left) for links in holders]
         joints = [Joint(some, len(some) < len(all_)) for some, all_ in zip(here, holders, strict=True)]
@@ -225,7 +225,7 @@ class _Finder:
         return names, freedom(names, joints)
 
     def stuck(self, names: tuple[str, ...], free: int) -> StructureError:
-        """The error for links that form a group of a higher class, or are over- or under-constrained."""
+        """The error for links that form a group of too high a class, or are over- or under-constrained."""
         if free < 0:
             why = Phrase("overconstrained", names=names, count=(1 - free) // 2, freedom=free)
         else:

@@ -1,8 +1,8 @@
-"""A group of class III whose basic links are hinged to each other in a chain, or a tree, every one of three pairs: two
-are of order 4 and have two leads each, n are of order n + 2.
+"""A group of class III whose basic links, each with three pairs, are joined by hinges in a chain or a tree: two are of
+order 4 and have two leads each, n are of order n + 2.
 
-With one lead taken off, what is left moves with one freedom; where its hinge then cuts the line of that lead it
-assembles. Two leads of a basic link at an end of the chain make it a lead of the next one, from its special point.
+With one lead removed, the rest has one freedom; the group assembles where its hinge then crosses the line of that lead.
+Two leads of a basic link at an end of the chain turn it into a lead of the next one, from its special point.
 """
 
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ from planes.words.records import Json
 
 @frozen
 class BasicChain:
-    """Its ``basics``, each but the first hinged to one before it (``hinges``), and the leads of each."""
+    """The ``basics``, each but the first with a hinge on an earlier one (``hinges``), and the leads of each."""
 
     links: tuple[str, ...]
     basics: tuple[str, ...]
@@ -27,12 +27,12 @@ class BasicChain:
 
     @property
     def basic(self) -> str:
-        """The first of its basic links, by which it is called."""
+        """The first of its basic links, which names the group."""
         return self.basics[0]
 
     @property
     def order(self) -> int:
-        """As many as it has leads."""
+        """The order: the number of leads."""
         return len(self.leads)
 
     @property
@@ -42,17 +42,17 @@ class BasicChain:
 
     @property
     def joints(self) -> tuple[Lead, ...]:
-        """What basic links are to each other: leads, from the special point of one to their hinge."""
+        """The links between basic links: leads, from the special point of one to the common hinge."""
         return tuple(Lead(self.basics[k], h, h) for h, (k, _) in zip(self.hinges, self.joined, strict=True))
 
     @property
     def joined(self) -> tuple[tuple[int, int], ...]:
-        """Which two basic links every hinge joins, the earlier one first."""
+        """The two basic links at each hinge, the earlier one first."""
         ends = (sorted(map(self.basics.index, (h.link, h.other))) for h in self.hinges)
         return tuple((one, two) for one, two in ends)
 
     def root(self, last: Lead) -> int:
-        """The basic link to which all others lead, so that the ``last`` lead, or joint, is found last."""
+        """The basic link to which all others lead, chosen so that the ``last`` lead, or joint, is found last."""
         own = (k for k, side in enumerate(self.sides) if last in side)
         return next(own, self.basics.index(last.link) if last in self.joints else 0)
 
@@ -68,17 +68,17 @@ class BasicChain:
 
     @property
     def balances(self) -> tuple[tuple[str, ...], ...]:
-        """The links of each plan of forces, which is called by them."""
+        """The links of each force plan, which name it."""
         return tuple(self.side(k) for k in range(len(self.basics)))
 
     @property
     def members(self) -> str:
-        """Its links as a formula of structure has them."""
+        """Its links as in a structural formula."""
         return ";".join(self.links)
 
     @property
     def ends(self) -> tuple[str, ...]:
-        """The links that may be what the mechanism drives, the likeliest first."""
+        """The links that may be the output of the mechanism, the likeliest first."""
         return tuple(lead.link for lead in reversed(self.leads))
 
     @property
@@ -87,12 +87,12 @@ class BasicChain:
         return *(x for x in self.links if x in self.basics), *(lead.link for lead in self.leads)
 
     def reached(self, drive: Pair) -> tuple[str, ...]:
-        """The links that are solved with it where the drive is inside."""
+        """The links solved together with it where the drive is inside."""
         return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
-        """Its pairs: of every lead the outer, then the inner one; the hinges of the basic links last."""
+        """Its pairs: for every lead the outer, then the inner one; the hinges of the basic links last."""
         return *lead_pairs(self.leads), *self.hinges
 
     @property
@@ -117,14 +117,14 @@ class BasicChain:
         return Phrase("class_three_chain_brief", order=self.order)
 
     def json(self) -> Json:
-        """The group as the JSON has it."""
+        """The group as in the JSON output."""
         leads = [[lead.link for lead in side] for side in self.sides]
         own = {"class": 3, "order": self.order, "basic": list(self.basics), "leads": leads}
         return {"links": list(self.links), **own, "name": self.name}
 
 
 def chain_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> BasicChain | None:
-    """Links as a chain of basic ones, each of three pairs, if they are that."""
+    """The links as a chain of basic ones, each with three pairs, if they form one."""
     left = [n for n in names if not outer[n]]
     if len(left) < 2 or len(names) != 2 * len(left) + 2:
         return None

@@ -1,7 +1,7 @@
-"""A basic link with its leads: the groups of Assur of class III.
+"""A basic link with its leads: the Assur groups of class III.
 
 Sources: L. V. Assur's groups and their classes by I. I. Artobolevsky; a group of class III and order 3 is the basic
-link on three drivers (поводки), each of which hangs on a link that is solved.
+link on three leads (поводки), each attached to a solved link.
 """
 
 from collections.abc import Iterable
@@ -15,8 +15,8 @@ from planes.words.records import Json
 
 @frozen
 class Lead:
-    """A driver (поводок) of a basic link: its ``inner`` pair with that, its ``outer`` one with a solved link; with a
-    ``drive`` inside it is of two links, ``link`` that with the outer pair."""
+    """A lead (поводок) of a basic link: its ``inner`` pair is with the basic link, its ``outer`` one with a solved
+    link; with a ``drive`` inside it consists of two links, and ``link`` has the outer pair."""
 
     link: str
     inner: Pair
@@ -25,11 +25,11 @@ class Lead:
 
     @property
     def parts(self) -> tuple[str, ...]:
-        """The links it is made of."""
+        """The links it consists of."""
         return (self.link, self.drive.mate(self.link)) if self.drive else (self.link,)
 
     def moving(self, basic: str) -> Group:
-        """It with the basic link, as a dyad that is driven from inside would be."""
+        """The lead and the basic link as a dyad driven from inside."""
         return Group((self.link, basic), 1, self.link, basic, self.inner, self.outer, self.outer, self.drive)
 
     @property
@@ -39,12 +39,12 @@ class Lead:
 
 
 def lead_pairs(leads: Iterable[Lead]) -> tuple[Pair, ...]:
-    """The pairs of leads: of each the outer, then the inner one."""
+    """The pairs of leads: the outer, then the inner one of each."""
     return tuple(p for lead in leads for p in (lead.outer, lead.inner))
 
 
 class OnLeads:
-    """What groups of one ``basic`` link on leads share; each lead may have a drive inside."""
+    """The common part of groups of one ``basic`` link on leads; each lead may have a drive inside."""
 
     links: tuple[str, ...]
     basic: str
@@ -53,12 +53,12 @@ class OnLeads:
 
     @property
     def whole(self) -> tuple[str, ...]:
-        """All its links, both of a drive inside among them."""
+        """All its links, including both links of a drive inside."""
         return self.order or self.links
 
     @property
     def balanced(self) -> tuple[str, ...]:
-        """The links whose forces its plan has, by which that is called."""
+        """The links whose forces are on its plan; they name the plan."""
         return self.whole
 
     @property
@@ -68,7 +68,7 @@ class OnLeads:
 
     @property
     def balances(self) -> tuple[tuple[str, ...], ...]:
-        """The links of each plan of forces, which is called by them."""
+        """The links of each force plan, which name it."""
         return (self.balanced,)
 
     @property
@@ -77,12 +77,12 @@ class OnLeads:
         return self.basic, *(lead.link for lead in self.leads)
 
     def reached(self, drive: Pair) -> tuple[str, ...]:
-        """The links that are solved with it where the drive is inside."""
+        """The links solved together with it where the drive is inside."""
         return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
 
     @property
     def members(self) -> str:
-        """Its links as a formula of structure has them."""
+        """Its links as in a structural formula."""
         mates = {lead.link: lead.parts for lead in self.leads}
         return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.whole.index)) for link in self.links)
 
@@ -94,33 +94,33 @@ class Triad(OnLeads):
     links: tuple[str, ...]
     basic: str
     leads: tuple[Lead, Lead, Lead]
-    order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
+    order: tuple[str, ...] = ()  # with a drive inside: all its links in the order of the file
     level: ClassVar[str] = "III"
 
     @property
     def ends(self) -> tuple[str, ...]:
-        """The links that may be what the mechanism drives, the likeliest first."""
+        """The links that may be the output of the mechanism, the likeliest first."""
         return tuple(lead.link for lead in reversed(self.leads))
 
     @property
     def slid(self) -> bool:
-        """Whether a lead slides at both ends, so that the basic link lies as what that slides on does."""
+        """Whether a lead slides at both ends, so that the basic link turns with the outer guide of that lead."""
         return any(lead.name == "PP" for lead in self.leads)
 
     @property
     def by_slid(self) -> tuple[Lead, Lead, Lead]:
-        """Its leads, that which slides at both ends last."""
+        """Its leads, with the one that slides at both ends last."""
         one, two, three = sorted(self.leads, key=lambda lead: lead.name == "PP")
         return one, two, three
 
     @property
     def kind(self) -> int:
-        """Where a lead slides at both ends: the kind of the dyad by which the others place the basic link."""
+        """Where a lead slides at both ends: the kind of the dyad by which the others position the basic link."""
         return kind_by(self.leads)
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
-        """Its pairs: of every lead the outer, then the inner one."""
+        """Its pairs: for every lead the outer, then the inner one."""
         return lead_pairs(self.leads)
 
     @property
@@ -145,12 +145,12 @@ class Triad(OnLeads):
         return Phrase("class_three_brief")
 
     def json(self) -> Json:
-        """The group as the JSON has it."""
+        """The group as in the JSON output."""
         leads = [lead.link for lead in self.leads]
         own = {"class": 3, "order": 3, "basic": self.basic, "leads": leads}
         return {"links": list(self.links), **own, "name": self.name}
 
 
 def kind_by(leads: Iterable[Lead]) -> int:
-    """The kind of the dyad that places a point as these leads do."""
+    """The kind of the dyad that positions a point as these leads do."""
     return {2: 1, 1: 2, 0: 4}[sum(lead.name == "RR" for lead in leads)]

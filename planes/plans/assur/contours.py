@@ -1,8 +1,8 @@
-"""A group of class IV: a closed contour of four links, two of which hang on links that are solved.
+"""A group of class IV: a closed contour of four links, two of which are attached to solved links.
 
 Source: I. I. Artobolevsky's classes of Assur's groups; the class is the number of links in the closed contour, and the
-order that of the group's outer pairs. Of the two links of the contour that hang on others one, by a hinge, is the
-``base``, from which the ``basic`` one is found as a basic link of class III is from what it hangs on.
+order the number of outer pairs. One of the two attached links has a hinge outside: it is the ``base``, and the
+``basic`` link is found from it as a basic link of class III is from solved links.
 """
 
 from collections.abc import Sequence
@@ -24,19 +24,20 @@ class Contour(OnLeads):
     links: tuple[str, ...]
     base: str
     basic: str
-    outer: tuple[Pair, Pair]  # of the base, of the basic link
+    outer: tuple[Pair, Pair]  # of the base and of the basic link
     leads: tuple[Lead, Lead]
-    order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
+    order: tuple[str, ...] = ()  # with a drive inside: all its links in the order of the file
     level: ClassVar[str] = "IV"
 
     @property
     def slid(self) -> bool:
-        """Whether it hangs on two guides."""
+        """Whether both outer pairs are guides."""
         return all(pair.kind == "P" for pair in self.outer)
 
     @property
     def kind(self) -> int:
-        """Where it hangs on two guides: the kind of the dyad by which its leads place the basic link from the base."""
+        """Where both outer pairs are guides: the kind of the dyad by which its leads position the basic link from the
+        base."""
         return kind_by(self.leads)
 
     @property
@@ -47,7 +48,7 @@ class Contour(OnLeads):
 
     @property
     def ends(self) -> tuple[str, ...]:
-        """The links that may be what the mechanism drives, the likeliest first."""
+        """The links that may be the output of the mechanism, the likeliest first."""
         return self.basic, self.base
 
     @property
@@ -67,7 +68,7 @@ class Contour(OnLeads):
 
     @property
     def name(self) -> str:
-        """The letters of its pairs: of the outer ones, then of the contour."""
+        """The letters of its pairs: the outer ones, then those of the contour."""
         return "-".join(("".join(p.kind for p in self.outer), "".join(p.kind for p in self.inner_pairs)))
 
     @property
@@ -82,18 +83,18 @@ class Contour(OnLeads):
         return Phrase("class_four_brief")
 
     def json(self) -> Json:
-        """The group as the JSON has it."""
+        """The group as in the JSON output."""
         own = {"class": 4, "order": 2, "contour": list(self.contour), "outer": [self.base, self.basic]}
         return {"links": list(self.links), **own, "name": self.name}
 
 
 Tracked = Triad | Contour | BasicChain
-"""A group whose basic link is found by a track."""
+"""A group whose basic link is found by the method of tracks."""
 AnyGroup = Group | Tracked
 
 
 def triad_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Triad | None:
-    """Four links as a basic link on three leads, if they are that."""
+    """Four links as a basic link on three leads, if they form one."""
     for basic in (n for n in names if not outer[n]):
         held = [(n, between(n, basic), outer[n]) for n in names if n != basic]
         leads = [Lead(n, inner[0], own[0]) for n, inner, own in held if len(inner) == 1 == len(own)]
@@ -103,7 +104,7 @@ def triad_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]
 
 
 def contour_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Contour | None:
-    """Four links as a closed contour, if they are one that is drawn."""
+    """Four links as a closed contour, if they form one that can be drawn."""
     hung = [n for n in names if len(outer[n]) == 1]
     rods = [n for n in names if not outer[n]]
     if len(hung) != 2 or len(rods) != 2 or between(*hung) or between(*rods):

@@ -1,4 +1,4 @@
-"""Kinematic pairs, and the groups of Assur of class II that they make, of five kinds."""
+"""Kinematic pairs, and the five kinds of Assur groups of class II."""
 
 from collections.abc import Callable, Sequence
 from typing import ClassVar, Literal
@@ -14,7 +14,7 @@ KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
 @frozen
 class Pair:
-    """A kinematic pair of ``link`` with the earlier solved ``other``: a hinge ("R") at ``point``, or the link slides
+    """A kinematic pair of ``link`` with the previously solved ``other``: a hinge ("R") at ``point``, or the link slides
     ("P") along ``guide`` of the other."""
 
     kind: Literal["R", "P"]
@@ -24,12 +24,12 @@ class Pair:
     guide: str = ""
 
     def joins(self, link: str) -> bool:
-        """Whether this pair is one of the link's."""
+        """Whether this pair belongs to the link."""
         return link in (self.link, self.other)
 
     @property
     def sides(self) -> tuple[tuple[str, float], tuple[str, float]]:
-        """Its links with the signs by which what moves them counts between them."""
+        """Its links with the signs of their relative motion."""
         return (self.link, 1.0), (self.other, -1.0)
 
     def mate(self, link: str) -> str:
@@ -39,8 +39,8 @@ class Pair:
 
 @frozen
 class Brace:
-    """A cylinder across the hinge of two links: its own ``slide``, its hinge with the ``near`` link, that hangs on the
-    frame, and with the ``far`` one. While it is stopped the two links are one, as if a motor held their hinge."""
+    """A cylinder across the hinge of two links: its ``slide``, its hinge with the ``near`` link, which is on the frame,
+    and with the ``far`` one. While it is stopped the two links are rigidly joined, as if a motor held their hinge."""
 
     slide: Pair
     near: Pair
@@ -48,7 +48,7 @@ class Brace:
 
     @property
     def halves(self) -> tuple[str, str]:
-        """Its two links, that at the near hinge first."""
+        """Its two links, the one at the near hinge first."""
         return self.near.link, self.far.link
 
 
@@ -56,10 +56,10 @@ class Brace:
 class Group:
     """An Assur group of class II: two links, their inner pair and one outer pair each.
 
-    ``links`` stand in the order of the file, ``first`` and ``last`` are the same two as the method takes them (RRP:
+    ``links`` are in the order of the file, ``first`` and ``last`` are the same two in the order of the method (RRP:
     connecting rod, slider; RPR: slider, guide link; RPP: hinged link, the other). With a ``drive`` inside (a cylinder,
-    a motor) one of them, ``held``, is the link of it that hangs on the frame, and with the drive stopped the other is
-    one with it; of a cylinder that is the ``brace`` of two links the drive is the motor in their hinge.
+    a motor) one of them consists of two links: ``held`` is the one on the frame, and the other is rigid with it while
+    the drive is stopped. Where a cylinder is the ``brace`` of two links, the drive acts like a motor in their hinge.
     """
 
     links: tuple[str, str]
@@ -71,60 +71,60 @@ class Group:
     last_outer: Pair
     drive: Pair | None = None
     brace: Brace | None = None
-    order: tuple[str, ...] = ()  # with a drive inside: all its links as the file has them
+    order: tuple[str, ...] = ()  # with a drive inside: all its links in the order of the file
     level: ClassVar[str] = "II"
 
     @property
     def whole(self) -> tuple[str, ...]:
-        """All its links, both of a drive inside among them."""
+        """All its links, including both links of a drive inside."""
         return tuple(part for link in self.links for part in self.parts(link))
 
     @property
     def balanced(self) -> tuple[str, ...]:
-        """The links whose forces its plan has, by which that is called."""
+        """The links whose forces are on its plan; they name the plan."""
         return self.order or self.links
 
     @property
     def held(self) -> str:
-        """The one that with a drive inside is two links: of those that which hangs on the frame."""
+        """Of the two links of a drive inside, the one on the frame."""
         return self.hung[0][0]
 
     @property
     def hangs(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
-        """Both links as the method takes them, with their outer pairs."""
+        """Both links in the order of the method, with their outer pairs."""
         return (self.first, self.first_outer), (self.last, self.last_outer)
 
     @property
     def hung(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
-        """That one and the other, with their outer pairs."""
+        """The held link and the other, with their outer pairs."""
         return self.hangs[::-1] if self.drive and self.drive.joins(self.last) else self.hangs
 
     @property
     def balances(self) -> tuple[tuple[str, ...], ...]:
-        """The links of each plan of forces, which is called by them."""
+        """The links of each force plan, which name it."""
         return (self.balanced,)
 
     def parts(self, link: str) -> tuple[str, ...]:
-        """The links that one of the two is made of: itself and, with a drive inside, the other of that."""
+        """The links that one of the two consists of: itself and, with a drive inside, the other link of the drive."""
         return (link, self.drive.mate(link)) if self.drive and link == self.held else (link,)
 
     def loaded(self, link: str) -> tuple[str, ...]:
-        """The links whose loads one of the two has: its parts, and the cylinder that braces them."""
+        """The links whose loads act on one of the two: its parts, and the cylinder that braces them."""
         loaded_parts = (*self.parts(link), *(self.brace.halves if self.brace and link == self.held else ()))
         return tuple(x for x in self.order if x in loaded_parts) or loaded_parts
 
     def holder(self, link: str, pair: Pair) -> str:
-        """Which of its parts has a pair."""
+        """Which of its parts has the pair."""
         return next(x for x in self.parts(link) if pair.joins(x))
 
     @property
     def members(self) -> str:
-        """Its links as a formula of structure has them, those that are one with the drive stopped together."""
+        """Its links as in a structural formula, those of a stopped drive together."""
         return ";".join("-".join(self.loaded(x)) for x in self.links)
 
     @property
     def ends(self) -> tuple[str, ...]:
-        """The links that may be what the mechanism drives, the likeliest first."""
+        """The links that may be the output of the mechanism, the likeliest first."""
         return self.last, self.first
 
     @property
@@ -133,7 +133,7 @@ class Group:
         return self.links
 
     def reached(self, drive: Pair) -> tuple[str, ...]:
-        """The links that are solved with it where the drive is inside."""
+        """The links solved together with it where the drive is inside."""
         return *((drive.link, drive.other) if self.drive == drive else self.parts(self.held)), self.hung[1][0]
 
     @property
@@ -157,7 +157,7 @@ class Group:
         return Phrase("class_two_brief", kind=self.kind)
 
     def json(self) -> Json:
-        """The group as the JSON has it."""
+        """The group as in the JSON output."""
         pair = self.brace.slide if self.brace else self.drive
         own: Json = {"links": list(self.links), "kind": self.kind, "name": self.name}
         own |= {"drive": [pair.other, pair.link]} if pair else {}

@@ -1,8 +1,8 @@
-"""The group that a drive between two moving links moves: with the drive stopped its links are one.
+"""The group moved by a drive between two moving links: with the drive stopped these links are one body.
 
-Of a cylinder or a motor one link hangs on the frame and the other has a hinge with a third; or a cylinder is the brace
-of two links, across their hinge: it holds that as a motor in it would. Or the two links of the drive are one of three
-leads of a basic link. What groups hold still on the frame (a boom on a cylinder that is shut) is as good as the frame.
+One link of a cylinder or a motor is on the frame and the other has a hinge with a third; or a cylinder braces two links
+across their hinge and acts like a motor in it. Or the two links of the drive form one of three leads of a basic link. A
+link that groups fix to the frame (a boom on a locked cylinder) counts as the frame.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -19,7 +19,7 @@ KINDS_OF_OUTER = {"RR": 1, "RP": 2, "PR": 2, "PP": 4}  # of a dyad with a hinge 
 
 
 class Reached(Protocol):
-    """How far the links of a mechanism are solved."""
+    """The links solved so far."""
 
     @property
     def links(self) -> Sequence[str]: ...
@@ -37,8 +37,8 @@ class Reached(Protocol):
 
 
 def driven_from_inside(f: Reached, drive: Pair) -> tuple[list[Group], AnyGroup]:
-    """The group that the drive moves, after the dyads that stand still and that it hangs on; :class:`StructureError` if
-    it is none that is drawn."""
+    """The group that the drive moves, after the stationary dyads that support it; :class:`StructureError` if it cannot
+    be drawn."""
     still = list[Group]()
     while dyad := next((g for two in f.meeting() if not any(map(drive.joins, two)) and (g := f.dyad(two))), None):
         still.append(dyad)
@@ -51,7 +51,7 @@ def driven_from_inside(f: Reached, drive: Pair) -> tuple[list[Group], AnyGroup]:
 
 
 def _direct(f: Reached, drive: Pair) -> Iterator[Group]:
-    """Of the two links of the drive one hangs on the frame by a hinge, and the other has a hinge with a third."""
+    """One link of the drive has a hinge on the frame, and the other has a hinge with a third link."""
     for held, moved in permutations((drive.other, drive.link)):
         if f.between(moved, held)[1:] or f.outer[moved]:
             continue
@@ -60,7 +60,7 @@ def _direct(f: Reached, drive: Pair) -> Iterator[Group]:
 
 
 def _braced(f: Reached, drive: Pair) -> Iterator[Group]:
-    """The cylinder has a hinge with each of two links, and they have one with each other."""
+    """The cylinder has a hinge with each of two links that are hinged to each other."""
     if drive.kind == "R" or f.outer[drive.link] or f.outer[drive.other]:
         return
     for pins in product(_hinges(f, drive.link, drive), _hinges(f, drive.other, drive)):
@@ -72,7 +72,7 @@ def _braced(f: Reached, drive: Pair) -> Iterator[Group]:
 
 
 def _leading(f: Reached, drive: Pair) -> Iterator[Triad]:
-    """The two links of the drive are a lead of a basic link that has two more on the frame."""
+    """The two links of the drive are a lead of a basic link with two more leads on the frame."""
     for held, moved in permutations((drive.other, drive.link)):
         if len(f.outer[held]) != 1 or f.outer[moved] or f.between(moved, held)[1:]:
             continue
@@ -89,7 +89,7 @@ def _leading(f: Reached, drive: Pair) -> Iterator[Triad]:
 
 
 def _contour(f: Reached, drive: Pair) -> Iterator[Contour]:
-    """The two links of the drive are between two links on the frame that have another link between them."""
+    """The two links of the drive join two links on the frame that are also joined by another link."""
     if f.outer[drive.link] or f.outer[drive.other]:
         return
     others = [x for x in f.left if not drive.joins(x)]
@@ -110,7 +110,7 @@ def _contour(f: Reached, drive: Pair) -> Iterator[Contour]:
 
 
 def _hinges(f: Reached, half: str, drive: Pair) -> list[Pair]:
-    """The hinges of one half of a cylinder with links that are left."""
+    """The hinges of one half of a cylinder with unsolved links."""
     others = (x for x in f.left if not drive.joins(x))
     return [p for x in others for p in f.between(half, x) if _new(f, p)]
 
@@ -123,7 +123,7 @@ def _new(f: Reached, pair: Pair) -> bool:
 def _with_third(
     f: Reached, held: str, moved: str, hung: Pair, drive: Pair, brace: Brace | None = None
 ) -> Iterator[Group]:
-    """The dyad of what is one with the drive stopped and of a link that hangs on the frame."""
+    """The dyad of the stopped drive as one link and a link on the frame."""
     taken = {held, moved, *(brace.halves if brace else ())}
     for link in (x for x in f.left if x not in taken):
         inner = [p for p in f.between(link, moved) if _new(f, p)]

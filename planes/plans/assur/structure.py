@@ -1,4 +1,4 @@
-"""What the structure of a mechanism is: freedom, redundant constraints, pairs, groups of Assur in order."""
+"""The structure of a mechanism: degree of freedom, redundant constraints, pairs, Assur groups in order."""
 
 from planes.plans.assur.contours import AnyGroup
 from planes.plans.assur.groups import Group, Pair
@@ -7,24 +7,24 @@ from planes.words.frozen import frozen
 from planes.words.records import Json
 
 LEVELS = ("II", "III", "IV")
-"""The classes of groups that are drawn, from the lightest."""
+"""The classes of groups that can be drawn, from the lowest."""
 
 
 @frozen
 class Structure:
-    """What the structure of a mechanism is: freedom, redundant constraints, pairs, groups in order."""
+    """The structure of a mechanism: degree of freedom, redundant constraints, pairs, groups in order."""
 
     W: int
     q: int
     drive_pair: Pair
     groups: tuple[AnyGroup, ...]
     driver: str
-    passive: tuple[str, ...] = ()  # links it is found without, which hold what is held already
-    ways: tuple["Structure", ...] = ()  # of the same driven by other links, where that makes a lower class
+    passive: tuple[str, ...] = ()  # passive links, left out of the analysis
+    ways: tuple["Structure", ...] = ()  # of other drivers that give a lower class
 
     @property
     def heaviness(self) -> int:
-        """Where the class of the mechanism, that of its heaviest group, stands among ``LEVELS``."""
+        """The index in ``LEVELS`` of the mechanism's class, that of its highest group."""
         return max((LEVELS.index(g.level) for g in self.groups), default=0)
 
     @property
@@ -39,33 +39,33 @@ class Structure:
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
-        """Every pair once: the drive's, then each group's outer, inner, outer; a hinge that a cylinder braces last."""
+        """Every pair once: the drive's, then the outer, inner and outer pair of each group; a braced hinge last."""
         braced = (g.drive for g in self.dyads if g.brace and g.drive)
         return tuple(dict.fromkeys((self.drive_pair, *(p for g in self.groups for p in g.pairs), *braced)))
 
     @property
     def drives(self) -> tuple[Pair, ...]:
-        """The drive's pair, and the hinge it works on from across."""
+        """The drive's pair, and the hinge across which a cylinder works."""
         return (self.drive_pair, *(g.drive for g in self.dyads if g.brace and g.drive))
 
     def is_drive(self, group: AnyGroup) -> bool:
-        """Whether a group is the cylinder that drives."""
+        """Whether a group is the driving cylinder."""
         return isinstance(group, Group) and group.inner == self.drive_pair
 
     def json(self) -> Json:
-        """W, q, formula and groups as the JSON has them."""
+        """W, q, formula and groups as in the JSON output."""
         report = {"W": self.W, "q": self.q, "formula": self.formula, "groups": [g.json() for g in self.groups]}
         ways = [{"link": s.driver, "class": s.heaviness + 2, "formula": s.formula} for s in self.ways]
         return report | ({"passive": list(self.passive)} if self.passive else {}) | ({"drivers": ways} if ways else {})
 
     @property
     def formula(self) -> str:
-        """Formula of structure: "I(0;1) -> II(2;3) -> II(4;5)"; of a cylinder of 1 and 2 that moves 3,
-        "I(1;2) -> II(1-2;3)"."""
+        """The structural formula: "I(0;1) -> II(2;3) -> II(4;5)"; for a cylinder of 1 and 2 that moves 3, "I(1;2) ->
+        II(1-2;3)"."""
         return self.formula_as(FRAME)
 
     def formula_as(self, frame: str, kinds: bool = False) -> str:
-        """The same with the frame's number; ``kinds``: lettered, the kind of every group lowered."""
+        """The same with the frame's number; ``kinds``: lettered, with the kind of every group as a subscript."""
         kind = {id(g): f"_{{{g.kind}}}" for g in self.dyads if kinds}
         groups = (f"{g.level}{kind.get(id(g), '')}({g.members})" for g in self.groups if not self.is_drive(g))
         base = self.drive_pair.other if self.inner_drive else frame
@@ -73,7 +73,7 @@ class Structure:
 
     @property
     def driven(self) -> tuple[Group, ...]:
-        """What is driven from inside, as dyads: groups, and a lead with the basic link."""
+        """The dyads driven from inside: groups, and a lead with the basic link."""
         leads = ((g.basic, lead) for g in self.groups if not isinstance(g, Group) for lead in g.leads)
         return *(g for g in self.dyads if g.drive), *(x.moving(basic) for basic, x in leads if x.drive)
 

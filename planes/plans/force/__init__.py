@@ -1,1 +1,1 @@
-"""Loads, reactions and plans of forces; Zhukovsky's lever."""
+"""Loads, reactions and force plans; Zhukovsky's lever."""

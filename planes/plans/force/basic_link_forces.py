@@ -1,10 +1,11 @@
-"""What acts on a basic link on leads: of one of them by moments about the special point of the two others, of these by
-a polygon of all that acts on the link and its leads.
+"""Reactions on a basic link: that of one lead by moments about the special point of the two others, those of the others
+by a polygon of all forces on the link and its leads.
 
-The reactions of the two leads that meet in S pass it, so moments of the whole about S have one unknown. A triad has one
-polygon. Of basic links hinged to each other every one is a lead of the next, along the line from their hinge to its
-special point, till one has three: its moments about that point give what acts in the hinge across that line, as those
-of a rod about its hinge do; what acts along the line is found as of any lead. They have a polygon each.
+The reactions of the two leads that meet in S pass through it, so the moments of the whole about S have one unknown. A
+triad has one polygon. Of several basic links joined by hinges, each acts as a lead of the next, along the line from
+their hinge to its special point, until one has three. The moments about the special point give the hinge force across
+that line, as those of a rod about its hinge do; the force along the line is found like that of any lead. Each has its
+polygon.
 """
 
 from collections.abc import Sequence
@@ -24,15 +25,15 @@ from planes.words.names import POLE, at, end_of, force_plan, label_of
 
 
 class BasicLinkForces(LeadForces):
-    """Plans of one basic link, or of each of several, with its leads."""
+    """Force plans of one basic link, or of several, with their leads."""
 
     def moments(
         self, basic: str, held: Sequence[HeldLead], special: str, name: str, arm: str, links: tuple[str, ...]
     ) -> str:
-        """The one unknown of the moments of a basic link with its leads about its special point, by its ``arm``."""
+        """The only unknown in the moments of a basic link with its leads about its special point, by its ``arm``."""
         forces, couples = list(self.statics.acting.forces[basic]), list(self.couples[basic])
         for lead in held:
-            if lead.slider:  # a slider turns nowhere: all its loads pass its hinge
+            if lead.slider:  # a slider has no rotation: all its loads pass through its hinge
                 forces += [replace(f, point=lead.point) for f in (*lead.loads, *lead.known)]
             else:
                 forces += [*lead.loads, *lead.known]
@@ -41,16 +42,15 @@ class BasicLinkForces(LeadForces):
         return self.draft.balance(name, special, links, terms, arm)
 
     def third(self, basic: str, held: Sequence[HeldLead], special: str, links: tuple[str, ...]) -> Force:
-        """The reaction of the last of three leads along its line, the others meeting in the special point."""
+        """The reaction of the last of three leads along its line; the others meet in the special point."""
         *_, three = held
         arm = self.draft.arm(three.part, three.point, three.line, special, three.lead.link)
         name = self.moments(basic, held, special, three.part, arm, links)
         return three.along_line(name)
 
     def closed(self, basic: str, held: Sequence[HeldLead], known: list[Force]) -> dict[Pair, Ends]:
-        """Draw the polygon of a basic link: two leads close it, where all is ``known`` that acts on the third, or on
-        the link from another one. The reactions of each pair on the pair's own first link.
-        """
+        """Draw the polygon of a basic link: two leads close it, where all forces on the third, or on the link from
+        another one, are ``known``. Each reaction is on the first link of its pair."""
         one, two, *others = held
         own = list(self.statics.acting.forces[basic])
         runs = [[*two.known, *two.loads], known, own, [*one.loads, *one.known]]
@@ -66,12 +66,12 @@ class BasicLinkForces(LeadForces):
             two.lead, (x, beyond), (ends[1], x)
         )
         for three in others:
-            first = [*three.known, known[-1]][0]  # what pushes it along its line
+            first = [*three.known, known[-1]][0]  # the force along its line
             ends_of_pairs |= self.reactions(three.lead, (starts[end_of(first.name)], ends[2]), (ends[2], ends[1]))
         return ends_of_pairs
 
     def reactions(self, lead: Lead, outer: Ends, inner: Ends) -> dict[Pair, Ends]:
-        """Those on a lead; where the lead is another basic link both are one, that of the hinge."""
+        """The reactions on a lead; where the lead is another basic link both are the same, that of the hinge."""
         return {lead.inner: self.on(lead.parts, lead.inner, inner), lead.outer: self.on(lead.parts, lead.outer, outer)}
 
 
@@ -95,7 +95,7 @@ class TriadForces(BasicLinkForces):
             self.handed_on(outer, lead)
 
     def polygon(self) -> dict[Pair, Ends]:
-        """Draw the polygon; the reaction of each pair on the pair's own first link."""
+        """Draw the polygon; each reaction is on the first link of its pair."""
         g = self.group
         self.drawn = tuple(self.held(lead) for lead in self.leads)
         *_, three = self.drawn
@@ -103,7 +103,7 @@ class TriadForces(BasicLinkForces):
         return self.closed(g.basic, self.drawn, [*three.loads, *three.known, pushed])
 
     def slid(self, held: HeldLead) -> Force:
-        """The reaction on a lead that slides at both ends, by what acts along its other guide: nothing else does."""
+        """The reaction on a lead that slides at both ends, by the forces along its other guide alone."""
         d, name = self.draft, held.part
         along = f"∥{held.lead.inner.guide}"
         over = ((d.step(Cosine(f"cos_{name}_{held.lead.inner.guide}", held.line, along)), -1),)
@@ -121,7 +121,7 @@ class ChainForces(BasicLinkForces):
         self.group, self.last = group, self.leads[-1]
         self.special = [at(SCHEME, self.bodies.special(basic)) for basic in group.basics]
         self.plans = [force_plan(*links) for links in group.balances]
-        self.drawn: dict[int, list[HeldLead]] = {}  # of every basic link, those that are links, from the root on
+        self.drawn: dict[int, list[HeldLead]] = {}  # basic links that act as leads, from the root on
 
     def draw(self) -> None:
         for plan in self.plans:
@@ -137,7 +137,7 @@ class ChainForces(BasicLinkForces):
                 self.read(held, ends, rubs)
 
     def polygon(self) -> dict[Pair, Ends]:
-        """Draw all polygons; the reaction of each pair on the pair's own first link."""
+        """Draw all polygons; each reaction is on the first link of its pair."""
         g, k = self.group, self.group.root(self.last)
         self.found: dict[Pair, Reaction] = {}
         self.held_by: dict[int, list[HeldLead]] = {}
@@ -146,7 +146,7 @@ class ChainForces(BasicLinkForces):
         return self.balanced(k, three, [*three[2].loads, *three[2].known, pushed])
 
     def all_held(self, k: int, but: Pair | None = None) -> list[HeldLead]:
-        """The leads of a basic link, other basic links among them but the one at that hinge."""
+        """The leads of a basic link, including other basic links except the one at that hinge."""
         g = self.group
         held = [self.held(lead) for lead in g.sides[k]]
         for hinge, ends in zip(g.hinges, g.joined, strict=True):
@@ -156,7 +156,7 @@ class ChainForces(BasicLinkForces):
         return held
 
     def joint(self, hinge: Pair, k: int, end: int) -> HeldLead:
-        """What a basic link does to the next one: what is across the line to its special point is known."""
+        """The force of a basic link on the next one: the component across the line to its special point is known."""
         d, g, special, pin = self.draft, self.group, self.special[end], at(SCHEME, hinge.point)
         key, name = force_name(g.basics[k], g.basics[end]), f"{force_name(g.basics[k], g.basics[end])}^t"
         line = d.ray(SCHEME, hinge.point, label_of(special))
@@ -166,7 +166,8 @@ class ChainForces(BasicLinkForces):
         return HeldLead(Lead(g.basics[k], hinge, hinge), key, [across], line, pin, [], [])
 
     def balanced(self, k: int, held: list[HeldLead], known: list[Force]) -> dict[Pair, Ends]:
-        """The polygon of a basic link, then of those that lead to it, what acts in their hinges being known."""
+        """The polygon of a basic link, then those of the links that lead to it, with the forces in their hinges
+        known."""
         g = self.group
         self.plan = self.plans[k]
         ends = self.closed(g.basics[k], held, known)

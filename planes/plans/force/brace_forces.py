@@ -1,7 +1,7 @@
 """The forces of a cylinder across a hinge: its own plan and that of the link it turns.
 
-Across itself it is held by moments about its near hinge; along itself by moments of the far link about the hinge that
-it braces, in which nothing else is unknown. Then its polygon is closed, and that of the far link.
+Its transverse force comes from moments about its near hinge. Its axial force comes from moments of the far link about
+the braced hinge, where nothing else is unknown. Then its polygon is closed, and that of the far link.
 """
 
 from planes.plans.assur.groups import Brace, Pair
@@ -13,7 +13,7 @@ from planes.words.names import POLE, at, end_of, force_plan
 
 
 class BraceForces:
-    """The plans of a cylinder that drives, and of the link on its far side."""
+    """The plans of a driving cylinder and of the link on its far side."""
 
     def __init__(self, statics: Statics, hinge: Pair, brace: Brace) -> None:
         self.statics, self.hinge, self.brace = statics, hinge, brace
@@ -37,13 +37,13 @@ class BraceForces:
                 s.hand_over(reaction, driver)
 
     def rub(self, rubs: Rubs) -> None:
-        """Let the cylinder and the far link feel the couples of hinges."""
+        """Apply the friction couples of hinges to the cylinder and the far link."""
         for link, couples in self.couples.items():
             couples += rubs.couples(link)
 
     def polygon(self) -> dict[Pair, tuple[str, str]]:
-        """Draw both polygons: the cylinder's, which is closed by the reaction of its near hinge, and that of the far
-        link, by that of the hinge that is braced."""
+        """Draw both polygons: the cylinder's, closed by the reaction of its near hinge, and that of the far link,
+        closed by the reaction of the braced hinge."""
         s, (near, far), (plan, last) = self.statics, self.brace.halves, self.plans
         along, across = self.held()
         pushing = [along, across, *s.acting.forces[far], *s.acting.forces[near]]
@@ -59,7 +59,7 @@ class BraceForces:
         }
 
     def held(self) -> tuple[Force, Force]:
-        """The reaction of the far hinge on the cylinder: across it and along it."""
+        """The reaction of the far hinge on the cylinder: its transverse and axial components."""
         d, s, (near, far) = self.draft, self.statics, (self.brace.near.point, self.brace.far.point)
         half, other = self.brace.far.link, self.brace.far.other
         line, length = d.ray(SCHEME, near, far), d.measure(f"l_{near}{far}", at(SCHEME, near), at(SCHEME, far))
@@ -78,7 +78,7 @@ class BraceForces:
         return Force(f"{name}^n", half, f"{name}^n", line, pin, "tangential"), across
 
     def closed(self, plan: str, forces: list[Force], name: str) -> str:
-        """Lay the known forces off; the one of that name closes them, from the label told."""
+        """Lay off the known forces; the closing vector gets that name and starts from the label given."""
         chain, end = self.statics.laid(plan, forces)
         self.draft.close(plan, chain, name, end)
         return end

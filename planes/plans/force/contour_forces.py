@@ -1,10 +1,10 @@
-"""The force plan of a group of class IV: the forces along its two leads by a false supposition, then closed polygons.
+"""The force plan of a group of class IV: the forces along its two leads by a false assumption, then closed polygons.
 
-Moments of the basic link with its leads about its outer hinge (where it slides: what acts along its guide), and of the
-base about its own, leave two unknowns, the forces along the leads. First the second lead is supposed to bear nothing
-along itself: the first equation then gives the first lead's force, as it is supposed. The second equation with that
-gives what the second lead really bears, its arm being what its force and that which it calls forth in the first lead
-have together. Then the first is found again.
+Moments of the basic link with its leads about its outer hinge (where it slides: forces along its guide), and of the
+base about its own, leave two unknowns, the forces along the leads. First the second lead is assumed to carry no axial
+force: the first equation then gives the assumed force in the first lead. With it, the second equation gives the true
+force in the second lead; the arm there is the combined one of this force and of the force it causes in the first lead.
+Then the first force is found again.
 """
 
 from planes.drafting.equations import Term
@@ -24,7 +24,7 @@ from planes.words.names import POLE, Meaning, at, label_of, mu_of, parts_of
 
 @frozen
 class _Equilibrium:
-    """What is in equilibrium on an outer pair: its links, and what acts on them but for the forces along the leads."""
+    """The equilibrium on an outer pair: its links, and the forces on them except those along the leads."""
 
     pair: Pair
     links: tuple[str, ...]
@@ -46,21 +46,21 @@ class ContourForces(LeadForces):
         ends = self.polygon()
         reactions = [r for held in self.drawn for r in self.read(held, ends, rubs)]
         base, basic = self.group.outer
-        felt = self.couples[self.group.base]  # its leads have handed theirs on
+        felt = self.couples[self.group.base]  # its leads have passed on their loads
         felt += [c for c in self.statics.acting.couples[self.group.base] if c not in felt]
         for pair, link, inner in ((base, self.group.base, []), (basic, self.group.basic, reactions)):
             self.hang(pair, link, self.statics.react(pair, self.plan, *ends[pair], rubs.grips.get(pair)), inner)
 
     def hang(self, pair: Pair, link: str, reaction: Reaction, inner: list[Reaction]) -> None:
-        """The couple of an outer guide by what acts on the link, and what is handed on; of the ``inner`` reactions the
-        link feels nothing yet."""
+        """The couple of an outer guide from the forces on the link, and the loads passed on; the ``inner`` reactions do
+        not act on the link yet."""
         if pair.kind == "P":
             reaction = self.seated(reaction, link, inner)
         if pair.mate(link) != FRAME:
             self.statics.hand_over(reaction, pair.mate(link))
 
     def polygon(self) -> dict[Pair, Ends]:
-        """Draw the polygons; the reaction of each pair on the pair's own first link."""
+        """Draw the polygons; each reaction is on the first link of its pair."""
         d, g = self.draft, self.group
         self.drawn = one, two = tuple(self.held(lead) for lead in self.leads)
         both = self.pushed(one, two)
@@ -94,7 +94,7 @@ class ContourForces(LeadForces):
         return one.along_line(first), second
 
     def basic_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
-        """The basic link with both leads: loads of one that slides on the base pass its hinge."""
+        """The basic link with both leads: loads of a lead that slides on the base pass through its hinge."""
         g, s = self.group, self.statics
         forces, couples = list(s.acting.forces[g.basic]), list(self.couples[g.basic])
         for held in (one, two):
@@ -106,7 +106,7 @@ class ContourForces(LeadForces):
         return _Equilibrium(g.outer[1], (g.basic, *one.lead.parts, *two.lead.parts), forces, couples)
 
     def base_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
-        """The base: what slides on it presses in its own hinge, and with the couple of what acts on it about that."""
+        """The base: a slider on it presses at its own hinge, with the couple of its loads about that hinge."""
         g, s = self.group, self.statics
         forces, couples = list(s.acting.forces[g.base]), list(self.couples[g.base])
         for held in (one, two):
@@ -117,7 +117,8 @@ class ContourForces(LeadForces):
         return _Equilibrium(g.outer[0], (g.base,), forces, couples)
 
     def turning(self, held: HeldLead) -> list[Couple]:
-        """The moment of what acts on a slider about its hinge, which its guide hands on; none of what acts in that."""
+        """The moment of the loads on a slider about its hinge, which its guide passes on; a force in the hinge has
+        none."""
         d, key = self.draft, force_name(self.group.base, held.lead.link)
         terms = self.statics.moment_terms(held.point, held.loads, held.couples, 1.0)
         if not terms:
@@ -126,7 +127,7 @@ class ContourForces(LeadForces):
         return [Couple(name, self.group.base, name, 1, True)]
 
     def arm(self, held: HeldLead, side: _Equilibrium, choice: tuple[HeldLead, HeldLead] | None = None) -> str:
-        """The arm of a lead's line about an outer hinge; or how much of its force is along an outer guide."""
+        """The arm of a lead's line about an outer hinge; or the component factor of its force along an outer guide."""
         d, pair, about = self.draft, side.pair, at(SCHEME, side.pair.point)
         means, lines = Meaning("arm", held.key, about, self.group.basic), ("", "", "", "")
         if choice:
@@ -140,14 +141,14 @@ class ContourForces(LeadForces):
         return d.step(DropFalse(*own, lines=lines, means=means) if choice else Drop(*own, means=means))
 
     def radius(self, held: HeldLead) -> str:
-        """The line along which a force on the basic link, through its end of a lead, would not move it."""
+        """The line along which a force on the basic link, at its end of a lead, would not move it."""
         outer, inner = self.group.outer[1], held.lead.inner
         if outer.kind == "P":
             return self.draft.square(f"∥{outer.guide}")
         return self.draft.ray(SCHEME, outer.point, inner.point or held.lead.outer.point)
 
     def balance(self, name: str, side: _Equilibrium, more: list[Force], sign: float, arm: str) -> str:
-        """What an equation of moments about an outer hinge gives, or one of forces along an outer guide."""
+        """The unknown from an equation of moments about an outer hinge, or of forces along an outer guide."""
         forces = [*side.forces, *more]
         if side.pair.kind == "P":
             way, over = f"∥{side.pair.guide}", ((arm, -1),)
@@ -159,7 +160,7 @@ class ContourForces(LeadForces):
         return self.draft.balance(name, about, side.links, terms, arm)
 
     def handed(self, force: Force, held: HeldLead) -> Force:
-        """A force on a lead as the base feels it, reversed."""
+        """The force of a lead on the base, reversed."""
         lead, part = held.lead, parts_of(force.name)[2]
         back = force_name(lead.outer.mate(lead.link), lead.link) + (f"^{part}" if part else "")
         if force.quantity == "reaction":  # of friction

@@ -1,4 +1,4 @@
-"""What is reckoned on the way to the reactions and is a result too: weights, inertia, loads that are laws, friction."""
+"""Intermediate results of the force calculation that are also results: weights, inertia forces, load laws, friction."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -10,8 +10,8 @@ from planes.words.units import unit_of_parameter
 
 
 class Derived(NamedTuple):
-    """A value of the program, or the size of a segment by its ``ends``, that can be asked for by any of its
-    ``names``; the first is its key in the JSON. ``per``: to the driver's rate."""
+    """A value of the program, or the magnitude of a segment by its ``ends``, with all its ``names``; the first is its
+    key in the JSON. ``per``: divided by the driver's speed."""
 
     names: tuple[str, ...]
     unit: str
@@ -45,7 +45,7 @@ def derived(plans: Plans) -> Iterator[Derived]:
 
 
 def of_laws(plans: Plans) -> Iterator[Derived]:
-    """Loads that are laws, each what it is in the position; values that are reckoned from stated vectors."""
+    """Loads given by laws, with their values in the position; values computed from stated vectors."""
     figure = plans.figure
     members = {name for name, _, _ in figure.members} | {n for _, _, n in figure.shears} if figure else set[str]()
     for name, value in plans.values.items():
@@ -58,5 +58,5 @@ def of_laws(plans: Plans) -> Iterator[Derived]:
 
 
 def unit_of_value(name: str) -> str:
-    """The key of the unit of a stated value, "" where its name does not tell; P_T is a power of friction."""
+    """The key of the unit of a stated value, "" where its name does not show it; P_T is a power of friction."""
     return "W" if name.startswith("P_T") else unit_of_parameter(name)

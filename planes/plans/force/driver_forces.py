@@ -1,4 +1,4 @@
-"""The force plan of the primary mechanism: what the frame holds it with, and what balances it."""
+"""The force plan of the primary mechanism: the frame's reaction and the balancing load."""
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.settling import Fed
@@ -23,7 +23,7 @@ class DriverForces:
         self.couples = statics.acting.couples[self.link]
 
     def draw(self) -> None:
-        """Draw the driver's polygon and find what balances it."""
+        """Draw the driver's polygon and find the balancing load."""
         self.draft.pole(self.plan)
         balance = self.turning if self.pair.kind == "R" else self.sliding
         balance(*self.statics.laid(self.plan, self.forces), force_name(self.link, self.pair.other))
@@ -42,7 +42,7 @@ class DriverForces:
             self.by_force(*balance, start, key)
 
     def by_force(self, point: str, angle: float, start: str, key: str) -> None:
-        """The same by a force at a point of the driver: the moment over its arm, and the reaction beside it."""
+        """The same by a force at a point of the driver: the moment over its arm, and the reaction that goes with it."""
         d, name, where = self.draft, f"Fb_{self.link}", self.bodies.mechanism.where.get(("drive", "balance"))
         if grip_of(self.statics.acting, self.pair):
             raise SceneError(Phrase("balance_rubs", point=self.pair.point), self.bodies.file, where)
@@ -57,7 +57,7 @@ class DriverForces:
         self.statics.beside_force = f"{key}^b", end, at(self.plan, POLE)
 
     def sliding(self, terms: tuple[Term, ...], start: str, key: str) -> None:
-        """The guide's reaction crosses the balancing force, which acts along the guide."""
+        """The guide's reaction meets the balancing force, which acts along the guide."""
         guide = f"∥{self.pair.guide}"
         normal = self.draft.square(guide)
         reaction = Term(key, start, key, None, normal, normal)

@@ -1,4 +1,4 @@
-"""What the laws of loads are worked out from: values of the motion, drawn before any force is."""
+"""The inputs of load laws: values of the motion, drawn before any force."""
 
 from functools import cached_property
 
@@ -17,7 +17,7 @@ from planes.words.names import POLE, Meaning, at
 
 @frozen
 class LawValues:
-    """Makes values of loads; ``said`` are the laws by name."""
+    """Makes the values of loads; ``said`` are the laws by name."""
 
     bodies: Bodies
     velocity: Rates
@@ -44,12 +44,12 @@ class LawValues:
         return self.bodies.draft.step(ByStroke(name, stroke, sense, working, idle, means=means))
 
     def amount(self, name: str, load: Load, amount: Amount, means: Meaning, stroke: str = "", sense: int = 1) -> str:
-        """A given number, or a law at work in the stroke it belongs to."""
+        """A given number, or the value of a law in its stroke."""
         if not isinstance(amount, LoadLaw):
             return self.bodies.draft.give(name, amount, means=None if stroke else means)
         if not stroke:
             self.said[name] = amount
-        try:  # what was not read of a file is as anybody made it
+        try:  # laws built in Python were not checked on reading
             check_law(amount.text, self.known)
         except ExpressionError as error:
             raise SceneError(error.phrase, self.bodies.file, self._line(load)) from None
@@ -64,7 +64,7 @@ class LawValues:
 
     @cached_property
     def numbers(self) -> dict[int, int]:
-        """Where each load stands among the loads."""
+        """The number of each load among the loads."""
         return {id(load): k for k, load in enumerate(self.bodies.mechanism.loads)}
 
     def _line(self, load: Load) -> int | None:

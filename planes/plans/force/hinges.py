@@ -1,9 +1,9 @@
-"""Friction in pairs. In hinges the reaction is tangent to the friction circle: it has a couple against the turning.
+"""Friction in pairs. The reaction in a hinge is tangent to the friction circle: it has a couple against the rotation.
 
-The radius of the friction circle is that of the pin times the coefficient of friction (on a guide along a circle, the
-circle's times the sine of the angle of friction). The couple of a group's hinge is the reaction times that radius, and
-the reaction is known once the plan is drawn with the couple: plans are drawn one after another until they settle. So
-is, in groups of class III, the force of friction on a guide, by the normal force.
+The radius of the friction circle is that of the pin times the coefficient of friction (on a circular guide, the guide's
+radius times the sine of the angle of friction). The couple of a group's hinge is the reaction times that radius, but
+the reaction is known only after the plan is drawn with the couple: plans are drawn in succession until they agree. The
+same holds, in groups of class III, for the force of friction on a guide, by the normal force.
 """
 
 from planes.drafting.draft import Draft
@@ -19,7 +19,7 @@ from planes.words.names import Meaning
 
 @frozen
 class Grip:
-    """What rubs in a hinge: the names of its couple on the link of the pair, and of what that is to the reaction."""
+    """Friction in a hinge: the names of its couple on the link of the pair, and of the ratio of couple to reaction."""
 
     pair: Pair
     couple: str
@@ -31,7 +31,7 @@ class Grip:
 
 
 def grip_of(acting: Acting, pair: Pair) -> Grip | None:
-    """How a hinge rubs; None where it does not, or where its links never turn against each other."""
+    """The friction of a hinge; None where there is none, or where its links never turn relative to each other."""
     b, d = acting.bodies, acting.bodies.draft
     name = b.mechanism.rubs(pair.point, pair.link, pair.other) if pair.kind == "R" else None
     roots = [b.known[x].root for x in (pair.link, pair.other)]
@@ -51,7 +51,7 @@ def grip_of(acting: Acting, pair: Pair) -> Grip | None:
 
 @frozen
 class Slip:
-    """What rubs on a guide: the names of the force along it, on the link that slides, and of what that is to the normal
+    """Friction on a guide: the names of its force along the guide, on the sliding link, and of its ratio to the normal
     force."""
 
     force: str
@@ -59,7 +59,7 @@ class Slip:
 
 
 def slip_of(acting: Acting, pair: Pair) -> Slip | None:
-    """How a guide rubs; None where it does not."""
+    """The friction of a guide; None where there is none."""
     if pair.kind != "P" or pair.guide not in acting.bodies.mechanism.friction:
         return None
     key, factor = force_name(pair.link, pair.other), dict.fromkeys(sliding(acting, pair), 1)
@@ -67,7 +67,7 @@ def slip_of(acting: Acting, pair: Pair) -> Slip | None:
 
 
 def sliding(acting: Acting, pair: Pair) -> tuple[str, str]:
-    """The coefficient of friction of a guide, and which way along it the link slides."""
+    """The coefficient of friction of a guide, and the direction in which the link slides along it."""
     d, m, reading = acting.bodies.draft, acting.bodies.mechanism, acting.motion.slides[pair.link]
     coefficient = d.give(f"f_{pair.guide}", m.friction[pair.guide])
     d.law(coefficient, m.laws.get(("friction", pair.guide)))
@@ -75,7 +75,8 @@ def sliding(acting: Acting, pair: Pair) -> tuple[str, str]:
 
 
 def settle(acting: Acting, fed: tuple[Fed, ...], trial: Draft) -> None:
-    """What is ``fed`` to a plan, so that the one drawn in ``trial`` gives it again by the sizes of its reactions."""
+    """Settle the values ``fed`` to a plan, so that the plan drawn in ``trial`` reproduces them by the magnitudes of its
+    reactions."""
     d = acting.bodies.draft
     needed, steps = {f.size for f in fed}, list[Step]()
     for step in reversed([s for name, s in trial.steps.items() if name not in d.steps]):

@@ -1,7 +1,8 @@
-"""What plans of forces of higher groups share: a lead by its own equilibrium, what rubs in it, and how it is read.
+"""The common part of force plans of higher groups: the equilibrium of a lead, its friction, and the reading of the
+plan.
 
-Of a lead's outer reaction that part is known beforehand which its own equilibrium gives: of a rod by moments about its
-inner hinge, of a link that slides on the basic one along that guide. A slider hands its loads on to its hinge.
+One component of a lead's outer reaction follows from the lead's own equilibrium: for a rod by moments about its inner
+hinge, for a link that slides on the basic one along that guide. A slider passes its loads on to its hinge.
 """
 
 from collections.abc import Iterable, Mapping
@@ -21,12 +22,12 @@ from planes.plans.position.bodies import SCHEME
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning, at, force_plan
 
-Ends = tuple[str, str]  # marks between which a reaction stands
+Ends = tuple[str, str]  # end marks of a reaction
 
 
 @dataclass
 class HeldLead:
-    """A lead with what acts on it: the known part of its outer reaction, and the line of the other part."""
+    """A lead with its loads: the known component of its outer reaction, and the line of the other component."""
 
     lead: Lead
     key: str  # the outer reaction on the lead
@@ -38,12 +39,12 @@ class HeldLead:
 
     @property
     def slider(self) -> bool:
-        """Whether it slides on what it hangs on."""
+        """Whether it slides on the link that carries it."""
         return self.lead.outer.kind == "P"
 
     @property
     def part(self) -> str:
-        """The name of the other part."""
+        """The name of the other component."""
         return self.key if self.slider else f"{self.key}^n"
 
     def along_line(self, size: str) -> Force:
@@ -52,7 +53,7 @@ class HeldLead:
 
 
 class LeadForces:
-    """The plan of a group whose basic link stands on leads."""
+    """The force plan of a group whose basic link is supported by leads."""
 
     def __init__(self, statics: Statics, group: Tracked) -> None:
         self.statics, self.bodies, self.draft = statics, statics.bodies, statics.bodies.draft
@@ -62,14 +63,14 @@ class LeadForces:
         self.slips: Mapping[Pair, Slip] = {}
 
     def rub(self, rubs: Rubs) -> None:
-        """Let the links feel the couples of hinges, and the friction of guides."""
+        """Apply the friction couples of hinges, and the friction of guides, to the links."""
         self.slips = rubs.slips
         for link, couples in self.couples.items():
             couples += rubs.couples(link)
 
     def laid(self, runs: Iterable[list[Force]]) -> tuple[list[Term], list[str]]:
-        """Runs of forces laid off one after another from the pole: their terms, and the label each run begins at, with
-        that of the end."""
+        """Sequences of forces laid off from the pole: their terms, and the start label of each sequence, with that of
+        the end."""
         chain, ends = list[Term](), [POLE]
         for run in runs:
             terms, end = self.statics.laid(self.plan, run, ends[-1])
@@ -78,7 +79,7 @@ class LeadForces:
         return chain, ends
 
     def held(self, lead: Lead) -> HeldLead:
-        """A lead, and what its own equilibrium gives."""
+        """A lead with the results of its equilibrium."""
         d, outer, inner, link = self.draft, lead.outer, lead.inner, lead.link
         loads = [f for part in lead.parts for f in self.statics.acting.forces[part]]
         couples = [c for part in lead.parts for c in self.couples[part]]
@@ -105,12 +106,12 @@ class LeadForces:
         return HeldLead(lead, key, [Force(name, link, name, along, pivot, "tangential")], line, pivot, loads, couples)
 
     def rubbed(self, lead: Lead, pair: Pair) -> list[Product]:
-        """What of the friction of a guide a lead has to be held against along it, if it rubs."""
+        """The friction of a guide that acts along a lead, if there is any."""
         sign = -1.0 if lead.link == pair.link else 1.0
         return [Product(sign, ((self.slips[pair].force, 1),))] if pair in self.slips else []
 
     def rubbing(self, pair: Pair, link: str, point: str) -> list[Force]:
-        """The friction of a guide on one of its links, if it rubs."""
+        """The friction of a guide on one of its links, if there is any."""
         if pair not in self.slips:
             return []
         slip, along = self.slips[pair], f"∥{pair.guide}"
@@ -119,19 +120,19 @@ class LeadForces:
         return [Force(slip.force, link, slip.force, along, point, "reaction")]
 
     def along(self, f: Force, along: str) -> Product:
-        """What of a force has to be held along a guide."""
+        """The component of a force along a guide, to be balanced."""
         return Product(-1.0, ((f.size, 1), (self.cosine(f, along), 1)))
 
     def cosine(self, f: Force, along: str) -> str:
-        """How much of a force is along a guide."""
+        """The component factor of a force along a guide."""
         return self.draft.step(Cosine(f"cos_{f.name}_{along.lstrip('∥')}", f.along, along))
 
     def read(self, held: HeldLead, ends: Mapping[Pair, Ends], rubs: Rubs) -> list[Reaction]:
-        """Both reactions on a lead by the ends of their segments, the couples of sliders, and what is handed on."""
+        """Both reactions on a lead by the ends of their segments, the couples of sliders, and the loads passed on."""
         lead, s = held.lead, self.statics
         pairs = lead.outer, lead.inner
         reactions = [s.react(p, self.plan, *ends[p], rubs.grips.get(p)) for p in pairs]
-        if lead.name == "PP":  # by what acts on the basic link, too
+        if lead.name == "PP":  # by the loads on the basic link, too
             return reactions
         for k, pair in enumerate(pairs):
             if pair.kind == "P":
@@ -142,12 +143,12 @@ class LeadForces:
         return reactions
 
     def handed_on(self, outer: Reaction, lead: Lead) -> None:
-        """Let what a lead hangs on feel its reaction."""
+        """Apply the lead's reaction to the link that carries it."""
         if lead.outer.mate(lead.link) != FRAME:
             self.statics.hand_over(outer, lead.outer.mate(lead.link))
 
     def seated(self, reaction: Reaction, link: str, others: list[Reaction]) -> Reaction:
-        """A guide's reaction with its couple, by all that acts on a link; the ``others`` are those found of it."""
+        """A guide's reaction with its couple, from all loads on a link; the ``others`` are reactions already found."""
         s = self.statics
         own = [r for r in others if r.pair.joins(link)]
         forces = [*s.acting.forces[link], *(s.as_force(r, link) for r in own)]
@@ -157,6 +158,6 @@ class LeadForces:
         return s.seat(reaction, link, at(SCHEME, first), forces, [*self.couples[link], *handed])
 
     def on(self, links: tuple[str, ...], pair: Pair, ends: Ends) -> Ends:
-        """A reaction on one of the links, turned for its pair's own first link."""
+        """A reaction on one of the links, with the sign for the first link of its pair."""
         start, end = (at(self.plan, label) for label in ends)
         return (start, end) if pair.link in links else (end, start)

@@ -1,7 +1,7 @@
-"""Zhukovsky's lever: the velocity plan turned by 90°, loaded with the outer forces at the images of their points.
+"""Zhukovsky's lever: the velocity plan turned by 90°, loaded with the external forces at the images of their points.
 
-N. E. Zhukovsky's theorem: the moments of the forces about the pole, with each couple M replaced by M·ω·μ_v, balance;
-the check shares the loads and the velocity plan with the force plans, and none of their reactions but friction.
+N. E. Zhukovsky's theorem: the moments of the forces about the pole balance, with each couple M replaced by M·ω·μ_v. As
+a check it shares the loads and the velocity plan with the force plans, and none of their reactions but friction.
 """
 
 from dataclasses import replace
@@ -16,13 +16,13 @@ from planes.words.names import POLE, at, mu_of
 
 
 def draw_lever(s: Statics) -> str:
-    """Draw the lever and balance it; the name of its balancing moment (or force)."""
+    """Draw the lever and balance it; returns the name of its balancing moment (or force)."""
     acting, b = s.acting, s.bodies
     drive = b.mechanism.drive
     rate = acting.motion.drive_rate
     b.draft.pole("lever")
     terms: MomentTerms = []
-    for force in (f for forces in acting.forces.values() for f in forces if f.spot):  # of no reaction
+    for force in (f for forces in acting.forces.values() for f in forces if f.spot):  # not of a reaction
         arm = _arm(s, force)
         terms.append((force.name, arm, Product(1.0, ((force.size, 1), (arm, 1), (rate, -1)))))
     for link, couples in acting.couples.items():
@@ -38,8 +38,8 @@ def draw_lever(s: Statics) -> str:
 
 
 def rubbing(s: Statics) -> list[tuple[str, str]]:
-    """Names of each friction force along its guide, or couple of its hinge, and of the speed of what rubs; its power is
-    a result."""
+    """Names of each friction force along its guide, or couple of its hinge, and of the relative speed there; its power
+    is a result."""
     names = []
     for key, reaction in list(s.reactions.items()):
         guide, force, speed = reaction.pair.guide, reaction.friction, s.acting.motion.spin(key)

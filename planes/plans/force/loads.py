@@ -1,4 +1,4 @@
-"""What acts on the links from outside the pairs: weights, inertia, and the scene's forces and couples."""
+"""External loads on the links: weights, inertia, and the scene's forces and couples."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -16,7 +16,7 @@ from planes.words.names import POLE, Meaning, Quantity, at
 
 @frozen
 class Force:
-    """A force on ``link`` at a mark of the scheme: names of its size (N) and direction. ``spot`` is its point."""
+    """A force on ``link`` at a mark of the scheme: names of its magnitude (N) and direction. ``spot`` is its point."""
 
     name: str
     link: str
@@ -28,14 +28,14 @@ class Force:
 
     @property
     def means(self) -> Meaning:
-        """What its mark on a force plan stands for."""
+        """The meaning of its mark on a force plan."""
         return Meaning(self.quantity, self.name, link=self.link)
 
 
 @frozen
 class Couple:
     """A couple on ``link``: the name of its value (N·m, counter-clockwise positive), times ``sign``; ``handed`` over by
-    a sliding pair, or of ``inertia``, or from outside."""
+    a sliding pair, or of ``inertia``, or external."""
 
     name: str
     link: str
@@ -46,8 +46,7 @@ class Couple:
 
 
 def load_names(mechanism: Mechanism) -> list[str]:
-    """What the loads are called, in their order: P_5, a second force on that link P_5_2; couples M_3, on the driver
-    MP_1."""
+    """The names of the loads, in order: P_5, a second force on that link P_5_2; couples M_3, on the driver MP_1."""
     names, counts = [], Counter[tuple[str, str]]()
     for load in mechanism.loads:
         counts[key := (load.link, load.kind)] += 1
@@ -57,18 +56,18 @@ def load_names(mechanism: Mechanism) -> list[str]:
 
 
 def force_name(on: str, by: str) -> str:
-    """F_21 acts on 2 from 1; longer names are parted: F_11_10."""
+    """F_21 acts on 2 from 1; longer names are separated: F_11_10."""
     return f"F_{pair_index(on, by)}"
 
 
 def pair_index(on: str, by: str) -> str:
-    """The index of what acts on a link from another."""
+    """The index of a force on a link from another."""
     return on + by if len(on) == len(by) == 1 else f"{on}_{by}"
 
 
 @frozen
 class Loads:
-    """All forces and couples by link, by name the loads that are laws, and the ``motion`` they were sensed by."""
+    """All forces and couples by link, the loads given by laws by name, and the ``motion`` that gave their senses."""
 
     forces: Mapping[str, Sequence[Force]] = field(default_factory=dict)
     couples: Mapping[str, Sequence[Couple]] = field(default_factory=dict)
@@ -78,10 +77,10 @@ class Loads:
 
 @dataclass
 class Acting:
-    """All forces and couples on each link, those of pairs joining as they are found."""
+    """All forces and couples on each link; those of pairs are added as they are found."""
 
     bodies: Bodies
-    motion: Rates  # the velocities that tell "along" from "against" motion
+    motion: Rates  # the velocities that decide "along" or "against" motion
     accelerations: Rates
     laws: LawValues
     forces: dict[str, list[Force]] = field(default_factory=dict)
@@ -102,7 +101,7 @@ class Acting:
 
     @property
     def loads(self) -> Loads:
-        """What was found."""
+        """All loads found."""
         return Loads(self.forces, self.couples, self.laws.said, self.motion)
 
     def _weight(self, link: Link) -> None:
@@ -168,14 +167,14 @@ class Acting:
             return name
         root = self.bodies.known[link].root
         if root == FRAME:
-            return name  # a link that never turns has no motion for a couple to go along with or against
+            return name  # a link that never turns gives a couple no sense of rotation
         sense = self.turning(root)
         sign = 1.0 if load.sense == "along" else -1.0
         self.couples[link].append(Couple(name, link, d.product(name, sign, **{value: 1, sense: 1})))
         return name
 
     def turning(self, root: str, warns: bool = True) -> str:
-        """Which way a link turns; ``warns`` where it stands still."""
+        """The sense of rotation of a link; ``warns`` at standstill."""
         if root in self.motion.turning:
             ends = (*self.motion.turning[root], tuple(self.motion.driven))
             return self.bodies.draft.step(Sense(f"turns_{root}" if warns else f"way_{root}", *ends, warns))

@@ -1,8 +1,8 @@
-"""Reactions as they are found: segments of the force plans, arms and couples of sliders, handed from link to link.
+"""Reactions as they are found: segments of the force plans, arms and couples of sliders, passed from link to link.
 
-With Coulomb friction in a sliding pair its reaction leans by arctan f against the sliding, on the side that bears.
-Which side of the guide bears is known only once the plan is drawn; so each supposition is drawn and the one that comes
-true is kept. None, or two different ones, is self-locking.
+With Coulomb friction the reaction in a sliding pair is inclined by arctan f against the sliding, on the bearing side.
+Which side of the guide bears is known only after the plan is drawn; so each assumption is drawn, and the one that
+proves true is kept. None, or two different ones, means self-locking.
 """
 
 from dataclasses import dataclass, field, replace
@@ -21,8 +21,8 @@ from planes.words.names import POLE, Meaning, at, end_of, label_of, mu_of
 
 @frozen
 class Reaction:
-    """A reaction found: the segment of its plan, its pair, and for a slider names of arm and couple at the foot;
-    where it rubs the names of the friction force along the guide and of its power. In a hinge that rubs the couple is
+    """A reaction: the segment of its plan, its pair, and for a slider the names of arm and couple at the foot; with
+    friction the names of the friction force along the guide and of its power. In a hinge with friction the couple is
     that of friction, and the arm is about its centre: the line of action is tangent to the friction circle."""
 
     key: str
@@ -35,7 +35,7 @@ class Reaction:
     moment: str = ""
     friction: str = ""
     power: str = ""
-    edges: tuple[str, str] | None = None  # the forces of both edges of a slider's face, ahead and behind
+    edges: tuple[str, str] | None = None  # the forces at both edges of a slider's face, ahead and behind
 
     @property
     def names(self) -> dict[str, str]:
@@ -46,15 +46,16 @@ class Reaction:
 
 @dataclass
 class Statics:
-    """What force plans share: the loads, the reactions found so far, and how one link hands them to the next."""
+    """The common part of force plans: the loads, the reactions found so far, and how one link passes them to the
+    next."""
 
     bodies: Bodies
     acting: Acting
     reactions: dict[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
-    balancing_force: str = ""  # of a driver that turns, where it is asked for
-    beside_force: tuple[str, str, str] | None = None  # the frame's reaction beside it, and its marks
-    centres: dict[str, str] = field(default_factory=dict)  # about which point each force's arm was taken first
+    balancing_force: str = ""  # of a turning driver, where requested
+    beside_force: tuple[str, str, str] | None = None  # the frame's reaction that goes with it, and its marks
+    centres: dict[str, str] = field(default_factory=dict)  # the point about which each force's arm was taken first
 
     def moment_terms(
         self, about: str, forces: list[Force], couples: list[Couple], sign: float, over: str | None = None
@@ -68,13 +69,13 @@ class Statics:
     def arm(self, f: Force, about: str) -> str:
         """The arm of a force about a mark."""
         centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
-        if self.centres.setdefault(f.name, centre) != centre:  # about another point than the first it says so
+        if self.centres.setdefault(f.name, centre) != centre:  # about another point: named too
             name += f"^{centre.lstrip('°')}"
         return self.bodies.draft.arm(f.name, f.point, f.along, about, f.link, name)
 
     def laid(self, plan: str, forces: list[Force], start: str = POLE) -> tuple[tuple[Term, ...], str]:
-        """Forces laid off one after another on a plan from a mark of that label, each to a mark of its own
-        name; their terms, and the label reached."""
+        """Forces laid off one after another on a plan from the mark with that label, each to a mark with its name;
+        returns their terms, and the label reached."""
         chain = list[Term]()
         for f in forces:
             end = end_of(f.name)
@@ -84,13 +85,13 @@ class Statics:
         return tuple(chain), start
 
     def apart(self) -> "Statics":
-        """The same for a trial on a draft of its own, of which this one feels nothing."""
+        """The same for a trial on a separate draft, without effect on this one."""
         b = replace(self.bodies, draft=self.bodies.draft.apart())
         return Statics(b, replace(self.acting, bodies=b), centres=dict(self.centres))
 
     def react(self, pair: Pair, plan: str, start: str, end: str, grip: Grip | None = None) -> Reaction:
-        """Note the reaction on ``pair.link``, with the ``grip`` of a hinge that rubs; both links feel it from now on.
-        Slider's couple comes later."""
+        """Record the reaction on ``pair.link``, with the ``grip`` of a hinge with friction; it acts on both links from
+        now on. A slider's couple comes later."""
         key = force_name(pair.link, pair.other)
         reaction = Reaction(key, plan, start, end, pair)
         if grip:
@@ -100,7 +101,8 @@ class Statics:
         return reaction
 
     def as_force(self, r: Reaction, on: str) -> Force:
-        """The reaction as a force on one of its links, at the hinge or at the foot of the slider's first point."""
+        """The reaction as a force on one of its links, at the hinge or at the foot of the perpendicular from the
+        slider's first point."""
         d = self.bodies.draft
         ends = (r.start, r.end) if on == r.pair.link else (r.end, r.start)
         name = force_name(on, r.pair.mate(on))
@@ -121,7 +123,7 @@ class Statics:
         return seated
 
     def edges(self, r: Reaction, normal: str, moment: str) -> tuple[str, str] | None:
-        """The forces of both edges of a slider's face, that have the same sum and moment, where its length is given."""
+        """The forces at both edges of a slider's face, with the same sum and moment, where its length is given."""
         slides = self.bodies.mechanism.links[r.pair.link].slides
         if slides is None or slides.length is None:
             return None
@@ -132,7 +134,7 @@ class Statics:
         return one, two
 
     def hand_over(self, r: Reaction, to: str) -> None:
-        """Let the mate of a pair feel the reaction (and, of a slider, its couple), reversed."""
+        """Apply the reaction (and, of a slider, its couple), reversed, to the other link of a pair."""
         self.acting.forces[to].append(self.as_force(r, to))
         if r.moment:
             sign = 1 if to == r.pair.link else -1
@@ -140,9 +142,8 @@ class Statics:
 
 
 def meet_with_friction(acting: Acting, plan: str, lines: list[Term], x: str, pairs: list[Pair]) -> dict[str, Term]:
-    """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` leaning, by trial of each side.
-    Returns the leaning terms by name, now with the direction they turned out to have.
-    """
+    """Cross two lines of reactions at mark ``x``, those of the rubbing ``pairs`` inclined, by a trial for each side.
+    Returns the inclined terms by name, with the directions found."""
     d = acting.bodies.draft
     pair_of = {name: p for p in pairs for name in (force_name(p.link, p.other), force_name(p.other, p.link))}
     rubbing = [(t, pair_of[t.name]) for t in lines if t.name in pair_of]
@@ -175,7 +176,7 @@ def _lean(acting: Acting, pair: Pair, sign: int) -> str:
 
 
 def _push(acting: Acting, plan: str, term: Term, pair: Pair, mark: str, tag: str) -> str:
-    """The trial's normal push on the slider, signed along the guide's normal."""
+    """The trial's normal force on the slider, signed along the guide's normal."""
     forward = (term.sign > 0) == (term.name == force_name(pair.link, pair.other))
     start = at(plan, term.start)
     ends = (start, mark) if forward else (mark, start)

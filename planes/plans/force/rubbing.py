@@ -1,4 +1,4 @@
-"""Plans of forces that feel what rubs in their pairs: drawn aside, with nothing first, until they give it again."""
+"""Force plans with friction in their pairs: drawn aside, first without friction, until they reproduce it."""
 
 from collections.abc import Callable, Iterable, Mapping
 from typing import Protocol
@@ -14,7 +14,7 @@ from planes.words.frozen import field, frozen
 
 @frozen
 class Rubs:
-    """What rubs in the pairs of a plan: in hinges, and on guides as a force that it is drawn with."""
+    """Friction in the pairs of a plan: couples in hinges, and given forces on guides."""
 
     grips: Mapping[Pair, Grip] = field(default_factory=dict)
     slips: Mapping[Pair, Slip] = field(default_factory=dict)
@@ -25,7 +25,7 @@ class Rubs:
 
 
 class RubbingPlan(Protocol):
-    """A plan of some links, with the reaction of each pair on the pair's own first link."""
+    """A plan of some links; each reaction is on the first link of its pair."""
 
     statics: Statics
 
@@ -36,7 +36,7 @@ class RubbingPlan(Protocol):
 def settled(
     plan: RubbingPlan, make: Callable[[Statics], RubbingPlan], hinges: Iterable[Pair], guides: Iterable[Pair] = ()
 ) -> Rubs:
-    """Let a plan feel what rubs in these pairs, in such a measure as plans drawn aside settle to."""
+    """Draw a plan with the friction of these pairs, at the values to which trial plans converge."""
     acting = plan.statics.acting
     grips = {p: grip for p in hinges if (grip := grip_of(acting, p))}
     rubs = Rubs(grips, {p: slip for p in guides if (slip := slip_of(acting, p))})
@@ -49,7 +49,7 @@ def settled(
 
 
 def _fed(trial: RubbingPlan, rubs: Rubs) -> Iterable[Fed]:
-    """What the plan drawn aside gives: couples by the reactions of hinges, friction by the normal forces of guides."""
+    """The results of a trial plan: couples by the reactions of hinges, friction by the normal forces of guides."""
     ends, d = trial.polygon(), trial.statics.bodies.draft
     for pair, grip in rubs.grips.items():
         yield Fed(grip.couple, grip.factor, d.measure(f"|{force_name(pair.link, pair.other)}|", *ends[pair]))

@@ -1,9 +1,9 @@
-"""Force plans: each group by itself, last attached first, then the primary mechanism.
+"""Force plans: one for each group, last attached first, then the primary mechanism.
 
-A group's polygon is one chain p → (F_t, loads of the first link) → E_a → (loads of the last, F_t) → E_b, and one
-point X: from p the first outer reaction, from E_a the inner one, from E_b the last outer one meet X. In each of the
-five kinds exactly two of these three lines are known, and the third closes. Table 1 of the BNTU text draws the
-kinds with an unloaded link; here any load may act on any link.
+A group's polygon is one chain p → (F_t, loads of the first link) → E_a → (loads of the last, F_t) → E_b, and one point
+X, where the first outer reaction from p, the inner one from E_a and the last outer one from E_b meet. In each of the
+five kinds exactly two of these three lines are known, and the third closes the polygon. Table 1 of the BNTU text draws
+the kinds with an unloaded link; here any load may act on any link.
 """
 
 from collections.abc import Mapping
@@ -27,7 +27,7 @@ from planes.words.names import POLE, at, end_of, force_plan
 
 
 def draw_forces(statics: Statics) -> None:
-    """Every group from the last to the first, then the driver; a cylinder that drives comes after what it braces."""
+    """Every group from the last to the first, then the driver; a driving cylinder comes after the links it braces."""
     structure = statics.bodies.structure
     for group in (g for g in reversed(structure.groups) if not structure.is_drive(g)):
         match group:
@@ -57,18 +57,18 @@ class _GroupForces:
         self.grips: Mapping[Pair, Grip] = {}
 
     def draw(self) -> None:
-        """The plan, with the friction in hinges if there is any; its reactions are handed on."""
+        """The plan, with the friction in hinges if there is any; its reactions are passed on."""
         self.draft.pole(self.plan)
         self.grips = settled(self, lambda s: _GroupForces(s, self.group), self.group.pairs).grips
         self.read(self.polygon())
 
     def rub(self, rubs: Rubs) -> None:
-        """Let the links feel the couples of hinges."""
+        """Apply the friction couples of hinges to the links."""
         for link in self.group.links:
             self.couples[link] += [c for x in self.group.parts(link) for c in rubs.couples(x)]
 
     def polygon(self) -> dict[Pair, tuple[str, str]]:
-        """Draw the polygon; the marks between which the reaction of each pair stands, on the pair's own first link."""
+        """Draw the polygon; returns the end marks of each reaction, on the first link of its pair."""
         g, plan = self.group, self.plan
         head = self.tangential(g.first, g.first_outer) if g.kind in (1, 2, 3) else []
         tail = self.tangential(g.last, g.last_outer) if g.kind == 1 else []
@@ -90,7 +90,7 @@ class _GroupForces:
         }
 
     def meet(self, rays: dict[str, Term], first: tuple[Term, ...], last: tuple[Term, ...], x: str) -> None:
-        """State the equations of the kind: which two lines cross at X, and which side closes."""
+        """State the equations of the kind: the two lines that cross at X, and the closing side."""
         kind = self.group.kind
         if kind in (1, 2, 4):
             self.solve((*first, *last, rays["last"]), rays["first"], x)
@@ -104,7 +104,7 @@ class _GroupForces:
             self.close((*first, replace(rays["inner"], drawn=True)), rays["first"])
 
     def solve(self, chain: tuple[Term, ...], back: Term, x: str) -> None:
-        """Cross two known lines at X, leaning ones by trial."""
+        """Cross two known lines at X; inclined ones by trial."""
         pairs = [p for p in self.group.pairs if p.kind == "P" and p.guide in self.bodies.mechanism.friction]
         if not pairs:
             self.draft.draw(Equation(self.plan, (chain, (back,))))
@@ -114,14 +114,14 @@ class _GroupForces:
         self.draft.conclude(Equation(self.plan, (drawn, (leant.get(back.name, back),))))
 
     def close(self, chain: tuple[Term, ...], last: Term) -> None:
-        """The remaining reaction closes the polygon: both its length and direction are read."""
+        """The remaining reaction closes the polygon: both its length and direction are measured."""
         self.draft.close(self.plan, chain, last.name, *last.ends)
 
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
         """The line of a reaction on a link through a mark of the polygon (X is its other end)."""
         name = self.name(link, pair) + ("^n" if split else "")
         along: str | None = self.draft.square(f"∥{pair.guide}") if pair.kind == "P" else None
-        if split:  # along the link: from its outer hinge to the point its moments are taken about
+        if split:  # along the link: from its outer hinge to the moment point
             ends = (
                 (self.group.last_outer.point, pair.point)
                 if self.group.kind == 3
@@ -148,18 +148,18 @@ class _GroupForces:
         return [Force(name, link, name, d.square(ray), at(SCHEME, pair.point), "tangential")]
 
     def arm(self, link: str, point: str, about: str) -> str:
-        """The distance of the two hinges of a link; of a cylinder, what it is now."""
+        """The distance between the two hinges of a link; for a cylinder, its present length."""
         if self.group.parts(link)[1:]:
             return f"l_{point}{about}"
         return self.bodies.length(self.bodies.mechanism.links[link], point, about)
 
     def name(self, link: str, pair: Pair) -> str:
-        """What the reaction of a pair on a link (on the part of it that has the pair) is called."""
+        """The name of a pair's reaction on a link (on the part of it that has the pair)."""
         holder = self.group.holder(link, pair)
         return force_name(holder, pair.mate(holder))
 
     def read(self, ends: dict[Pair, tuple[str, str]]) -> None:
-        """Reactions of the three pairs as segments, the couples of the sliding ones, and hand them on."""
+        """Read the reactions of the three pairs as segments and the couples of the sliding ones, and pass them on."""
         g = self.group
         reactions = {p: self.statics.react(p, self.plan, *ends[p], self.grips.get(p)) for p in g.pairs}
         self.seat_all(reactions)
@@ -171,7 +171,7 @@ class _GroupForces:
             self.statics.hand_over(seated[g.inner if g.inner.joins(g.drive.link) else g.hung[0][1]], g.drive.link)
 
     def on(self, pair: Pair, link: str, start: str, end: str) -> tuple[str, str]:
-        """The ends of the reaction on ``link`` from start to end, turned for the pair's own first link."""
+        """The ends of the reaction on ``link`` from start to end, with the sign for the first link of the pair."""
         return (start, end) if pair.link in self.group.parts(link) else (end, start)
 
     def seat_all(self, reactions: dict[Pair, Reaction]) -> None:

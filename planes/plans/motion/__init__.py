@@ -1,1 +1,1 @@
-"""Plans of velocities and accelerations."""
+"""Velocity and acceleration plans."""

@@ -1,4 +1,4 @@
-"""A vector of a link laid off where it is needed: how one of its points goes about another, as the link turns."""
+"""A vector of a link laid off from a given mark: the motion of one of its points about another, as the link turns."""
 
 from planes.drafting.steps import Image, Same
 from planes.plans.motion.kinematics import Rates
@@ -10,7 +10,7 @@ from planes.words.names import Meaning, at, label_of
 def carried(
     r: Rates, root: Body, start: str, one: BodyPoint, two: BodyPoint, end: str, means: Meaning | None = None
 ) -> str:
-    """The mark ``end`` of ``two``, ``one`` of the same link being at ``start``; it turns as ``root`` does."""
+    """The mark ``end`` of ``two``, with ``one`` of the same link at ``start``; the link turns as ``root`` does."""
     d, scheme = r.bodies.draft, (at(SCHEME, one.place), at(SCHEME, two.place))
     if root.link.name == FRAME:
         return d.step(Same(end, start, means=means))
@@ -18,7 +18,7 @@ def carried(
         ends = r.mark(root.ref[0].name), r.mark(root.ref[1].name)
         like = at(SCHEME, root.ref[0].place), at(SCHEME, root.ref[1].place)
         return d.step(Image(end, start, scheme, like, ends, means=means))
-    name, ray = two.name + one.name, d.ray(SCHEME, one.place, two.place)  # a driver of one point
+    name, ray = two.name + one.name, d.ray(SCHEME, one.place, two.place)  # a driver with one point
     length, across = d.measure(f"l_{name}°", *scheme), d.square(ray)
     value = d.product(f"{r.letter}{name}°", **{r.spin(root.link.name): 1, length: 1})
     if r.quick:

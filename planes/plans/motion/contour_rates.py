@@ -1,11 +1,10 @@
 """Velocities and accelerations in a group of class IV: by two false plans.
 
-No point of the contour is reached from known ones by two equations. So the base is supposed to turn at two rates: not
-at all (plan I) and at a chosen one (plan II). Either gives the basic link by the first lead, and with it by how much
-the second one would have to stretch (or to leave its guide). All of it is linear, so the ends of the false vectors run
-along lines as the rate changes: where the line of that of the second lead meets the line along which it may move, it
-does not stretch, and in the same proportion the true rate stands to the false ones. From there the base is known, and
-the rest is a dyad on it.
+No point of the contour can be reached from known ones by two equations. So the base is assumed to turn at two rates:
+zero (plan I) and a chosen one (plan II). Each gives the basic link by the first lead, and with it the rate at which the
+second lead would stretch (or leave its guide). All of it is linear, so the ends of the false vectors move along lines
+as the rate changes. The second lead does not stretch where its line meets the line of possible motion, and the true
+rate divides the false ones in the same proportion. From there the base is known, and the rest is a dyad on it.
 """
 
 from collections.abc import Iterator
@@ -41,7 +40,7 @@ class ContourRates:
 
     @property
     def body(self) -> Body:
-        """The link whose motion the basic one has: its own, or of what it slides on."""
+        """The link whose rotation the basic one has: itself, or the link it slides on."""
         return self.bodies.known[self.bodies.known[self.group.basic].root]
 
     def draw(self) -> None:
@@ -76,14 +75,14 @@ class ContourRates:
         return at(self.rates.plan, label)
 
     def fixed(self, leg: Leg) -> str:
-        """Where what is known of an outer leg ends, whatever is supposed: of the base, were its rate nothing."""
+        """The end of the known part of an outer leg, whatever is assumed: for the base, at zero rate."""
         mark = self.rates.mark(leg.known.name)
         for term in self.known(leg):
             mark = self.draft.lay(self.rates.plan, replace(term, start=label_of(mark)))
         return mark
 
     def known(self, leg: Leg) -> Iterator[Term]:
-        """What is known of a leg beyond its known point: normal and Coriolis parts, what a drive gives."""
+        """The known part of a leg beyond its known point: normal and Coriolis components, the given rate of a drive."""
         r = self.rates
         if leg.drive:
             yield from [*driven_terms(r, leg, leg.drive)][:-1]
@@ -93,7 +92,7 @@ class ContourRates:
             yield r.across(leg, "")
 
     def false_rate(self) -> str:
-        """The length of the vector that plan II supposes."""
+        """The length of the vector that plan II assumes."""
         b, r = self.bodies, self.rates
         drive, ends = b.mechanism.drive, b.known[b.mechanism.drive.link].ref
         rate = {"velocity": drive.velocity, "acceleration": drive.velocity**2}.get(r.plan, 1.0) or 1.0
@@ -103,7 +102,7 @@ class ContourRates:
         return self.draft.give(f"{r.letter}{self.swing.symbol}^II", size, means=Meaning("rate", self.swing.new.name))
 
     def proportion(self, first: str, second: str) -> tuple[tuple[str, str], tuple[str, str]]:
-        """How far the true plan lies from I, and II from I, on the line of the second lead's false vectors."""
+        """The distance of the true plan from I, and of II from I, along the line of the second lead's false vectors."""
         d = self.draft
         offsets = [self.supposed(first, "I"), self.supposed(second, "II")]
         (start, end), (from_, to) = offsets
@@ -116,8 +115,7 @@ class ContourRates:
         return (end, met), (end, carried)
 
     def supposed(self, hinge: str, plan: str) -> tuple[str, str]:
-        """The ends of the second lead on a false plan, the base's point of the first lead being where it is
-        supposed."""
+        """The ends of the second lead on a false plan, with the base's point of the first lead at its assumed place."""
         r, d = self.rates, self.draft
         pivot = self.swing.known
         near = start = r.mark(pivot.name)
@@ -146,7 +144,8 @@ class ContourRates:
         )
 
     def laid(self, leg: Leg, start: str, plan: str) -> tuple[str, list[Term]]:
-        """The known parts of a lead's rate on a false plan, from where its first point is supposed; and their terms."""
+        """The known parts of a lead's rate on a false plan, from the assumed place of its first point; and their
+        terms."""
         terms, mark = list[Term](), start
         for term in self.known(leg):
             end = f"{term.end.removesuffix(chr(39))},{plan}" + ("'" if term.end.endswith("'") else "")
@@ -155,7 +154,7 @@ class ContourRates:
         return mark, terms
 
     def carried(self, met: str, plan: str) -> str:
-        """The second lead's point of the basic link on a false plan, that of the first one being there."""
+        """The second lead's point of the basic link on a false plan, with the first one given."""
         r, d, end = self.rates, self.draft, self.mark(self.label(self.other.new, plan))
         if end == met:
             return met
@@ -166,7 +165,7 @@ class ContourRates:
         return carried(r, self.body, met, self.rod.new, self.other.new, end, FALSE)
 
     def state(self, hinge: str, terms: list[Term], met: str, plan: str) -> None:
-        """The equation that a false plan was drawn by."""
+        """State the equation of a false plan."""
         r, end = self.rates, label_of(met)
         one = [Term(f"{r.letter}{self.rod.known.name}^{plan}", POLE, label_of(hinge), drawn=True), *terms]
         two = [*r.chain(self.basic)][:-1]
@@ -177,12 +176,12 @@ class ContourRates:
         self.draft.conclude(Equation(r.plan, (tuple(one), tuple(two)), f"{r.letter}{self.rod.new.name}^{plan}"))
 
     def scheme(self, *spots: BodyPoint) -> tuple[str, str]:
-        """Two spots on the scheme."""
+        """Two points on the scheme."""
         one, two = spots
         return at(SCHEME, one.place), at(SCHEME, two.place)
 
     def read(self, leg: Leg) -> None:
-        """What is read off a link both ends of which are found."""
+        """The readings from a link with both ends found."""
         r, d = self.rates, self.draft
         r.image(leg.link, leg.known)
         r.image(self.group.base if leg is self.swing else self.group.basic, leg.new)

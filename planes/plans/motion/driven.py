@@ -1,6 +1,6 @@
-"""The hinge of what is driven, on the plans of rates: it moves about the pivot with the link of the drive that hangs on
-the frame, and against that as the drive says, v_A = v_D + v_AA1 + v_A1D with v_AA1 given: along the guide of a
-cylinder, across the arm of a motor in a hinge; in accelerations with Coriolis."""
+"""The hinge of the driven link on the velocity and acceleration plans: it moves about the pivot with the link of the
+drive that is on the frame, and relative to it at the given rate, v_A = v_D + v_AA1 + v_A1D with v_AA1 known: along the
+guide of a cylinder, across the arm of a motor in a hinge; in accelerations with Coriolis."""
 
 from collections.abc import Iterator
 from typing import Protocol
@@ -15,7 +15,7 @@ from planes.words.names import POLE, Meaning, at
 
 
 class PlanOfRates(Protocol):
-    """What a drive inside asks of the plan it is drawn on."""
+    """What an inner drive needs from the plan it is drawn on."""
 
     bodies: Bodies
     plan: str
@@ -41,7 +41,7 @@ class PlanOfRates(Protocol):
 
 
 def driven_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
-    """The vectors from the pivot's end to the new one: what is given first, the turning last."""
+    """The vectors from the pivot's end to the new one: first the given ones, the rotation last."""
     given = [*(_turned if drive.kind == "R" else _slid)(r, leg, drive)]
     yield from given
     name, end = r.letter + leg.symbol, given[-1].end
@@ -66,7 +66,7 @@ def _slid(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
 
 
 def _turned(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
-    """Across the arm from the motor, with Coriolis and the normal part along it."""
+    """Across the arm from the motor, with Coriolis and the normal component along it."""
     d, motor, hinge = r.bodies.draft, drive.point, leg.new.place
     other = r.bodies.mechanism.link(drive.mate(leg.held))
     ends = (motor, hinge) if other.name == drive.link else (hinge, motor)
@@ -98,7 +98,7 @@ def _coriolis(r: PlanOfRates, leg: Leg, across: str) -> Term:
 
 
 def _speed(r: PlanOfRates, leg: Leg) -> str:
-    """The name of the given velocity against the link that turns."""
+    """The name of the given velocity relative to the turning link."""
     return "v_drive" if leg.drive and leg.drive.kind == "P" else f"v_{leg.driven}"
 
 
@@ -107,12 +107,12 @@ def _end(r: PlanOfRates, leg: Leg) -> str:
 
 
 def driven_end(r: PlanOfRates, leg: Leg) -> str:
-    """The mark where what the drive gives ends."""
+    """The mark at the end of the drive's known vector."""
     return at(r.plan, _end(r, leg))
 
 
 def driven_spot(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
-    """Draw the point of the link that turns under the hinge; read how the other slides on it or turns."""
+    """Draw the point of the turning link under the hinge; measure how the other slides on it or turns."""
     assert leg.spot
     d, end, known, spot = r.bodies.draft, driven_end(r, leg), r.mark(leg.known.name), r.mark(leg.spot.name)
     d.step(Carry(spot, r.mark(leg.new.name), end, known))
@@ -131,7 +131,7 @@ def driven_spot(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
 
 
 def _other_turns(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
-    """The other link of a motor turns as the first does, and as the drive says besides."""
+    """The other link of a motor turns at the rate of the first plus that of the drive."""
     other, d = drive.mate(leg.held), r.bodies.draft
     sign = 1.0 if other == drive.link else -1.0
     own = [Product(1.0, ((r.spin(leg.turns), 1),))] if leg.turns else []

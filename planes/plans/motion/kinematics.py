@@ -1,7 +1,7 @@
-"""Velocity and acceleration plans: groups to vector equations, Coriolis wherever a guide turns.
+"""Velocity and acceleration plans: groups to vector equations, with Coriolis wherever a guide turns.
 
-Sources: theorem of plane motion v_C = v_B + v_CB and a_C = a_B + a_CB^n + a_CB^t; compound motion
-a_X = a_Y + a_XY^k + a_XY^r with a^k = 2ω×v_XY (Coriolis).
+Sources: theorem of plane motion v_C = v_B + v_CB and a_C = a_B + a_CB^n + a_CB^t; compound motion a_X = a_Y + a_XY^k +
+a_XY^r with a^k = 2ω×v_XY (Coriolis).
 """
 
 from collections.abc import Iterable
@@ -21,7 +21,8 @@ from planes.words.names import POLE, Meaning, at
 
 @dataclass
 class Rates:
-    """One plan of rates: ``plan`` "velocity", "motion" (velocities of a unit drive) or "acceleration"."""
+    """One velocity or acceleration plan: ``plan`` "velocity", "motion" (velocities of a unit drive) or
+    "acceleration"."""
 
     bodies: Bodies
     plan: str
@@ -36,7 +37,7 @@ class Rates:
 
     @property
     def letter(self) -> str:
-        """First letters of the vectors' names."""
+        """First letter of the vectors' names."""
         return {"velocity": "v_", "motion": "vq_", "acceleration": "a_"}[self.plan]
 
     def spin(self, link: str) -> str:
@@ -51,7 +52,7 @@ class Rates:
 
     @property
     def hinge_rate(self) -> str:
-        """Name of the rate at which a motor turns the links of its hinge, or a cylinder those that it braces."""
+        """Name of the rate at which a motor turns the links of its hinge, or a cylinder the links it braces."""
         pair, name = self.bodies.structure.drives[-1], self.drive_rate
         if not self.bodies.reach:
             return name
@@ -60,12 +61,12 @@ class Rates:
 
     @property
     def hinge_spin(self) -> str:
-        """Name of the angular velocity of the one against the other."""
+        """Name of the relative angular velocity."""
         pair = self.bodies.structure.drives[-1]
         return f"omega_{pair.link}_{pair.other}" if self.bodies.reach else self.bodies.mechanism.drive.rates[0]
 
     def label(self, name: str) -> str:
-        """The label a point has on this plan: small letters, primed for accelerations; the pole if fixed."""
+        """The label of a point on this plan: small letters, primed for accelerations; the pole if fixed."""
         if name == POLE or name in self.bodies.mechanism.frame.points:
             return POLE
         small = self.bodies.small_letter(name)
@@ -93,20 +94,20 @@ class Rates:
             self.show_points(link)
 
     def solve(self, new: str, one: tuple[Term, ...], two: tuple[Term, ...], legs: Iterable[Leg]) -> None:
-        """A new point by two chains, and what is read off its legs."""
+        """A new point by two chains, and the readings from its legs."""
         self.bodies.draft.draw(Equation(self.plan, (one, two), self.letter + new))
         self.driven.append(self.mark(new))
         for leg in legs:
             self.conclude(leg)
 
     def chain(self, leg: Leg) -> tuple[Term, ...]:
-        """The terms from the pole by the known point to the new one."""
+        """The terms from the pole through the known point to the new one."""
         self.image(leg.link, leg.known)
         known, new = self.label(leg.known.name), self.label(leg.new.name)
         name = leg.known.name if leg.known.name != POLE else leg.symbol.removeprefix(leg.reached.name)
         start = Term(self.letter + name, POLE, known, drawn=True, action="=0" if known == POLE else "")
         relative = self.letter + leg.symbol
-        if known == POLE and leg.pair:  # the point of the frame under the slider has no name of its own
+        if known == POLE and leg.pair:  # the point of the frame under the slider has no name
             grounded = Meaning("rate", leg.reached.name, link=FRAME)
             self.bodies.draft.means |= dict.fromkeys((self.letter + name, relative), grounded)
         if leg.drive:
@@ -135,7 +136,7 @@ class Rates:
         return self.bodies.draft.product(f"a_{leg.symbol}^k", 2.0, **{f"omega_{root}": 1, f"v_{leg.symbol}": 1})
 
     def conclude(self, leg: Leg) -> None:
-        """Read the angular rate of a turning link, or the rate of sliding."""
+        """Measure the angular rate of a turning link, or the rate of sliding."""
         d = self.bodies.draft
         if leg.pair is None and leg.turns:
             part = "^t" if self.quick else ""
@@ -147,11 +148,11 @@ class Rates:
             driven_spot(self, leg, leg.drive)
 
     def led_from(self, leg: Leg) -> str:
-        """The mark that the unknown vector of a leg begins at."""
+        """The start mark of a leg's unknown vector."""
         return driven_end(self, leg) if leg.drive else self.mark(leg.known.name)
 
     def slide_reading(self, leg: Leg) -> SlideReading:
-        """The slider against its guide, along the guide."""
+        """The rate of the slider along its guide."""
         pair, known, new = leg.pair, self.led_from(leg), self.mark(leg.new.name)
         assert pair is not None
         turns = self.quick and self.bodies.known[leg.link].root != FRAME
@@ -164,12 +165,12 @@ class Rates:
         return SlideReading(pair.guide, value, ends, leg.along, coriolis if turns else None)
 
     def show_points(self, link: str) -> None:
-        """The image of every point of the link, and the segment from the pole that is its rate."""
+        """The image of every point of the link, and its segment from the pole, the velocity or acceleration."""
         for name in self.bodies.mechanism.links[link].points:
             self.image(link, BodyPoint(name, name))
 
     def image(self, link: str, spot: BodyPoint) -> None:
-        """Draw the end of a spot's vector, by similarity with what is known of its link."""
+        """Draw the end of a point's vector, by similarity with the known points of its link."""
         mark = self.mark(spot.name)
         if mark in self.bodies.draft.steps:
             return
@@ -191,7 +192,7 @@ class Rates:
 
 
 def _rate(r: Rates) -> str:
-    """The name of the driver's own rate, as it is given."""
+    """The name of the driver's given rate."""
     d, drive = r.bodies.draft, r.bodies.mechanism.drive
     rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
     value = d.give(r.drive_rate, rate)
@@ -200,7 +201,7 @@ def _rate(r: Rates) -> str:
 
 
 def _drive(r: Rates) -> None:
-    """The driver's own motion: the first vectors of the plan, fully known."""
+    """The driver's motion: the first vectors of the plan, fully known."""
     d, drive, value = r.bodies.draft, r.bodies.mechanism.drive, _rate(r)
     body = r.bodies.known[drive.link]
     if drive.kind == "s":
@@ -219,8 +220,8 @@ def _drive(r: Rates) -> None:
 
 
 def swing(r: Rates, body: Body, spot: BodyPoint) -> None:
-    """The end of the vector of a spot of a link that turns with the driver, by rotation about the link's carrier: the
-    driver's own pivot on the frame, or the point that a link sliding on the driver is reached by."""
+    """The end of the vector of a point on a link that turns with the driver, by rotation about the link's carrier: the
+    driver's pivot on the frame, or the point by which a link that slides on the driver is reached."""
     d, centre = r.bodies.draft, body.carrier
     ray = d.ray(SCHEME, centre.place, spot.place)
     across = d.square(ray)

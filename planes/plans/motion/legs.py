@@ -1,7 +1,7 @@
-"""How each group reaches its new point: two legs, each a pivot or a sliding pair, whatever the kind of group.
+"""How each group reaches its new point: by two legs, each a pivot or a sliding pair, whatever the kind of group.
 
 "X = Y + relative": about a pivot Y the relative velocity is perpendicular to YX; along a guide it is parallel to the
-guide and Y is the point of the mate that coincides with X. All five kinds of class II are two such legs.
+guide and Y is the coincident point of the other link. All five kinds of class II are two such legs.
 """
 
 from planes.plans.assur.basic_links import Lead
@@ -17,9 +17,9 @@ from planes.words.names import POLE
 class Leg:
     """One way to the new point. ``link`` carries ``known``; ``along`` is the direction of the relative velocity.
 
-    About a pivot ``length`` names the radius, ``towards`` the direction from the new point to the pivot and
-    ``turns`` the link that turns about it; in a sliding pair ``pair`` says which, and ``slider_new`` whether the
-    new point is the slider's.
+    About a pivot ``length`` names the radius, ``towards`` the direction from the new point to the pivot and ``turns``
+    the link that turns about it; in a sliding pair ``pair`` is that pair, and ``slider_new`` says whether the new point
+    is the slider's.
     """
 
     new: BodyPoint
@@ -32,26 +32,26 @@ class Leg:
     turns: str | None = None
     pair: Pair | None = None
     slider_new: bool = True
-    drive: Pair | None = None  # that moves the new point against the ``held`` link
+    drive: Pair | None = None  # that moves the new point relative to the ``held`` link
     held: str = ""
-    spot: BodyPoint | None = None  # of that link, where the new point is
+    spot: BodyPoint | None = None  # of that link, at the new point
 
     @property
     def driven(self) -> str:
-        """Letters of the new point and of that under it: "AA1"."""
+        """Letters of the new point and of the coincident one: "AA1"."""
         return self.new.name + self.spot.name if self.spot else ""
 
     @property
     def reached(self) -> BodyPoint:
-        """The point that the known one leads to: of the held link, where a drive leads on from that."""
+        """The point that the known one leads to: of the held link, where a drive continues from there."""
         return self.spot or self.new
 
 
 @frozen
 class SlideReading:
-    """What a slider's rate against its guide is read from: ``value`` is the segment ``ends`` ``along`` the guide;
-    ``coriolis`` are two marks of the acceleration plan, where the guide turns; ``under`` is the mark of the guide's
-    point, if it is neither end."""
+    """The data of a slider's rate along its guide: ``value`` is the segment ``ends`` ``along`` the guide; ``coriolis``
+    are two marks of the acceleration plan, where the guide turns; ``under`` is the mark of the guide's point, if it is
+    neither end."""
 
     guide: str
     value: str
@@ -62,7 +62,7 @@ class SlideReading:
 
 
 def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
-    """The two legs of a group, in the order the method writes them."""
+    """The two legs of a group, in the order in which the method writes them."""
     if g.drive:
         link, pair = g.hung[1]
         driven, other = _driven_leg(b, g, g.drive), outer_leg(b, pair, link, BodyPoint(*[g.inner.point] * 2))
@@ -75,7 +75,7 @@ def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
 
 
 def lead_leg(b: Bodies, basic: str, lead: Lead) -> Leg:
-    """The way a lead holds its basic link, the new point being of that."""
+    """The leg of a lead to the new point on its basic link."""
     if lead.drive:
         return _driven_leg(b, lead.moving(basic), lead.drive)
     if lead.inner.kind == "P":
@@ -84,15 +84,15 @@ def lead_leg(b: Bodies, basic: str, lead: Lead) -> Leg:
 
 
 def inner_leg(b: Bodies, pair: Pair, link: str, hinge: str, new: str) -> Leg:
-    """The way from the hinge of a link to the point of the ``new`` one there, along the guide between them."""
+    """The leg from the hinge of a link to the coincident point of the ``new`` one, along the guide between them."""
     spot = BodyPoint(hinge, moving_name(b, pair.guide, hinge, new))
     known, along = BodyPoint(hinge, hinge), f"∥{pair.guide}"
     return Leg(spot, known, link, spot.name + hinge, along, pair=pair, slider_new=pair.link == new)
 
 
 def _driven_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
-    """To the hinge of what is driven: with the link on the frame about its pivot or along its guide, against that as
-    the drive says."""
+    """The leg to the hinge of the driven link: with the link on the frame about its pivot or along its guide, then by
+    the drive."""
     pair, mate, d = g.hung[0][1], g.hung[0][1].mate(g.held), b.draft
     new = BodyPoint(g.inner.point, g.inner.point)
     spot = BodyPoint(new.place, moving_name(b, drive.guide, new.place, g.held))
@@ -107,7 +107,7 @@ def _driven_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
 
 
 def outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
-    """The way to a point of ``link`` by its pair with a solved one."""
+    """The leg to a point of ``link`` by its pair with a solved one."""
     if pair.kind == "P":
         return _sliding(b, pair, link, pair.mate(link), new)
     pivot, d = pair.point, b.draft

@@ -1,7 +1,7 @@
-"""Plans of rates: every group in its order; those with basic links on crossing leads by Assur's special points.
+"""Velocity and acceleration plans: every group in its order; those of basic links with leads by Assur's special points.
 
-The third lead's point is found from the special point S of the two others. Of basic links hinged to each other the
-special point of one, with their hinge, is a lead of the next, which has three then like any basic link of class III.
+The third lead's point is found from the special point S of the two others. Of several basic links joined by hinges the
+special point of one, with their hinge, is a lead of the next, which then has three like any basic link of class III.
 """
 
 from collections.abc import Iterable
@@ -31,7 +31,7 @@ class ChainRates:
         sides = tuple(k for k, side in enumerate(g.sides) for _ in side)
         own = partial(CrossInChain, points=points, lines=lines, sides=sides)
         self.crossing = partial(own, pins=pins, joined=g.joined, turn=(*g.leads, *g.joints).index(self.last))
-        self.ends: list[SpecialPoint] = []  # of the links that lead to others, from the ends of the chain on
+        self.ends: list[SpecialPoint] = []  # links that act as leads, from the ends of the chain on
         for basic in g.basics:
             r.bodies.special(basic)
 
@@ -46,14 +46,14 @@ class ChainRates:
             self.rates.show_points(link)
 
     def legs(self, k: int, but: Pair | None = None) -> dict[Pair, Leg]:
-        """The leads of a basic link, other basic links among them but the one at that hinge."""
+        """The leads of a basic link, including other basic links except the one at that hinge."""
         g = self.group
         legs = {lead.inner: self.own[lead] for lead in g.sides[k]}
         others = ((h, sum(ends) - k) for h, ends in zip(g.hinges, g.joined, strict=True) if k in ends and h != but)
         return legs | {hinge: self.joint(end, hinge) for hinge, end in others}
 
     def joint(self, end: int, hinge: Pair) -> Leg:
-        """What a basic link is to the next one: its special point is found, and their hinge goes about that."""
+        """A basic link as a lead of the next one: its special point is found, and their hinge moves about that."""
         point, pin = self.point(end, self.legs(end, hinge).values()), BodyPoint(hinge.point, hinge.point)
         point.solve()
         point.known_by(pin)

@@ -1,9 +1,8 @@
-"""Plans of rates of groups whose basic link turns as what it slides on does.
+"""Rates of groups whose basic link turns with the link it slides on.
 
-The leads of a triad reach one point of the basic link, as they did on the scheme, where what one of them hangs on was
-moved over: the moved point goes with what it was moved from, and about that as the basic link turns. Of a group of
-class IV on two guides the base is first supposed not to slide; what it really does carries the basic link along the
-base's guide.
+The leads of a triad reach one point of the basic link, as on the scheme, where the support of one of them was shifted:
+the shifted point moves with its original, and relative to it as the basic link turns. In a group of class IV on two
+guides the base is first assumed not to slide; its true motion then carries the basic link along the base's guide.
 """
 
 from dataclasses import replace
@@ -45,7 +44,7 @@ class SlidRates:
             r.show_points(link)
 
     def moved(self, leg: Leg, new: BodyPoint) -> Leg:
-        """A leg to another point of the basic link, what it starts from moved over."""
+        """A leg to another point of the basic link, with its start shifted."""
         r, root = self.rates, self.bodies.known[self.bodies.known[self.group.basic].root]
         if root.link.name == FRAME or leg.new == new:
             return replace(leg, new=new)
@@ -83,7 +82,7 @@ class SlidContourRates(ContourRates):
             r.show_points(lead.link)
 
     def still(self) -> tuple[str, str]:
-        """A point of the base, and one of the basic link, were the base not to slide."""
+        """A point of the base, and one of the basic link, for a base that does not slide."""
         r, d = self.rates, self.draft
         r.image(self.swing.link, self.swing.known)
         hinge, base = self.fixed(self.swing), self.bodies.known[self.group.base]

@@ -1,8 +1,8 @@
-"""Assur's special point of a basic link on plans of rates: where the lines of two of its leads cross.
+"""Assur's special point of a basic link on velocity and acceleration plans: where the lines of two of its leads cross.
 
-A lead lets its point move across its own line alone, and S moves about that point across the same line: so of S both
-leads say in which direction its relative velocity lies, v_S = v_E + (⊥ of the first) = v_F + (⊥ of the second). Of
-accelerations the normal and Coriolis parts join in.
+A lead lets its point move only across its own line, and S moves about that point across the same line: so both leads
+give the direction of the relative velocity of S, v_S = v_E + (⊥ of the first) = v_F + (⊥ of the second). Accelerations
+have normal and Coriolis components as well.
 """
 
 from collections.abc import Callable
@@ -27,7 +27,8 @@ class SpecialPoint:
         self.spot = BodyPoint(name, name)
 
     def meet(self, crossing: Callable[..., Cross]) -> None:
-        """The point, where the lines of two leads cross, by a step that knows when others would cross better."""
+        """The point where the lines of two leads cross, by a step that knows when other leads would cross more
+        sharply."""
         (a, along), (b, across) = (line_of(self.draft, leg) for leg in self.legs)
         means = Meaning("special", self.basic)
         self.draft.step(crossing(at(SCHEME, self.spot.place), a, along, b, across, means=means))
@@ -38,7 +39,7 @@ class SpecialPoint:
         self.rates.solve(self.spot.name, self.to_special(one), self.to_special(two), ())
 
     def to_special(self, leg: Leg) -> tuple[Term, ...]:
-        """The terms from the pole by what a lead hangs on to S; both tangential parts are one."""
+        """The terms from the pole through the lead's support to S; both tangential components are one."""
         r, s = self.rates, self.spot.name
         *known, last = r.chain(leg)
         symbol, part = s + leg.symbol.removeprefix((leg.spot or leg.new).name), parts_of(last.name)[2]
@@ -59,7 +60,7 @@ class SpecialPoint:
         return Term(f"{name}^n", start, f"n_{s}{new.name}", length=value, direction=along, action=along, means=normal)
 
     def about(self, new: BodyPoint) -> Leg:
-        """How another point of the basic link goes about S."""
+        """The motion of another point of the basic link about S."""
         s, d = self.spot, self.draft
         ray = d.ray(SCHEME, s.place, new.place)
         length = d.measure(f"l_{new.place}{s.place}", at(SCHEME, new.place), at(SCHEME, s.place))
@@ -68,7 +69,7 @@ class SpecialPoint:
         return Leg(new, s, self.basic, new.name + s.name, *turning)
 
     def known_by(self, new: BodyPoint) -> None:
-        """The basic link is known by S and another point from now on."""
+        """From now on the basic link is known by S and another point."""
         body = self.bodies.known[self.basic]
         body.ref, body.moving, body.rigid = (self.spot, new), new, False
 
@@ -82,7 +83,7 @@ class SpecialPoint:
         self.read()
 
     def read(self) -> None:
-        """The points of the leads that met in S, by similarity, and what is read off the leads."""
+        """The points of the leads that meet in S, by similarity, and the readings from the leads."""
         r = self.rates
         for leg in self.legs:
             r.image(self.basic, leg.new)
@@ -93,6 +94,6 @@ class SpecialPoint:
 
 
 def line_of(d: Draft, leg: Leg) -> tuple[str, str]:
-    """The point of a lead, and the line of that, across what the point may do."""
+    """The point of a lead and its line, across the point's possible motion."""
     line = d.ray(SCHEME, leg.known.place, leg.new.place) if leg.pair is None else d.square(leg.along)
     return at(SCHEME, leg.new.place), line

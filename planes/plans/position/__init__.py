@@ -1,1 +1,1 @@
-"""The scheme: the plan of positions, group by group, and which assembly is meant."""
+"""The scheme: the plan of positions, group by group, and the choice of assembly."""

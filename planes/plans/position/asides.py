@@ -1,8 +1,8 @@
-"""What a drive inside gives, drawn aside: the link of it that hangs on the frame stands as if it were not moved yet,
-and the drive leads from that to the hinge of what is driven.
+"""Auxiliary figures of inner drives: the link of the drive that is on the frame is drawn in a reference position, and
+the drive leads from it to the hinge of the driven link.
 
-A link that hangs by a hinge is drawn about that, its axis level; one that slides on the frame, where its guide is told
-to run through.
+A link with a hinge is drawn about that, its axis level; a link that slides on the frame is drawn along its guide,
+given.
 """
 
 from planes.drafting.steps import Turn
@@ -17,8 +17,8 @@ from planes.words.names import Meaning, at
 
 @frozen
 class Aside:
-    """A ``link`` drawn aside: its point ``base`` at the mark ``start``, its x axis along ``axis``; ``tag`` tells its
-    marks from those of the scheme."""
+    """A ``link`` drawn aside: its point ``base`` at the mark ``start``, its x axis along ``axis``; ``tag`` marks its
+    labels off from those of the scheme."""
 
     bodies: Bodies
     link: Link
@@ -42,7 +42,7 @@ class Aside:
 
 
 def aside_of(b: Bodies, g: Group, start: str = "") -> Aside:
-    """The link of a drive that hangs on the frame: about its hinge (from ``start``, where that is not there yet), or by
+    """The link of a drive that is on the frame: about its hinge (from ``start``, where that does not exist yet), or by
     its guide."""
     pair, link = g.hung[0][1], b.mechanism.link(g.held)
     if pair.kind == "R":
@@ -56,7 +56,7 @@ def aside_of(b: Bodies, g: Group, start: str = "") -> Aside:
 
 
 def turned(aside: Aside, motor: Pair, hinge: str) -> tuple[str, str]:
-    """Marks of a motor and of the hinge of what is driven: the second link is turned as the drive says."""
+    """Marks of a motor and of the hinge of the driven link: the second link is turned by the drive's angle."""
     b, first, second = aside.bodies, aside.link.name, aside.bodies.mechanism.link(motor.mate(aside.link.name))
     d, drive, elbow = b.draft, b.mechanism.drive, aside.spot(motor.point)
     turn = d.give(drive.given, drive.position)
@@ -69,7 +69,7 @@ def turned(aside: Aside, motor: Pair, hinge: str) -> tuple[str, str]:
 
 
 def slid(aside: Aside, pair: Pair, hinge: str) -> str:
-    """The mark of the hinge of what is driven: a cylinder leads to it as it is long."""
+    """The mark of the hinge of the driven link: a cylinder leads to it by its length."""
     b, d, carries = aside.bodies, aside.bodies.draft, aside.link.name == pair.other
     ends = (aside.base, hinge) if carries else (hinge, aside.base)
     reach, across = reach_of(b, pair, ends)
@@ -80,8 +80,8 @@ def slid(aside: Aside, pair: Pair, hinge: str) -> str:
 
 
 def reach_of(b: Bodies, pair: Pair, ends: tuple[str, str]) -> tuple[str, str | None]:
-    """How far points of a cylinder, of the guide's link and of the slider, are apart along the guide, and across it
-    (None: not at all): names of values, SI."""
+    """The distances between points of a cylinder, of the guide's link and of the slider, along the guide and across it
+    (None: zero): names of values, SI."""
     d, carrier, slider = b.draft, b.mechanism.link(pair.other), b.mechanism.link(pair.link)
     guide, origin = carrier.guides[pair.guide], OwnPlace(carrier.name, guide=pair.guide)
     foot, pin = OwnPlace(slider.name, slider.first_point), OwnPlace(slider.name, ends[1])

@@ -16,7 +16,7 @@ WORDS_OF_KIND = {1: ("left", "right"), 2: ("ahead", "behind"), 3: ("ahead", "beh
 
 
 def resolve(b: Bodies) -> None:
-    """Set every side in the draft's givens; :class:`SceneError` where the scene does not say which is meant."""
+    """Set every side in the draft's givens; :class:`SceneError` where the scene does not settle which is meant."""
     draft, mechanism = b.draft, b.mechanism
     program = Program(tuple(draft.steps.values()))
     for choice in b.choices:
@@ -36,7 +36,7 @@ def resolve(b: Bodies) -> None:
 
 
 def _side(b: Bodies, program: Program, choice: AssemblyChoice, key: str, said: Assembly) -> float:
-    """The side that a word or a place of the scene means."""
+    """The side that a word or a place of the scene selects."""
     words = WORDS_OF_KIND[choice.group.kind]
     if said.near is not None:
         return _nearer(b, program, choice, key, said.near)
@@ -48,7 +48,7 @@ def _side(b: Bodies, program: Program, choice: AssemblyChoice, key: str, said: A
 
 
 def _said(choice: AssemblyChoice, mechanism: Mechanism) -> list[tuple[str, Assembly]]:
-    """What the scene says of this group: under its own key, or ``near`` under any point of it."""
+    """The entry of this group in the scene: under its own key, or ``near`` under any point of it."""
     points, hinges = _new_points(choice.group, mechanism), {pair.point for pair in choice.group.inner_pairs}
     return [
         (key, said)
@@ -58,14 +58,14 @@ def _said(choice: AssemblyChoice, mechanism: Mechanism) -> list[tuple[str, Assem
 
 
 def _new_points(group: Group | Triad | Contour, mechanism: Mechanism) -> list[str]:
-    """Points that move with the choice: those of the group's links but the hinges it hangs on."""
+    """Points that move with the choice: those of the group's links, without its outer hinges."""
     outer = {pair.point for pair in group.pairs if pair not in group.inner_pairs}
     points = [p for link in (*group.ends, *group.links) for p in mechanism.links[link].points]
     return [p for p in dict.fromkeys(points) if p not in outer]
 
 
 def _places(b: Bodies, program: Program, choice: AssemblyChoice, point: str) -> list[tuple[float, complex]]:
-    """Where the point would be on either side, in m; empty where it cannot be drawn."""
+    """The places of the point for either side, in m; empty where it cannot be drawn."""
     mark = at("position", point)
     sliced = program.sliced([mark])
     places = []
@@ -93,13 +93,13 @@ def _nearer(b: Bodies, program: Program, choice: AssemblyChoice, key: str, near:
 
 
 def _judged(b: Bodies, choice: AssemblyChoice, key: str) -> str:
-    """The point by which it is judged: of a key that is a guide, one that moves with the choice."""
+    """The point that decides: for the key of a guide, one that moves with the choice."""
     placed = at("position", key) in b.draft.steps
     return key if placed else next(iter(_new_points(choice.group, b.mechanism)), key)
 
 
 def _question(b: Bodies, program: Program, choice: AssemblyChoice) -> Phrase:
-    """What the scene does not say, and the words that say it, to be added to an assembly if there is one."""
+    """The missing choice, and the words that make it, to be added to an existing assembly."""
     more, g, words = bool(b.mechanism.assembly), choice.group, WORDS_OF_KIND[choice.group.kind]
     own, placed = ("assembly_more", "assembly_more_at") if more else ("assembly_offer", "assembly_offer_at")
     offers = [Phrase(own, key=choice.key, word=word) for word in words]

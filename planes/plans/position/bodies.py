@@ -1,4 +1,4 @@
-"""What is known of each link while the plans grow: its marks, its x axis, and whose turning it shares."""
+"""The known data of each link while the plans grow: its marks, its x axis, and the link whose rotation it shares."""
 
 from collections.abc import Callable
 from copy import copy
@@ -33,7 +33,8 @@ SCHEME = "position"
 
 @frozen
 class BodyPoint:
-    """A point of a link: its mark's label on the scheme, and its name on the moving plans ("A" there, "A3" here)."""
+    """A point of a link: its mark's label on the scheme, and its name on the velocity and acceleration plans ("A"
+    there, "A3" here)."""
 
     place: str
     name: str
@@ -41,37 +42,37 @@ class BodyPoint:
 
 @dataclass
 class Body:
-    """A solved link: ``base`` is a point of it on every plan, ``axis`` the direction of its own x axis; it turns as
-    link ``root`` does, of which ``ref`` are two spots (None for the frame, or for a driver of one point)."""
+    """A solved link: ``base`` is a point of it on every plan, ``axis`` the direction of its x axis; it turns as link
+    ``root`` does, of which ``ref`` are two points (None for the frame, or for a driver with one point)."""
 
     link: Link
     base: BodyPoint
     axis: str
     root: str
     ref: tuple[BodyPoint, BodyPoint] | None = None
-    rigid: bool = False  # ref are two named points of this very link, a constant distance apart
-    moving: BodyPoint | None = None  # where the moving plans start from, if not from ``base``
+    rigid: bool = False  # ref are two named points of this same link, a constant distance apart
+    moving: BodyPoint | None = None  # start point on the velocity and acceleration plans, if not ``base``
 
     @property
     def carrier(self) -> BodyPoint:
-        """The spot of the link that the moving plans reach first."""
+        """The point of the link that the velocity and acceleration plans reach first."""
         return self.moving or self.base
 
 
 @frozen
 class AssemblyChoice:
-    """A ±1 the scene has to choose: the name of the given, the key of ``assembly:`` and the group."""
+    """A ±1 that the scene must choose: the name of the given, the key of ``assembly:`` and the group."""
 
     side: str
     key: str
     group: Group | Triad | Contour
-    placed: bool = True  # its places can be told before other choices are made
+    placed: bool = True  # its places are known before other choices are made
 
 
 @frozen
 class BraceReach:
-    """How long a cylinder is that braces a hinge, by names of values: the sense it points in, its reach along its guide
-    and its length between its hinges, which are not the same where one lies off the guide."""
+    """The length of a cylinder that braces a hinge, by names of values: its sense, its reach along its guide and the
+    distance between its hinges, which differs from the reach where a hinge lies off the guide."""
 
     way: str
     reach: str
@@ -81,7 +82,7 @@ class BraceReach:
 
 @frozen
 class TrackChoice:
-    """Which crossing of a track is meant: the series of an assembly, the sign of it, and what holds the link."""
+    """Which crossing of a track is meant: the series of an assembly, its sign, and the ties of the link."""
 
     key: str
     group: Tracked
@@ -92,7 +93,7 @@ class TrackChoice:
 
 @dataclass
 class Bodies:
-    """The links solved so far, and the marks their own points and lines have on the scheme."""
+    """The links solved so far, and the marks of their points and lines on the scheme."""
 
     mechanism: Mechanism
     structure: Structure
@@ -102,12 +103,12 @@ class Bodies:
     leads: dict[str, tuple[Lead, ...]] = field(default_factory=dict)  # of a basic link: the first two meet in S
     known: dict[str, Body] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
-    placers: dict[Lead, Callable[[], None]] = field(default_factory=dict)  # of leads that a drive inside has aside
+    placers: dict[Lead, Callable[[], None]] = field(default_factory=dict)  # of leads with a drive inside, drawn aside
     reach: BraceReach | None = None
     specials: dict[str, str] = field(default_factory=dict)  # basic link -> name of its point S
     standing: set[str] = field(default_factory=lambda: {FRAME})  # links that never move
-    passive: tuple[Link, ...] = ()  # that are drawn by points of others
-    coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (point it coincides with, link)
+    passive: tuple[Link, ...] = ()  # drawn by points of others
+    coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (coincident point, link)
 
     @property
     def shape(self) -> SceneDimensions:
@@ -115,14 +116,14 @@ class Bodies:
         return SceneDimensions(self.mechanism, self.passive)
 
     def apart(self) -> "Bodies":
-        """The same, grown further by itself."""
+        """A copy that can grow separately."""
         other = copy(self)
         vars(other).update({name: copy(kept) for name, kept in vars(self).items() if isinstance(kept, dict | list)})
         other.draft, other.known = self.draft.apart(), {name: copy(body) for name, body in self.known.items()}
         return other
 
     def special(self, basic: str) -> str:
-        """The name of the special point of a basic link, that no other point has."""
+        """The name of the special point of a basic link, not used by any other point."""
         others = (name for link, name in self.specials.items() if link != basic)
         taken = {*self.mechanism.names, *self.coincident, *others}
         names = "S", f"S{basic}", "T", "U", "W", *(f"S{basic}" + "_" * k for k in range(1, 2 + len(taken)))
@@ -130,7 +131,8 @@ class Bodies:
         return self.specials.setdefault(basic, name)
 
     def small_letter(self, name: str) -> str:
-        """The label of a point on the moving plans: its small letters, unless another point has taken them."""
+        """The label of a point on the velocity and acceleration plans: its small letters, unless another point has
+        them."""
         if name not in self.labels:
             label, taken = name.lower(), {POLE, *self.labels.values()}
             while label in taken:
@@ -139,7 +141,7 @@ class Bodies:
         return self.labels[name]
 
     def place_points(self, body: Body) -> None:
-        """Draw the points of a link that are not on the scheme yet, by similarity or from its axis."""
+        """Draw the points of a link that are still missing on the scheme, by similarity or from its axis."""
         for name in body.link.points:
             if at(SCHEME, name) not in self.draft.steps:
                 self._place_point(body, name, OwnPlace(body.link.name, name))
@@ -158,24 +160,25 @@ class Bodies:
     def similar(
         self, mark: str, body: Body, name: str, p: OwnPlace, ends: tuple[str, str], means: Meaning | None = None
     ) -> str:
-        """The mark of a place of a rigid link, that stands to the ``ends`` as it does to the points they are of."""
+        """The mark of a place of a rigid link, in the same ratio to the ``ends`` as to the points they represent."""
         assert body.ref
         like = ratio(self.shape, p, *(OwnPlace(p.link, s.place) for s in body.ref))
         return self.draft.step(Similar(mark, *ends, self.draft.reckon(f"ratio_{name}_{p.link}", like), means=means))
 
     def length(self, link: Link, one: str, two: str, end: OwnPlace | None = None) -> str:
-        """The given distance of two points of a link; ``end`` is the place of the second if it is none of them."""
+        """The given distance between two points of a link; ``end`` is the place of the second if it is not one of
+        them."""
         apart = distance(self.shape, OwnPlace(link.name, one), end or OwnPlace(link.name, two))
         return self.draft.reckon(f"l_{one}{two}", apart, Meaning("length", one, two, link.name))
 
     def distance(self, link: Link, one: BodyPoint, two: BodyPoint) -> str:
-        """The distance of two spots of a link: given if both are its points, else taken off the scheme."""
+        """The distance between two places of a link: given if both are its points, else measured on the scheme."""
         if one.name in link.points and two.name in link.points:
             return self.length(link, one.place, two.place)
         return self.draft.measure(f"l_{one.place}{two.place}", at(SCHEME, one.place), at(SCHEME, two.place))
 
     def line(self, pair: Pair, known: str) -> tuple[str, str]:
-        """The line of a sliding pair as the solved link ``known`` carries it: a mark on it and its direction."""
+        """The line of a sliding pair on the solved link ``known``: a mark on it and its direction."""
         mark = self._guide_mark(self.known[known], pair.guide) if known == pair.other else self.foot(pair)
         return mark, self.direction_from(pair, known, self.known[known].axis)
 
@@ -208,8 +211,8 @@ class Bodies:
         return self.draft.turn(name, axis, angle, means, given)
 
     def offset(self, pair: Pair, link: str, point: str) -> Dimension | None:
-        """How far a point of ``link`` lies to the left of the pair's line (m), and how far off that may be; None: on it
-        by construction."""
+        """How far a point of ``link`` lies to the left of the pair's line (m), with its uncertainty; None: on it by
+        construction."""
         body = self.mechanism.link(link)
         if link == pair.other:
             guide = body.guides[pair.guide]
@@ -228,18 +231,19 @@ class Bodies:
         return difference(height(self.shape, *spots, -leaning(self.shape, link)), own)
 
     def shifted(self, label: str, means: Meaning, start: str, direction: str, by: Dimension | None) -> str:
-        """A helping mark ``by`` metres to the left of a line through ``start`` (that itself when it is nothing)."""
+        """An auxiliary mark ``by`` metres to the left of a line through ``start`` (``start`` itself where that is
+        zero)."""
         if by is None:
             return start
         offset = self.draft.reckon(f"e_{label}", by, Meaning("offset", label))
         return self.draft.lay_off(SCHEME, label, start, self.draft.square(direction), offset, means)
 
     def place(self, pair: Pair) -> str:
-        """The mark where a pair acts: its hinge, or the foot of the slider's first point."""
+        """The mark where a pair acts: its hinge, or the foot of the perpendicular from the slider's first point."""
         return at(SCHEME, pair.point) if pair.kind == "R" else self.foot(pair)
 
     def foot(self, pair: Pair) -> str:
-        """The foot of the slider's first point on the guide line."""
+        """The foot of the perpendicular from the slider's first point to the guide."""
         body = self.known[pair.link]
         first = at(SCHEME, body.link.first_point)
         offset = self.offset(pair, pair.link, body.link.first_point)

@@ -1,5 +1,5 @@
-"""A cylinder across the hinge of two links: it is drawn aside how far their outer hinges are apart, and what turns them
-against each other is reckoned from how it grows.
+"""A cylinder across the hinge of two links: an auxiliary figure gives the distance between their outer hinges, and the
+cylinder's speed gives their relative rotation.
 
 Its length L between the hinges Q and P of the links that turn about A has the arm h about A, so L' = ω·h; and as it is
 d from the foot of that arm to P, h' = −ω·(d − d²/L), which gives ε from L''.
@@ -18,7 +18,7 @@ from planes.words.names import Meaning, at, mu_of
 
 
 def place_braced(b: Bodies, g: Group) -> None:
-    """The two links that are one with the cylinder stopped, and the third."""
+    """The two links made rigid by the stopped cylinder, and the third."""
     assert g.drive and g.brace
     aside = aside_of(b, g)
     motor, hinge, b.reach = _braced(aside, g, g.drive, g.brace)
@@ -33,7 +33,7 @@ def place_braced(b: Bodies, g: Group) -> None:
 
 
 def _braced(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str, BraceReach]:
-    """The braced hinge and that of what is driven, drawn aside: the cylinder's far hinge is where two arcs meet."""
+    """The braced hinge and that of the driven link, drawn aside: two arcs meet at the cylinder's far hinge."""
     b, second = aside.bodies, two_hinges(aside.bodies, drive.link, drive.point, brace.far.point)
     d, (hinge, motor, near, far) = b.draft, (p.point for p in (g.inner, drive, brace.near, brace.far))
     ends = (near, far) if brace.near.link == brace.slide.other else (far, near)
@@ -56,8 +56,8 @@ def _braced(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str
 
 
 def braced_rate(b: Bodies, plan: str, name: str, drive: str, omega: str) -> str:
-    """How fast the far link turns against the near one, by the ``drive``'s rate on a plan; in accelerations by
-    ``omega`` too."""
+    """The angular velocity of the far link relative to the near one, from the ``drive``'s rate on a plan; for
+    accelerations from ``omega`` too."""
     g = next(g for g in b.structure.dyads if g.brace)
     r, d, brace = b.reach, b.draft, g.brace
     assert r and brace and g.drive
@@ -79,7 +79,7 @@ def braced_rate(b: Bodies, plan: str, name: str, drive: str, omega: str) -> str:
 
 
 def _arm(b: Bodies, drive: Pair, brace: Brace, offset: bool) -> tuple[str, str]:
-    """The arm of the cylinder's line about the braced hinge, and how far that is along it from the far one."""
+    """The arm of the cylinder's line about the braced hinge, and the distance of its foot from the far hinge."""
     d, near, far = b.draft, brace.near.point, brace.far.point
     line = d.ray(SCHEME, near, far) if offset else f"∥{brace.slide.guide}"
     pin, hinge = at(SCHEME, far), at(SCHEME, drive.point)

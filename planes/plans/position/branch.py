@@ -1,8 +1,8 @@
-"""One assembly of a triad followed as the drive moves, to both ends of the range it lasts in; and told as a series.
+"""One assembly of a triad followed as the drive moves, to both ends of its range, and stored as a series.
 
-Every step of the way begins where the last ones lead and ends where Newton's steps do; it is halved until they end near
-where they began and the lines of the three leads have kept their sense about each other, which they change at a dead
-point alone. There the range ends: two assemblies meet, and beyond there is neither.
+Every step is extrapolated from the last ones and corrected by Newton's method. It is halved until the correction is
+small and the lines of the three leads keep their sense about each other, which changes only at a dead point. There the
+range ends: two assemblies merge, and beyond there is none.
 """
 
 import cmath
@@ -17,20 +17,20 @@ from planes.words.errors import PlanFailure
 from planes.words.frozen import frozen
 
 STEP, TURN = 1.0, 360.0  # of the drive, degrees
-STEPS = 360  # of a sliding drive to either side, each a ninetieth of the link's size
+STEPS = 360  # of a sliding drive to either side, each one ninetieth of the link's size
 HALVINGS = 40
-BEND = 0.02  # how far from where it was foreseen a step may end, of the link's size and radians
+BEND = 0.02  # the largest correction of a step, of the link's size and radians
 FAR = 30.0  # sizes of the link: beyond that it has run away
 NEARER = (1.0, 0.5, 0.25, 0.1)
 TERMS = (32, 64, 128, 256)
-EDGE = 1e-7  # of the range, at its ends, where a series is not tried: assemblies are as near to each other there
+EDGE = 1e-7  # of the range, at its ends, where a series is not tested: two assemblies are too close there
 
-Ties = Callable[[float], list[Tie]]  # the leads at a value of the drive
+Ties = Callable[[float], list[Tie]]  # the leads at a position of the drive
 
 
 @frozen
 class Waypoint:
-    """A place of the way: the drive's value, the leads there and the link on them."""
+    """A point of the path: the drive's position, the leads there and the pose of the link on them."""
 
     value: float
     ties: list[Tie]
@@ -39,7 +39,7 @@ class Waypoint:
 
 @frozen
 class Branch:
-    """The range of the drive where an assembly lasts, and its series there (places over the link's size, radians)."""
+    """The range of the drive where an assembly exists, and its series there (places over the link's size, radians)."""
 
     low: float
     high: float
@@ -48,7 +48,7 @@ class Branch:
     turns: tuple[tuple[float, ...], ...]  # of each link
 
     def guess(self, value: float) -> Pose:
-        """The pose that the series tells, of a link of unit size."""
+        """The pose from the series, for a link of unit size."""
         part = (value - (self.low + self.high) / 2) / ((self.high - self.low) / 2)
         y = 2 * math.acos(min(1.0, max(-1.0, part))) / math.pi - 1
         axes = (cmath.exp(1j * float(series(list(terms), y))) for terms in self.turns)
@@ -56,7 +56,7 @@ class Branch:
 
 
 class _Way:
-    """The way of one assembly."""
+    """The path of one assembly."""
 
     def __init__(self, ties: Ties, start: float, pose: Pose, size: float, turning: bool) -> None:
         self.ties, self.size, self.ar, self.turning = ties, size, Arithmetic(), turning
@@ -66,7 +66,7 @@ class _Way:
         self.sign = math.copysign(1.0, sharpness)
 
     def settled(self, value: float, ties: list[Tie], near: Pose) -> tuple[Waypoint, float]:
-        """The spot near a foreseen pose, and its sharpness with its sign: 0 where there is none."""
+        """The pose near a predicted one, and its signed sharpness: 0 where there is none."""
         pose, _, _ = settle(ties, near, self.size, self.ar)
         pose, det, moved = settle(ties, pose, self.size, self.ar)
         off = _off(pose, near, self.size)
@@ -74,7 +74,7 @@ class _Way:
         return Waypoint(value, ties, pose), det if good else 0.0
 
     def found(self, value: float, near: Pose) -> Waypoint | None:
-        """The spot at a value of the drive, if the assembly lasts there."""
+        """The pose at a position of the drive, if the assembly exists there."""
         try:
             spot, det = self.settled(value, self.ties(value), near)
         except (ArithmeticError, PlanFailure):
@@ -82,7 +82,7 @@ class _Way:
         return spot if det * self.sign > 0 else None
 
     def side(self, way: float, reach: float) -> list[Waypoint]:
-        """The spots to one side, the start first, as far as the assembly lasts or ``reach``."""
+        """The poses to one side, the start first, as far as the assembly exists or ``reach``."""
         spots, step = [self.start], self.step
         while (gone := abs(spots[-1].value - self.start.value)) < reach and step > self.step * 2.0**-HALVINGS:
             value = spots[-1].value + way * min(step, reach - gone)
@@ -93,7 +93,7 @@ class _Way:
         return spots
 
     def whole(self) -> list[Waypoint]:
-        """The whole way, by growing values of the drive: no more than a turn."""
+        """The whole path, by growing positions of the drive: at most one turn."""
         if not self.turning:
             reach = STEPS * self.step
             return [*reversed(self.side(-1.0, reach)[1:]), *self.side(1.0, reach)]
@@ -105,12 +105,12 @@ class _Way:
 
 
 def _ahead(spots: Sequence[Waypoint], value: float) -> Pose:
-    """Where the last two spots lead."""
+    """The extrapolation of the last two poses."""
     return _between(spots[-2], spots[-1], value) if len(spots) > 1 else spots[-1].pose
 
 
 def _between(one: Waypoint, two: Waypoint, value: float) -> Pose:
-    """The pose on the straight way through two spots."""
+    """The linear interpolation between two poses."""
     part = (value - one.value) / (two.value - one.value)
     (p, *before), (q, *after) = one.pose, two.pose
     axes = (u * cmath.exp(1j * cmath.phase(w / u) * part) for u, w in zip(before, after, strict=True))
@@ -118,15 +118,15 @@ def _between(one: Waypoint, two: Waypoint, value: float) -> Pose:
 
 
 def _off(one: Pose, two: Pose, size: float) -> float:
-    """How far two poses are apart, in sizes of the link and radians."""
+    """The difference of two poses, in sizes of the link and radians."""
     return float(max(abs(one[0] - two[0]) / size, *(abs(u - w) for u, w in zip(one[1:], two[1:], strict=True))))
 
 
 def follow(ties: Ties, start: float, pose: Pose, size: float, turning: bool) -> Branch | None:
-    """The branch of a pose at the drive's ``start``; None where no series tells it."""
+    """The branch of a pose at the drive's ``start``; None where no series represents it."""
     way = _Way(ties, start, pose, size, turning)
     spots = way.whole()
-    for near in NEARER:  # where no series tells all of it, those about the start
+    for near in NEARER:  # where no series represents all of it, the poses about the start
         part = [
             s for s in spots if (spots[0].value - start) * near <= s.value - start <= (spots[-1].value - start) * near
         ]
@@ -138,11 +138,11 @@ def follow(ties: Ties, start: float, pose: Pose, size: float, turning: bool) -> 
 
 
 def _series(way: _Way, spots: list[Waypoint], count: int) -> Branch | None:
-    """The series of so many terms, through as many spots on the way."""
+    """The series with so many terms, through as many poses on the path."""
     low, high = spots[0].value, spots[-1].value
     values = [s.value for s in spots]
     places, turns = list[complex](), [list[float]() for _ in way.start.pose[1:]]
-    for j in range(count):  # from the highest value of the drive down
+    for j in range(count):  # from the highest position of the drive down
         tau = math.pi * (1 - math.cos(math.pi * (j + 0.5) / count)) / 2
         value = (low + high) / 2 + (high - low) / 2 * math.cos(tau)
         k = min(max(bisect(values, value), 1), len(spots) - 1)
@@ -158,14 +158,14 @@ def _series(way: _Way, spots: list[Waypoint], count: int) -> Branch | None:
 
 
 def _term(k: int, values: Sequence[complex]) -> complex:
-    """A term of Chebyshev's series through values at its own places."""
+    """A term of Chebyshev's series through values at its nodes."""
     count = len(values)
     cosines = (math.cos(math.pi * k * (j + 0.5) / count) for j in range(count))
     return (2.0 if k else 1.0) / count * sum(x * c for x, c in zip(values, cosines, strict=True))
 
 
 def _tells(way: _Way, branch: Branch, spots: Sequence[Waypoint]) -> bool:
-    """Whether the series leads to every spot of the way, and to none else."""
+    """Whether the series leads to every pose of the path, and to no other."""
     edge = EDGE * (branch.high - branch.low)
     for spot in (s for s in spots if branch.low + edge <= s.value <= branch.high - edge):
         place, *axes = branch.guess(spot.value)

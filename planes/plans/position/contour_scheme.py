@@ -1,9 +1,9 @@
-"""The scheme of a group of class IV: the contour drawn aside with its base level, then turned to where it hangs.
+"""The scheme of a group of class IV: the contour drawn aside with its base level, then turned into place.
 
-With the base held still, what the group hangs on is one more lead from the base's outer hinge to the basic link: a rod
-to that one's outer hinge, or a block in which its guide slides. So the basic link stands on three leads, as one of
-class III does, and its hinge is found by a track. The figure is turned about the base's outer hinge until the other
-outer hinge is where it hangs, or the guide lies as it does.
+With the base held still, the support of the group is one more lead from the base's outer hinge to the basic link: a rod
+to the basic link's outer hinge, or a block in which its guide slides. So the basic link has three leads, as one of
+class III, and its hinge is found by a track. The figure is turned about the base's outer hinge until the other outer
+hinge is in its place, or the guide in its direction.
 """
 
 from planes.drafting.steps import Image
@@ -20,7 +20,7 @@ from planes.words.names import Meaning, at, mu_of
 
 
 def place_contour(b: Bodies, g: Contour) -> None:
-    """Draw the contour aside, turn it to what it hangs on, and the links from that."""
+    """Draw the contour aside, turn it into place, and draw the links from it."""
     aside = _Aside(b, g)
     one, two = map(aside.held, g.leads)
     key = first_reached(b, g)
@@ -33,31 +33,31 @@ def place_contour(b: Bodies, g: Contour) -> None:
 
 
 def largest(b: Bodies, g: Contour) -> float:
-    """How large the largest of the group's links is, m."""
+    """The size of the largest of the group's links, m."""
     return max(spread(b.mechanism.links[x].points.values()) for x in g.links)
 
 
 class _Aside:
-    """The figure aside: its base level, about the base's outer hinge."""
+    """The auxiliary figure: its base level, about the base's outer hinge."""
 
     def __init__(self, b: Bodies, g: Contour) -> None:
         self.bodies, self.group, self.draft = b, g, b.draft
         self.base, self.basic = b.mechanism.links[g.base], b.mechanism.links[g.basic]
         self.pivot, self.outer = g.outer[0].point, g.outer[1]
         self.level = self.draft.aim("→", 0.0, Meaning("given", g.base))
-        self.like: tuple[str, str] = ("", "")  # marks aside and where they are, each from the pivot
+        self.like: tuple[str, str] = ("", "")  # marks of the figure and their places, each from the pivot
 
     def mark(self, point: str) -> str:
-        """The mark of a point on the figure aside."""
+        """The mark of a point on the auxiliary figure."""
         return at(SCHEME, f"{point}°{self.pivot}")
 
     def reach(self) -> str:
-        """A length by which directions are carried: the largest of the group's links."""
+        """A length by which directions are transferred: the largest of the group's links."""
         size = largest(self.bodies, self.group)
         return self.draft.give(f"l_{self.pivot}°", size, means=Meaning("guide", self.pivot))
 
     def held(self, lead: Lead) -> Hold:
-        """How a lead from the base, which is drawn level about its outer hinge, holds the basic link."""
+        """The tie of a lead from the base, which is drawn level about its outer hinge, on the basic link."""
         b, d, outer, inner = self.bodies, self.draft, lead.outer, lead.inner
         if outer.kind == "P":
             across = difference(b.offset(outer, lead.link, inner.point), b.offset(outer, self.base.name, self.pivot))
@@ -75,7 +75,7 @@ class _Aside:
         return hold_of(b, self.basic.name, lead, place)
 
     def hung(self) -> Hold:
-        """How the basic link is held by what the group hangs on, as the base sees it."""
+        """The tie of the group's support on the basic link, relative to the base."""
         b, d, name, pivot = self.bodies, self.draft, self.basic.name, at(SCHEME, self.pivot)
         if self.outer.kind == "R":
             apart = d.measure(f"l_{self.pivot}{self.outer.point}", pivot, at(SCHEME, self.outer.point))
@@ -88,7 +88,7 @@ class _Aside:
         return Hold("guide", local_of(b, self.basic, first), pivot, off, turn)
 
     def cut(self, key: str, cut: Cut) -> None:
-        """The basic link aside, and what the figure is turned by."""
+        """The basic link of the auxiliary figure, and the rotation of the figure."""
         d, b = self.draft, self.bodies
         ends = (key, self.outer.point) if self.outer.kind == "R" else (key,)
         for p in ends:
@@ -105,18 +105,18 @@ class _Aside:
         self.like = one, two
 
     def axis(self, key: str, cut: Cut) -> str:
-        """The basic link's own axis aside."""
+        """The basic link's axis in the auxiliary figure."""
         own, name = Meaning("own", self.basic.name), f"x_{self.basic.name}°"
         return self.draft.step(CutTurn(name, local_of(self.bodies, self.basic, key), *cut, means=own))
 
     def turned(self, label: str, aside: str, means: Meaning | None = None) -> str:
-        """A mark of the figure aside where it is, by similarity."""
+        """A mark of the figure in its true place, by similarity."""
         start = at(SCHEME, self.pivot)
         shape = (start, aside), (start, self.like[0]), (start, self.like[1])
         return self.draft.step(Image(at(SCHEME, label), start, *shape, means=means))
 
     def axis_turned(self, link: str, start: str, aside: str, along: str) -> str:
-        """A link's own axis where it is, the mark it starts from being there."""
+        """A link's axis in its true direction, with its start mark there."""
         helper = Meaning("guide", link)
         end = self.draft.lay_off(SCHEME, f"x{link}°{self.pivot}", aside, along, self.reach(), helper)
         return self.draft.through(f"x_{link}", start, self.turned(f"x{link}′", end, helper), Meaning("own", link))

@@ -1,6 +1,5 @@
-"""What the doubles of a scene's numbers leave out of its decimals, where they are written as they stand: of givens that
-are reckoned of them, too, which are reckoned again in decimals.
-"""
+"""The difference between the decimals of a scene and their doubles, where the numbers are used as written; givens
+computed from such numbers are computed again in decimals."""
 
 import math
 from decimal import Context, Decimal, localcontext
@@ -12,12 +11,12 @@ from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.plans.position.reckoned import SceneDimensions
 from planes.words.frozen import frozen
 
-UNSURE = Decimal(2) ** -52  # relative: how far off a number is that is reckoned of what is written
+UNSURE = Decimal(2) ** -52  # relative: error of a number computed from written ones
 LONG = Context(prec=40)
 RADIAN = Decimal("0.01745329251994329576923690768488612713442871888541725")
-TERMS = 40  # of the series of an angle no larger than an eighth of a turn: those left out are less than 10⁻⁴⁰
+TERMS = 40  # terms of the series of an angle up to an eighth of a turn: the rest is less than 10⁻⁴⁰
 Lost = tuple[Thing, float]
-"""What a double leaves out of a number, and how far off the number may be beside that."""
+"""The rounding error of a double, and the uncertainty of the number beyond that."""
 
 
 @frozen
@@ -42,7 +41,7 @@ class _Place:
 
 
 class _Decimals(Arithmetic):
-    """The arithmetic of decimals, as far as dimensions need it."""
+    """Decimal arithmetic, as far as dimensions need it."""
 
     def cis_deg(self, angle: Real) -> Point:
         quarter = (angle / 90).to_integral_value()
@@ -61,13 +60,13 @@ class _Decimals(Arithmetic):
 
 
 class AsWritten(SceneDimensions):
-    """The dimensions as they are written, in decimals; numbers that are not written as they stand, as their doubles."""
+    """The dimensions as written, in decimals; numbers not used as written, as their doubles."""
 
     def lost(self, value: Thing, by: Dimension | None) -> Lost | None:
-        """What the double of a given leaves out, which is reckoned ``by`` others or written itself; None where it is
-        but a number that is not known."""
-        self.unknown: dict[float, None] = {}  # the sizes of such numbers
-        self.moved = -1.0  # the one of them that is taken to be off
+        """The rounding error of a given, computed from others (``by``) or written directly; None for a single number
+        whose decimal is unknown."""
+        self.unknown: dict[float, None] = {}  # the magnitudes of such numbers
+        self.moved = -1.0  # the one that is assumed to be off
         with localcontext(LONG):
             lost = self._less(value, by)
             if self.unknown and by is None and not isinstance(value, complex):
@@ -94,12 +93,12 @@ class AsWritten(SceneDimensions):
         return Decimal(x) * (1 + UNSURE) if abs(x) == self.moved else Decimal(x)
 
     def _less(self, value: Thing, by: Dimension | None) -> Thing:
-        """The decimals less the double."""
+        """The decimal minus the double."""
         true = by.by(self, _DECIMALS) if by else self.taken(value)
         if isinstance(value, complex):
             return complex(float(true.real - Decimal(value.real)), float(true.imag - Decimal(value.imag)))
         less = float(true - Decimal(value))
-        return math.remainder(less, 360.0) if abs(less) > 359.0 and abs(value) <= 360.0 else less  # a turn apart
+        return math.remainder(less, 360.0) if abs(less) > 359.0 and abs(value) <= 360.0 else less  # a full turn apart
 
 
 _DECIMALS = _Decimals()

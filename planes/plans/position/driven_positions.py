@@ -1,6 +1,6 @@
-"""The scheme of what is driven from inside: two links with a cylinder or a motor between them are drawn as one link of
-the length, between the hinge they hang by and the one they move, that the drive gives; or as a slider, whose hinge runs
-along a line that the drive shifts."""
+"""The scheme of a group with an inner drive: two links with a cylinder or a motor between them are drawn as one link
+whose length, between its two hinges, is given by the drive; or as a slider whose hinge moves along a line shifted by
+the drive."""
 
 from collections.abc import Callable
 
@@ -26,7 +26,7 @@ from planes.words.names import Meaning, at, label_of
 
 @frozen
 class Way:
-    """How the hinge of what is driven is held: by a ``length`` from the mark ``start``, or on a line ``along``."""
+    """The tie of the driven hinge: a ``length`` from the mark ``start``, or a line ``along``."""
 
     start: str
     length: str = ""
@@ -34,15 +34,16 @@ class Way:
 
 
 def place_driven(b: Bodies, g: Group) -> None:
-    """The two links of a drive and the one they move: how their hinges lie, that is a засечка with it."""
+    """The two links of a drive and the one they move, by the same arcs and lines (засечки) as a dyad with those
+    hinges."""
     way, place = driven_way(b, g)
     place_reached(b, g, way)
     place()
 
 
 def driven_way(b: Bodies, g: Group, start: str = "") -> tuple[Way, Callable[[], None]]:
-    """How the drive holds the hinge of what it moves, which is drawn aside (from ``start``, where the hinge it hangs by
-    is not there yet); and what draws its links once the hinges are there."""
+    """The drive's tie of the hinge it moves, drawn aside (from ``start``, where the fixed hinge does not exist yet);
+    and the function that draws its links once the hinges exist."""
     assert g.drive
     aside, pair, hinge = aside_of(b, g, start), g.drive, g.inner.point
     if g.hung[0][1].kind == "P":
@@ -68,7 +69,7 @@ def driven_way(b: Bodies, g: Group, start: str = "") -> tuple[Way, Callable[[], 
 
 
 def place_reached(b: Bodies, g: Group, way: Way) -> None:
-    """The hinge between what is driven, with the drive stopped one link, and the link it moves."""
+    """The hinge between the stopped drive, as one link, and the link it moves."""
     hinge, (link, pair) = g.inner.point, g.hung[1]
     chains = {g.held: chain_to(hinge, label_of(way.start), way.length or None, way.along or None)}
     chains[link] = chain_held(b, link, pair, hinge)
@@ -78,8 +79,8 @@ def place_reached(b: Bodies, g: Group, way: Way) -> None:
 
 
 def place_sliding(aside: Aside, g: Group, end: str, motor: str) -> None:
-    """The links of a drive that slides on the frame: all of it is carried from aside, where its hinge is at ``end``, to
-    where that is. A ``motor`` turns the other link, a cylinder turns none."""
+    """The links of a drive that slides on the frame: the auxiliary figure is shifted so that its hinge comes to
+    ``end``. A ``motor`` turns the other link; a cylinder turns neither."""
     b, pair, hinge = aside.bodies, g.drive, g.inner.point
     assert pair
     mate, root = pair.mate(g.held), b.known[g.hung[0][1].mate(g.held)].root
@@ -91,8 +92,8 @@ def place_sliding(aside: Aside, g: Group, end: str, motor: str) -> None:
 
 @frozen
 class Elbow:
-    """Two links with a motor in the hinge between them, drawn ``aside``: how far the ``hinge`` is from the pivot, and
-    the marks of the motor and of the hinge there."""
+    """Two links with a motor in the hinge between them, drawn ``aside``: the distance of the ``hinge`` from the pivot,
+    and the marks of the motor and of the hinge there."""
 
     aside: Aside
     group: Group
@@ -101,7 +102,7 @@ class Elbow:
     length: str
 
     def place(self) -> None:
-        """Both links where they are, by similarity with what is drawn aside."""
+        """Both links in place, by similarity with the auxiliary figure."""
         b, g, pivot, hinge = self.aside.bodies, self.group, self.aside.base, self.group.inner.point
         assert g.drive
         start, motor, centre = at(SCHEME, pivot), g.drive.point, self.aside.start
@@ -115,14 +116,14 @@ class Elbow:
 
 
 def elbow_of(aside: Aside, g: Group, motor: str, hinge: str) -> Elbow:
-    """Two links drawn aside, measured."""
+    """Two links drawn aside, and measured."""
     length = aside.bodies.draft.measure(f"l_{aside.base}{g.inner.point}", aside.start, hinge)
     return Elbow(aside, g, motor, hinge, length)
 
 
 def cylinder(aside: Aside, pair: Pair, ends: tuple[str, str], pivot: str) -> tuple[str, str | None, str]:
-    """How far its hinges, of the guide's link and of the slider, are apart along the guide and across it, and as they
-    lie, which is drawn aside (the ``pivot`` is one of them): names of values, SI."""
+    """The distances between a cylinder's hinges, of the guide's link and of the slider, along the guide and across it,
+    and directly, from the auxiliary figure (the ``pivot`` is one of them): names of values, SI."""
     b, d = aside.bodies, aside.bodies.draft
     reach, offset = reach_of(b, pair, ends)
     name = f"l_{pivot}{ends[1 - ends.index(pivot)]}"

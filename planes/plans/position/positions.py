@@ -1,4 +1,4 @@
-"""Position plans of dyads, each by засечки, as vector equations for the drafting core."""
+"""Position plans of dyads, each by arcs and lines (засечки), as vector equations for the drafting core."""
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Touch
@@ -12,13 +12,13 @@ from planes.words.names import POLE, Meaning, at, label_of
 
 
 def chain_to(name: str, start: str, length: str | None = None, along: str | None = None) -> tuple[Term, Term]:
-    """The chain pole–start–end: the end by compass, or somewhere along a line."""
+    """The chain pole–start–end: the end on an arc, or somewhere along a line."""
     on = Term(f"{start}{name}", start, name, length, along, length or along or "")
     return Term(f"r_{start}", POLE, start, drawn=True), on
 
 
 def on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
-    """Label of a mark, and direction, of the line that a point of ``link`` runs along in a solved pair."""
+    """Label of a mark, and direction, of the line along which a point of ``link`` moves in a solved pair."""
     mark, direction = b.line(pair, pair.mate(link))
     beside = Meaning("guide", pair.guide, point)
     shifted = b.shifted(f"{point}°{pair.guide}", beside, mark, direction, b.offset(pair, link, point))
@@ -33,7 +33,7 @@ def side_of(b: Bodies, key: str, group: Group) -> str:
 
 
 def two_hinges(b: Bodies, name: str, one: str, two: str) -> Link:
-    """A link, two hinges of which are not at one place (:class:`SceneError`)."""
+    """Two hinges of a link in different places (:class:`SceneError` where there are none)."""
     link = b.mechanism.link(name)
     if link.points[one] == link.points[two]:
         line = b.mechanism.where.get(("links", name), b.mechanism.where.get(("links",)))
@@ -51,7 +51,7 @@ def rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
 
 
 def _place_hinged(b: Bodies, g: Group) -> None:
-    """RRR, RRP and PRP: each link reaches the inner hinge about a pivot or along a guide."""
+    """RRR, RRP and PRP: each link reaches the inner hinge on an arc about a pivot or along a guide."""
     hinge = g.inner.point
     one, two = (chain_held(b, link, pair, hinge) for link, pair in g.hangs)
     side = None if one[-1].direction and two[-1].direction else side_of(b, hinge, g)
@@ -98,7 +98,7 @@ def _place_rpr(b: Bodies, g: Group) -> None:
 
 
 def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
-    """Name of the point of ``link`` that coincides with ``point``: the letter the guide gives it, or "H2"."""
+    """Name of the point of ``link`` that coincides with ``point``: the letter given with the guide, or "H2"."""
     name = b.mechanism.guide(guide).mark if guide and b.mechanism.owner(guide) == link else None
     taken = {*b.mechanism.names, *b.specials.values(), POLE}
     here = point, link

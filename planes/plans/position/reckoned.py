@@ -1,6 +1,5 @@
-"""What is reckoned of a scene's numbers before anything is drawn, and how, so that it is again where a link's
-dimensions are changed, or are taken as they are written.
-"""
+"""Quantities computed from a scene's numbers before the drawing, with their formulas, so that they can be computed
+again for other dimensions of a link, or for decimals as written."""
 
 from collections.abc import Callable, Hashable, Iterable
 from typing import Any, NamedTuple, Protocol
@@ -13,7 +12,7 @@ ARITHMETIC = Arithmetic()
 
 
 class OwnPlace(NamedTuple):
-    """A place on a link, in its own axes: a point, or where a guide of it runs through."""
+    """A place on a link, in its own axes: a point, or the place of a guide."""
 
     link: str
     point: str = ""
@@ -30,14 +29,14 @@ class Dimensions(Protocol):
 
 
 class SceneDimensions:
-    """The dimensions as a scene has them."""
+    """The dimensions of a scene."""
 
     def __init__(self, mechanism: Mechanism, passive: Iterable[Link] = ()) -> None:
         self.links = {FRAME: mechanism.frame, **mechanism.links, **{link.name: link for link in passive}}
         self.mechanism = mechanism
 
     def taken(self, value: Any) -> Any:
-        """A number or a place of the scene, as it is reckoned with."""
+        """A number or a place of the scene, as used in the calculation."""
         return value
 
     def place(self, spot: OwnPlace) -> Any:
@@ -50,7 +49,7 @@ class SceneDimensions:
         return self.taken(self.mechanism.guide(guide).angle_deg)
 
     def lean(self, slider: str) -> Any:
-        """How far the axes of a slider are turned from its guide, degrees."""
+        """The angle of a slider's axes from its guide, degrees."""
         slides = self.links[slider].slides
         return self.taken((slides.angle_deg if slides else None) or 0.0)
 
@@ -61,7 +60,7 @@ class SceneDimensions:
 
 
 def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
-    """a - b, where None is a nothing that stays nothing."""
+    """a - b, where None is an exact zero."""
     if b is None:
         return a
     if a is None:
@@ -84,7 +83,7 @@ def guided(shape: SceneDimensions, guide: str) -> Dimension:
 
 
 def leaning(shape: SceneDimensions, slider: str) -> Dimension:
-    """How far the axes of a slider are turned from its guide, degrees."""
+    """The angle of a slider's axes from its guide, degrees."""
     return _reckoned(shape, lambda shape, ar: shape.lean(slider), "leaning", slider)
 
 
@@ -94,7 +93,7 @@ def aside(shape: SceneDimensions, slider: str) -> Dimension:
 
 
 def distance(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
-    """The distance of two points."""
+    """The distance between two points."""
     return _reckoned(shape, lambda shape, ar: abs(shape.place(q) - shape.place(p)), "distance", p, q)
 
 
@@ -105,7 +104,7 @@ def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
 
 
 def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
-    """How far from one point to another it goes in a direction."""
+    """The component along a direction of the vector between two points."""
 
     def by(shape: Dimensions, ar: Arithmetic) -> Real:
         return ((shape.place(q) - shape.place(p)) * ar.cis_deg(-way.by(shape, ar))).real
@@ -114,7 +113,7 @@ def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> D
 
 
 def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dimension:
-    """(p - q) / (r - q): how a point stands to two others."""
+    """(p - q) / (r - q): the position of a point relative to two others."""
 
     def by(shape: Dimensions, ar: Arithmetic) -> Point:
         return (shape.place(p) - shape.place(q)) / (shape.place(r) - shape.place(q))
@@ -123,7 +122,7 @@ def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dime
 
 
 def height(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
-    """How far a point lies to the left of the line through another in a direction."""
+    """The distance of a point to the left of the line through another in a direction."""
 
     def by(shape: Dimensions, ar: Arithmetic) -> Real:
         return ((shape.place(p) - shape.place(q)) * ar.cis_deg(-way.by(shape, ar))).imag

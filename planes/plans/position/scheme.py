@@ -1,4 +1,4 @@
-"""The scheme: the frame, the driver in its position, and the groups in the order they attach."""
+"""The scheme: the frame, the driver in its position, and the groups in the order of attachment."""
 
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
@@ -13,11 +13,11 @@ from planes.plans.position.triads import place_chain, place_triad
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning
 
-APART = 1e-9  # relative: two points of a link nearer than this are at one place, and say nothing of its turning
+APART = 1e-9  # relative: two points of a link closer than this coincide, and do not show its rotation
 
 
 def place_all(b: Bodies) -> None:
-    """Draw the scheme: the frame, the driver in its position, the groups in the order they attach."""
+    """Draw the scheme: the frame, the driver in its position, the groups in the order of attachment."""
     b.draft.pole(SCHEME)
     frame = b.mechanism.frame
     for name, place in frame.points.items():
@@ -42,7 +42,7 @@ def place_all(b: Bodies) -> None:
 
 
 def stands(b: Bodies, g: Group) -> bool:
-    """Whether both links of a dyad hang by hinges on what stands still, as they then do."""
+    """Whether both links of a dyad have hinges on fixed links; then they are fixed too."""
     if g.drive or any(pair.kind == "P" for pair in g.pairs):
         return False
     return {g.first_outer.mate(g.first), g.last_outer.mate(g.last)} <= b.standing
@@ -68,7 +68,7 @@ def _place_driver(b: Bodies) -> None:
 
 
 def _second_point(b: Bodies, pivot: str) -> str | None:
-    """The driver's point the plans begin with: one it shares with another link, else any away from the pivot."""
+    """The driver's point that starts the plans: one shared with another link, else any away from the pivot."""
     link = b.mechanism.links[b.mechanism.drive.link]
     centre = link.points[pivot]
     away = [p for p, z in link.points.items() if abs(z - centre) > APART * (abs(z) + abs(centre))]

@@ -1,12 +1,12 @@
-"""Groups whose basic link lies as what it slides on does, and does not turn by itself.
+"""Groups whose basic link takes its direction from the link it slides on, and does not turn relative to it.
 
-In a triad one lead of which slides at both ends the two others place it. What one of them hangs on is moved over, by
-the vector from its own point of the basic link to the one that is sought: both then reach that one point, as two links
-of a dyad do.
+In a triad with one lead that slides at both ends, the two others position the basic link. The support of one of them is
+shifted by the vector from its point of the basic link to the point sought: both leads then reach that one point, like
+two links of a dyad.
 
-Of a group of class IV that hangs on two guides it is known how both links that do lie. So the base is drawn aside,
-anywhere on its guide, and the basic link from that by two leads, as by two links of a dyad; then the figure is shifted
-along the base's guide until the basic link is on its own.
+In a group of class IV on two guides the directions of both links on guides are known. So the base is drawn aside,
+anywhere on its guide, and the basic link from it by two leads, like two links of a dyad; then the figure is shifted
+along the base's guide until the basic link is on its guide.
 """
 
 from dataclasses import replace
@@ -24,7 +24,7 @@ from planes.words.names import Meaning, at, label_of
 
 
 def place_slid(b: Bodies, g: Triad) -> None:
-    """Draw the basic link where its other leads reach it, as it lies, and the leads."""
+    """Draw the basic link, of known direction, where its other leads reach it, and the leads."""
     *leads, slid = g.by_slid
     b.leads[g.basic] = (*leads, slid)
     outer, inner, link = slid.outer, slid.inner, b.mechanism.links[g.basic]
@@ -49,7 +49,7 @@ def place_slid(b: Bodies, g: Triad) -> None:
 
 
 def _reaching(b: Bodies, basic: str, lead: Lead, key: str, axis: str) -> tuple[Term, Term]:
-    """How a lead reaches a point of the basic link that lies along ``axis``."""
+    """The leg of a lead to a point of the basic link whose axis is ``axis``."""
     outer, inner = lead.outer, lead.inner
     if inner.kind == "P":
         along, hinge = b.direction_from(inner, basic, axis), outer.point
@@ -70,7 +70,7 @@ def _reaching(b: Bodies, basic: str, lead: Lead, key: str, axis: str) -> tuple[T
 
 
 def moved_over(b: Bodies, basic: str, start: str, hinge: str, key: str, axis: str) -> str:
-    """A mark moved over by the vector from one point of the basic link to another."""
+    """A mark shifted by the vector from one point of the basic link to another."""
     link, d = b.mechanism.links[basic], b.draft
     if link.points[hinge] == link.points[key]:
         return start
@@ -82,12 +82,12 @@ def moved_over(b: Bodies, basic: str, start: str, hinge: str, key: str, axis: st
 
 
 def place_slid_contour(b: Bodies, g: Contour) -> None:
-    """Draw the base aside, the basic link by it, and both where they are."""
+    """Draw the base aside, the basic link by it, and both in place."""
     BaseAside(b, g).place()
 
 
 class BaseAside:
-    """The figure with its base at the beginning of its guide."""
+    """The auxiliary figure with its base at the beginning of its guide."""
 
     def __init__(self, b: Bodies, g: Contour) -> None:
         self.bodies, self.group, self.draft = b, g, b.draft
@@ -119,7 +119,7 @@ class BaseAside:
             place_lead(b, g.basic, lead)
 
     def reaching(self, lead: Lead, key: str) -> tuple[Term, Term]:
-        """How a lead from the base reaches a point of the basic link, all of it aside."""
+        """The leg of a lead from the base to a point of the basic link, in the auxiliary figure."""
         b, outer, inner = self.bodies, lead.outer, lead.inner
         aside = f"{key}°{self.first}"
         if outer.kind == "P":
@@ -145,7 +145,7 @@ class BaseAside:
         return self.axes[self.basic.name]
 
     def point(self, point: str) -> str:
-        """The label of a point of the base, aside."""
+        """The label of a point of the base in the auxiliary figure."""
         b, d, base = self.bodies, self.draft, self.base.name
         if point == self.first:
             return self.start

@@ -1,4 +1,4 @@
-"""Which assembly of a higher group is meant: all are found and counted at the drive's value, one chosen, followed."""
+"""The assembly of a higher group: all are found and counted at the drive's position, one chosen and followed."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ if TYPE_CHECKING:
 
 ORDERS = ((0, 1), (1, 2), (2, 0))
 AnyChoice = AssemblyChoice | TrackChoice
-DOUBTFUL = 0.8  # of how far the next assembly is from the place a scene names: no nearer than that none is chosen
-MIDWAY = 0.95  # the same of two places, which nobody takes for others: about the middle between them
+DOUBTFUL = 0.8  # of the distance from a scene's ``near`` to the second nearest assembly: the nearest must be this close
+MIDWAY = 0.95  # the same for two places that nobody would confuse: up to about the middle between them
 
 
 class Tracks:
-    """The assemblies of a higher group at the drive's value in the file."""
+    """The assemblies of a higher group at the drive's position in the file."""
 
     def __init__(self, b: Bodies, program: Program, choice: TrackChoice) -> None:
         self.bodies, self.choice, self.whole = b, choice, program
@@ -41,30 +41,30 @@ class Tracks:
         marks = [n for n in named if n in b.draft.steps]
         self.program = program.sliced(marks)
         self.size = spread([b.draft.given[h.local] for h in choice.holds])
-        if not self.size:  # three guides through one point: what they are held from
+        if not self.size:  # three guides through one point, which fixes them
             self.size = spread([tie.place for tie in self.ties(self.start)]) or 1.0
         b.draft.given[choice.guess.size] = self.size
 
     def ties(self, value: Real) -> list[Tie]:
-        """The leads at a value of the drive, in m."""
+        """The leads at a position of the drive, in m."""
         given = {**self.bodies.draft.given, mu_of(SCHEME): 1.0, self.choice.guess.drive: value}
         things = run(self.program, given).things
         return [hold.tie(things, 1.0, Arithmetic()) for hold in self.choice.holds]
 
     @property
     def start(self) -> float:
-        """The drive's value in the file."""
+        """The drive's position in the file."""
         return self.bodies.mechanism.drive.position
 
     def all(self) -> Counted:
-        """Every assembly there; few scenes ask, so it is learnt here how."""
+        """All assemblies there; few scenes need them, so the method is imported here."""
         from planes.geometry.assemblies import all_assemblies
 
         ties = self.ties(self.start)
         return all_assemblies(ties, self.size)
 
     def place(self, pose: Pose, point: str) -> complex:
-        """Where a point of the group would be in an assembly."""
+        """The place of a point of the group in an assembly."""
         self.set(Branch(self.start - 1.0, self.start + 1.0, self.sense(pose), (pose[0] / self.size,), turns(pose)))
         program = Program(tuple(self.bodies.draft.steps.values())).sliced([at(SCHEME, point)])
         return complex(run(program, {**self.bodies.draft.given, mu_of(SCHEME): 1.0})[at(SCHEME, point)])
@@ -74,7 +74,7 @@ class Tracks:
         return 1.0 if advanced(self.ties(self.start), pose)[2] > 0 else -1.0
 
     def set(self, branch: Branch) -> None:
-        """Give the program an assembly with its range."""
+        """Give the program an assembly and its range."""
         d, old, basics = self.bodies.draft, self.choice.guess, self.choice.group.basics
         d.given[old.middle], d.given[old.half] = (branch.low + branch.high) / 2, (branch.high - branch.low) / 2
         d.given[self.choice.side] = branch.side
@@ -88,7 +88,7 @@ class Tracks:
                 d.steps[name] = replace(step, guess=guess)
 
     def choose(self, pose: Pose) -> None:
-        """Take an assembly, follow it, and draw by the leads that cross best there."""
+        """Choose an assembly, follow it, and draw by the leads that cross most sharply there."""
         branch = follow(self.ties, self.start, pose, self.size, self.choice.guess.turning)
         if branch is None:
             raise self.error(Phrase("track_not_followed", **self.named()))
@@ -100,28 +100,29 @@ class Tracks:
         self.bodies.leads[self.choice.group.basic] = (*leads[first:], *leads[:first])
 
     def crossings(self, pose: Pose) -> list[float]:
-        """How sharply two leads cross in the special point, or of class IV one with what it leads to."""
+        """The sharpness of the crossing of two leads in the special point; in class IV of one lead with its driven
+        line."""
         ties = self.ties(self.start)
         pulls = [tie.wrench(*pose)[1] for tie in ties]
         if isinstance(self.choice.group, Triad):
             return [abs(plane.cross(pulls[i], pulls[j])) for i, j in ORDERS]
-        if ties[2].kind == "guide":  # the basic link slides, every point of it alike
+        if ties[2].kind == "guide":  # the basic link slides, so all its points move alike
             return [abs(plane.cross(pull, pulls[2])) for pull in pulls[:2]]
         hinge, held = pose[0] + pose[1] * ties[2].local, [tie.held(*pose) for tie in ties[:2]]
         return [abs(plane.cross(n, p - hinge)) / abs(p - hinge) for n, p in zip(pulls, held, strict=False)]
 
     def named(self) -> dict[str, object]:
-        """What sentences say of the group."""
+        """The names of the group for sentences."""
         return named(self.bodies, self.choice)
 
     def error(self, why: Phrase, *path: str) -> SceneError:
-        """A refusal at its line."""
+        """An error at its line."""
         where = self.bodies.mechanism.where
         return SceneError(why, self.bodies.file, where.get(path or ("assembly",), where.get(("links",))))
 
 
 def resolve_track(b: Bodies, program: Program, choice: TrackChoice) -> None:
-    """Choose the assembly of a triad; :class:`SceneError` lists all where the scene does not say which."""
+    """Choose the assembly of a triad; :class:`SceneError` lists all where the scene does not settle which."""
     tracks = Tracks(b, program, choice)
     try:
         counted = tracks.all()
@@ -151,7 +152,7 @@ def resolve_track(b: Bodies, program: Program, choice: TrackChoice) -> None:
 def nearest(
     b: Bodies, choice: AnyChoice, key: str, near: complex, places: Sequence[complex], doubtful: float = DOUBTFUL
 ) -> complex:
-    """The one of all places that a scene's ``near`` means; :class:`SceneError` where the next is hardly farther."""
+    """The place that a scene's ``near`` means; :class:`SceneError` where the second nearest is hardly farther."""
     ordered = sorted(places, key=lambda place: abs(place - near))
     off = [abs(place - near) for place in ordered]
     if len(off) > 1 and off[0] > doubtful * off[1]:
@@ -163,7 +164,7 @@ def nearest(
 
 
 def one_chosen(b: Bodies, choice: AnyChoice, chosen: Mapping[str, object], offers: Mapping[object, Phrase]) -> None:
-    """Refuse what chooses one assembly by one point and another by another."""
+    """Refuse contradictory choices: one assembly by one point and another by another."""
     (key, first), *others = chosen.items()
     against = next((other for other, it in others if it != first), None)
     if against is not None:
@@ -173,14 +174,14 @@ def one_chosen(b: Bodies, choice: AnyChoice, chosen: Mapping[str, object], offer
 
 
 def named(b: Bodies, choice: AnyChoice) -> dict[str, object]:
-    """What sentences say of a group and of where the drive is."""
+    """The names of a group and of the drive's position, for sentences."""
     g, drive = choice.group, b.mechanism.drive
     name, unit = ("φ", "°") if drive.kind == "phi" else ("s", " m")
     return {"level": g.level, "links": g.links, "name": g.name, "drive": name, "value": f"{drive.position:.10g}{unit}"}
 
 
 def _said(b: Bodies, choice: TrackChoice) -> list[tuple[str, Assembly]]:
-    """What the scene says of a triad, under any points that move with it."""
+    """The scene's entries for a triad, under any points that move with it."""
     inside = choice.group.inner_pairs
     outer = {pair.point for pair in choice.group.pairs if pair not in inside}
     points = {p for link in choice.group.links for p in b.mechanism.links[link].points} - outer
@@ -205,7 +206,7 @@ def _offers(tracks: Tracks, counted: Counted, key: str) -> Iterator[tuple[Pose, 
 
 
 def track_offer(key: str, z: complex) -> Phrase:
-    """The words that choose a place, as they are typed."""
+    """The words that choose a place, as typed in a scene."""
     return Phrase("track_offer", key=key, place=f"[{z.real:.5g}, {z.imag:.5g}]")
 
 

@@ -1,8 +1,8 @@
-"""The scheme of a triad, or of basic links hinged to each other: a basic link by the tracks of its hinges, or of one
-and another point of it, then each lead from that.
+"""The scheme of a triad, or of basic links joined by hinges: a basic link by the tracks of its hinges, or of one hinge
+and another point, then each lead from that.
 
-Every lead holds the basic link by one tie: a rod of two hinges on an arc, a slider by its hinge on a line, a link that
-turns about a hinge and slides on the basic one by that one's guide.
+Every lead ties the basic link once: a rod with two hinges by an arc, a slider by its hinge on a line, a link that turns
+about a hinge and slides on the basic link by the guide of the basic link.
 """
 
 from dataclasses import replace
@@ -41,13 +41,13 @@ def place_triad(b: Bodies, g: Triad) -> None:
 
 
 def first_reached(b: Bodies, g: Contour) -> str:
-    """The point of a basic link that is drawn first: its hinge with a lead, where it has one."""
+    """The point of a basic link that is drawn first: preferably a hinge with a lead."""
     hinges = [lead.inner.point for lead in g.leads if lead.inner.kind == "R"]
     return hinges[0] if hinges else b.mechanism.links[g.basic].first_point
 
 
 def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
-    """What cuts the tracks of a basic link, its assembly still to be chosen; ``key`` is the point that tells it."""
+    """The cut of a basic link's tracks, its assembly still to be chosen; ``key`` is the point that decides."""
     d, drive = b.draft, b.mechanism.drive
     middle, half, size = (
         d.give(f"{what}_{g.basic}", value) for what, value in (("middle", 0.0), ("half", 1.0), ("size", 1.0))
@@ -60,7 +60,7 @@ def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
 
 
 def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
-    """A lead from the basic link that is drawn."""
+    """A lead drawn from the basic link."""
     outer, inner = lead.outer, lead.inner
     if place := b.placers.get(lead):
         place()
@@ -74,7 +74,8 @@ def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
 
 
 def hold_of(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> Hold:
-    """How a lead holds the basic link, from its outer ``hinge`` (where that is drawn aside, from there)."""
+    """The tie of a lead on the basic link, from its outer ``hinge`` (from the auxiliary figure, where that is drawn
+    aside)."""
     d, link, outer, inner = b.draft, b.mechanism.links[basic], lead.outer, lead.inner
     place = hinge or at(SCHEME, outer.point)
     if inner.kind == "R":
@@ -125,12 +126,12 @@ def place_chain(b: Bodies, g: BasicChain) -> None:
 
 
 def _place_basic(b: Bodies, g: BasicChain, k: int, pin: str, local: str, cut: Cut) -> None:
-    """One basic link from its hinge, by another point of it where its track is cut, or along its axis."""
+    """One basic link from its hinge, by another point where its track is cut, or along its axis."""
     basic, link = g.basics[k], b.mechanism.links[g.basics[k]]
     others = [lead.inner.point for lead in g.sides[k] if lead.inner.kind == "R"]
     others += [h.point for h in g.hinges if h.joins(basic) and h.point != pin]
     if others:
-        if at(SCHEME, others[0]) not in b.draft.steps:  # a hinge with the next one is
+        if at(SCHEME, others[0]) not in b.draft.steps:  # a hinge with the next basic link is one
             b.draft.step(CutTrack(at(SCHEME, others[0]), local_of(b, link, others[0]), *cut, link=k, hinge=local))
         b.place_points(rigid_body(b, basic, pin, others[0]))
     else:

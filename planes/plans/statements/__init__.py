@@ -1,1 +1,1 @@
-"""Vectors and equations that a scene states by themselves."""
+"""Vectors and equations stated directly in a scene."""

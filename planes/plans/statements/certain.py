@@ -1,4 +1,4 @@
-"""What must hold of stated vectors before they are told: what closes, closes; of nothing no direction is taken."""
+"""Checks of stated vectors before they become results: polygons close, and no direction is taken from a zero vector."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from planes.scene.vector_equations import Side, SideTerm, VectorEquation
 from planes.words import Phrase
 from planes.words.names import mu_of, plan_of
 
-CLOSED = 1e-4  # of the largest vector: the digits with which numbers are given
-CERTAIN = 1e-6  # of the largest vector of a plan: larger ones are more than rounding can make
+CLOSED = 1e-4  # of the largest vector: the number of digits in given numbers
+CERTAIN = 1e-6  # of the largest vector of a plan: larger ones exceed rounding
 Row = tuple[VectorEquation, tuple[Side, Side]]
 Drawer = Callable[[VectorEquation, Side, Side], None]
 
 
 class Closings:
-    """Equations with less than two unknowns: one of their vectors is drawn as what closes the polygon, and then held
-    against what is given of it."""
+    """Equations with less than two unknowns: one of their vectors is drawn as the closing vector, then compared with
+    its data."""
 
     def __init__(self, vectors: StatedVectors, draw: Drawer) -> None:
         self.vectors, self._draw = vectors, draw
         self.closed: list[tuple[VectorEquation, Side, str, VectorState]] = []
 
     def draw(self, row: Row) -> None:
-        """Draw an equation of vectors that are known but for one length or direction, or entirely."""
+        """Draw an equation of vectors that are fully known, or known except for one length or direction."""
         (equation, (one, two)), vectors = row, self.vectors
         left = [t.name for t in one + two if not vectors.spanned(t.name) and not vectors.given(t.name).like]
         free = next((n for n in left if None in vectors.parts(n)), left[-1] if left else "")
@@ -40,7 +40,7 @@ class Closings:
         self.closed.append((equation, one + against, free, given))
 
     def faults(self, drawing: Drawing) -> Iterator[tuple[VectorEquation, Phrase]]:
-        """The equations that do not close, and by how much."""
+        """The equations that do not close, and their gaps."""
         for equation, terms, free, given in self.closed:
             values = {t.name: self._value(drawing, t.name) for t in terms}
             gap = _gap(drawing, values[free], given) if free else abs(sum(t.times * values[t.name] for t in terms))
@@ -56,7 +56,7 @@ class Closings:
 
 
 def _gap(drawing: Drawing, value: complex, given: VectorState) -> float:
-    """How far the vector that closes a polygon is from what is given of it."""
+    """The difference between the closing vector of a polygon and its data."""
     length = drawing[given.length] if given.length else None
     if given.direction is None:
         return float(abs(abs(value) - abs(length or 0.0)))
@@ -65,8 +65,8 @@ def _gap(drawing: Drawing, value: complex, given: VectorState) -> float:
 
 
 def uncertain(vectors: StatedVectors, drawing: Drawing, given: Mapping[str, float]) -> Iterator[tuple[str, str, str]]:
-    """What is divided by nothing, and what takes its direction or size from a vector of which no digit is left: the
-    key of the sentence, its name, and by what."""
+    """Divisions by zero, and directions or magnitudes taken from a vector without a correct digit: the key of the
+    sentence, the name, and the source."""
     yield from (
         ("divided_by_nothing", name, by)
         for name, by, number in vectors.quotients
@@ -82,7 +82,7 @@ def uncertain(vectors: StatedVectors, drawing: Drawing, given: Mapping[str, floa
 
 
 def _faint(vectors: StatedVectors, drawing: Drawing, name: str) -> bool:
-    """Whether a vector is next to nothing beside the marks of its plan."""
+    """Whether a vector vanishes beside the marks of its plan."""
     start, end = vectors.span(name)
     if start not in drawing or end not in drawing:
         return False

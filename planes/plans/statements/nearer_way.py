@@ -1,4 +1,4 @@
-"""Which of two solutions of an equation is meant: the one whose vectors point nearer to what is said of them."""
+"""Which of two solutions of an equation is meant: the one with the vector directions nearer to those named."""
 
 import cmath
 import math
@@ -12,13 +12,13 @@ from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
 from planes.words.names import mu_of
 
-ONE = 1e-5  # degrees: where arcs touch there is one direction, told twice, a root of a rounding apart
+ONE = 1e-5  # degrees: touching arcs have one direction, found twice, the root of a rounding error apart
 Ways = dict[str, float]  # directions by the vectors' names, degrees
 
 
 def chosen_side(scene: Scene, vectors: StatedVectors, side: str, free: list[str]) -> float:
-    """±1, by ``near`` of the vectors whose direction is ``free``; :class:`SceneError` where nothing, or not one thing,
-    is said of it, with both directions."""
+    """±1, by ``near`` of the vectors whose direction is ``free``; :class:`SceneError` with both directions where none
+    is given, or they disagree."""
     near = {n: angle for n in free if (angle := vectors.given(n).near_deg) is not None}
     asked = list(near) or free[:1]
     sides = [(sign, ways) for sign in (1.0, -1.0) if (ways := _ways(vectors, asked, side, sign))]
@@ -31,7 +31,7 @@ def chosen_side(scene: Scene, vectors: StatedVectors, side: str, free: list[str]
 
 
 def _nearer(scene: Scene, name: str, angle: float, sides: list[tuple[float, Ways]]) -> float:
-    """The side on which a vector points nearer to what is said of it."""
+    """The side on which a vector's direction is nearer to the one named."""
     (off, sign), *more = sorted((_turned(ways[name], angle), sign) for sign, ways in sides)
     if more and off > MIDWAY * more[0][0]:
         raise _refusal(scene, "near_midway", name, sides, off=off, next=more[0][0])
@@ -44,7 +44,7 @@ def _refusal(scene: Scene, key: str, name: str, sides: list[tuple[float, Ways]],
 
 
 def _ways(vectors: StatedVectors, names: list[str], side: str, sign: float) -> Ways | None:
-    """Which way these vectors point on one side; None where it cannot be drawn."""
+    """The directions of these vectors on one side; None where it cannot be drawn."""
     spans, d = {n: vectors.span(n) for n in names}, vectors.draft
     program = Program(tuple(d.steps.values())).sliced(m for s in spans.values() for m in s)
     given = {**d.given, **{mu_of(plan): 1.0 for plan in program.marks}, side: sign}

@@ -1,4 +1,4 @@
-"""The plans of a scene, whatever it states."""
+"""The plans of any scene."""
 
 from planes.plans import Plans, plans_of, sliced
 from planes.plans.other_leads import fitting
@@ -8,7 +8,7 @@ from planes.scene import Scene
 
 
 def scene_plans(scene: Scene) -> Plans:
-    """All the plans of a scene's mechanism, or of its vectors, stated once and kept with it: neither changes."""
+    """All the plans of a scene's mechanism, or of its vectors, stated once and stored with it: neither changes."""
     assert scene.mechanism or scene.statement
     kept = vars(scene.mechanism or scene.statement)
     if "plans" not in kept:
@@ -18,13 +18,13 @@ def scene_plans(scene: Scene) -> Plans:
 
 
 def found_of(scene: Scene) -> tuple[str, ...]:
-    """What ``find:`` asks for, in whichever way it is written there, by the names of the program."""
+    """The entries of ``find:``, in any spelling, by the names of the program."""
     return tuple(q.name for q in asked(scene_plans(scene), scene.find or (), scene.file))
 
 
 def fitted(plans: Plans, wanted: list[Quantity] | None, value: float) -> tuple[Plans, list[Quantity] | None]:
-    """The plans by the leads that cross well at a value of the drive, cut to what is asked; and what is asked of
-    them."""
+    """The plans by leads that cross sharply at a position of the drive, cut to the wanted results; and these
+    results."""
     fit = fitting(plans, value)
     if fit is plans or wanted is None:
         return fit, wanted
@@ -32,6 +32,6 @@ def fitted(plans: Plans, wanted: list[Quantity] | None, value: float) -> tuple[P
 
 
 def cut_to(plans: Plans, wanted: list[Quantity], shown: Plans | None) -> tuple[Plans, list[Quantity]]:
-    """The plans cut to what is wanted, and to the scheme of what is ``shown``; and what is wanted of them."""
+    """The plans cut to the wanted results, and to the scheme for what is ``shown``; and these results."""
     scheme = [step.makes for step in shown.program.marks.get("position", ())] if shown else []
     return sliced(plans, [*(n for q in wanted for n in q.needs), *scheme]), wanted

@@ -1,5 +1,5 @@
-"""The plans of a scene that states vectors and equations: one program, its equations in whatever order they can be
-drawn, each number found on the plans before it."""
+"""The plans of a scene of vectors and equations: one program, its equations in any order in which they can be drawn,
+each number taken from the plans before it."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -53,7 +53,7 @@ class StatedPlansBuilder:
         return SceneError(phrase, self.scene.file, equation.line)
 
     def build(self) -> Plans:
-        """All equations, each as soon as it has but two unknowns; then what is reckoned last."""
+        """All equations, each as soon as it has only two unknowns; then the remaining values."""
         left = [(e, (e.sides[0], side)) for e in self.statement.equations for side in e.sides[1:]]
         while left:
             self.vectors.settle()
@@ -71,7 +71,7 @@ class StatedPlansBuilder:
         return all(map(self.vectors.ready, names))
 
     def unknowns(self, terms: Side) -> list[Phrase]:
-        """What is not known of the vectors, in words."""
+        """The unknown parts of the vectors, in words."""
         unknowns = []
         for term in terms:
             parts = zip(("length", "direction"), self.vectors.parts(term.name), strict=True)
@@ -87,7 +87,7 @@ class StatedPlansBuilder:
         return []
 
     def _pair(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
-        """Two sides that one unknown vector is equal to are equal themselves."""
+        """Two sides equal to the same unknown vector are equal to each other."""
         for i, (one, (total, first)) in enumerate(left):
             for other, (same, second) in left[i + 1 :]:
                 alone = len(total) == 1 and total == same and total[0].times == 1.0
@@ -97,7 +97,7 @@ class StatedPlansBuilder:
         return []
 
     def _closing(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
-        """What nobody else needs an unknown of: an equation to be held against what is known."""
+        """An equation whose unknowns no other equation needs: it is compared with the known data."""
         for row in left:
             terms = row[1][0] + row[1][1]
             if self._ready(t.name for t in terms) and len(self.unknowns(terms)) < 2:
@@ -106,7 +106,7 @@ class StatedPlansBuilder:
         return []
 
     def _stuck(self, left: list[VectorEquation]) -> SceneError:
-        """Why none of these can be drawn: too many unknowns, or numbers that lead round in a circle."""
+        """Why none of these can be drawn: too many unknowns, or numbers that depend on each other in a circle."""
         for equation in left:
             if self._ready(equation.names):
                 listed = tuple(self.unknowns(tuple(map(SideTerm, equation.names)))) or Phrase("none")
@@ -148,7 +148,7 @@ class StatedPlansBuilder:
             d.given[side] = chosen_side(self.scene, self.vectors, side, names)
 
     def _check_used(self) -> None:
-        """Whatever is said of a vector must have an effect."""
+        """Refuse data of a vector that have no effect."""
         named = {name for equation in self.statement.equations for name in equation.names}
         for name, given in self.statement.vectors.items():
             idle = name not in named and name not in self.vectors.used
@@ -173,7 +173,7 @@ class StatedPlansBuilder:
         )
 
     def _try(self, plans: Plans) -> None:
-        """Refuse what cannot be drawn, in millimetres of its paper."""
+        """Refuse an equation that cannot be drawn, in millimetres of its paper."""
         self._certain(plans)
         try:
             drawing = run(plans.program, {**plans.given, **scales(plans, self.scene.mu)})
@@ -183,7 +183,7 @@ class StatedPlansBuilder:
             raise self.error(equation, why)
 
     def _certain(self, plans: Plans) -> None:
-        """Refuse a quotient by nothing, and a direction of it; drawn as far as it goes."""
+        """Refuse a division by zero, and a direction of a zero vector, as far as the drawing goes."""
         given = {**plans.given, **unit_scales(plans)}
         drawing, _ = reached(plans.program, given)
         for key, name, by in uncertain(self.vectors, drawing, given):
@@ -191,7 +191,7 @@ class StatedPlansBuilder:
             raise SceneError(Phrase(key, name=name, by=by), self.scene.file, line)
 
     def _failure(self, failure: PlanFailure) -> SceneError:
-        """What an equation cannot be drawn for, in words of vectors."""
+        """Why an equation cannot be drawn, in terms of vectors."""
         equation = self.solved.get(str(failure.numbers.get("makes")), self.statement.equations[0])
         key = f"vectors_{failure.reason}"
         if key not in table("en"):

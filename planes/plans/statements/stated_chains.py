@@ -11,11 +11,11 @@ from planes.scene.vectors import Similarity
 from planes.words.names import POLE, at, end_of, label_of, plan_of
 
 Chain = tuple[Term, ...]
-MOST_LYING = 5  # vectors whose every order is tried
+MOST_LYING = 5  # vectors that are tried in every order
 
 
 class Chains:
-    """Lays the terms of equations one after another; ``stated`` are the terms by the names they have on the plan."""
+    """Lays off the terms of equations one after another; ``stated`` are the terms by their names on the plan."""
 
     def __init__(self, vectors: StatedVectors) -> None:
         self.vectors, self.draft = vectors, vectors.draft
@@ -24,8 +24,8 @@ class Chains:
         self.stated: dict[str, SideTerm] = {}
 
     def of(self, plan: str, one: Side, two: Side, total: str | None) -> tuple[str, tuple[Chain, Chain]]:
-        """The plan and both chains of an equation; of a closed polygon one open vector comes to meet the others. What
-        lies end to end on a plan already is read there."""
+        """The plan and both chains of an equation; in a closed polygon one open vector is drawn from the far end.
+        Vectors that already lie end to end on a plan are read there."""
         lying = self._lying(one + two)
         self.plan, self.stated = plan_of(lying[0]) if lying else plan, {}
         self.labels.setdefault(self.plan, {POLE})
@@ -36,7 +36,7 @@ class Chains:
         return self.plan, self._sides(one, two, total, start)
 
     def _lying(self, terms: Side) -> list[str]:
-        """Where the known vectors start, if they lie end to end on one plan; else nothing."""
+        """The start of the known vectors, if they lie end to end on one plan; else None."""
         known = [t for t in terms if not self.open(t)]
         spans = [self.vectors.states[t.name].span for t in known]
         if not 1 <= len(known) <= MOST_LYING or not all(spans) or any(t.times != 1 for t in known):
@@ -47,7 +47,7 @@ class Chains:
         return []
 
     def _place(self, lying: list[str]) -> Callable[[SideTerm], int]:
-        """Where a vector is among those; the others after them."""
+        """The place of a vector among those; the others come after them."""
 
         def place(term: SideTerm) -> int:
             span = self.vectors.states[term.name].span
@@ -71,11 +71,11 @@ class Chains:
         return forth, (back,)
 
     def open(self, term: SideTerm) -> bool:
-        """Whether something of a vector is not known yet."""
+        """Whether some part of a vector is still unknown."""
         return None in self.vectors.parts(term.name)
 
     def _start(self, one: Side, two: Side) -> str:
-        """The mark the sides start at: that of a vector drawn before, or as the names say, else the pole."""
+        """The start mark of the sides: that of a vector drawn before, or by the names, else the pole."""
         for side in (s for s in (one, two) if s):
             first = side[0]
             span = self.vectors.states[first.name].span
@@ -87,7 +87,7 @@ class Chains:
         return POLE
 
     def _target(self, first: Side, second: Side, total: str | None) -> str:
-        """Where both sides end: as the name of what they add up to says."""
+        """The end mark of both sides: by the name of their sum."""
         alone = next((s[0].name for s in (second, first) if len(s) == 1 and s[0].times == 1), None)
         named = ends(total or alone or first[-1].name)
         if named and named[1] not in self.labels[self.plan]:
@@ -95,11 +95,11 @@ class Chains:
         return self.fresh(end_of(sorted(first, key=self.open)[-1].name))
 
     def chain(self, side: Side, start: str, target: str) -> Chain:
-        """The terms of a side, known ones first, from a mark to the target, or where a vector drawn before ends."""
+        """The terms of a side, known ones first, from a mark to the target, or to the end of a vector drawn before."""
         terms, mark = list[Term](), start
         ordered = sorted(side, key=self.open)
         for i, stated in enumerate(ordered):
-            if self.vectors.given(stated.name).like:  # it is drawn from where the others end
+            if self.vectors.given(stated.name).like:  # drawn from the end of the others
                 for before in terms:
                     self.draft.lay(self.plan, before)
             terms.append(self.term(stated, mark, target if i == len(ordered) - 1 else ""))
@@ -108,7 +108,7 @@ class Chains:
         return tuple(terms)
 
     def term(self, stated: SideTerm, mark: str, target: str) -> Term:
-        """A vector from a mark on: drawn before, divided or made similar there, laid off, or sought."""
+        """A vector from a mark on: drawn before, divided or made similar there, laid off, or unknown."""
         v, name, sign = self.vectors, stated.name, 1 if stated.times > 0 else -1
         state, like = v.states[name], v.given(name).like
         span = state.span or ("", "")
@@ -131,12 +131,12 @@ class Chains:
         )
 
     def _action(self, direction: str | None) -> str:
-        """The line of action as it is written beneath; of a given angle the direction itself."""
+        """The line of action as written beneath; for a given angle the direction itself."""
         means = self.draft.steps[direction].means if direction else None
         return (means.action or direction or "") if means else direction or ""
 
     def _alike(self, stated: SideTerm, like: Similarity, mark: str, end: str) -> bool:
-        """Whether a vector is drawn by similarity from a mark; if not, its length and direction are found."""
+        """Whether a vector is drawn by similarity from a mark; otherwise its length and direction are found."""
         v, name = self.vectors, stated.name
         v.used |= {like.of, *(like.shape or ())}
         drawn = stated.times == 1 and all(map(v.spanned, (like.of, *(like.shape or ()))))
@@ -156,12 +156,12 @@ class Chains:
         self.draft.step(Similar(at(self.plan, end), start, stop, self.draft.give(name, ratio)))
 
     def _label(self, stated: SideTerm, mark: str) -> str:
-        """Where a vector from a mark ends: as its name says, else a mark named as it is."""
+        """The end mark of a vector: by its name, else a mark of the vector's name."""
         marks = span(stated)
         return self.fresh(marks[1] if marks and marks[0] == mark else end_of(stated.name))
 
     def fresh(self, label: str) -> str:
-        """The label, primed while another mark has it."""
+        """The label, with a prime while another mark has it."""
         taken = self.labels[self.plan]
         while label in taken:
             label += "′"

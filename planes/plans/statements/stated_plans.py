@@ -1,5 +1,5 @@
-"""Which plan an equation of a scene of vectors is drawn on: as it is named there, else by the letters of
-its vectors, or by the unit of μ. Names of vectors tell no links: P_1 of a truss is a load of a node."""
+"""The plan for each equation of a scene of vectors: the one named there, else by the letters of its vectors, or by the
+unit of μ. Names of vectors do not give links: P_1 of a truss is a load at a node."""
 
 import re
 
@@ -32,7 +32,7 @@ def plans_of_equations(scene: Scene, statement: Statement) -> dict[tuple[int, st
 
 
 def _kind(scene: Scene, e: VectorEquation) -> str:
-    """The plan the letters of an equation tell; "" where they tell none."""
+    """The plan that the letters of an equation show; "" where they show none."""
     first: dict[str, str] = {}
     for name in e.names:
         kind = next((kind for kind, letters in _LETTERS.items() if re.match(letters, name)), "")
@@ -48,7 +48,7 @@ def _kind(scene: Scene, e: VectorEquation) -> str:
 
 
 def _named(scene: Scene, e: VectorEquation, kind: str) -> str:
-    """The plan that an equation names: of forces."""
+    """The force plan that an equation names."""
     if kind != "force":
         raise SceneError(Phrase("equation_plan", plan=e.plan, text=e.text), scene.file, e.line)
     return e.plan

@@ -1,4 +1,4 @@
-"""What is known of the vectors of a scene while its equations are drawn: given, reckoned or measured."""
+"""The known data of a scene's vectors while its equations are drawn: given, computed or measured."""
 
 import cmath
 import math
@@ -24,7 +24,7 @@ _LOADS = {"G": "weight", "I": "inertia", "Φ": "inertia", "Ф": "inertia", "P": 
 
 @dataclass
 class VectorState:
-    """Names of its length and its direction, where they are known, and the marks it is drawn between."""
+    """Names of its length and its direction, where known, and its end marks."""
 
     length: str | None = None
     direction: str | None = None
@@ -32,18 +32,18 @@ class VectorState:
 
 
 class StatedVectors:
-    """The vectors and values of a statement by name; ``used`` are those that others are found from."""
+    """The vectors and values of a statement by name; ``used`` are those that others depend on."""
 
     def __init__(self, statement: Statement) -> None:
         self.statement, self.draft = statement, Draft()
         self.states: dict[str, VectorState] = {}
         self.values: dict[str, str] = {}
         self.used: set[str] = set()
-        self.leaned: dict[str, str] = {}  # those of which a direction or a quotient is taken, by what takes it
-        self.quotients: list[tuple[str, str, str]] = []  # what is divided, by what, and the name of that number
+        self.leaned: dict[str, str] = {}  # those whose direction or quotient is taken, by the user of it
+        self.quotients: list[tuple[str, str, str]] = []  # the dividend, the divisor, and the name of that number
 
     def given(self, name: str) -> VectorGiven:
-        """What the scene says of a vector."""
+        """The data of a vector in the scene."""
         return self.statement.vectors[name]
 
     def spanned(self, name: str) -> bool:
@@ -51,13 +51,13 @@ class StatedVectors:
         return name in self.states and self.states[name].span is not None
 
     def span(self, name: str) -> tuple[str, str]:
-        """The marks it is drawn between."""
+        """The end marks of a drawn vector."""
         span = self.states[name].span
         assert span is not None
         return span
 
     def missing(self, name: str) -> Iterator[str]:
-        """What has to be found before the vector can be drawn as it is given."""
+        """Results needed before the vector can be drawn as given."""
         given = self.given(name)
         if isinstance(given.value, VectorAmount):
             yield from (n for n in given.value.names if not self.known(n))
@@ -67,38 +67,38 @@ class StatedVectors:
             yield from (n for n in (given.like.of, *(given.like.shape or ())) if not self.known_whole(n))
 
     def ready(self, name: str) -> bool:
-        """Whether all that is given of it can be drawn."""
+        """Whether all given data of it can be drawn."""
         return name in self.states
 
     def known(self, name: str) -> bool:
-        """Whether a vector's length, or a value, is there to be reckoned with."""
+        """Whether a vector's length, or a value, is available for calculation."""
         if name not in self.statement.vectors:
             return name in self.values or name in self.statement.parameters
         return self.spanned(name) or (self.given(name).value is not None and self.ready(name))
 
     def known_whole(self, name: str) -> bool:
-        """Whether a vector's length and direction are there."""
+        """Whether a vector's length and direction are both available."""
         return self.spanned(name) or (self.ready(name) and None not in self.parts(name))
 
     def has_direction(self, name: str) -> bool:
-        """Whether it is known where a vector points."""
+        """Whether a vector's direction is known."""
         return self.spanned(name) or (self.given(name).direction is not None and self.ready(name))
 
     def parts(self, name: str) -> tuple[str | None, str | None]:
-        """The names of its length and direction, each None where it is not known; a vector that was drawn has both."""
+        """The names of its length and direction, each None where unknown; a drawn vector has both."""
         state = self.states[name]
         if state.span or self.given(name).like:
             return state.length or "", state.direction or ""
         return state.length, state.direction
 
     def state(self, name: str) -> None:
-        """Make what is given of a vector a part of the program."""
+        """Put the data of a vector into the program."""
         given = self.given(name)
         length = None if given.value is None else self.amount(name, given.value, f"|{name}|")
         self.states[name] = VectorState(length, self.given_direction(name, given))
 
     def amount(self, name: str, amount: Amount, plain: str) -> str:
-        """The name of a number: given as ``plain``, or reckoned as ``name``."""
+        """The name of a number: given as ``plain``, or computed as ``name``."""
         if isinstance(amount, LoadLaw):
             return follow(self.draft, self.statement.drive, plain, amount, self.load_of(name) or Meaning("load", name))
         if not isinstance(amount, VectorAmount):
@@ -127,14 +127,14 @@ class StatedVectors:
         return state.length
 
     def direction(self, name: str) -> str:
-        """The name of a vector's direction, taken off the plan where it was not given."""
+        """The name of a vector's direction, measured on the plan where it was not given."""
         state = self.states[name]
         if state.direction is None:
             state.direction = self.draft.through(f"→{name}", *self.span(name), Meaning("own", *line_of(name)))
         return state.direction
 
     def given_direction(self, name: str, given: VectorGiven) -> str | None:
-        """The direction a scene gives a vector."""
+        """The direction that a scene gives for a vector."""
         way, d = given.direction, self.draft
         if way is None:
             return None
@@ -176,12 +176,12 @@ class StatedVectors:
         state.direction = d.step(Turn(f"∠{name}", base, 0, turned, means=Meaning("given", name)))
 
     def load_of(self, name: str) -> Meaning | None:
-        """What a given number is the size of, where the letter of its vector tells."""
+        """The load whose magnitude a given number is, where its vector's letter shows it."""
         letter, index, _ = parts_of(name)
         return Meaning("load", name, link=index) if letter in _LOADS or letter == "F" else None
 
     def mark_of(self, name: str) -> Meaning | None:
-        """What a mark is that a vector ends at: of a normal part, a Coriolis one, a weight."""
+        """The meaning of a vector's end mark: of a normal component, a Coriolis one, a weight."""
         letter, index, part = parts_of(name)
         if letter == "a" and part in _PARTS:
             return Meaning("normal" if part == "n" else "coriolis", index)
@@ -191,7 +191,7 @@ class StatedVectors:
         return Meaning(kind, name, link=index) if kind else None  # type: ignore[arg-type]  # of the table
 
     def settle(self) -> None:
-        """State every vector, and reckon every value, for which all is known by now."""
+        """State every vector, and compute every value, whose data are complete by now."""
         before = -1
         while before != len(self.states) + len(self.values):
             before = len(self.states) + len(self.values)
@@ -203,7 +203,7 @@ class StatedVectors:
                     self.values[name] = self.amount(name, value, name)
 
     def needs(self, name: str) -> list[str]:
-        """What a value waits for."""
+        """The results that a value waits for."""
         value = self.statement.values[name]
         return [n for n in value.names if not self.known(n)] if isinstance(value, VectorAmount) else []
 
@@ -227,7 +227,7 @@ class StatedVectors:
             self.states[equation.total].span = at(equation.plan, chain[0].start), at(equation.plan, chain[-1].end)
 
     def _whole(self, equation: Equation, term: Term, stated: SideTerm, ends: tuple[str, str]) -> None:
-        """A vector of which a multiple was found: the whole of it beside."""
+        """A vector with a known multiple: the vector itself is drawn as well."""
         state = self.states[stated.name]
         label = end_of(stated.name) + "″"
         ratio = self.draft.give(f"ratio_{stated.name}", complex(1 / abs(stated.times)))
@@ -237,7 +237,7 @@ class StatedVectors:
 
 
 def line_of(name: str) -> tuple[str, ...]:
-    """The points a vector of the scheme runs between, B and C of r_BC; of another its name."""
+    """The end points of a vector on the scheme, B and C of r_BC; of another vector its name."""
     letter, index, part = parts_of(name)
     match = _POINTS.fullmatch(index) if letter in ("r", "l") and not part else None
     return match.groups() if match else (name,)

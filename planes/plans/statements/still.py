@@ -1,4 +1,4 @@
-"""The record of what is drawn without a mechanism: stated vectors, bodies in equilibrium."""
+"""The record of plans without a mechanism: stated vectors, bodies in equilibrium."""
 
 from collections.abc import Mapping
 
@@ -24,7 +24,7 @@ def still_plans(
     values: Mapping[str, str],
     figure: StaticsFigure | None = None,
 ) -> Plans:
-    """All that was drafted, with the marks its vectors stand between and the names of its values."""
+    """All that was drafted, with the end marks of its vectors and the names of its values."""
     program = Program(tuple(d.steps.values()), tuple(closed(d)))
     return Plans(
         mechanism=mechanism,

@@ -1,1 +1,1 @@
-"""Bodies and trusses in equilibrium, by graphical statics: strings and poles, lines of action, Bow's letters."""
+"""Bodies and trusses in equilibrium, by graphical statics: string polygons, lines of action, Bow's notation."""

@@ -1,6 +1,6 @@
-"""Two bodies in one hinge, each on a hinge of the ground: neither can be solved by itself. Across its own two hinges
-the reaction of either comes by moments about the common one; along them both meet in one polygon.
-"""
+"""Two bodies with a common hinge, each on a hinge of the ground: neither can be solved by itself. The reaction of each
+across the line of its two hinges comes from moments about the common one; along these lines both reactions meet in one
+polygon."""
 
 from dataclasses import dataclass, replace
 
@@ -21,7 +21,7 @@ class Arch:
     crown: Support
 
     def draw(self) -> dict[str, tuple[str, str]]:
-        """The plan; the marks between which every reaction stands, that of the crown on the last body."""
+        """The plan; returns the end marks of every reaction, that of the crown on the last body."""
         one, two = self.first, self.last
         d, plan = one.draft, one.plan
         (a, across), (b, other) = (self.springing(x) for x in (one, two))
@@ -45,7 +45,7 @@ class Arch:
         return self.first.draft.ray(SCHEME, s.point, self.crown.point)
 
     def springing(self, body: FreeBody) -> tuple[Support, Force]:
-        """A body's hinge on the ground, and the part of its reaction across the line of both hinges."""
+        """A body's hinge on the ground, and the component of its reaction across the line of both hinges."""
         s = next(s for s in body.supports if s.held == 2 and s.point != self.crown.point)
         name, along, spot = f"{s.name}^t", body.draft.square(self.ray(s)), body.spot(s)
         crown = at(SCHEME, self.crown.point)

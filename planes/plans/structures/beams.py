@@ -1,6 +1,5 @@
-"""Shear forces and bending moments of a straight beam off its string polygon: between the strings and the closing line
-every ordinate is a bending moment over the distance of the pole, and the rays part the polygon of forces into shears.
-"""
+"""Shear forces and bending moments of a straight beam from its string polygon: every ordinate between the strings and
+the closing line is a bending moment over the pole distance, and the rays divide the force polygon into shear forces."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -20,27 +19,27 @@ SQUARE = 1e-9  # the cosine of the angle between a beam and its loads
 
 @dataclass
 class StraightBeam:
-    """A body on a hinge and a line, all of whose points lie on one line, with nothing but forces across it."""
+    """A body on a hinge and a support with a line, all points on one line, with only transverse forces."""
 
     body: FreeBody
     framework: Framework
-    places: dict[str, complex]  # of its loads, m
+    places: dict[str, complex]  # lengths of its loads, m
 
     @property
     def axis(self) -> complex:
-        """From the hinge to the line's point."""
+        """The vector from the hinge to the point of the other support."""
         anchor, (line,) = self.body.anchor, self.body.lines
         assert anchor
         return self.framework.points[line.point] - self.framework.points[anchor.point]
 
     def along(self, z: complex) -> float:
-        """How far along the beam from the hinge a place is, of the distance of both supports."""
+        """The distance of a place along the beam from the hinge, relative to the span."""
         anchor = self.body.anchor
         assert anchor
         return ((z - self.framework.points[anchor.point]) / self.axis).real
 
     def load_along(self, load: tuple[Force, complex]) -> float:
-        """How far along the beam a load stands."""
+        """The distance of a load along the beam."""
         return self.along(self.places[load[0].name])
 
     def straight(self, ways: list[complex]) -> bool:
@@ -52,7 +51,7 @@ class StraightBeam:
         return level and all(abs((w / self.axis).real) <= SQUARE * abs(w / self.axis) for w in ways)
 
     def measure(self, polygon: StringPolygon, closing: str, x: str) -> tuple[list[Moment], list[Shear]]:
-        """Bending moments by points, and shears by the two points they are between."""
+        """Bending moments by points, and shear forces by pairs of points."""
         b, d, anchor = self.body, self.body.draft, self.body.anchor
         assert anchor
         axis = d.ray(SCHEME, anchor.point, b.lines[0].point)
@@ -75,7 +74,7 @@ class StraightBeam:
         return moments, shears
 
     def moment(self, point: str, polygon: StringPolygon, bases: list[Shear], axis: str) -> str:
-        """The bending moment at a point: the distance of the pole by the ordinate between base and string."""
+        """The bending moment at a point: the pole distance times the ordinate between base and string."""
         b, d, where = self.body, self.body.draft, self.along(self.framework.points[point])
         pole, across = d.measure("N_H", at(b.plan, O), at(b.plan, POLE), axis), d.square(axis)
         _, ray, knot = bases[self.part(where)]
@@ -89,15 +88,15 @@ class StraightBeam:
         return d.product(f"M_{point}", sign, **{pole: 1, height: 1})
 
     def part(self, where: float) -> int:
-        """Before both supports, between them, or after them."""
+        """The part of the beam: before both supports, between them, or after them."""
         return 0 if where < -SQUARE else 1 if where <= 1.0 + SQUARE else 2
 
     def passed(self, where: float) -> int:
-        """How many loads stand before a place."""
+        """The number of loads before a place."""
         return sum(self.along(self.places[f.name]) < where - SQUARE for f in self.body.forces)
 
     def within(self, point: str) -> bool:
-        """Whether a point lies amid a distributed load, whose resultant tells no moment there."""
+        """Whether a point lies inside a distributed load, whose resultant gives no moment there."""
         return any(self.covers(load.spread, point) for load in self.framework.loads if load.spread)
 
     def covers(self, spread: tuple[str, str], point: str) -> bool:
@@ -106,7 +105,7 @@ class StraightBeam:
         return min(one, other) + SQUARE < place < max(one, other) - SQUARE
 
     def middle(self, one: str, other: str) -> float:
-        """How far along the beam the middle of two points is."""
+        """The distance of the middle of two points along the beam."""
         return (self.along(self.framework.points[one]) + self.along(self.framework.points[other])) / 2
 
     def spread(self, one: str, other: str) -> bool:

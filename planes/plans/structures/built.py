@@ -1,4 +1,4 @@
-"""The plans of a scene of statics: one body after another, each as soon as three numbers of its reactions are left."""
+"""The plans of a scene of statics: body after body, each as soon as only three unknowns of its reactions are left."""
 
 from collections.abc import Iterator
 from functools import cached_property
@@ -25,7 +25,7 @@ from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import replace
 from planes.words.names import Meaning, at, force_plan
 
-BESIDE = "'"  # ends the name of a hinge's force on the body that was found later
+BESIDE = "'"  # suffix of a hinge's force on the body found later
 
 
 def framework_plans(scene: Scene, framework: Framework) -> Plans:
@@ -58,7 +58,7 @@ class FrameworkBuilder(StatedLoads):
 
     @property
     def floats(self) -> bool:
-        """Whether it is a system of loads that nothing holds: its resultant is asked."""
+        """Whether it is a system of loads without supports: its resultant is asked for."""
         f = self.framework
         forces = bool(f.loads) and all(load.direction_deg is not None for load in f.loads)
         alone = not (f.supports or f.members) and len(f.bodies) == 1
@@ -77,7 +77,7 @@ class FrameworkBuilder(StatedLoads):
         return hinges
 
     def check(self) -> None:
-        """Whether reactions are as many as equations."""
+        """Check that there are as many reactions as equations."""
         f = self.framework
         self.check_points()
         if f.members:
@@ -90,7 +90,7 @@ class FrameworkBuilder(StatedLoads):
 
     @cached_property
     def held(self) -> int:
-        """How many numbers the reactions and the hinges between bodies have."""
+        """The number of unknowns in the reactions and the hinges between bodies."""
         return sum(s.held for s in self.framework.supports) + 2 * len(self.hinges)
 
     def counted(self) -> Iterator[Phrase]:
@@ -102,7 +102,7 @@ class FrameworkBuilder(StatedLoads):
             yield Phrase("bodies_count", bodies=len(f.bodies), held=self.held, needed=3 * len(f.bodies))
 
     def supports_of(self, name: str) -> list[Support]:
-        """What holds a body: its supports, and its hinges with bodies that are not solved yet."""
+        """The supports of a body, and its hinges with bodies that are not solved yet."""
         points = self.framework.bodies[name]
         owners = {p: next(n for n, own in self.framework.bodies.items() if p in own) for p in points}
         own = [s for s in self.framework.supports if owners.get(s.point) == name]
@@ -116,7 +116,7 @@ class FrameworkBuilder(StatedLoads):
     # one body
 
     def solve(self, name: str) -> None:
-        """The plan of a body, and what it hands to the bodies it hangs on."""
+        """The plan of a body, and its reactions on the bodies it hangs on."""
         plan = force_plan(*([name] if len(self.framework.bodies) > 1 else []))
         body = self.body(name, plan, self.supports_of(name))
         WayFinder(self.scene, self.framework, body, self.sizes).draw()
@@ -130,11 +130,11 @@ class FrameworkBuilder(StatedLoads):
             self.sizes[s.name + BESIDE] = -self.measured(s.name)
 
     def body(self, name: str, plan: str, supports: list[Support]) -> FreeBody:
-        """A body by itself."""
+        """A single body."""
         return FreeBody(self.draft, self.figure, name, plan, self.forces[name], self.couples[name], supports)
 
     def arch(self) -> None:
-        """Two bodies that can be solved only together: on a hinge of the ground each, and in one with each other."""
+        """Two bodies that can only be solved together: each on a hinge of the ground, and joined in a third hinge."""
         for point, names in self.hinges.items():
             held = [[s for s in self.supports_of(x) if s.point != point] for x in names]
             if {*names} <= {*self.left} and all([s.kind for s in own] == ["hinge"] for own in held):
@@ -154,15 +154,14 @@ class FrameworkBuilder(StatedLoads):
         self.left = [x for x in self.left if x not in names]
 
     def reaction(self, s: Support, body: str, size: str, beside: str = "") -> Force:
-        """A reaction that has been found, as a force on a body: ``beside`` is what its name ends with where it is the
-        other way."""
+        """A known reaction, as a force on a body: ``beside`` is the suffix of its name where it is reversed."""
         d, (start, end), name = self.draft, self.spans[s.name], s.name + beside
         means, ends = (Meaning("against", s.name), (end, start)) if beside else (Meaning("with", s.name), (start, end))
         along = d.through(f"→{name}", *ends, means)
         return Force(name, body, d.measure(size, start, end), along, at(SCHEME, s.point), "reaction")
 
     def measured(self, name: str) -> complex:
-        """A reaction that has been drawn, N."""
+        """A drawn reaction, N."""
         start, end = self.spans[name]
         program = Program(tuple(self.draft.steps.values())).sliced([start, end])
         drawing = run(program, {**self.draft.given, **{f"mu_{plan}": 1.0 for plan in program.marks}})
@@ -181,7 +180,7 @@ class FrameworkBuilder(StatedLoads):
     # all together
 
     def plans(self) -> Plans:
-        """The record of what was drawn."""
+        """The record of the drawing."""
         d, f = self.draft, self.framework
         self.figure.counted = tuple(self.counted())
         mechanism = replace(as_mechanism(f, self.scene.drive or STANDING), where=self.scene.where)
@@ -198,7 +197,7 @@ class FrameworkBuilder(StatedLoads):
         )
 
     def laid(self, name: str) -> tuple[str, str]:
-        """The marks a load is laid off between."""
+        """The end marks of a load."""
         terms = ((e.plan, t) for e in self.draft.equations for t in e.terms if t.name == name)
         plan, term = next(terms, ("", None))
         return (at(plan, term.start), at(plan, term.end)) if term else ("", "")
@@ -210,7 +209,7 @@ class FrameworkBuilder(StatedLoads):
                 yield e.total, (at(e.plan, e.chains[0][0].start), at(e.plan, e.chains[0][-1].end))
 
     def tried(self, plans: Plans) -> Plans:
-        """Refuse what cannot be drawn, and ropes that would have to push."""
+        """Refuse figures that cannot be drawn, and ropes that would have to push."""
         try:
             drawing = run(plans.program, {**plans.given, **unit_scales(plans)})
         except PlanFailure as failure:

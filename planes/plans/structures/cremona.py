@@ -1,7 +1,6 @@
 """The plan of a truss by Cremona and Maxwell: every region is one mark, and the force of a member the segment between
-the marks of the regions on its two sides, drawn once. A member pulls at a joint where its segment, gone through
-clockwise around the joint, points away from it. Where two members reach no region, a cut gives one force (Ritter).
-"""
+the marks of the regions on its two sides, drawn once. A member pulls at a joint where its segment, taken clockwise
+around the joint, points away from it. Where two members reach no region, a cut gives one force (Ritter)."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
@@ -18,23 +17,23 @@ from planes.plans.structures.regions import Regions, Side
 from planes.scene.structures import Framework
 from planes.words.names import CREMONA, Meaning, at
 
-ALIKE = 1e-6  # the sine of the angle of members that run alike
+ALIKE = 1e-6  # the sine of the angle below which members are parallel
 
 
 @dataclass
 class CremonaPlan:
-    """The plan being drawn: outside forces around the truss, then every region from two that are there."""
+    """The plan under construction: external forces around the truss, then every region from two known ones."""
 
     draft: Draft
     framework: Framework
     regions: Regions
-    outer: Mapping[str, Force]  # forces from outside by name
+    outer: Mapping[str, Force]  # external forces by name
     drawn: list[str] = field(default_factory=list)
-    joints: dict[str, str] = field(default_factory=dict)  # mark -> the joint it is drawn for
-    cuts: dict[str, tuple[str, ...]] = field(default_factory=dict)  # members found by a cut -> all that are cut
+    joints: dict[str, str] = field(default_factory=dict)  # mark -> its joint
+    cuts: dict[str, tuple[str, ...]] = field(default_factory=dict)  # members found by a cut -> all members cut
 
     def draw(self) -> list[str]:
-        """The whole plan; the members it cannot reach."""
+        """The whole plan; returns the members it cannot reach."""
         self.outside()
         left = dict.fromkeys(r for r in self.regions.right.values() if r not in self.drawn)
         while left:
@@ -48,7 +47,7 @@ class CremonaPlan:
         return ["".join(m) for m in self.framework.members if {*self.sides(m)} & left.keys()]
 
     def outside(self) -> None:
-        """The outside forces head to tail, clockwise around the truss; the last one closes the polygon."""
+        """The external forces head to tail, clockwise around the truss; the last one closes the polygon."""
         self.draft.pole(CREMONA)
         for f in self.regions.ordered:
             force, (start, end) = self.outer[f.name], (self.regions.before[f.name], self.regions.after[f.name])
@@ -60,17 +59,17 @@ class CremonaPlan:
         self.state(Term(*one, drawn=True) for one in ordered)
 
     def state(self, terms: Iterable[Term]) -> None:
-        """Note a closed polygon that is drawn: the last of its forces closes it."""
+        """Record a closed polygon: the last of its forces closes it."""
         *chain, last = terms
         self.draft.equations.append(Equation(CREMONA, ((*chain, replace(last, drawn=False)), ())))
 
     def sides(self, member: Side) -> tuple[str, str]:
-        """The regions on the left and on the right of a member, gone through from its first joint."""
+        """The regions on the left and on the right of a member, seen from its first joint."""
         a, b = member
         return self.regions.right[b, a], self.regions.right[a, b]
 
     def around(self, region: str) -> Iterator[tuple[Side, str]]:
-        """The members of a region with drawn regions on their other side, and those."""
+        """The members of a region with drawn regions on their other side, and those regions."""
         for member in self.framework.members:
             left, right = self.sides(member)
             other = right if left == region else left
@@ -91,7 +90,7 @@ class CremonaPlan:
         return bool(pairs)
 
     def balanced(self, joint: str, region: str) -> bool:
-        """The polygon of a joint by which a region is drawn, if that is all that is not known of it."""
+        """The polygon of a joint by which a region is drawn, if that region is its only unknown."""
         terms = self.regions.around_joint(joint)
         if {x for _, *ends in terms for x in ends} - {*self.drawn, region}:
             return False
@@ -104,7 +103,7 @@ class CremonaPlan:
         return True
 
     def term(self, name: str, start: str, end: str, open_: bool) -> Term:
-        """A force around a joint from region to region: drawn before, or a member of which the line is known."""
+        """A force around a joint from region to region: drawn before, or a member with a known line."""
         member = next((m for m in self.framework.members if f"S_{m[0]}{m[1]}" == name), None)
         sign = 1 if member is None or self.sides(member) == (start, end) else -1
         if member is None or not open_:
@@ -113,7 +112,7 @@ class CremonaPlan:
         return Term(name, start, end, None, along, f"∥{member[0]}{member[1]}", sign=sign)
 
     def close(self) -> None:
-        """The polygons of members that no joint was drawn for; each is closed by one of them."""
+        """Close the polygons of members without a drawn joint; each is closed by one of them."""
         drawn = {t.name for e in self.draft.equations if e.plan == CREMONA for t in e.terms}
         for a, b in self.framework.members:
             name = f"S_{a}{b}"
@@ -141,7 +140,7 @@ class CremonaPlan:
     # cuts
 
     def cut(self, region: str) -> bool:
-        """Draw a region from one that is there along a member whose force a cut through three gives by moments."""
+        """Draw a region from a known one along a member whose force comes from moments about a cut through three."""
         for member, other in self.around(region):
             for two in combinations([m for m in self.framework.members if m != member], 2):
                 part = self.part(member, two)
@@ -152,7 +151,8 @@ class CremonaPlan:
         return False
 
     def part(self, member: Side, two: tuple[Side, ...]) -> set[str]:
-        """The joints on the side of the member's first one where the truss falls apart without these; else none."""
+        """The joints on the side of the member's first one, if the truss falls apart without these members; else
+        empty."""
         left, reached = [m for m in self.framework.members if m not in (member, *two)], {member[0]}
         while more := {p for m in left if {*m} & reached for p in m} - reached:
             reached |= more
@@ -160,7 +160,7 @@ class CremonaPlan:
         return reached if apart else set()
 
     def meeting(self, member: Side, two: tuple[Side, Side]) -> str:
-        """Where the lines of two cut members meet, if that is off the line of the first."""
+        """The intersection of the lines of two cut members, if it is off the line of the first."""
         (a, b), (c, d) = two
         u, v = self.regions.way(a, b), self.regions.way(c, d)
         shift = self.regions.way(a, c)
@@ -177,7 +177,7 @@ class CremonaPlan:
         return self.draft.step(Cross(at(SCHEME, label), at(SCHEME, a), along, at(SCHEME, c), across))
 
     def reckon(self, region: str, member: Side, other: str, about: str, part: set[str]) -> None:
-        """The force of a member by the moments of a part of the truss, and the region at its end."""
+        """The force of a member from the moments of a part of the truss, and the region at its end."""
         d, name = self.draft, f"S_{member[0]}{member[1]}"
         along = d.ray(SCHEME, *member)
         lever, terms = d.arm(name, at(SCHEME, member[0]), along, about), MomentTerms()

@@ -1,4 +1,4 @@
-"""What is drawn beside the marks of a plan of statics: strings, rays, lines of action, and the signs of supports."""
+"""The lines beside the marks of a plan of statics: strings, rays, lines of action, and the symbols of supports."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -27,41 +27,41 @@ class FigureLine:
 
 @dataclass
 class StaticsFigure:
-    """What the framework gives; then what is drawn: the lines of all plans, and forces that are results of composition
-    by the mark and the direction they act at."""
+    """The data of the framework; then the drawing: the lines of all plans, and resultants from composition by their
+    mark and direction."""
 
     supports: tuple[Support, ...] = ()
     points: Mapping[str, complex] = field(default_factory=dict)  # by name, m
     spread: tuple[StaticLoad, ...] = ()
     members: tuple[tuple[str, str, str], ...] = ()  # of a truss, by the names of their forces
     numbered: frozenset[str] = frozenset()  # bodies, where there are several
-    pole: complex | None = None  # where a scene puts the pole of its string polygon, N
+    pole: complex | None = None  # the pole of its string polygon in the scene, N
     strokes: list[FigureLine] = field(default_factory=list)
     results: list[tuple[str, str, str]] = field(default_factory=list)
     moments: list[tuple[str, str]] = field(default_factory=list)  # of a beam: points with bending moments by name
-    shears: list[tuple[str, str, str]] = field(default_factory=list)  # and shears between two points
+    shears: list[tuple[str, str, str]] = field(default_factory=list)  # and shear forces between two points
     knots: list[str] = field(default_factory=list)  # lettered points where lines of action meet
-    said: dict[str, str] = field(default_factory=dict)  # why marks are where they are: keys of words
-    poles: list[str] = field(default_factory=list)  # marks from which rays are drawn, which are no vectors of a plan
+    said: dict[str, str] = field(default_factory=dict)  # reasons for the places of marks: keys of words
+    poles: list[str] = field(default_factory=list)  # start marks of rays, which are not vectors of a plan
     counted: tuple[Phrase, ...] = ()  # why it is statically determinate
-    letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by their places on the scheme, m
+    letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by places on the scheme, m
 
     @classmethod
     def of(cls, f: Framework) -> "StaticsFigure":
-        """That of a framework, nothing being drawn yet."""
+        """The figure of a framework, with nothing drawn yet."""
         members = tuple((f"S_{a}{b}", a, b) for a, b in f.members)
         spread = tuple(load for load in f.loads if load.spread)
         numbered = frozenset(f.bodies if len(f.bodies) > 1 else ())
         return cls(f.supports, f.points, spread, members, numbered, f.pole)
 
     def stroke(self, plan: str, kind: LineKind, name: str, start: str, end: str) -> None:
-        """Add a line, unless it begins where it ends."""
+        """Add a line, unless it has no length."""
         if start != end:
             self.strokes.append(FigureLine(plan, kind, name, start, end))
 
 
 def as_mechanism(f: Framework, drive: Drive) -> Mechanism:
-    """The bodies, rods and hinges as links, for whoever draws the scheme."""
+    """The bodies, rods and hinges as links, for the drawing of the scheme."""
     hinged = [s.point for s in f.supports if s.kind == "hinge"]
     frame = Link(FRAME, MappingProxyType({p: f.points[p] for p in dict.fromkeys((*hinged, *sorted(f.fixed)))}))
     links = {name: Link(name, MappingProxyType(dict(points))) for name, points in _links(f)}
@@ -77,11 +77,11 @@ def _links(f: Framework) -> Iterator[tuple[str, dict[str, complex]]]:
 
 
 Strain = Literal["tension", "compression", "idle"]
-NOTHING = 1e-9  # of the largest force: none
+NOTHING = 1e-9  # of the largest force: below this it is zero
 
 
 def strains(figure: StaticsFigure | None, drawing: Drawing) -> dict[str, Strain]:
-    """How every member that was drawn is strained, by the name of its force."""
+    """The state of every drawn member, tension, compression or zero, by the name of its force."""
     forces = {n: float(drawing[n]) for n, _, _ in figure.members if n in drawing} if figure else {}
     most = max(map(abs, forces.values()), default=0.0)
     return {n: "idle" if abs(v) <= NOTHING * most else "tension" if v > 0 else "compression" for n, v in forces.items()}

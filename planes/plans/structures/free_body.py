@@ -1,8 +1,8 @@
-"""One body in equilibrium: its loads laid off on its plan of forces, and three numbers of its reactions found.
+"""One free body in equilibrium: its loads laid off on its force plan, and the three unknowns of its reactions found.
 
-What a body hangs on is a hinge and a line (of a roller, a rod, a rope), three lines, or a clamp. Two lines of action
-meet, and a third force in equilibrium with both goes through that point; of four, the resultant of two goes through
-both meetings (Culmann). Many loads are brought to their resultant first, by a string polygon or by composition.
+Its supports are a hinge and a line (of a roller, a rod, a rope), three lines, or a clamp. Two lines of action meet, and
+a third force in equilibrium with both passes through that point; of four, the resultant of two passes through both
+intersections (Culmann). Several loads are first reduced to their resultant, by a string polygon or by composition.
 """
 
 from dataclasses import dataclass, field, replace
@@ -22,7 +22,7 @@ Chain = tuple[Term, ...]
 
 @dataclass
 class FreeBody:
-    """A body by its name with what acts on it; ``found`` are the marks each of its reactions stands between."""
+    """A body by its name with its forces; ``found`` are the end marks of each of its reactions."""
 
     draft: Draft
     figure: StaticsFigure
@@ -36,7 +36,7 @@ class FreeBody:
 
     @property
     def lines(self) -> list[Support]:
-        """The supports whose reactions have a line."""
+        """The supports with reactions of known line."""
         return [s for s in self.supports if s.held == 1]
 
     @property
@@ -45,7 +45,7 @@ class FreeBody:
         return next((s for s in self.supports if s.held > 1), None)
 
     def lay(self) -> str:
-        """Lay all loads off one after another; the label where the last ends."""
+        """Lay off all loads one after another; returns the label at the end of the last."""
         self.draft.pole(self.plan)
         self.chain = ()
         for f in self.forces:
@@ -53,52 +53,52 @@ class FreeBody:
         return self.reached
 
     def append(self, force: Force) -> None:
-        """Lay one more known force off."""
+        """Lay off one more known force."""
         f, end = force, end_of(force.name)
         self.chain += (Term(f.name, self.reached, end, f.size, f.along, self.action(f.along), means=f.means),)
         self.draft.lay(self.plan, self.chain[-1])
 
     @property
     def reached(self) -> str:
-        """The label where the polygon ends so far."""
+        """The label at the present end of the polygon."""
         return self.chain[-1].end if self.chain else POLE
 
     def action(self, along: str) -> str:
-        """A line of action as it is written."""
+        """A line of action as written."""
         means = self.draft.steps[along].means
         return means.action if means else ""
 
     def along(self, s: Support) -> str:
-        """The line of a reaction: the normal of a roller, a rod from its body on."""
+        """The line of a reaction: the normal of a roller, a rod outwards from the body."""
         if s.to:
             return self.draft.ray(SCHEME, s.point, s.to)
         return self.draft.aim(f"∠{s.name}", s.normal_deg, Meaning("given", s.name))
 
     def spot(self, s: Support) -> str:
-        """Where a support holds the body."""
+        """The place where a support holds the body."""
         return at(SCHEME, s.point)
 
     def seek(self, s: Support, start: str, end: str, along: str | None = None) -> Term:
-        """A reaction of which its line is known, or nothing."""
+        """A reaction with its line, or with no known data."""
         along = along or self.along(s)
         return Term(s.name, start, end, None, along, self.action(along))
 
     def meet(self, one: Support, other: Support, along: str) -> None:
-        """From where the polygon ends the ``one`` reaction, along its line ``other`` back to the pole."""
+        """From the end of the polygon the ``one`` reaction, then along its line the ``other`` back to the pole."""
         x, start = end_of(one.name), self.reached
         back = replace(self.seek(other, POLE, x, along), sign=-1)
         self.draft.meet(self.plan, self.chain, self.seek(one, start, x), back)
         self.found |= {one.name: (start, x), other.name: (x, POLE)}
 
     def close(self, s: Support) -> None:
-        """The last reaction closes the polygon: its length and direction are read."""
+        """The last reaction closes the polygon: its length and direction are measured."""
         self.draft.close(self.plan, self.chain, s.name, self.reached)
         self.found[s.name] = (self.reached, POLE)
 
-    # moments
+    # moment equations
 
     def moments(self, about: str, unknown: str, arm: str = "") -> None:
-        """The moments of all loads about a mark give one unknown: a force by its ``arm``, a couple without."""
+        """The moments of all loads about a mark give one unknown: a force with its ``arm``, a couple without."""
         tail = ((arm, -1),) if arm else ()
         levers = [(f, self.arm(f.name, f.point, f.along, about)) for f in self.forces if f.point != about]
         terms = [(f.name, own, Product(-1.0, ((f.size, 1), (own, 1), *tail))) for f, own in levers]
@@ -106,11 +106,11 @@ class FreeBody:
         self.draft.balance(unknown, about, (self.name,), terms, arm)
 
     def arm(self, name: str, point: str, along: str, about: str) -> str:
-        """The arm of a force about a mark, dropped and measured on the scheme."""
+        """The arm of a force about a mark, drawn and measured on the scheme."""
         return self.draft.arm(name, point, along, about, self.name)
 
     def by_moments(self) -> None:
-        """A clamp's couple, or a line's reaction, by moments; the rest closes the polygon."""
+        """A clamp's couple, or the reaction of a support with a line, by moments; the rest closes the polygon."""
         self.lay()
         anchor, lines = self.anchor, self.lines
         if anchor is None:
@@ -126,7 +126,7 @@ class FreeBody:
         self.close(anchor)
 
     def reckon(self, s: Support, about: str) -> None:
-        """A reaction by the moments about a mark, and laid off."""
+        """A reaction by the moments about a mark, laid off."""
         along = self.along(s)
         self.moments(about, s.name, self.arm(s.name, self.spot(s), along, about))
         start = self.reached
@@ -134,17 +134,17 @@ class FreeBody:
         self.found[s.name] = (start, self.reached)
 
     def crossing(self, one: Support, other: Support) -> str:
-        """Where the lines of two reactions meet on the scheme."""
+        """The intersection of the lines of two reactions on the scheme."""
         return self.cross("K", self.spot(one), self.along(one), self.spot(other), self.along(other))
 
     def fresh(self, label: str) -> str:
-        """A mark of the scheme nobody has drawn."""
+        """An unused mark of the scheme."""
         while at(SCHEME, label) in self.draft.steps:
             label += "′"
         return at(SCHEME, label)
 
     def cross(self, label: str, start: str, along: str, other: str, across: str) -> str:
-        """A point of the scheme where two lines meet, both drawn out to it."""
+        """A point of the scheme where two lines meet, both extended to it."""
         mark = self.draft.step(Cross(self.fresh(label), start, along, other, across))
         self.figure.stroke(SCHEME, "action", "", start, mark)
         self.figure.stroke(SCHEME, "action", "", other, mark)
@@ -154,7 +154,8 @@ class FreeBody:
     # by lines of action
 
     def three_forces(self, point: str, along: str) -> None:
-        """A load along a line, a line, a hinge: the reaction of the hinge goes through the point where they meet."""
+        """A load with a line, a support with a line, a hinge: the reaction of the hinge passes through the
+        intersection."""
         anchor, (line,) = self.anchor, self.lines
         assert anchor
         mark = self.cross("K", point, along, self.spot(line), self.along(line))
@@ -164,8 +165,8 @@ class FreeBody:
         self.figure.said |= {mark: "meeting", at(self.plan, end_of(line.name)): "three_forces"}
 
     def culmann(self, point: str, along: str, order: tuple[Support, Support, Support]) -> None:
-        """A load along a line and three lines: it meets one of them, the others meet, and the line through both
-        meetings parts the polygon."""
+        """A load with a line and three supports with lines: the load meets one of them, the others meet, and the line
+        through both intersections divides the polygon."""
         one, two, three = order
         k = self.cross("K", point, along, self.spot(one), self.along(one))
         m = self.cross("L", self.spot(two), self.along(two), self.spot(three), self.along(three))

@@ -1,6 +1,6 @@
-"""Bow's letters: the regions into which a truss and the forces on it part the plane.
+"""Bow's notation: the regions into which a truss and its forces divide the plane.
 
-Around a joint the regions follow one another clockwise, and so do the forces in its polygon; around the truss, too.
+Clockwise around a joint the regions have the same order as the forces in its polygon; so it is around the truss, too.
 """
 
 import cmath
@@ -13,9 +13,9 @@ from planes.scene.structures import Framework
 from planes.words.names import POLE
 
 LETTERS = POLE + "abcdefghijklmnoqrstuvwxyz"
-"""Of regions: that before the first force is the pole of the plan."""
-OFF = 0.12  # how far outside of the truss the letter of an outer region stands, of the truss's size
-Side = tuple[str, str]  # a member gone through from one joint to the other: its region is on the right
+"""First letter of the regions: that before the first force is the pole of the plan."""
+OFF = 0.12  # distance of an outer region's letter from the truss, of the truss's size
+Side = tuple[str, str]  # a directed member, from one joint to the other: its region is on the right
 Visit = tuple[str, str, str]  # a joint of the contour, with the next one clockwise and the one before
 
 
@@ -27,7 +27,7 @@ def letter(k: int) -> str:
 
 @dataclass
 class Outside:
-    """A force from outside: its name, its joint, and the way it points."""
+    """An external force: its name, its joint, and its direction."""
 
     name: str
     joint: str
@@ -48,7 +48,8 @@ class Regions:
     places: dict[str, complex] = field(default_factory=dict)  # of letters on the scheme, m
 
     def find(self) -> str | None:
-        """Letter all regions; or the name of a joint inside the truss that is loaded, for which there is no place."""
+        """Letter all regions; or return the name of a loaded joint inside the truss, which the notation does not
+        allow."""
         faces = self.faces()
         outer = max(faces, key=self.area)
         border = {a for a, _ in outer}
@@ -66,7 +67,8 @@ class Regions:
         return self.framework.points[end] - self.framework.points[start]
 
     def faces(self) -> list[list[Side]]:
-        """Every region by its sides, itself on their right: inner ones go clockwise, the outer counter-clockwise."""
+        """Every region by its sides, with the region on their right: inner ones clockwise, the outer
+        counter-clockwise."""
         left = dict.fromkeys(side for a, b in self.framework.members for side in ((a, b), (b, a)))
         faces = list[list[Side]]()
         while left:
@@ -79,13 +81,13 @@ class Regions:
         return faces
 
     def next(self, side: Side) -> Side:
-        """The side that goes on with the same region on its right: the first counter-clockwise from the way back."""
+        """The next side with the same region on its right: the first counter-clockwise from the way back."""
         a, b = side
         ends = [y if x == b else x for x, y in self.framework.members if b in (x, y)]
         return b, min(ends, key=lambda c: turn(self.way(b, a), self.way(b, c)))
 
     def area(self, face: list[Side]) -> float:
-        """The area a region's sides go around, positive counter-clockwise."""
+        """The area enclosed by a region's sides, positive counter-clockwise."""
         points = self.framework.points
         return sum((points[a].conjugate() * points[b]).imag for a, b in face) / 2
 
@@ -94,7 +96,7 @@ class Regions:
         return sum(self.framework.points[a] for a, _ in face) / len(face)
 
     def around_joint(self, joint: str) -> list[tuple[str, str, str]]:
-        """Every force on a joint clockwise: its name, and the regions before and after it."""
+        """Every force at a joint clockwise: its name, and the regions before and after it."""
         ordered = [(f.name, self.before[f.name], self.after[f.name]) for f in self.ordered if f.joint == joint]
         left = []
         for a, b in (m for m in self.framework.members if joint in m):
@@ -106,10 +108,10 @@ class Regions:
             left.remove(after)
         return ordered
 
-    # outside
+    # external ones
 
     def around(self, outer: list[Side]) -> None:
-        """Letter the outer regions from force to force, clockwise around the truss from its first load on."""
+        """Letter the outer regions from force to force, clockwise around the truss from its first load."""
         visits: list[Visit] = [(b, a, c) for (a, b), (_, c) in pairwise([*outer, outer[0]])][::-1]
         order = list(self.met(visits))
         first = next(k for k, (_, f) in enumerate(order) if f is self.forces[0])
@@ -128,7 +130,7 @@ class Regions:
         self.places |= {region: self.outer_place(own) for region, own in runs.items()}
 
     def met(self, visits: list[Visit]) -> Iterator[tuple[int, Outside]]:
-        """The forces as they are met along the contour, each with the number of the visit."""
+        """The forces in order along the contour, each with the number of the visit."""
         left = list(self.forces)
         for k, (joint, onward, back) in enumerate(visits):
             sector = turn(self.way(joint, onward), self.way(joint, back))
@@ -140,13 +142,13 @@ class Regions:
                 yield k, f
 
     def angle(self, f: Outside, onward: str) -> float:
-        """Where a force is drawn outside of the truss, counter-clockwise from the next joint: whichever way it points,
-        its arrow comes from there or leads there."""
+        """The angle at which a force is drawn outside the truss, counter-clockwise from the next joint: its arrow comes
+        from there or points there, whatever its direction."""
         start = self.way(f.joint, onward)
         return min(turn(start, f.way), turn(start, -f.way))
 
     def outer_place(self, run: list[Visit]) -> complex:
-        """Where the letter of an outer region stands: beside the middle member of its stretch of the contour."""
+        """The place of an outer region's letter: beside the middle member of its stretch of the contour."""
         joint, onward, _ = run[(len(run) - 1) // 2]
         points = self.framework.points
         size = max(abs(a - b) for a in points.values() for b in points.values())
@@ -155,6 +157,6 @@ class Regions:
 
 
 def turn(start: complex, way: complex) -> float:
-    """How far counter-clockwise one way is from another, in (0, 2π]."""
+    """The angle counter-clockwise from one direction to another, in (0, 2π]."""
     angle = cmath.phase(way / start) % math.tau
     return angle if angle > 1e-9 else math.tau

@@ -1,4 +1,4 @@
-"""What a scene of statics gives, on its plans: points, forces at them, couples."""
+"""The data of a scene of statics on its plans: points, forces at them, couples."""
 
 import cmath
 import math
@@ -23,7 +23,7 @@ from planes.words.names import Meaning, at, label_of
 
 
 class StatedLoads:
-    """The draft with points and loads; what bodies, members and reactions are found on it."""
+    """The draft with points and loads, to which bodies, members and reactions are added."""
 
     def __init__(self, scene: Scene, framework: Framework) -> None:
         self.scene, self.framework = scene, framework
@@ -33,15 +33,15 @@ class StatedLoads:
         self.left = list(framework.bodies)
         self.spans: dict[str, tuple[str, str]] = {}
         self.values: dict[str, str] = {}
-        self.sizes: dict[str, complex] = {}  # of known forces in N, by which a way and a pole are chosen
+        self.sizes: dict[str, complex] = {}  # of known forces in N, for the choice of a method and a pole
 
     def error(self, phrase: Phrase, *path: str) -> SceneError:
-        """A refusal that points at the line of what it speaks of."""
+        """An error at the line of its subject."""
         where = self.scene.where
         return SceneError(phrase, self.scene.file, where.get(path, where.get(("points",))))
 
     def check_points(self) -> None:
-        """Whether points are apart, and what is supported belongs to a body."""
+        """Check that points are apart, and that supported points belong to a body."""
         f = self.framework
         for one, other in combinations(f.points, 2):
             if f.points[one] == f.points[other]:
@@ -66,13 +66,13 @@ class StatedLoads:
                 self.force(load, load.direction_deg)
 
     def number(self, name: str, value: float | LoadLaw, means: Meaning) -> str:
-        """A given number, or a law at work."""
+        """A given number, or the value of a law."""
         if isinstance(value, LoadLaw):
             return follow(self.draft, self.scene.drive, name, value, means)
         return self.draft.give(name, value, means)
 
     def now(self, value: float | LoadLaw) -> float:
-        """A number where the drive stands in the file."""
+        """A number at the drive's position in the file."""
         if not isinstance(value, LoadLaw):
             return value
         assert self.scene.drive
@@ -80,7 +80,7 @@ class StatedLoads:
         return float(law.draw({"x": self.scene.drive.position}, Tool(Arithmetic())))
 
     def force(self, load: StaticLoad, angle: float | LoadLaw) -> None:
-        """A force at its point, or at one of its own: the middle of what it is the resultant of."""
+        """A force at its point, or at a new one: the centre of the load whose resultant it is."""
         d = self.draft
         size = self.number(f"|{load.name}|", load.size, Meaning("load", load.name, link=load.body))
         turned = self.number(f"angle_∠{load.name}", angle, Meaning("angle", load.name))

@@ -1,7 +1,6 @@
-"""The string polygon: rays from a pole to the ends of the forces, and on the scheme strings parallel to them, each from
-the line of one force to that of the next. The outermost strings meet on the line of the resultant; between supports the
-closing line parts the polygon of forces into both reactions.
-"""
+"""The string polygon: rays from a pole to the ends of the forces, and parallel strings on the scheme, each from the
+line of one force to that of the next. The outermost strings meet on the line of the resultant; between supports the
+closing line divides the force polygon into both reactions."""
 
 import cmath
 import math
@@ -19,14 +18,14 @@ from planes.words.names import POLE, Meaning, at, end_of
 
 O = "O"  # noqa: E741  the letter of the pole in every textbook
 TURNS = 24  # directions in which a pole is tried
-NEAR, FAR = 0.6, 1.2  # how far from the middle of the polygon, of its size
+NEAR, FAR = 0.6, 1.2  # distance from the middle of the polygon, of its size
 CLOSING = "z"
-TRIED = "′"  # ends the letters of a trial
+TRIED = "′"  # suffix of a trial's letters
 
 
 @dataclass
 class StringPolygon:
-    """The strings of a body's loads, by rays from a pole on its plan of forces; of a ``trial`` nothing is lettered."""
+    """The strings of a body's loads, by rays from a pole on its force plan; a ``trial`` has no letters."""
 
     body: FreeBody
     pole: str = O
@@ -54,7 +53,7 @@ class StringPolygon:
             b.figure.stroke(SCHEME, "action", "", f.point, self.knots[-1])
 
     def string(self, k: int, point: str, along: str) -> str:
-        """A string from where the one before ended to a line; the mark there."""
+        """A string from the end of the one before to a line; returns the mark there."""
         b, letter = self.body, "" if self.trial else str(k)
         mark = b.fresh(f"{k + 1}{TRIED * self.trial}")
         knot = b.draft.step(Cross(mark, self.knots[-1], self.rays[k], point, along))
@@ -63,7 +62,7 @@ class StringPolygon:
         return knot
 
     def cut(self, k: int, point: str, along: str) -> str:
-        """Where a string of a trial meets a line through a point; the mark there."""
+        """The mark where a string of a trial meets a line through a point."""
         b, spot = self.body, at(SCHEME, point)
         mark = b.draft.step(Cross(b.fresh(f"{point}{TRIED}"), self.knots[k], self.rays[k], spot, along))
         b.figure.stroke(SCHEME, "trial", "", spot, mark)
@@ -89,7 +88,7 @@ class StringPolygon:
 
 
 def lay_pole(b: FreeBody, pole: complex, label: str = O) -> None:
-    """The pole of a string polygon at a place in N from where the polygon of forces begins."""
+    """The pole of a string polygon at a place in N from the start of the force polygon."""
     d, size, angle = b.draft, abs(pole), math.degrees(cmath.phase(pole))
     along = d.aim(f"∠{label}", angle, Meaning("given", label))
     length = d.give(f"|p{label}|", size, Meaning("load", f"p{label}"))
@@ -97,10 +96,10 @@ def lay_pole(b: FreeBody, pole: complex, label: str = O) -> None:
 
 
 def pole_through(b: FreeBody, pole: complex, points: Sequence[str], before: int) -> None:
-    """The pole by which the strings go through points of the scheme; of three, ``before`` so many loads stand before
-    the middle one. A trial polygon from the first point parts the loads between two: the ray parallel to its closing
-    line meets theirs where that of any pole does, and the pole lies on the parallel to the line of both points.
-    """
+    """The pole for strings through points of the scheme; of three points, ``before`` is the number of loads before the
+    middle one. A trial polygon from the first point divides the loads between two points: the ray parallel to its
+    closing line meets theirs at a point common to all poles, and the pole lies on the parallel through it to the line
+    of both points."""
     d, plan, first = b.draft, b.plan, at(SCHEME, points[0])
     lay_pole(b, pole, O + TRIED)
     trial = StringPolygon(b, O + TRIED, True)
@@ -135,8 +134,8 @@ def total(b: FreeBody, mark: str) -> str:
 
 
 def by_strings(b: FreeBody) -> tuple[StringPolygon, str, str]:
-    """The reactions of a hinge and a line by the closing line of the string polygon that begins in the hinge; this one,
-    the direction of that line, and the label where the reaction of the line ends."""
+    """The reactions of a hinge and a support with a line, by the closing line of the string polygon that begins at the
+    hinge; returns this polygon, the direction of that line, and the label at the end of the second reaction."""
     anchor, (line,) = b.anchor, b.lines
     assert anchor
     polygon = StringPolygon(b)
@@ -155,7 +154,7 @@ def by_strings(b: FreeBody) -> tuple[StringPolygon, str, str]:
 
 
 def by_composition(b: FreeBody) -> tuple[str, str]:
-    """The resultant of all loads, each taken together with those before where both lines meet."""
+    """The resultant of all loads, each composed with those before at the intersection of both lines."""
     mark, along, before = b.forces[0].point, b.forces[0].along, b.chain[0]
     for k, (f, term) in enumerate(zip(b.forces[1:], b.chain[1:], strict=True), 2):
         mark = b.cross(str(k), mark, along, f.point, f.along)
@@ -168,8 +167,8 @@ def by_composition(b: FreeBody) -> tuple[str, str]:
 
 
 def chosen_pole(forces: Sequence[complex], first: complex | None, lines: Sequence[complex]) -> complex:
-    """A pole at which no string runs along the line of a force it meets, at N from the beginning of the polygon; with
-    ``first`` the strings are closed on a line of that direction, else on themselves. ``lines`` are those of forces."""
+    """A pole at which no string is parallel to a force it meets, in N from the start of the polygon; with ``first`` the
+    strings are closed on a line of that direction, else on themselves. ``lines`` are those of forces."""
     ends = [0j]
     for force in forces:
         ends.append(ends[-1] + force)
@@ -181,7 +180,7 @@ def chosen_pole(forces: Sequence[complex], first: complex | None, lines: Sequenc
 
 
 def rounded(z: complex, size: float) -> complex:
-    """A place with two digits beside a size."""
+    """A place rounded to two digits of a size."""
     step = 10.0 ** (math.floor(math.log10(size)) - 1)
     return complex(round(z.real / step) * step, round(z.imag / step) * step)
 
@@ -189,7 +188,7 @@ def rounded(z: complex, size: float) -> complex:
 def sharpness(
     pole: complex, ends: Sequence[complex], lines: Sequence[complex], last: complex | None
 ) -> Iterator[float]:
-    """The sines of the angles at which the strings meet what they are drawn to."""
+    """The sines of the angles at which the strings meet the lines they are drawn to."""
     rays = [end - pole for end in ends]
     for (one, two), line in zip(pairwise(rays), lines, strict=True):
         yield from (sine(one, line), sine(two, line))

@@ -1,4 +1,4 @@
-"""A truss: what must hold of its joints and members before it is drawn, and its plan from the forces outside of it."""
+"""A truss: conditions on its joints and members, and its plan from the external forces."""
 
 from collections.abc import Callable, Mapping
 
@@ -11,12 +11,12 @@ from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.names import label_of
 
-NOTHING = 1e-9  # of the largest force: none
+NOTHING = 1e-9  # of the largest force: below this it is zero
 Refusal = Callable[..., SceneError]
 
 
 def check_truss(f: Framework, error: Refusal) -> None:
-    """Whether a truss has as many members and reactions as its joints have equations: 2j = m + r."""
+    """Check that a truss has as many members and reactions as its joints have equations: 2j = m + r."""
     joints = {p for m in f.members for p in m}
     m, r = len(f.members), sum(s.held for s in f.supports)
     details = {"joints": len(joints), "members": m, "held": r, "count": abs(2 * len(joints) - m - r)}
@@ -31,7 +31,7 @@ def check_truss(f: Framework, error: Refusal) -> None:
 def truss_plan(
     draft: Draft, f: Framework, outer: Mapping[str, Force], sizes: Mapping[str, complex], error: Refusal
 ) -> CremonaPlan:
-    """The plan drawn, from ``outer`` forces of known ``sizes``, N."""
+    """The plan, from ``outer`` forces of known ``sizes``, N."""
     most = max(map(abs, sizes.values()), default=0.0)
     forces = [Outside(n, label_of(x.point), sizes[n]) for n, x in outer.items() if abs(sizes[n]) > NOTHING * most]
     if not forces:
@@ -46,7 +46,7 @@ def truss_plan(
 
 
 def apart(places: Mapping[str, complex], members: tuple[tuple[str, str], ...]) -> tuple[str, str] | None:
-    """The names of two members that cross where there is no joint; None where none do."""
+    """The names of two members that cross without a joint; None where there are none."""
     lines = [("".join(m), places[m[0]], places[m[1]], {*m}) for m in members]
     for k, (one, a, b, ends) in enumerate(lines):
         for other, c, d, more in lines[k + 1 :]:
@@ -56,6 +56,6 @@ def apart(places: Mapping[str, complex], members: tuple[tuple[str, str], ...]) -
 
 
 def _crossing(a: complex, b: complex, c: complex, d: complex) -> bool:
-    """Whether two segments meet between their ends."""
+    """Whether two segments cross between their ends."""
     sides = [((q - p) * (z - p).conjugate()).imag for p, q, z in ((a, b, c), (a, b, d), (c, d, a), (c, d, b))]
     return sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0

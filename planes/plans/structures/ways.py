@@ -1,4 +1,4 @@
-"""Which way a body's reactions are found: as the scene says, else the plainest that its loads and supports allow."""
+"""The method for a body's reactions: as given in the scene, else the simplest that its loads and supports allow."""
 
 import cmath
 import math
@@ -24,12 +24,12 @@ from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.names import at, label_of
 
-BLUNT = 1e-9  # the sine of the angle of lines that run alike; arms beside the size of a body
-SLIGHT = 0.05  # a sharper crossing than this is one that can be drawn
+BLUNT = 1e-9  # the sine of the angle below which lines are parallel; arms relative to the size of a body
+SLIGHT = 0.05  # a crossing sharper than this can be drawn
 
 
 class WayFinder:
-    """Chooses by the numbers of a scene, and draws; ``sizes`` are the known forces, N."""
+    """Chooses a method by the numbers of a scene, and draws; ``sizes`` are the known forces, N."""
 
     def __init__(self, scene: Scene, framework: Framework, body: FreeBody, sizes: Mapping[str, complex]) -> None:
         self.scene, self.framework, self.body = scene, framework, body
@@ -39,7 +39,7 @@ class WayFinder:
         self.size = max((abs(a - b) for a, b in combinations(framework.points.values(), 2)), default=1.0)
 
     def refusal(self, key: str, **details: object) -> SceneError:
-        """Why it cannot be drawn so."""
+        """Why this method cannot be used."""
         where = self.scene.where
         line = where.get(("method",), where.get(("supports",), where.get(("points",))))
         return SceneError(Phrase(key, **details), self.scene.file, line)
@@ -57,7 +57,7 @@ class WayFinder:
         ways[self.framework.method or self.plainest()]()
 
     def plainest(self) -> str:
-        """A way that suits."""
+        """A suitable method."""
         b = self.body
         idle = not any(self.forces) or bool(b.couples)
         if self.framework.members or idle or (b.anchor and b.anchor.kind == "clamp"):
@@ -74,7 +74,7 @@ class WayFinder:
         return points[s.to] - points[s.point] if s.to else cmath.rect(1.0, math.radians(s.normal_deg))
 
     def check(self) -> None:
-        """Supports that do not hold: a line through the hinge, three lines through one point or all alike."""
+        """Refuse supports that do not hold: a line through the hinge, three lines through one point or all parallel."""
         b, points = self.body, self.framework.points
         if b.anchor and b.lines:
             line = b.lines[0]
@@ -87,13 +87,13 @@ class WayFinder:
                 raise self.refusal("lines_concurrent", names=tuple(s.name for s in b.lines))
 
     def row(self, s: Support) -> list[float]:
-        """Both parts of a unit reaction and its moment beside the size of the scheme."""
+        """Both components of a unit reaction and its moment relative to the size of the scheme."""
         points, way = self.framework.points, self.way(s) / abs(self.way(s))
         place = points[s.point] - next(iter(points.values()))
         return [way.real, way.imag, (place.conjugate() * way).imag / self.size]
 
     def suits(self, method: str) -> None:
-        """Refuse what a way by lines of action cannot take."""
+        """Refuse bodies that a method by lines of action cannot solve."""
         b = self.body
         if b.couples:
             raise self.refusal("method_couples", method=method, name=b.couples[0].name)
@@ -103,7 +103,7 @@ class WayFinder:
             raise self.refusal("method_clamp", method=method, point=b.anchor.point)
 
     def strings(self) -> None:
-        """By the string polygon: its closing line, or the resultant it gives."""
+        """By the string polygon: its closing line, or the resultant from it."""
         b = self.body
         self.suits("string")
         beam = StraightBeam(b, self.framework, self.places) if b.anchor else None
@@ -135,7 +135,7 @@ class WayFinder:
         return polygon.resultant()
 
     def pole(self, line: Support | None) -> None:
-        """Draw the pole said, one by which strings go through points, or one that suits."""
+        """Draw the given pole, one for strings through given points, or a suitable one."""
         b, f = self.body, self.framework
         pole = f.pole or chosen_pole(self.forces, self.way(line) if line else None, self.forces)
         if not f.through:
@@ -152,7 +152,7 @@ class WayFinder:
         pole_through(b, pole, f.through, before)
 
     def composed(self) -> None:
-        """By the resultant of loads taken together one after another."""
+        """By the resultant of loads composed one after another."""
         self.suits("composition")
         self.body.lay()
         self.by_resultant(*by_composition(self.body))
@@ -171,7 +171,7 @@ class WayFinder:
         self.by_resultant(*self.resultant())
 
     def by_resultant(self, point: str, along: str) -> None:
-        """The reactions to one force along a line; none where nothing holds the body."""
+        """The reactions to one force along a line; none where the body has no supports."""
         b, load = self.body, sum(self.forces)
         if not b.supports:
             return
@@ -184,6 +184,6 @@ class WayFinder:
             b.culmann(point, along, (one, two, three))
 
     def sharp(self, load: complex, order: tuple[Support, ...]) -> Iterator[float]:
-        """The sines of the angles at which Culmann's lines meet in an order."""
+        """The sines of the angles at which Culmann's lines meet in a given order."""
         one, two, three = map(self.way, order)
         yield from (round(sine(load, one), 3), round(sine(two, three), 3))
