@@ -66,6 +66,7 @@ SHEETS = (
     ("assignments/56", 2, "force:2-3", ".dxf"),  # a name far off, with a line to its vector
     ("assignments/34", 1, "position", ".svg"),  # another plan's long title ends as near beside it
     ("assignments/63", 2, "force:4-5", ".pdf"),  # small beside a free body with the same forces
+    ("assignments/31", None, "position", ".svg"),  # a link in one row with underlines elsewhere on the sheet
 )
 
 

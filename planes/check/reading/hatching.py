@@ -79,5 +79,13 @@ def _even_rows(strokes: Sequence[Stroke], held: Sequence[int], loose: Set[int]) 
         if i < len(rows) and gap < WIDEST_MM and abs(rows[i][0] - rows[i - 1][0] - gap) < EVEN_MM:
             continue
         if sum(not loose.isdisjoint(row) for _, row in rows[start:i]) >= FEWEST:
-            yield from (k for _, row in rows[start:i] for k in row)
+            own = [k for _, row in rows[start:i] for k in row]
+            along = {k: sorted((z * across).real for z in strokes[k]) for k in own}
+            beside = [along[k] for k in own if k in loose]
+            yield from (k for k in own if k in loose or any(_beside(along[k], other) for other in beside))
         start = i - 1 if i - start > 1 else i
+
+
+def _beside(own: Sequence[float], other: Sequence[float]) -> bool:
+    """Whether half of a stroke lies beside another one, by where both begin and end along their direction."""
+    return min(own[1], other[1]) - max(own[0], other[0]) > (own[1] - own[0]) / 2
