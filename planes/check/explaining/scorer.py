@@ -62,7 +62,10 @@ class Scorer:
     def weighed(self) -> list[Laid]:
         """The likeliest hypotheses settled, the best first; the right plan is one of them."""
         if plain := self._plainly() if self.ink.exact else []:
-            return self._by_names(plain)
+            before, named = plain[0].score, self._by_names(plain)
+            if before - named[0].score < w.TELLING:  # no name stands elsewhere
+                return named
+            self.box = None
         self.plan.share, laid = self._printed_at(), list[Laid]()
         other = next(iter(orders(self.plan, self.ink, self.pole)), Hypothesis()).order
         bases = [Hypothesis(), Hypothesis(order=other, cost=w.ORDER)]
