@@ -282,7 +282,7 @@ BAD: list[tuple[dict[str, str], list[str], str, str]] = [
     ({"v_CB": "direction: 80"}, ["v_C = v_B + v_CB"], "", "s.yaml:7: v_C = v_B + v_CB: "),
     ({}, ["v_C = v_B + v_CB"], "mu: 1 mm/N\n", "s.yaml:8: mu does not fit v_C: a velocity polygon"),
     ({}, ["v_C = v_B + v_CB"], "mu: 1 mm/m\nplans: {position: {mu: 2 mm/m}}\n", "both mu and plans.position"),
-    ({}, ["v_C = v_B + v_CB"], "values: {k: v_C/(v_B + v_CB)}\n", 's.yaml:8: k of values: "v_C/(v_B + v_CB)": a result'),
+    ({}, ["v_C = v_B + v_CB"], "values: {k: v_C/(v_B + v_CB)}\n", '"v_C/(v_B + v_CB)": a result of'),
     ({}, ["v_C = v_B + v_CB"], "values: {k: sqrt(v_C)}\n", "sqrt takes numbers and parameters"),
     ({}, ["v_C = v_B + v_CB"], "values: {k: v_C^0.5}\n", "raised to a whole power from 1 to 9"),
     ({}, ["v_C = v_B + v_CB"], "values: {k: h, h: k}\n", "s.yaml:8: values: k is found from h, which nothing gives"),
