@@ -1,6 +1,6 @@
 """What moves and loads a mechanism of a scene: assembly, drive, loads."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import cast
 
 from planes.scene.load_laws import LawReader
@@ -39,13 +39,15 @@ def read_assembly(reader: Reader, node: Node, frame: Link, links: Links) -> dict
             reader.check_colon(table, name, (*points, *guides))
             valid = reader.offer(name, (*points, *guides), Phrase("points_all"))
             raise reader.error(Phrase("assembly_name", name=name[:60], valid=valid), line)
-    return {name: _assembly(reader, name, entry) for name, entry in table.entries.items()}
+    return {name: _assembly(reader, name, entry, (*links.values(), frame)) for name, entry in table.entries.items()}
 
 
-def _assembly(reader: Reader, name: str, node: Node) -> Assembly:
+def _assembly(reader: Reader, name: str, node: Node, links: Iterable[Link]) -> Assembly:
     what = Phrase("assembly_of", name=name)
     if isinstance(node, SourceScalar):
-        return Assembly(cast(Order, reader.word(node, what, ORDERS)))
+        own = [link.slides for link in links if name in link.points]
+        fitting = ORDERS if len(own) > 2 else ORDERS[2:] if any(own) or not own else ORDERS[:2]
+        return Assembly(cast(Order, reader.word(node, what, ORDERS if node.text in ORDERS else fitting)))
     return Assembly(near=Fields(reader, node, what, ("near",)).place("near"))
 
 

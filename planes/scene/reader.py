@@ -42,11 +42,12 @@ class Reader:
         return node
 
     def check_colon(self, table: SourceTable, key: str, names: Iterable[str]) -> None:
-        """In {phi 30} the colon is forgotten, and all of it is a key."""
-        first, _, rest = key.partition(" ")
+        """In {phi 30} the colon is forgotten, in {phi:30} the space after it, and all of it is a key."""
+        first, sign, rest = [*re.split("([ :])", key, maxsplit=1), "", ""][:3]
         value = table.entries[key]
         if rest and first in names and isinstance(value, SourceScalar) and value.absent:
-            raise self.error(Phrase("colon_after", key=shown(first), text=shown(key)), table.lines[key])
+            forgotten = Phrase("colon_after", key=shown(first), text=shown(key))
+            raise self.error(Phrase("colon_space", key=first) if sign == ":" else forgotten, table.lines[key])
 
     def names(self, node: Node, what: Told, kind: Phrase) -> SourceTable:
         """The node as a table whose keys are names; ``kind`` says of what: "a point"."""

@@ -1,5 +1,7 @@
 """What is wrong with a file that is not YAML, in one short sentence instead of the reader's own message."""
 
+import re
+
 from planes.words import Phrase
 
 _PROBLEMS = (
@@ -25,6 +27,9 @@ _RARE = {
     "found incompatible YAML document": "other_yaml",
 }
 
+_GLUED = re.compile(r"\s*(?:- )?\{?\s*([\w-]+):[^\s:/]")  # a key whose colon is not followed by a space
+
+_OF_COLONS = ("colon_missing", "colon_second")
 _AT_START = ("colon_missing", "list_open", "table_open", "quote_open")  # the line where it began tells more
 
 
@@ -35,8 +40,8 @@ def explained(error: Exception, text: str) -> tuple[Phrase, int | None]:
     mark = getattr(error, "problem_mark", None) or context
     if mark is None:
         return _other(problem), None
+    rows = text.split("\n")
     if "cannot start any token" in problem:
-        rows = text.split("\n")
         char = rows[mark.line][mark.column : mark.column + 1] if mark.line < len(rows) else ""
         if char == "\t":
             return Phrase("tab"), mark.line + 1
@@ -44,6 +49,9 @@ def explained(error: Exception, text: str) -> tuple[Phrase, int | None]:
     for piece, key in _PROBLEMS:
         if piece in problem:
             start = context if context is not None and key in _AT_START else mark
+            for line in (start.line, start.line - 1) if key in _OF_COLONS else ():
+                if 0 <= line < len(rows) and (glued := _GLUED.match(rows[line])):
+                    return Phrase("colon_space", key=glued[1]), line + 1
             return Phrase(key), start.line + 1
     return _other(problem), mark.line + 1
 
