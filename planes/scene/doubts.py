@@ -25,7 +25,7 @@ STEEP = 1.0  # a coefficient of friction this large is more likely a misprint
 RADIANS = 5e-4  # how near a number is to a multiple of π/12 when it is one, as people write it
 STEP = math.pi / 12
 LARGEST = 6.29  # radians of a turn
-OF_UNITS = [f"doubt_{key}" for key in ("radians", "ratio", "gravity", "friction", "inertia", "heavy", "long")]
+OF_UNITS = [f"doubt_{key}" for key in ("radians", "ratio", "gravity", "friction", "inertia", "heavy", "long", "far")]
 """The doubts whether a number is in the units of scenes, SI and degrees."""
 _OF_LINK = {f.name for f in fields(Link)} - {"name"}
 _ANGLES = ("phi", "angle", "direction", "perpendicular_to", "near")
@@ -45,6 +45,7 @@ def read_doubts(
     doubts = [*_empty(table), *_unused(table, parameters), *_angles(table, parameters), *_backwards(table, parameters)]
     if mechanism:
         doubts += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
+        doubts += _far(mechanism)
         if (mechanism.gravity or 0) > HEAVY:
             doubts.append((Phrase("doubt_gravity", value=Written(f"{mechanism.gravity:g}")), ("gravity",)))
         doubts += [
@@ -192,6 +193,17 @@ def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
         alone = len(own) == 1 and not (own[0].slides or own[0].slides_round) and said.near is None
         if own and name not in mechanism.frame.guides and (name in driven or alone):
             yield Phrase("doubt_assembly", point=name), ("assembly", name)
+
+
+def _far(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
+    """Fixed points, and guides of any link, so far from where it is measured from that metres are hardly meant."""
+    frame, links = mechanism.frame, mechanism.links.values()
+    places = [(("frame", "points", point), z) for point, z in frame.points.items()]
+    places += [(("frame", "guides", guide.name), guide.through) for guide in frame.guides.values()]
+    places += [(("links", link.name, "guides", g.name), g.through) for link in links for g in link.guides.values()]
+    for path, place in places:
+        if abs(place) >= LONG_M:
+            yield Phrase("doubt_far", name=path[-1], size=Written(f"{abs(place):g}")), path
 
 
 def _size(link: Link) -> float:

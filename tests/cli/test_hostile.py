@@ -77,9 +77,14 @@ BAD = [  # scene, what stands there, what instead, a piece of the sentence, its 
     (SLIDER, "C: 0.3", "C: 0", "hinges B and C of link 2 coincide: the length BC is zero", 5),
 ]
 UNDRAWN = [  # the same for positions that cannot be drawn
-    (SLIDER, "slides: x-x", "slides: {guide: x-x, offset: 0.5}", "misses the line of C along guide x-x by 150 mm"),
+    (
+        SLIDER,
+        "slides: x-x",
+        "slides: {guide: x-x, offset: 0.5}",
+        "misses the line of C along guide x-x by 0.15 m (150 mm on paper)",
+    ),
     (CROSS_SLIDE, "phi: 30", "phi: 180", "the lines of guide g and of guide x-x are parallel"),
-    (FOUR_BAR, "B: 0.1", "B: 1e30", "mm apart: C cannot be drawn"),
+    (FOUR_BAR, "B: 0.1", "B: 1e30", "mm on paper): C cannot be drawn"),
 ]
 
 
