@@ -198,7 +198,7 @@ def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
 def _far(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
     """Fixed points, and guides of any link, so far from where it is measured from that metres are hardly meant."""
     frame, links = mechanism.frame, mechanism.links.values()
-    places = [(("frame", "points", point), z) for point, z in frame.points.items()]
+    places: list[tuple[Keys, complex]] = [(("frame", "points", point), z) for point, z in frame.points.items()]
     places += [(("frame", "guides", guide.name), guide.through) for guide in frame.guides.values()]
     places += [(("links", link.name, "guides", g.name), g.through) for link in links for g in link.guides.values()]
     for path, place in places:

@@ -347,7 +347,7 @@ def test_numbers_of_a_message_have_the_decimal_sign_of_its_language(
     file = ROOT / "samples" / "six-link.yaml"
     assert cli.main(["solve", str(file), "--phi", "90.5", "--lang", lang]) == 2
     said = capsys.readouterr().err
-    assert re.findall(r"[0-9]([.,])[0-9]", said.partition("six-link.yaml")[2]) == [sign] * 3
+    assert re.findall(r"[0-9]([.,])[0-9]", said.partition("six-link.yaml")[2]) == [sign] * 4
     text = file.read_text("utf-8").replace("assembly: {C: right}", "assembly: {}")
     with pytest.raises(PlanesError) as refused:
         solve(loads(text))

@@ -30,7 +30,7 @@ class Scored:
     verdict: str
     close: bool = False
     mine: float | None = None  # what the person's own drawing gives
-    slip: str | None = None  # the slip of reckoning that gives the number
+    slip: Phrase | None = None  # the slip of reckoning that gives the number
     hand: float = 1.0  # the errors of this person by those of a pupil
 
     @property
@@ -81,7 +81,7 @@ class Account:
         if self.named or not (s := self.first):
             return self.named.sentence if self.named else None
         if s.slip:
-            return Phrase(f"mistake_{s.slip}", mark=s.figure.name)
+            return s.slip
         given, true = Written(f"{s.figure.given:.4g}"), Written(f"{s.true:.4g}")
         return Phrase("check_number_unclear", mark=s.figure.name, given=given, true=true)
 

@@ -70,7 +70,7 @@ def result_rows(out: Outcome) -> list[Json]:
     rows = []
     for s in out.results.scored if out.results else []:
         row = {"name": s.figure.name, "given": s.figure.given, "true": s.true, "verdict": s.verdict}
-        row |= {"mistake": s.slip} if s.verdict == "wrong" else {}
+        row |= {"mistake": s.slip and s.slip.key.removeprefix("mistake_")} if s.verdict == "wrong" else {}
         rows.append(row | _warned(s.close))
     return rows
 
@@ -192,10 +192,11 @@ def rows_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
 def numbers_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
     """Rows of the table of results: verdict, name, written, true, verdict in words with the slip if it is known."""
     rows = []
-    for r in result_rows(outcome):
-        verdict, slip = say(f"verdict_{r['verdict']}", lang), r.get("mistake")
-        if slip:
-            verdict += ": " + Phrase(f"mistake_{slip}", mark="").told(lang).removeprefix(": ")
+    scored = outcome.results.scored if outcome.results else []
+    for r, s in zip(result_rows(outcome), scored, strict=True):
+        verdict = say(f"verdict_{r['verdict']}", lang)
+        if s.slip and s.verdict == "wrong":
+            verdict += ": " + s.slip.told(lang).removeprefix(f"{s.figure.name}: ")
         rows.append([r["verdict"], r["name"], *(decimal(f"{r[k]:.4g}", lang) for k in ("given", "true")), verdict])
     return rows
 
