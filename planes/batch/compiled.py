@@ -1,4 +1,4 @@
-"""A program as one compiled loop over positions (the extra ``planes[fast]``): made from a tape.
+"""A program as one compiled loop over positions (the extra ``fast``): made from a tape.
 
 The compiler is the one inside numba, spoken to directly: a tape has no types to guess and no branches to follow.
 """

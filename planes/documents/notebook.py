@@ -119,7 +119,7 @@ def crank(scene: Scene, views: Sequence[str] = ("position", "velocity-plan"), la
     """A crank to turn in a notebook: a slider for the drive, the views named redrawn at each place of it.
 
     ``value`` of what is returned is the drive's place (degrees; m of a sliding driver) and may be set or observed;
-    ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget (``planes[notebook]``).
+    ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget.
     """
     try:
         import anywidget
