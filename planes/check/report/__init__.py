@@ -47,7 +47,9 @@ def mark_rows(out: Outcome) -> list[Json]:
             row |= _warned(verdict == "right" and WARN < miss.sigmas <= limit)
         elif absent:
             row["verdict"] = "unread"
-        row |= {"verdict": "wrong"} if any(label_of(mark) in one.marks for one in out.paper.signs) else {}
+        for sign in (one for one in out.paper.signs if label_of(mark) in one.marks):
+            astray = ("deviation_mm", "own_deviation_mm") if sign.mistake == "vector_astray" else ()
+            row |= {"verdict": "wrong", **dict.fromkeys(astray, round(sign.off, 3))}
         if label_of(mark) == out.paper.scale_mark:
             row["unjudged"] = "length"  # the scale was taken from it
         rows.append(row)
