@@ -89,13 +89,12 @@ def _without_collector(short: bool) -> Iterator[None]:
 
 
 def _tell_file(args: argparse.Namespace) -> None:
-    """A person at a terminal reads which file was written, and how large it is; of a sheet everybody reads it, with
-    its format."""
-    output, made = getattr(args, "output", None), getattr(args, "made", "")
-    if output and sys.stderr and (made or sys.stderr.isatty()) and os.path.isfile(output):
-        words = {"file": output, "size": math.ceil(os.path.getsize(output) / 1000), "made": made}
-        key, to = ("sheet_written", sys.stdout) if made else ("file_written", sys.stderr)
-        print(say(key, args.lang or home_lang(), **words), file=to)
+    """Which file was written, and how large it is, a sheet with its format; then what must be known of it."""
+    output, lang = getattr(args, "output", None), args.lang or home_lang()
+    if output and sys.stderr and os.path.isfile(output):
+        words = {"file": output, "size": math.ceil(os.path.getsize(output) / 1000), "made": getattr(args, "made", "")}
+        remarks = (say("note_warning", lang, text=text) for text in getattr(args, "remarks", ()))
+        print(say("file_written", lang, **words), *remarks, sep="\n", file=sys.stderr)
 
 
 def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.ArgumentParser:

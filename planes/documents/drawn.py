@@ -12,6 +12,7 @@ from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
 from planes.solving import Position, solve
+from planes.solving.text_tables import spelt
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
 from render.files import SUFFIXES, Page
@@ -36,10 +37,12 @@ def shown(thing: Drawing | Scene | Position) -> str | None:
 
 
 class DrawnSheet(NamedTuple):
-    """What was drawn: the format and the size of the paper ("A2, 594 × 420 mm"), and what must be said of it."""
+    """What was drawn: the format and the size of the paper ("A2, 594 × 420 mm"), what must be said of it, and what of
+    a drawing by hand."""
 
     size: str
     said: tuple[str, ...]
+    remarks: tuple[str, ...] = ()
 
 
 def draw_sheet(
@@ -71,14 +74,15 @@ def draw_sheet(
     drawn.write(output, text)
     paper = f"{drawn.paper.name.replace('x', '×')}, " if isinstance(drawn, Sheet) else ""
     size = " × ".join(f"{mm:.0f}" for mm in drawn.size)
-    said = (*drawn.warnings, *(_by_hand(scene, values, lang) if view is None and number != 2 else ()))
-    return DrawnSheet(f"{paper}{size} {say('mm', lang)}", said)
+    remarks = tuple(_by_hand(scene, values, lang)) if view is None and number != 2 else ()
+    return DrawnSheet(f"{paper}{size} {say('mm', lang)}", tuple(drawn.warnings), remarks)
 
 
 def _by_hand(scene: Scene, values: Iterable[float] | None, lang: Lang) -> Iterator[str]:
     """That rates on the sheet cannot be told for sure from a drawing by hand, as a check of one would say."""
     for position in solve(scene, values, lang=lang).positions if scene.mechanism else ():
-        if names := ", ".join(unsure(position)):
+        naming = replace(position.plans.naming, lang=lang)
+        if names := ", ".join(spelt(naming.vector(name)) for name in unsure(position)):
             yield say("unsure_by_hand", lang, names=names)
 
 
