@@ -12,9 +12,9 @@ from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
 from planes.solving import Position, solve
-from planes.solving.text_tables import spelt
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
+from planes.words.lettering import spelt
 from render.files import SUFFIXES, Page
 from render.files.dxf_entities import Lettered
 from render.paper.hues import coloured

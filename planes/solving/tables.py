@@ -9,8 +9,9 @@ from planes.plans.quantities import Measured
 from planes.scene import Scene
 from planes.solving import Position, Solved, key_of
 from planes.solving.own_equations import own_rows
-from planes.solving.text_tables import directed, error_of, largest, number_cell, pm, spelt, table, titled
+from planes.solving.text_tables import directed, error_of, largest, number_cell, pm, table, titled
 from planes.words import Lang, decimals, home_lang, say
+from planes.words.lettering import spelt
 from planes.words.names import kind_of, label_of, plan_of
 from planes.words.naming import Naming
 from planes.words.records import Json

@@ -49,11 +49,6 @@ def table(title: str, head: Iterable[str], rows: Iterable[Sequence[str]], even: 
     return ["", title, *(f"  {line.rstrip()}" for line in text)]
 
 
-def spelt(lettered: str) -> str:
-    """A lettered name as a terminal has it: F_{56}^{t} -> F_56^t."""
-    return lettered.replace("{", "").replace("}", "")
-
-
 def largest(position: Position) -> float:
     """The largest number found of bodies in equilibrium, N or N·m, beside which rounding is nothing; 0 of all else."""
     measured = [*position.of("values").values(), *position.of("vectors").values()] if position.plans.figure else []

@@ -12,7 +12,7 @@ from planes.words.frozen import frozen
 from planes.words.names import latin
 
 QUOTED, OFFERED = 60, 40  # letters of what is quoted of a file; letters of a name that is offered, and how many
-LIKE = 0.7  # how like two words of other lengths are, of 1, one of which is a misspelling of the other
+LIKE = 0.65  # how like two words of other lengths are, of 1, one of which is a misspelling of the other
 _SPELLED = "alpha beta gamma delta epsilon theta lambda mu rho tau phi psi omega"
 _GREEK = dict(zip("αβγδεθλμρτφψω", _SPELLED.split(), strict=True))
 _SYNONYMS = """

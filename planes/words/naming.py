@@ -12,7 +12,7 @@ from itertools import product
 from planes.words import Lang, Phrase, decimal, langs, say
 from planes.words.errors import PlanesError, choices
 from planes.words.frozen import frozen, replace
-from planes.words.lettering import flat, lowered, rate_of
+from planes.words.lettering import flat, lowered, rate_of, spelt
 from planes.words.names import POLE, parted, parts_of, tidy
 from planes.words.units import Convention, mu_text
 
@@ -138,11 +138,11 @@ class Naming:
         letter, index, _ = parts_of(name)
         if letter not in ("F", "R") or not index[:1].isalnum():
             return name
-        return self.vector(name).translate(_UNBRACED) if index.isalnum() or "_" in index else name
+        return spelt(self.vector(name)) if index.isalnum() or "_" in index else name
 
     def retold(self, text: str, names: Iterable[str]) -> str:
-        """A sentence that was told in the program's names, in those that people type."""
-        other = {name: typed for name in names if (typed := self.typed(name)) != name}
+        """A sentence that was told in the program's names, in those that people type and sheets print."""
+        other = {name: said for name in names if (said := re.sub("^I_", "Φ_", self.typed(name))) != name}
         some = "|".join(map(re.escape, sorted(other, key=len, reverse=True)))
         return re.sub(rf"(?<![\w^])(?:{some})(?![\w^])", lambda m: other[m[0]], text) if other else text
 
@@ -175,7 +175,6 @@ class Naming:
 
 
 _OF_REACTIONS = ("N", "T", "PT", "MT")  # of friction: they have the index of their reaction
-_UNBRACED = str.maketrans("", "", "{}")
 
 
 class Names:
