@@ -4,14 +4,13 @@ from collections.abc import Callable, Iterable, Iterator
 
 from planes.drafting.steps import Step
 from planes.drafting.steps.tracks import CutTrack
-from planes.plans import Plans
 from planes.plans.measuring import lettering
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import plans_of
 from planes.words import Lang, say
 from planes.words.lettering import spelt
-from planes.words.names import index_of, is_scale, letter_of
+from planes.words.names import is_scale, letter_of
 from planes.words.naming import Naming
 
 
@@ -19,7 +18,7 @@ def explain(scene: Scene, lang: Lang = "en") -> str:
     """The kept and the dropped steps of a scene, one on a line, in the order they would be drawn."""
     plans = scene_plans(scene)
     full, kept = plans.program, plans_of(scene)[0].program
-    named = _named(Naming(lang, **lettering(scene, plans)), plans)
+    named = _named(Naming(lang, **lettering(scene, plans)))
     dropped = [s for s in full.steps if s.makes not in kept.made]
     lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(full.steps)), *_listed(kept.steps, named, lang)]
     if dropped:
@@ -27,11 +26,9 @@ def explain(scene: Scene, lang: Lang = "en") -> str:
     return "\n".join(lines) + "\n"
 
 
-def _named(naming: Naming, plans: Plans) -> Callable[[str], str]:
+def _named(naming: Naming) -> Callable[[str], str]:
     """How vectors are called in other answers: a_3 for a_slide_3, v_B for v_BB0, the same on a fixed guide."""
-    own = {(s.plan, s.start, s.end): s.name for s in plans.segments if index_of(s.name) in plans.points}
-    same = {s.name: own.get((s.plan, s.start, s.end), s.name) for s in plans.segments}
-    return lambda name: spelt(naming.vector(same.get(name, name))) if letter_of(name) in ("v", "a", "F", "I") else name
+    return lambda name: spelt(naming.vector(naming.own(name))) if letter_of(name) in ("v", "a", "F", "I") else name
 
 
 def _listed(steps: Iterable[Step], named: Callable[[str], str], lang: Lang) -> Iterator[str]:

@@ -85,6 +85,11 @@ class Naming:
             return self.balancing(False)
         return letter + (f"_{{{index.replace('_', ',')}}}" if index else "") + (f"^{{{part}}}" if part else "")
 
+    def own(self, name: str) -> str:
+        """A point's own vector for one that is the same, since it ends at a point of the frame: v_B for v_BB0."""
+        half = name[: (len(name) - 1) // 2 + 1]
+        return half if name in self.grounded and name == f"{half}{half[2:]}0" else name
+
     def arm(self, force: str, arm: str) -> str:
         """An arm of a force by its name in the program: h_G_2_C -> h_{G2}, h_G_2_B^B -> h_{G2}^{B}, H_G_2 -> H_{G2};
         of a reaction R_12 from 1 on 2 H_{12}."""
