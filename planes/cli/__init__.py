@@ -104,7 +104,8 @@ def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.Argument
         return say(f"help_{key}", lang)
 
     reader = Parser(prog="planes", description=help_of("planes"), lang=lang)
-    reader.add_argument("--version", action="version", version=f"planes {sys.modules['planes'].__version__}")
+    version = f"planes {sys.modules['planes'].__version__}"
+    reader.add_argument("--version", action="version", version=version, help=say("usage_version", lang))
     reader.add_argument("--lang", choices=langs(), metavar="LANG", help=help_of("lang"))  # `lang_of` has read it
     commands = reader.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
     for name, own in OPTIONS.items():

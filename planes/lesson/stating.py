@@ -12,7 +12,7 @@ from planes.lesson.frame import Frame, Make
 from planes.lesson.steps import Names, whole
 from planes.plans import Plans
 from planes.plans.force.loads import force_name
-from planes.words import Lang, say
+from planes.words import Lang, Phrase, say
 from planes.words.frozen import frozen, replace
 from planes.words.names import at, kind_of, links_of, parts_of
 
@@ -62,8 +62,13 @@ class Stating:
 
     def unknown(self, e: Equation, lang: Lang) -> str:
         """What is sought, in words."""
-        parts = dict.fromkeys((whole(e, name), part) for name, part in e.unknowns)
-        return ", ".join(say(f"lesson_unknown_{part}", lang, name=name) for name, part in parts)
+        parts: dict[str, dict[str, None]] = {}
+        for name, part in e.unknowns:
+            parts.setdefault(part, {})[f"⟨{whole(e, name)}⟩"] = None
+        said = (
+            Phrase(f"lesson_unknown_{part}{'s' * (len(names) > 1)}", names=(*names,)) for part, names in parts.items()
+        )
+        return say("lesson_unknowns", lang, parts=(*said,))
 
     def why(self, e: Equation, lang: Lang) -> str:
         """Of forces, what is in equilibrium; of rates, how the motion of a point is made of two."""

@@ -89,13 +89,13 @@ class Reader:
         """The node as a name that is defined; ``kind`` says what kind of thing: "point"."""
         text = self.text(node, what)
         if text not in (names if isinstance(names, Mapping) else (names := list(names))):
-            valid = self.offer(text, names, kind)
+            valid = self.offer(text, names)
             raise self.error(Phrase("unknown_name", what=what, of=kind, name=shown(text), valid=valid), node)
         return text
 
-    def offer(self, given: str, names: Iterable[str], kind: Phrase) -> Told:
+    def offer(self, given: str, names: Iterable[str]) -> Told:
         """Words with the valid names, or that there are none."""
-        return choices(given, names) or Phrase("none_defined", of=kind)
+        return choices(given, names) or Phrase("none_defined")
 
     def number(self, node: Node, what: Told) -> float:
         """The finite value of a number or an expression."""

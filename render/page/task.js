@@ -76,12 +76,12 @@ export const task = {
   told() { // numbers the question needs that are not asked themselves
     const asked = new Set(practice.items.filter((t, k) => t.kind === "number" &&
       !practice.done.has(k)).map(t => t.what.replace(/[‖|]/g, "")));
-    const given = practice.frame.values.filter(n => !asked.has(n.replace(/[‖|]/g, ""))).map(n => `⟨${n.replace(/[‖|]/g,
-      "")}⟩ = ⟦${/^h_/i.test(n) ? "a" : "v"}¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; ");
-    const p = data.plans.find(p => p.key === practice.frame.plan);
-    const mu = practice.item.kind === "number" && p && !practice.waits("mu", p.key) ?
-      `μ = ${filled(p.mu[state.lang])}` : "";
-    return sentence([given, mu].filter(Boolean).join("; "), practice.frame.plan);
+    const [scales, values] = [true, false].map(is => practice.frame.values.filter(n => n.startsWith("mu_") === is));
+    const given = values.filter(n => !asked.has(n.replace(/[‖|]/g, ""))).map(n => `⟨${n.replace(/[‖|]/g,
+      "")}⟩ = ⟦${/^h_/i.test(n) ? "a" : "v"}¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim());
+    const mu = data.plans.filter(p => scales.includes("mu_" + p.key) || (practice.item.kind === "number" &&
+      p.key === practice.frame.plan && !practice.waits("mu", p.key))).map(p => `μ = ${filled(p.mu[state.lang])}`);
+    return sentence([...new Set([...given, ...mu])].join("; "), practice.frame.plan);
   },
   hand() { // the fields of the tool in hand
     const marks = desk.marks().map(m => [m, spoken(labelOf(m), practice.frame.plan)]);

@@ -109,7 +109,7 @@ def finished(
 
 def unseen(one: View, lang: Lang) -> list[str]:
     """Sentences about what cannot be seen or read in a view."""
-    facts = {"view": plain(one.title or one.key), "names": ", ".join(one.crowded)}
+    facts = {"view": plain(one.title or one.key), "names": one.crowded}
     return [*one.unseen, *([say("overprinted", lang, **facts)] if one.crowded else [])]
 
 

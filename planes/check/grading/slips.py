@@ -1,6 +1,7 @@
 """Slips of reckoning: a number that a right drawing does not give, and what was done to it instead."""
 
 from collections.abc import Iterable
+from functools import partial
 
 from planes.check.grading.figures import WrittenNumber
 from planes.check.grading.handwork import Hand
@@ -8,6 +9,7 @@ from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.words import Phrase, Written
 from planes.words.names import letter_of, mu_of
+from planes.words.units import number
 from planes.words.written_units import COMMON, unit_in_si
 
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
@@ -26,7 +28,9 @@ def number_mistake(f: WrittenNumber, true: float, sigma: float, free: Hand) -> P
     for unit in COMMON:
         size, of = unit_in_si(unit) or (1.0, "")
         if of == f.unit and _near(size * abs(f.given), abs(true), near):
-            return Phrase("mistake_unit_missing", mark=f.name, given=Written(f"{f.given:.4g}"), unit=Phrase(unit))
+            return Phrase(
+                "mistake_unit_missing", mark=f.name, given=Written(partial(number, f.given)), unit=Phrase(unit)
+            )
     return None
 
 

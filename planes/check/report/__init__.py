@@ -22,7 +22,7 @@ from planes.words import Lang, Phrase, decimal, langs, say
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, label_of
 from planes.words.records import Json
-from planes.words.units import mu_text
+from planes.words.units import mu_text, number
 
 LIKELY = 0.5  # a verdict no less likely than its opposite
 SIZES = ("read_mm", "read_error_mm", "deviation_mm", "tolerance_mm")
@@ -199,7 +199,7 @@ def numbers_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
         verdict = say(f"verdict_{r['verdict']}", lang)
         if s.slip and s.verdict == "wrong":
             verdict += ": " + s.slip.told(lang).removeprefix(f"{s.figure.name}: ")
-        rows.append([r["verdict"], r["name"], *(decimal(f"{r[k]:.4g}", lang) for k in ("given", "true")), verdict])
+        rows.append([r["verdict"], r["name"], *(number(r[k], lang) for k in ("given", "true")), verdict])
     return rows
 
 
