@@ -31,6 +31,7 @@ export const task = {
     }
     this.last = same;
     box.innerHTML = now;
+    if (p.over) this.sign(p.name);
     if (!id) return;
     const again = data_ ? [...box.querySelectorAll("[data-term]")].find(b => b.dataset.term === data_) : $(id);
     (again && !again.disabled ? again : box.querySelector("#mm, #figure, button[data-do], #h")).focus();
@@ -135,14 +136,20 @@ export const task = {
   button(what, label) { return `<button type="button" id="do-${what}" data-do="${what}">${label}</button>`; },
   /** @type {(said: string) => string} */
   end(said) { // the result, and the code a teacher's planes reads
-    const code = handed(), name = safe(practice.name || "practice");
     return `${said}<h2 id="h" tabindex="-1">${say("over")} ${practice.good} / ${practice.items.length}.</h2><p>${say(
       "hand_in")}</p><div class="answers"><label>${say(
       "student")} <input id="student" type="text" autocomplete="name" value="${safe(practice.name)}"></label>` +
-      `<a id="save" download="${name}.practice" href="${URL.createObjectURL(new Blob([code + "\n"],
-        { type: "text/plain" }))}">${say("save_code")}</a></div><textarea id="code" readonly rows="4" aria-label="${say(
-        "code")}">${code}</textarea>` +
+      `<a id="save">${say("save_code")}</a></div><textarea id="code" readonly rows="4" aria-label="${say(
+        "code")}"></textarea>` +
       `<div class="answers">${this.button("again", say("again"))}${this.button("fresh", say("fresh"))}</div>`;
+  },
+  /** @type {(name: string) => void} */
+  sign(name) { // in place: a click on its way to the link must find the same one
+    practice.name = name.slice(0, 80);
+    const code = handed(), save = $("save"), kept = URL.createObjectURL(new Blob([code + "\n"], { type: "text/plain" }));
+    URL.revokeObjectURL(save.href);
+    Object.assign(save, { href: kept, download: `${practice.name.replace(/[\s.]+$/, "") || "practice"}.practice` });
+    $("code").value = code;
   },
   /** @type {(what: string, e: any) => void} */
   pick(what, e) {
@@ -173,8 +180,8 @@ export const task = {
   /** @type {(id: string, value: string) => void} */
   change(id, value) {
     if (id === "now") { practice.said = null; practice.take(+value); return; }
-    if (id === "student") practice.name = value.slice(0, 80);
-    else if (id === "spot") desk.spot = +value;
+    if (id === "student") { this.sign(value); return; }
+    if (id === "spot") desk.spot = +value;
     else if (id === "way") desk.back = value === "1";
     else fields[id] = value;
     if (id === "from" && desk.along === value) desk.along = desk.lines()[0][0];
@@ -196,7 +203,8 @@ on($("task"), "click",
   e => { const b = e.target.closest("[data-do]"); if (b) task.pick(b.dataset.do, b); });
 on($("task"), "change", e => task.change(e.target.id, e.target.value));
 on($("task"), "input",
-  e => { if (e.target.id === "mm" || e.target.id === "angle") { fields[e.target.id] = e.target.value; later(); } });
+  e => { if (e.target.id === "student") task.sign(e.target.value);
+    if (e.target.id === "mm" || e.target.id === "angle") { fields[e.target.id] = e.target.value; later(); } });
 on($("task"), "keydown", e => {
   if (e.key !== "Enter" || e.target.tagName !== "INPUT" || e.target.id === "student") return;
   if (e.target.id !== "figure") fields[e.target.id] = e.target.value;
