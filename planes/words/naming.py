@@ -72,6 +72,8 @@ class Naming:
             letter, index = "R" if self.from_on else letter, self.reaction(index)
         elif letter == "I":
             letter = "Φ"
+        elif letter == "M" and index == self.driver:
+            index = say("balance", self.lang)
         elif letter in ("MI", "MP"):
             letter, index = "M", ("Φ" if letter == "MI" else "P") + index
         elif letter in ("N", "T", "PT", "MT", "ω") and index.startswith("F_"):  # of friction, by its reaction

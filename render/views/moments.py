@@ -111,9 +111,6 @@ class MomentLines:
 
     def unknown(self, equation: Moments) -> str:
         """The letter of what the equation is solved for."""
-        drive = self.position.plans.mechanism.drive
-        if equation.unknown in (self.position.plans.balancing, self.position.plans.zhukovsky):
-            return self.naming.balancing(drive.kind == "phi")
         return self.naming.vector(equation.unknown)
 
     def product(self, name: str, lever: str) -> str:
