@@ -45,7 +45,7 @@ def read_doubts(
     doubts = [*_empty(table), *_unused(table, parameters), *_angles(table, parameters), *_backwards(table, parameters)]
     if mechanism:
         doubts += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
-        doubts += _far(mechanism)
+        doubts += _far(mechanism.frame)
         if (mechanism.gravity or 0) > HEAVY:
             doubts.append((Phrase("doubt_gravity", value=Written(f"{mechanism.gravity:g}")), ("gravity",)))
         doubts += [
@@ -195,15 +195,12 @@ def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
             yield Phrase("doubt_assembly", point=name), ("assembly", name)
 
 
-def _far(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
-    """Fixed points, and guides of any link, so far from where it is measured from that metres are hardly meant."""
-    frame, links = mechanism.frame, mechanism.links.values()
-    places: list[tuple[Keys, complex]] = [(("frame", "points", point), z) for point, z in frame.points.items()]
-    places += [(("frame", "guides", guide.name), guide.through) for guide in frame.guides.values()]
-    places += [(("links", link.name, "guides", g.name), g.through) for link in links for g in link.guides.values()]
-    for path, place in places:
-        if abs(place) >= LONG_M:
-            yield Phrase("doubt_far", name=path[-1], size=Written(f"{abs(place):g}")), path
+def _far(frame: Link) -> Iterator[tuple[Phrase, Keys]]:
+    """Fixed points and guides so far from the origin that metres are hardly meant."""
+    for kind, places in ("points", frame.points), ("guides", {name: g.through for name, g in frame.guides.items()}):
+        for name, z in places.items():
+            if abs(z) >= LONG_M:
+                yield Phrase("doubt_far", name=name, size=Written(f"{abs(z):g}")), ("frame", kind, name)
 
 
 def _size(link: Link) -> float:

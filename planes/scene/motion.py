@@ -46,7 +46,7 @@ def _assembly(reader: Reader, name: str, node: Node, links: Iterable[Link]) -> A
     what = Phrase("assembly_of", name=name)
     if isinstance(node, SourceScalar):
         own = [link.slides for link in links if name in link.points]
-        fitting = ORDERS if len(own) > 2 else ORDERS[2:] if any(own) or not own else ORDERS[:2]
+        fitting = ORDERS[2:] if any(own[:2]) or not own else ORDERS[:2]
         return Assembly(cast(Order, reader.word(node, what, ORDERS if node.text in ORDERS else fitting)))
     return Assembly(near=Fields(reader, node, what, ("near",)).place("near"))
 

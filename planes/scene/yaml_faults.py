@@ -4,22 +4,22 @@ import re
 
 from planes.words import Phrase
 
-_PROBLEMS = (
-    ("could not find expected ':'", "colon_missing"),
-    ("mapping values are not allowed", "colon_second"),
-    ("expected ',' or ']'", "list_open"),
-    ("expected ',' or '}'", "table_open"),
-    ("expected key", "indentation"),
-    ("expected <block end>", "indentation"),
-    ("expected '-' indicator", "indentation"),
-    ("block sequence entries are not allowed", "list_item"),
-    ("expected <document start>", "after_end"),
-    ("unexpected end of stream", "quote_open"),
-    ("document indicator", "quote_open"),
-    ("unknown escape character", "escape"),
-    ("did not find expected node content", "value_absent"),
-    ("unexpected ':'", "colon_here"),
-)
+_PROBLEMS = """
+could not find expected ':' = colon_missing
+mapping values are not allowed = colon_second
+expected ',' or ']' = list_open
+expected ',' or '}' = table_open
+expected key = indentation
+expected <block end> = indentation
+expected '-' indicator = indentation
+block sequence entries are not allowed = list_item
+expected <document start> = after_end
+unexpected end of stream = quote_open
+document indicator = quote_open
+unknown escape character = escape
+did not find expected node content = value_absent
+unexpected ':' = colon_here
+"""
 
 _RARE = {
     "": "unreadable",
@@ -46,7 +46,7 @@ def explained(error: Exception, text: str) -> tuple[Phrase, int | None]:
         if char == "\t":
             return Phrase("tab"), mark.line + 1
         return Phrase("value_begins", char=char), mark.line + 1
-    for piece, key in _PROBLEMS:
+    for piece, _, key in (line.partition(" = ") for line in _PROBLEMS.split("\n")[1:-1]):
         if piece in problem:
             start = context if context is not None and key in _AT_START else mark
             for line in (start.line, start.line - 1) if key in _OF_COLONS else ():
