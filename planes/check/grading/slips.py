@@ -26,8 +26,8 @@ def number_mistake(f: WrittenNumber, true: float, sigma: float, free: Hand) -> P
         if value and _near(abs(f.given), abs(value), near):
             return Phrase(f"mistake_{mistake}", mark=f.name)
     for unit in COMMON:
-        size, of = unit_in_si(unit) or (1.0, "")
-        if of == f.unit and _near(size * abs(f.given), abs(true), near):
+        size, key = unit_in_si(unit) or (1.0, "")
+        if key == f.unit and _near(size * abs(f.given), abs(true), near):
             return Phrase(
                 "mistake_unit_missing", mark=f.name, given=Written(partial(number, f.given)), unit=Phrase(unit)
             )
