@@ -111,7 +111,8 @@ class MomentLines:
 
     def unknown(self, equation: Moments) -> str:
         """The letter of what the equation is solved for."""
-        return self.naming.vector(equation.unknown)
+        plans = self.position.plans
+        return self.naming.vector(plans.balancing if equation.unknown == plans.zhukovsky else equation.unknown)
 
     def product(self, name: str, lever: str) -> str:
         """A force times its arm, a couple, either times its rate."""
