@@ -118,9 +118,8 @@ export default { render({ model, el }) {
 def crank(scene: Scene, views: Sequence[str] = ("position", "velocity-plan"), lang: Lang | None = None) -> AnyWidget:
     """A crank to turn in a notebook: a slider for the drive; the named views are redrawn at each of its positions.
 
-    ``value`` of the returned object is the drive's position (degrees; m for a sliding driver) and may be set or
-    observed; ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget
-    (``planes[notebook]``).
+    ``value`` of what is returned is the drive's place (degrees; m of a sliding driver) and may be set or observed;
+    ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget.
     """
     try:
         import anywidget

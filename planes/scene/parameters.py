@@ -49,7 +49,7 @@ def with_numbers(
     known = entries_of(node)
     for name in numbers:
         if name not in known:
-            valid = reader.offer(name, known, Phrase("parameters_all"))
+            valid = reader.offer(name, known)
             raise reader.error(Phrase("parameter_unknown", name=shown(name), valid=valid), node or 1)
     line = node.line if node else 1
     given: dict[str, Node] = {name: SourceScalar(repr(float(value)), line) for name, value in numbers.items()}
@@ -75,7 +75,7 @@ def read_variants(reader: Reader, node: Node | None, parameters: Node | None) ->
         table = SourceTable({}, entry.line) if absent(entry) else reader.table(entry, what)
         for key, line in table.lines.items():
             if key not in known:
-                valid = reader.offer(key, known, Phrase("parameters_all"))
+                valid = reader.offer(key, known)
                 raise reader.error(Phrase("no_parameter", name=name, key=shown(key), valid=valid), line)
             _scalar(reader, table.entries[key], part(key, what))
         tables[name] = table

@@ -7,22 +7,25 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from planes.words import Lang, Phrase, Told
+from planes.words import Lang, Phrase, Told, table
 from planes.words.frozen import frozen
 from planes.words.names import latin
 
-QUOTED, OFFERED = 60, 40  # length of a quotation from a file; length of a name offered, and how many are offered
+QUOTED, OFFERED = 60, 40  # letters of what is quoted of a file; letters of a name that is offered, and how many
+LIKE = 0.65  # how like two words of other lengths are, of 1, one of which is a misspelling of the other
 _SPELLED = "alpha beta gamma delta epsilon theta lambda mu rho tau phi psi omega"
 _GREEK = dict(zip("αβγδεθλμρτφψω", _SPELLED.split(), strict=True))
-_RUSSIAN = """
+_SYNONYMS = """
 название=title заголовок=title примечание=note параметры=parameters варианты=variants стойка=frame
 звенья=links звено=link сборка=assembly привод=drive ведущее=drive нагрузки=loads нагрузка=loads
 силы=loads сила=force момент=moment трение=friction планы=plans масштаб=mu найти=find лист=sheet
 векторы=vectors уравнения=equations точки=points точка=point направляющие=guides скользит=slides
 масса=mass инерция=inertia центр=centre угол=angle направление=direction гравитация=gravity
+forces=loads opposite=against opposing=against n=omega rpm=omega angular_velocity=omega
+front=ahead forward=ahead forwards=ahead back=behind backward=behind backwards=behind rear=behind
 """
-_MEANT = dict(pair.split("=") for pair in _RUSSIAN.split())
-"""Keys of a scene by the Russian words for them."""
+_MEANT = dict(pair.split("=") for pair in _SYNONYMS.split())
+"""Keys and words of a scene by what people write for them whose spelling does not lead there."""
 
 
 def place_of(file: str, line: int | None) -> str:
@@ -121,10 +124,11 @@ def _near(given: str, known: list[str]) -> Told:
     """Words that suggest a name that is nearly the same, or looks the same in other letters."""
     meant = _MEANT.get(given.casefold(), _spelled(given))
     if same := next((name for name in known if _spelled(name) == meant), None):
-        return Phrase("near_name", name=same)
-    if alike := next((name for name in known if latin(name) == latin(given)), None):
-        return Phrase("near_alike", name=alike)
-    matches = get_close_matches(given, known, n=1, cutoff=0.5)
+        return Phrase(key if (key := f"meant_{given}") in table("en") else "near_name", name=same)
+    if twin := next((name for name in known if latin(name) == latin(given)), None):
+        return Phrase("near_alike", name=twin)
+    alike = [name for name in known if len(name) == len(given)]
+    matches = get_close_matches(given, known, n=1, cutoff=LIKE) or get_close_matches(given, alike, n=1, cutoff=0.5)
     return Phrase("near_name", name=matches[0]) if matches else ""
 
 

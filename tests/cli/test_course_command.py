@@ -295,7 +295,7 @@ def test_a_process_that_is_stopped_is_a_sentence() -> None:
 @pytest.fixture(scope="module")
 def cluster() -> Iterator[str]:
     """The address of a Dask scheduler of this machine with two workers, as processes of their own."""
-    pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install 'planes[dask]'")
+    pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install distributed")
     program = (
         "import sys\nfrom distributed import LocalCluster\nif __name__ == '__main__':\n"
         " with LocalCluster(n_workers=2, threads_per_worker=2, dashboard_address=None) as c:\n"
@@ -333,7 +333,7 @@ def test_a_cluster_that_fails_is_a_sentence(cluster: str) -> None:
 
 @pytest.mark.slow
 def test_no_scheduler_is_a_sentence(whole: Path, tmp_path: Path) -> None:
-    pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install 'planes[dask]'")
+    pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install distributed")
     program = (
         "import sys\nfrom planes.cli import main\nfrom planes.course import workers\nworkers.SECONDS = 0.5\n"
         "sys.exit(main(sys.argv[1:]))"

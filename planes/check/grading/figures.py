@@ -1,5 +1,6 @@
 """Numbers a person wrote down, as they are read off a drawing: lengths of segments, results."""
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import permutations, product
@@ -28,6 +29,7 @@ class WrittenNumber:
     signed: bool = False
     plan: str = ""
     value: str = ""  # the program's name of it, if it has one
+    unit: str = ""  # of a result
 
 
 Written = tuple[str, float, str]  # a name, a value and its unit, as written
@@ -56,7 +58,8 @@ def offers(unknown: Mapping[str, str]) -> tuple[Told, ...]:
 
 
 def _nearest(written: str, names: Names) -> str:
-    return nearest(written, map(names.naming.typed, names.known))
+    near = nearest(written, map(names.naming.typed, names.known))
+    return near if re.sub(r"\d", "", near) != re.sub(r"\d", "", written) else ""  # another link is no misspelling
 
 
 def read_results(
@@ -85,7 +88,7 @@ def figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """How a quantity of the catalogue is read off a drawing."""
     one = q.whole
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
-    return WrittenNumber(name, value, lambda things: one.take(things, Many()), not one.part, plan, one.value)
+    return WrittenNumber(name, value, lambda things: one.take(things, Many()), not one.part, plan, one.value, one.unit)
 
 
 def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:
