@@ -22,10 +22,13 @@ _PREFIXED |= {"кн": ("н", 1e3), "mn": ("n", 1e6), "kw": ("w", 1e3), "kg": ("k
 _SAME_UNIT = str.maketrans({"²": "2", "⁻": "-", "¹": "1", "−": "-"} | dict.fromkeys("^*·⋅. "))
 
 
-def unit_in_si(unit: str) -> tuple[float, str] | None:
+def unit_in_si(unit: str, result: str = "") -> tuple[float, str] | None:
     """A unit as written in any language (mm/s, kN, rpm): how much of the unit of results it is, and the key of that,
-    "" where it fits any value; None of a unit that is not known. Millimetres are those of a segment."""
+    "" where it fits any value; None of a unit that is not known. Millimetres are those of a segment, unless the
+    ``result`` is in metres."""
     text = _bare_unit(unit)
+    if result == "m" and text in ("mm", "мм"):
+        return 1e-3, "m"
     known = {_bare_unit(say(key, lang)): key for key in _RESULTS for lang in langs()} | {"": ""}
     if text in known:
         return 1.0, known[text]

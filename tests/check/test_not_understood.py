@@ -134,7 +134,8 @@ def test_a_number_in_an_unknown_unit_or_left_empty_is_not_seen(tmp_path: Path) -
     found = check(ASKED, read_table(file))
     assert found.verdict == "right_as_seen" and set(found.unseen) == {"v_C", "omega_2"}
     assert "furlong" in " ".join(note.told("en") for note in found.notes)
-    file.write_text("result,value,unit\nomega_3,-153,rpm\nv_C,2404,мм/с\nF_21,9.87,kN\n", "utf-8")
+    far = 1e3 * abs(solve(ASKED.scene).positions[0].value("r_C"))
+    file.write_text(f"result,value,unit\nomega_3,-153,rpm\nv_C,2404,мм/с\nF_21,9.87,kN\nr_C,{far},мм\n", "utf-8")
     assert check(ASKED, read_table(file)).verdict == "right"
 
 

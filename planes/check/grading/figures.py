@@ -70,7 +70,8 @@ def read_results(
     sure = {text: one[0] for text, one in meant.items() if len({known[n].path for n in one}) == 1}
     figures, unknown, strange = list[WrittenNumber](), dict[str, str](), dict[str, Phrase]()
     for text, value, unit in written:
-        name, in_si = sure.get(text), unit_in_si(unit)
+        name = sure.get(text)
+        in_si = unit_in_si(unit, known[name].whole.unit if name else "")
         if in_si is None:
             strange[text] = Phrase("check_unit", name=text, unit=unit)
         elif name is None:
