@@ -117,10 +117,11 @@ def test_sheet_note_and_check_tell_the_same_of_a_number_near_a_dead_point(
     names = list(unsure(solve(ASKED.scene).positions[0]))
     assert "v_H" in names and "v_C" not in names
     assert main(["sheet", SIX, "-o", str(tmp_path / "s.svg"), "--lang", "en"]) == 0
-    told = next(line for line in capsys.readouterr().err.splitlines() if "too near a dead point" in line)
-    assert all(name in told for name in names) and "v_C" not in told
+    told = next(line for line in capsys.readouterr().err.splitlines() if "a sixth of their value" in line)
+    said = told.split(": ")[1].split(", ")
+    assert len(said) == len(names) and {"v_H", "a_C"} <= set(said) and "v_C" not in said
     assert main(["note", SIX, "-o", str(tmp_path / "n.html"), "--lang", "en"]) == 0
-    assert "too near a dead point" in (tmp_path / "n.html").read_text(encoding="utf-8")
+    assert "a sixth of their value" in (tmp_path / "n.html").read_text(encoding="utf-8")
 
 
 def test_one_place_holds_the_errors_of_people() -> None:
