@@ -3,7 +3,8 @@
 import math
 
 from planes.diagrams.extremes import Extreme
-from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
+from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary, of_cycle
+from planes.scene import Scene
 from planes.solving import told
 from planes.solving.text_tables import table
 from planes.words import Lang, decimals, home_lang, say
@@ -120,9 +121,12 @@ def _paths(s: Summary, lang: Lang) -> list[str]:
 class Extremes(Json):
     """A cycle's figures, a dict as :func:`as_json` makes it; printed, the tables of ``planes cycle``."""
 
-    def __init__(self, summary: Summary) -> None:
-        super().__init__(as_json(summary))
-        self.summary = summary
+    def __init__(self, scene: Scene) -> None:
+        self.summary = of_cycle(scene)
+        super().__init__(as_json(self.summary))
+
+    def __reduce__(self) -> tuple[type["Extremes"], tuple[Scene]]:
+        return Extremes, (self.summary.scene,)
 
     def __str__(self) -> str:
         return report(self.summary, home_lang()).rstrip()

@@ -185,10 +185,9 @@ def extremes(scene: Scene | Linkage) -> "Extremes":
     >>> round(found["driven"]["time_ratio"], 4)
     1.1516
     """
-    from planes.diagrams.summary import of_cycle
     from planes.diagrams.text import Extremes
 
-    return Extremes(of_cycle(read(scene)))
+    return Extremes(read(scene))
 
 
 def animate(

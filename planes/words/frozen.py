@@ -4,14 +4,23 @@ Only the initialiser is written for a class; how records are compared, hashed an
 150 of them between the command line and its first answer, that is what a person waits for.
 """
 
-from collections.abc import Callable
+import copyreg
+from collections.abc import Callable, Mapping
 from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields, replace
 from operator import attrgetter
+from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar, dataclass_transform
 
 __all__ = ["field", "frozen", "replace"]
 
 T = TypeVar("T")
+
+
+def _closed(values: Mapping[Any, Any]) -> MappingProxyType[Any, Any]:
+    return MappingProxyType(values)
+
+
+copyreg.pickle(MappingProxyType, lambda view: (_closed, (dict(view),)))  # records go to other processes, and are copied
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))

@@ -9,7 +9,7 @@ from typing import Any
 from planes.drafting.dimensions import Dimension
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
-from planes.plans.position.reckoned import SceneDimensions
+from planes.plans.position.reckoned import SceneDimensions, anew
 from planes.words.frozen import frozen
 
 UNSURE = Decimal(2) ** -52  # relative: how far off a number is that is reckoned of what is written
@@ -95,7 +95,7 @@ class AsWritten(SceneDimensions):
 
     def _less(self, value: Thing, by: Dimension | None) -> Thing:
         """The decimals less the double."""
-        true = by.by(self, _DECIMALS) if by else self.taken(value)
+        true = anew(by.of, self, _DECIMALS) if by else self.taken(value)
         if isinstance(value, complex):
             return complex(float(true.real - Decimal(value.real)), float(true.imag - Decimal(value.imag)))
         less = float(true - Decimal(value))

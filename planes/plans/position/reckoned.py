@@ -2,7 +2,7 @@
 dimensions are changed, or are taken as they are written.
 """
 
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from typing import Any, NamedTuple, Protocol
 
 from planes.drafting.dimensions import Dimension
@@ -60,72 +60,85 @@ class SceneDimensions:
         return self.taken((slides.offset if slides else None) or 0.0)
 
 
+_WAYS: Mapping[str, Callable[..., Any]] = {
+    "-": lambda shape, ar, of: -anew(of, shape, ar),
+    "difference": lambda shape, ar, one, two: anew(one, shape, ar) - anew(two, shape, ar),
+    "own": lambda shape, ar, p: shape.place(p),
+    "guided": lambda shape, ar, guide: shape.angle(guide),
+    "leaning": lambda shape, ar, slider: shape.lean(slider),
+    "aside": lambda shape, ar, slider: shape.offset(slider),
+    "distance": lambda shape, ar, p, q: abs(shape.place(q) - shape.place(p)),
+    "angle": lambda shape, ar, p, q: ar.angle_deg(shape.place(q) - shape.place(p)),
+    "along": lambda shape, ar, p, q, way: ((shape.place(q) - shape.place(p)) * _back(way, shape, ar)).real,
+    "ratio": lambda shape, ar, p, q, r: (shape.place(p) - shape.place(q)) / (shape.place(r) - shape.place(q)),
+    "height": lambda shape, ar, p, q, way: ((shape.place(p) - shape.place(q)) * _back(way, shape, ar)).imag,
+}
+
+
+def anew(of: tuple[Any, ...], shape: Dimensions, ar: Arithmetic) -> Any:
+    """What a dimension is where the links have other dimensions, or are reckoned with other numbers."""
+    return _WAYS[of[0]](shape, ar, *of[1:])
+
+
+def _back(way: tuple[Any, ...], shape: Dimensions, ar: Arithmetic) -> Point:
+    """The turn from a direction back to x."""
+    return ar.cis_deg(-anew(way, shape, ar))
+
+
 def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
     """a - b, where None is a nothing that stays nothing."""
     if b is None:
         return a
     if a is None:
         return -b
-    return Dimension(a.value - b.value, lambda shape, ar: a.by(shape, ar) - b.by(shape, ar), ("difference", a.of, b.of))
+    return Dimension(a.value - b.value, ("difference", a.of, b.of))
 
 
-def _reckoned(shape: SceneDimensions, by: Callable[[Any, Arithmetic], Any], *what: Hashable) -> Dimension:
-    return Dimension(by(shape, ARITHMETIC), by, what)
+def _reckoned(shape: SceneDimensions, *what: Hashable) -> Dimension:
+    return Dimension(anew(what, shape, ARITHMETIC), what)
 
 
 def own(shape: SceneDimensions, p: OwnPlace) -> Dimension:
     """The place of a point on its link."""
-    return _reckoned(shape, lambda shape, ar: shape.place(p), "own", p)
+    return _reckoned(shape, "own", p)
 
 
 def guided(shape: SceneDimensions, guide: str) -> Dimension:
     """The direction of a guide on its link, degrees."""
-    return _reckoned(shape, lambda shape, ar: shape.angle(guide), "guided", guide)
+    return _reckoned(shape, "guided", guide)
 
 
 def leaning(shape: SceneDimensions, slider: str) -> Dimension:
     """How far the axes of a slider are turned from its guide, degrees."""
-    return _reckoned(shape, lambda shape, ar: shape.lean(slider), "leaning", slider)
+    return _reckoned(shape, "leaning", slider)
 
 
 def aside(shape: SceneDimensions, slider: str) -> Dimension:
     """How far to the left of its guide a slider's first point lies."""
-    return _reckoned(shape, lambda shape, ar: shape.offset(slider), "aside", slider)
+    return _reckoned(shape, "aside", slider)
 
 
 def distance(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The distance of two points."""
-    return _reckoned(shape, lambda shape, ar: abs(shape.place(q) - shape.place(p)), "distance", p, q)
+    return _reckoned(shape, "distance", p, q)
 
 
 def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The direction from one point to another, degrees."""
-    angle = _reckoned(shape, lambda shape, ar: ar.angle_deg(shape.place(q) - shape.place(p)), "angle", p, q)
+    angle = _reckoned(shape, "angle", p, q)
     return angle._replace(value=angle.value or 0.0)
 
 
 def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
     """How far from one point to another it goes in a direction."""
-
-    def by(shape: Dimensions, ar: Arithmetic) -> Real:
-        return ((shape.place(q) - shape.place(p)) * ar.cis_deg(-way.by(shape, ar))).real
-
-    return _reckoned(shape, by, "along", p, q, way.of)
+    return _reckoned(shape, "along", p, q, way.of)
 
 
 def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dimension:
     """(p - q) / (r - q): how a point stands to two others."""
-
-    def by(shape: Dimensions, ar: Arithmetic) -> Point:
-        return (shape.place(p) - shape.place(q)) / (shape.place(r) - shape.place(q))
-
-    return _reckoned(shape, by, "ratio", p, q, r)
+    return _reckoned(shape, "ratio", p, q, r)
 
 
 def height(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
     """How far a point lies to the left of the line through another in a direction."""
-
-    def by(shape: Dimensions, ar: Arithmetic) -> Real:
-        return ((shape.place(p) - shape.place(q)) * ar.cis_deg(-way.by(shape, ar))).imag
-
-    return _reckoned(shape, by, "height", p, q, way.of)
+    return _reckoned(shape, "height", p, q, way.of)
