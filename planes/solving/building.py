@@ -58,7 +58,7 @@ class Linkage:
 
     def fix(self, **places: Place) -> Self:
         """Add points of the frame by name, in m: ``fix(O=(0, 0), C=(0.3, -0.1))``."""
-        self.parts["frame"]["points"] |= _placed(places)
+        self.parts["frame"]["points"] |= places
         return self
 
     def guide(
@@ -84,7 +84,7 @@ class Linkage:
             raise PlanesError(Phrase("unknown_name", **words, valid=choices(str(link), links)))
         owner = self.parts["frame"] if link is None else links[str(link)]
         line = _given(x=x, y=y, through=through, angle=angle, centre=centre, radius=radius)
-        owner.setdefault("guides", {})[name] = _placed(line)
+        owner.setdefault("guides", {})[name] = line
         return self
 
     def link(
@@ -108,7 +108,7 @@ class Linkage:
                 raise PlanesError(Phrase("link_keyword", word=point, near="centre" if near[0] == "center" else near[0]))
         if str(name) in self.parts["links"]:
             raise PlanesError(Phrase("link_twice", link=name))
-        self.parts["links"][str(name)] = {"points": _placed(places), **own}
+        self.parts["links"][str(name)] = {"points": places, **own}
         return self
 
     def assemble(self, sides: Mapping[str, Any] | None = None, **more: Any) -> Self:
@@ -199,15 +199,3 @@ def doubted(scene: Scene) -> Scene:
 def _given(**parts: Any) -> dict[str, Any]:
     """What is given of a part."""
     return {key: value for key, value in parts.items() if value is not None}
-
-
-def _placed(parts: Mapping[str, Any]) -> dict[str, Any]:
-    """Places as a scene file has them."""
-    return {name: _place(value) for name, value in parts.items()}
-
-
-def _place(place: Any) -> Any:
-    """A place as a scene file has it."""
-    if isinstance(place, complex):
-        return [place.real, place.imag]
-    return list(place) if isinstance(place, tuple) else place
