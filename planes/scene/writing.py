@@ -1,13 +1,15 @@
 """A scene written back as the file that says it: the same mechanism when it is read again."""
 
-from collections.abc import Container, Iterator, Mapping
+import math
+from collections.abc import Container, Iterator, Mapping, Sequence
 from contextlib import suppress
+from typing import Any
 
 import yaml
 
 from planes.scene.mechanism import FRAME, RATES, Amount, Drive, Guide, Link, Load, LoadLaw, Mechanism, Slide, StrokeLoad
 from planes.scene.paths import entries_of
-from planes.scene.source import Items, Node, SourceScalar, SourceTable, parse
+from planes.scene.source import Node, SourceScalar, SourceTable, parse
 from planes.words.records import Json
 
 
@@ -18,12 +20,9 @@ class _Lines(yaml.SafeDumper):
 _Lines.add_representer(complex, lambda dumper, z: dumper.represent_sequence("tag:yaml.org,2002:seq", [z.real, z.imag]))
 
 
-def as_yaml(mechanism: Mechanism, words: Mapping[str, object], asked: Mapping[str, object]) -> str:
-    """The text of a scene file: numbers in full, no expressions; ``words`` and what is ``asked`` as the file has them.
-
-    Parts that say nothing are left out; a part that was kept as it was written is written so again.
-    """
-    parts: Json = {"planes": 1, **words, **dict(_mechanism(mechanism)), **asked}
+def as_yaml(mechanism: Mechanism, title: str) -> str:
+    """The text of a scene file: numbers in full, no expressions; parts that say nothing are left out."""
+    parts: Json = {"planes": 1, "title": title, **dict(_mechanism(mechanism))}
     if mechanism.frame_number != FRAME:
         parts["frame"]["number"] = mechanism.frame_number
     return written({key: value for key, value in parts.items() if _said(value)})
@@ -42,16 +41,14 @@ def own_scene(
     sheet: Mapping[str, Node],
     without: Container[str] = (),
 ) -> str:
-    """The scene with the numbers of a variant, then ``numbers``, in its parameters; ``sheet`` joins its own, but for
-    keys it is to be ``without``."""
-    entries = dict(parse(text, file).entries)
+    """The scene with the numbers of a variant, then ``numbers``, in its parameters; ``sheet`` joins its own. Keys it
+    is to be ``without`` are left out, those of its sheet too."""
+    entries = {key: node for key, node in parse(text, file).entries.items() if key not in without}
     variants = entries.pop("variants", None)
     if isinstance(parameters := entries.get("parameters"), SourceTable):
         more = entries_of(entries_of(variants).get(variant or ""))
         drawn = {name: SourceScalar(value, 0) for name, value in numbers.items()}
         entries["parameters"] = SourceTable({**parameters.entries, **more, **drawn}, 0)
-    if numbers:  # its scales were chosen for its own
-        entries.pop("plans", None)
     if sheet:
         entries["sheet"] = SourceTable({**entries_of(entries.get("sheet")), **sheet}, 0)
     if kept := {key: node for key, node in entries_of(entries.get("sheet")).items() if key not in without}:
@@ -85,18 +82,28 @@ def _mechanism(m: Mechanism) -> Iterator[tuple[str, object]]:
     yield "friction", {**m.friction, **pins, **{name: j.coefficient for name, j in m.journals.items() if j.round}}
 
 
-def _as_written(node: object) -> object:
-    """A part of the scene that is kept as it was written; anything else as it is."""
-    if isinstance(node, SourceTable):
-        return {key: _as_written(one) for key, one in node.entries.items()}
-    if isinstance(node, Items):
-        return [_as_written(one) for one in node.items]
-    if not isinstance(node, SourceScalar) or node.absent:
-        return None if isinstance(node, SourceScalar) else node
+def _as_written(node: Any) -> object:
+    """A part of the scene as it was written; of anything else plain tables, lists, texts and numbers, whichever
+    library they come from."""
+    if isinstance(node, SourceScalar):
+        return _scalar(node)
+    if isinstance(node, SourceTable | Mapping):
+        entries = node.entries if isinstance(node, SourceTable) else node
+        return {key: _as_written(one) for key, one in entries.items()}
+    plain = node.tolist() if hasattr(node, "tolist") else getattr(node, "items", node)
+    if plain is None or isinstance(plain, str | int | complex):
+        return plain
+    if isinstance(plain, Sequence):
+        return [_as_written(one) for one in plain]
+    number = float(plain) if hasattr(plain, "__float__") else math.nan
+    return number if math.isfinite(number) else str(plain)
+
+
+def _scalar(node: SourceScalar) -> object:
     for kind in (int, float) if node.plain else ():
         with suppress(ValueError):
             return kind(node.text)
-    return node.text
+    return None if node.absent else node.text
 
 
 def _link(link: Link) -> Json:
