@@ -10,9 +10,9 @@ import numpy as np
 
 from planes.batch.cycle import CHUNK, Block, Cycle, Reason, pays
 from planes.batch.table import columns_of
-from planes.diagrams.curves import FULL, UNIT, Curve, CycleVector, WorkingRange, arrows_of, curves_of, named, needs_of
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.plans import Plans
+from planes.plans.curves import FULL, UNIT, Curve, CycleVector, WorkingRange, arrows_of, curves_of, named, needs_of
 from planes.scene.ranges import Span
 from planes.words.frozen import frozen
 from planes.words.names import letter_of

@@ -15,11 +15,13 @@ from planes.check.handed_in import TABLES, read_paper
 from planes.check.outcome import Outcome
 from planes.check.outcome import check as judge
 from planes.course.numbers import answers_of
+from planes.diagrams.turn import WholeTurn
 from planes.documents import animation
 from planes.documents.drawn import picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
-from planes.plans.quantities import asked as asked_for
+from planes.plans.curves import Curve, meant
+from planes.plans.quantities import Quantity
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.ranges import asked_of_drive, finite
@@ -76,7 +78,10 @@ def cycle(
 def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str, float]) -> Table:
     """The results of one set of parameters."""
     plans = scene_plans(scene)
-    drive, run = plans.mechanism.drive, Cycle(plans, names)
+    drive = plans.mechanism.drive
+    asked = [meant(plans, name) for name in map(str, names or ()) if name != drive.kind]
+    quantities, curves = [q for q in asked if isinstance(q, Quantity)], [c for c in asked if isinstance(c, Curve)]
+    run = Cycle(plans, None if names is None else [q.name for q in quantities])
     if values is None:
         values = np.arange(360.0) if drive.kind == "phi" else np.array([drive.position])
     table, codes = run.table(values, bare=False)
@@ -84,11 +89,24 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
     units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.kind == "phi" else "m"}
     columns |= {c.name: row for c, row in zip(run.columns, table, strict=True)}
     units |= {c.name: c.unit for c in run.columns}
-    for q in (q for q in asked_for(plans, names or ()) if q.reversed):
+    first = {q.path: q.columns for q in reversed(quantities)}
+    for q in (q for q in quantities if len(q.columns) == 1):  # by the name it is asked by
+        columns.setdefault(q.name, columns[first[q.path][0].name])
+        units.setdefault(q.name, q.columns[0].unit)
+    for q in (q for q in quantities if q.reversed):
         columns |= {f"{q.name}_{part}": -columns[f"{q.of}_{part}"] for part in "xy"}
         units |= {f"{q.name}_{part}": "N" for part in "xy"}
     reasons = np.array(["", *(r.named for r in run.reasons)], dtype=object)
-    return Table(columns, units, reasons[codes], plans.naming)
+    failed = reasons[codes]
+    curves = [c for c in curves if c.name not in columns]
+    if curves:
+        turn = WholeTurn(plans, curves, slopes=False)
+        (block,) = turn.blocks(values, len(values))
+        columns |= {c.name: row for c, row in zip(curves, block.table, strict=True)}
+        units |= {c.name: c.unit for c in curves}
+        reasons = np.array(["", *(r.named for r in turn.reasons)], dtype=object)
+        failed = np.where(failed == "", reasons[block.codes], failed)
+    return Table(columns, units, failed, plans.naming)
 
 
 def _place(scene: Scene, phi: Any, s: Any) -> float | None:

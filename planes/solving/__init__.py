@@ -3,13 +3,14 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import Instrument, Pencil, is_exact
 from planes.plans import Plans
 from planes.plans.measuring import DrawingReader, polar
-from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, told_of
+from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of, told_of
 from planes.plans.scales import fits_on, scales
 from planes.plans.statements.of_scene import cut_to, fitted, scene_plans
 from planes.scene import Scene
@@ -19,7 +20,7 @@ from planes.solving.readings import KINDS, Readings, known
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Written
-from planes.words.errors import PlanFailure, SceneError
+from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import frozen
 from planes.words.names import POLE, at, label_of, parts_of
 from planes.words.records import Json, Pictured, Tabulated
@@ -104,18 +105,62 @@ class Position(Pictured, Tabulated):
                     yield (f"{plan[0]}_{point}" if is_total else s.name), s, segment
 
     def value(self, name: str) -> float | complex:
-        """A quantity by its name in ``find:``: a number in SI, complex for a vector; else a :class:`SceneError`."""
-        (quantity,) = asked(self.plans, [name])
+        """A quantity by its name in ``find:``, or a curve of :func:`planes.extremes`: a number in SI, complex for a
+        vector; analogues of acceleration are those of an exact drawing. :attr:`names` are all there are; for another,
+        or one that ``find:`` left out, a :class:`SceneError`."""
+        from planes.plans.curves import Curve, meant
+
+        if str(name) == self.plans.mechanism.drive.kind:
+            return self.at
+        quantity = meant(self.plans, str(name))
+        try:
+            if isinstance(quantity, Curve):
+                return float(quantity.read(CurveColumns(self)))
+            return self._quantity(quantity)
+        except (KeyError, ProgramError):
+            raise SceneError(Phrase("not_in_find", name=name)) from None
+
+    @property
+    def names(self) -> list[str]:
+        """All names that :meth:`value` and :func:`planes.cycle` take."""
+        from planes.plans.curves import names_of
+
+        return names_of(self.plans)
+
+    def _quantity(self, quantity: Quantity) -> float | complex:
         same = (f for f in self.found if f.quantity.path == quantity.path)
-        measured = next(same, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
+        measured = next(same, None) or self.reader.read(quantity)
         vector = -measured.vector if quantity.reversed else measured.vector  # F_12 is opposite to F_21
         return measured.number if len(measured.numbers) == 1 else vector
+
+    @property
+    def reader(self) -> DrawingReader:
+        """What reads its drawing."""
+        return DrawingReader(self.plans, self.drawing, self.scales)
 
     def __repr__(self) -> str:
         if not self.plans.moves:
             return f"<Position: vectors {', '.join(self.of('vectors'))}>"
         drive = self.plans.mechanism.drive
         return f"<Position {drive.kind} = {told(self.at, drive.kind, 'en')}: {self.plans.structure.formula}>"
+
+
+class CurveColumns(dict[str, Any]):
+    """The columns that curves are read from, each measured when it is asked for; "q:" those of a unit drive."""
+
+    def __init__(self, position: Position) -> None:
+        super().__init__()
+        self.position = position
+
+    def __missing__(self, name: str) -> float | None:
+        here, plain = self.position, name.removeprefix("q:")
+        plans, reader = here.plans, here.reader
+        column = next(c for q in results_of(plans) for c in q.columns if c.name == plain)
+        if plain != name:
+            given = {**plans.given, **here.scales, **plans.at(here.at)}
+            given |= dict(zip(plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
+            reader = DrawingReader(plans, run(plans.program.sliced(column.needs), given), here.scales)
+        return reader.column(column)
 
 
 @dataclass

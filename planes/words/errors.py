@@ -23,6 +23,8 @@ _RUSSIAN = """
 """
 _MEANT = dict(pair.split("=") for pair in _RUSSIAN.split())
 """Keys of a scene by the Russian words for them."""
+_ELSEWHERE = {"alpha": "epsilon", "theta": "phi", "w": "omega"}
+"""Letters of other books by those of this one."""
 
 
 def place_of(file: str, line: int | None) -> str:
@@ -120,7 +122,9 @@ class ExpressionError(PlanesError, ValueError):
 def _near(given: str, known: list[str]) -> Told:
     """Words with the name that is meant, if one is near, or looks the same in other letters."""
     meant = _MEANT.get(given.casefold(), _spelled(given))
-    if same := next((name for name in known if _spelled(name) == meant), None):
+    letter, _, index = meant.partition("_")
+    ways = (meant, f"{_ELSEWHERE.get(letter, letter)}_{index}")
+    if same := next((name for way in ways for name in known if _spelled(name) == way), None):
         return Phrase("near_name", name=same)
     if alike := next((name for name in known if latin(name) == latin(given)), None):
         return Phrase("near_alike", name=alike)
@@ -155,7 +159,7 @@ def choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
     if len(known) <= OFFERED:
         return Phrase(what, names=tuple(known), near=near)
     meant = [str(near.parts["name"])] if isinstance(near, Phrase) else []
-    some = (*meant, *(name for name in known[:12] if name not in meant))
+    some = tuple(dict.fromkeys((*meant, *get_close_matches(given[:OFFERED], known, 12, 0.0))))
     return Phrase("valid_some", names=some, near=near)
 
 

@@ -135,6 +135,9 @@ class Naming:
 
     def typed(self, name: str) -> str:
         """A name as it is typed in a table or an option: that of the program but for reactions, F_36 or R_63."""
+        head, _, part = name.rpartition("_")
+        if part in ("x", "y", "arm", "moment"):
+            return f"{self.typed(head)}_{part}"
         letter, index, _ = parts_of(name)
         if letter not in ("F", "R") or not index[:1].isalnum():
             return name
@@ -158,7 +161,7 @@ class Naming:
         ways += [self.vector(f"{letter}_F_{index}")] if letter in _OF_REACTIONS and index[:1].isdigit() else []
         balancing = name.startswith(("M_", "MZ_", "Fb_", "FbZ_")) and name.partition("_")[2] == self.driver
         if balancing or name.startswith(("coriolis_", "r_")) or name.rpartition("_")[2] in ("x", "y", "arm", "moment"):
-            ways.append(self.curve(name))
+            ways += [self.curve(name), self.typed(name)]
         return tuple(ways)
 
     def names(self, known: Iterable[str], poles: bool = True, more: Ways | None = None) -> "Names":
@@ -247,4 +250,6 @@ class Names:
         if names := self._exact.get(key) or self._otherwise.get(key):
             return names
         primed, plain = self._folded
-        return primed.get(key.casefold()) or plain.get(key.casefold().replace("'", ""), [])
+        if self.poles:  # of marks primes are left out at times
+            return primed.get(key.casefold()) or plain.get(key.casefold().replace("'", ""), [])
+        return primed.get(key.casefold(), [])

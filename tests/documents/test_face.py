@@ -239,6 +239,36 @@ def test_a_reaction_named_from_the_other_link_is_opposite() -> None:
     assert "F_12" in table and table.get("nope", 0) == 0 and "nope" not in table
 
 
+@pytest.mark.few(3)
+@pytest.mark.parametrize("path", [p for p in SAMPLES if p.parent.name == "samples"], ids=lambda p: p.stem)
+def test_every_name_that_is_printed_can_be_asked_for(path: Path) -> None:
+    scene = planes.load(path)
+    here, printed = planes.solve(scene), list[str]()
+    if scene.mechanism and scene.drive:
+        everything = planes.cycle(scene, phi=here.at) if scene.drive.kind == "phi" else planes.cycle(scene, s=here.at)
+        printed = [*everything, *planes.extremes(scene)["curves"]]
+    names = list(dict.fromkeys((*here.names, *printed)))
+    for name in names[:: 1 + len(names) // 40]:
+        assert np.isfinite(here.value(name)) or name.endswith("_arm"), name
+    if printed:
+        table = planes.cycle(scene, names, **{scene.drive.kind: here.at})  # type: ignore[union-attr]
+        for name in names[:: 1 + len(names) // 40]:
+            assert np.isnan(table[name][0]) or table[name][0] == pytest.approx(here.value(name), rel=1e-6, abs=1e-6)
+
+
+def test_a_name_that_is_none_is_refused_with_what_is_meant_and_where_all_names_are() -> None:
+    scene = planes.load(FOUR_BAR)
+    here = planes.solve(scene)
+    for name, near in (("alpha_2", "epsilon_2"), ("theta_2", "phi_2"), ("w_2", "omega_2"), ("v_C'", "v_C"), (2, "")):
+        for ask in (here.value, lambda one: planes.cycle(scene, [one])):
+            with pytest.raises(planes.PlanesError, match=rf"no quantity {name};.*{near}.*\.names\)$"):
+                ask(name)  # type: ignore[arg-type]
+    assert here.value("phi") == pytest.approx(here.at) and len(here.names) == len(set(here.names)) > 40
+    only = planes.solve(planes.loads(FOUR_BAR.read_text("utf-8") + "\nfind: [omega_2]\n"))
+    with pytest.raises(planes.PlanesError, match=r"^find: of the scene does not ask for M_1; add it there"):
+        only.value("M_1")
+
+
 def test_the_face_takes_what_one_types() -> None:
     scene = planes.load(FOUR_BAR)
     assert planes.cycle(scene, "v_C", phi=60)["v_C"].shape == (1,)

@@ -61,7 +61,7 @@ class SceneDimensions:
 
 
 _WAYS: Mapping[str, Callable[..., Any]] = {
-    "-": lambda shape, ar, of: -anew(of, shape, ar),
+    "-": lambda shape, ar, way: -anew(way, shape, ar),
     "difference": lambda shape, ar, one, two: anew(one, shape, ar) - anew(two, shape, ar),
     "own": lambda shape, ar, p: shape.place(p),
     "guided": lambda shape, ar, guide: shape.angle(guide),
@@ -75,9 +75,9 @@ _WAYS: Mapping[str, Callable[..., Any]] = {
 }
 
 
-def anew(of: tuple[Any, ...], shape: Dimensions, ar: Arithmetic) -> Any:
+def anew(how: tuple[Any, ...], shape: Dimensions, ar: Arithmetic) -> Any:
     """What a dimension is where the links have other dimensions, or are reckoned with other numbers."""
-    return _WAYS[of[0]](shape, ar, *of[1:])
+    return _WAYS[how[0]](shape, ar, *how[1:])
 
 
 def _back(way: tuple[Any, ...], shape: Dimensions, ar: Arithmetic) -> Point:

@@ -7,7 +7,7 @@ Names: r_C_x, phi_3, s_5 (place) · vq_C, u_31, aq_C, epsilonq_3 (analogues) · 
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Literal, Self, TypeVar
+from typing import Any, Literal, Self, TypeVar
 
 import numpy as np
 
@@ -16,9 +16,11 @@ from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.force.loads import force_name
-from planes.plans.quantities import MOTION, results_of
+from planes.plans.quantities import MOTION, Quantity, catalogue, results_of
 from planes.plans.transfers import analogue_units, ratio_name, turning
 from planes.scene.mechanism import FRAME
+from planes.words import Phrase
+from planes.words.errors import SceneError, choices
 from planes.words.frozen import frozen, replace
 from planes.words.names import as_indexed
 from planes.words.units import RATE_UNITS
@@ -90,6 +92,31 @@ def arrows_of(plans: Plans) -> dict[str, CycleVector]:
     for r in plans.reactions.values():
         vectors[r.key] = CycleVector(r.key, "N", r.key)
     return vectors
+
+
+def meant(plans: Plans, name: str) -> Quantity | Curve:
+    """The quantity that a name means, or else the curve. :class:`SceneError` where it means none."""
+    for known in (dict[str, Any](catalogue(plans)), dict[str, Any](askable(plans))):
+        names = plans.naming.names(known, poles=False)
+        if names.meant(name):
+            thing: Quantity | Curve = known[names.one(name, "no_quantity", known.get)]
+            return thing
+    raise SceneError(Phrase("no_quantity", name=name, valid=choices(name, names_of(plans))))
+
+
+def names_of(plans: Plans) -> list[str]:
+    """Every name that can be asked for, as it is typed."""
+    return list(dict.fromkeys(map(plans.naming.typed, (*catalogue(plans), *askable(plans)))))
+
+
+def askable(plans: Plans) -> dict[str, Curve]:
+    """The curves, and the parts of all vectors."""
+    parts = {}
+    for q in (q for q in catalogue(plans).values() if len(q.columns) > 1):
+        for c in q.columns:
+            name = f"{q.name}_{c.name.rpartition('_')[2]}"
+            parts[name] = Curve(name, c.unit, "rate", _opposite(c.name) if q.reversed and c.part else _column(c.name))
+    return parts | curves_of(plans)
 
 
 def named(written: str, known: Mapping[str, T], plans: Plans, file: str) -> T:
@@ -169,6 +196,10 @@ def _forces(plans: Plans) -> Iterator[Curve]:
 
 def _column(name: str) -> Callable[[Sample], Real]:
     return lambda s: s[name]
+
+
+def _opposite(name: str) -> Callable[[Sample], Real]:
+    return lambda s: -s[name]
 
 
 def _scalar(name: str, unit: str, group: Group, need: str, slope: str = "", factor: float = 1.0) -> Curve:
