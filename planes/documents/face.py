@@ -24,9 +24,9 @@ from planes.plans.curves import Curve, meant
 from planes.plans.quantities import Quantity
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
-from planes.scene.ranges import asked_of_drive, finite
-from planes.solving.building import Linkage
-from planes.solving.of_scene import read
+from planes.scene.parameters import finite
+from planes.scene.ranges import places_of
+from planes.solving.of_scene import AnyScene, read
 from planes.words import Lang, home_lang
 from planes.words.names import kind_of
 from planes.words.units import read_mu
@@ -40,12 +40,7 @@ __all__ = ["animate", "check", "cycle", "extremes", "lesson", "picture", "sheet"
 
 
 def cycle(
-    scene: Scene | Linkage,
-    names: str | Iterable[str] | None = None,
-    phi: Any = None,
-    *,
-    s: Any = None,
-    **parameters: Any,
+    scene: AnyScene, names: str | Iterable[str] | None = None, phi: Any = None, *, s: Any = None, **parameters: Any
 ) -> Table:
     """Results for many positions, as arrays by name. ``names`` are results such as "v_C", "omega_2", "F_21", "M_1" or
     the place "r_C" (None: everything). Where a position cannot be drawn, there is NaN, and ``failed`` has the reason
@@ -64,9 +59,10 @@ def cycle(
     (8,)
     """
     scene = read(scene)
-    asked = [names] if isinstance(names, str) else list(names) if names is not None else None
-    values = asked_of_drive(scene, phi, s)
-    values = values if values is None else np.atleast_1d(finite(values, "s" if phi is None else "phi"))
+    one = isinstance(names, str) or not isinstance(names, Iterable)
+    asked = None if names is None else [str(names)] if one else list(names)
+    values = places_of(scene, phi, s)
+    values = values if values is None else np.atleast_1d(values)
     swept = {name: np.atleast_1d(finite(v, name)) for name, v in parameters.items()}
     tables = []
     for numbers in product(*swept.values()):
@@ -111,12 +107,12 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
 
 def _place(scene: Scene, phi: Any, s: Any) -> float | None:
     """The one place of the drive that is asked for."""
-    at = asked_of_drive(scene, phi, s)
-    return None if at is None else float(finite(at, "s" if phi is None else "phi", several=False))
+    at: float | None = places_of(scene, phi, s, several=False)
+    return at
 
 
 def check(
-    scene: Scene | Linkage,
+    scene: AnyScene,
     drawing: str | Path,
     plan: str,
     phi: float | None = None,
@@ -145,7 +141,7 @@ def check(
 
 
 def sheet(
-    scene: Scene | Linkage,
+    scene: AnyScene,
     output: str | Path | None = None,
     phi: float | None = None,
     *,
@@ -169,7 +165,7 @@ def sheet(
 
 
 def lesson(
-    scene: Scene | Linkage, output: str | Path | None = None, lang: Lang | None = None, centres: bool = False
+    scene: AnyScene, output: str | Path | None = None, lang: Lang | None = None, centres: bool = False
 ) -> Lesson:
     """The construction step by step as a web page, with a chapter on instantaneous ``centres`` if wanted; written to
     ``output`` if it is given. A notebook shows it."""
@@ -179,7 +175,7 @@ def lesson(
     return page
 
 
-def extremes(scene: Scene | Linkage) -> "Extremes":
+def extremes(scene: AnyScene) -> "Extremes":
     """Stroke, dead points, time ratio, and the extremes of every curve over the cycle.
 
     A dict of the shape ``planes cycle --json`` prints, its numbers at full precision; printed, it is the tables of
@@ -209,7 +205,7 @@ def extremes(scene: Scene | Linkage) -> "Extremes":
 
 
 def animate(
-    scene: Scene | Linkage,
+    scene: AnyScene,
     output: str | Path,
     *,
     frames: int = animation.FRAMES,

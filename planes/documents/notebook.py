@@ -16,6 +16,7 @@ from planes.plans import structure_of
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position, told
+from planes.solving.of_scene import read
 from planes.words import Lang, Phrase, decimal, home_lang, say
 from planes.words.errors import PlanesError, SceneError
 from planes.words.units import number, quantity
@@ -115,7 +116,7 @@ export default { render({ model, el }) {
 """
 
 
-def crank(scene: Scene, views: Sequence[str] = ("position", "velocity-plan"), lang: Lang | None = None) -> AnyWidget:
+def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"), lang: Lang | None = None) -> AnyWidget:
     """A crank to turn in a notebook: a slider for the drive, the views named redrawn at each place of it.
 
     ``value`` of what is returned is the drive's place (degrees; m of a sliding driver) and may be set or observed;
@@ -126,6 +127,7 @@ def crank(scene: Scene, views: Sequence[str] = ("position", "velocity-plan"), la
         import traitlets
     except ImportError:
         raise PlanesError(Phrase("needs_anywidget")) from None
+    scene = read(scene)
     plans, wanted = plans_of(scene)
     if scene.mechanism is None:
         raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))

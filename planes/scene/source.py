@@ -94,7 +94,7 @@ def read(path: str | Path) -> str:
         raise
     except FileNotFoundError:
         raise SceneError(Phrase("no_file"), name) from None
-    except (OSError, ValueError) as error:
+    except (OSError, TypeError, ValueError) as error:
         key = _REASONS.get(getattr(error, "errno", None))
         reason = Phrase(key) if key else getattr(error, "strerror", None) or str(error)
         raise SceneError(Phrase("unreadable_file", reason=reason), name) from None

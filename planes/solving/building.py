@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any, Self
 
@@ -72,12 +72,14 @@ class Linkage:
         angle: Number | None = None,
         centre: Place | None = None,
         radius: Number | None = None,
+        **more: object,
     ) -> Self:
         """Add a guide of the frame, or, in its axes, of a ``link`` that was added before.
 
         ``x`` is a vertical guide through (x, 0) that points to +y, ``y`` a horizontal one that points to +x;
         ``through`` a point or its name at an ``angle`` in degrees; ``centre`` and ``radius`` an arc.
         """
+        _refuse(self.guide, more)
         links = self.parts["links"]
         if link is not None and str(link) not in links:
             words = {"what": Phrase("guide_named", name=name), "of": Phrase("links_all"), "name": shown(str(link))}
@@ -128,9 +130,11 @@ class Linkage:
         velocity: Number | None = None,
         acceleration: Number | None = None,
         on: int | str | None = None,
+        **more: object,
     ) -> Self:
         """Set the driver: a crank at ``phi`` degrees, ``omega`` rad/s, ``epsilon`` rad/s², or a slider at ``s`` m,
         ``velocity`` m/s, ``acceleration`` m/s²; ``on`` a moving link, if it does not hang on the frame."""
+        _refuse(self.drive, more)
         turning = _given(phi=phi, omega=omega, epsilon=epsilon, on=on)
         sliding = _given(s=s, velocity=velocity, acceleration=acceleration)
         self.parts["drive"] = {"link": str(link), **turning, **sliding}
@@ -146,6 +150,7 @@ class Linkage:
         against: str | None = None,
         along: str | None = None,
         direction: Any = None,
+        **more: object,
     ) -> Self:
         """Add a ``force`` (N) at a point of a link, or a ``moment`` (N·m, counter-clockwise positive).
 
@@ -153,6 +158,7 @@ class Linkage:
         ``{"link": 3, "angle": 90}`` to turn with a link.
         A size may be a law of the motion: ``"3000*sin(phi)"``, ``{"working": 6000, "idle": 200}``.
         """
+        _refuse(self.load, more)
         said = _given(point=point, force=force, moment=moment, against=against, along=along, direction=direction)
         self.parts["loads"].append({"link": str(link), **said})
         return self
@@ -199,3 +205,10 @@ def doubted(scene: Scene) -> Scene:
 def _given(**parts: Any) -> dict[str, Any]:
     """What is given of a part."""
     return {key: value for key, value in parts.items() if value is not None}
+
+
+def _refuse(call: Callable[..., object], more: Mapping[str, object]) -> None:
+    """Refuse keywords that a call does not have."""
+    for word in more:
+        known = [name for name in call.__annotations__ if name not in ("more", "return")]
+        raise PlanesError(Phrase("call_keyword", call=call.__name__, word=word, valid=choices(word, known)))

@@ -119,7 +119,7 @@ def test_what_fails_says_so() -> None:
     with pytest.raises(planes.PlanesError):
         planes.solve(scene, phi=90)
     assert len(planes.solve(scene, [90, 150]).failed) == 1
-    with pytest.raises(planes.PlanesError, match="--s"):
+    with pytest.raises(planes.PlanesError, match=r"^s does not fit .*: its driver is given by phi$"):
         planes.solve(scene, s=0.1)
 
 
@@ -267,6 +267,33 @@ def test_a_name_that_is_none_is_refused_with_what_is_meant_and_where_all_names_a
     only = planes.solve(planes.loads(FOUR_BAR.read_text("utf-8") + "\nfind: [omega_2]\n"))
     with pytest.raises(planes.PlanesError, match=r"^find: of the scene does not ask for M_1; add it there"):
         only.value("M_1")
+
+
+VERBS = ("animate", "check", "crank", "cycle", "extremes", "lesson", "picture", "sheet", "solve")
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_a_path_is_a_scene_and_what_is_none_is_refused(verb: str, tmp_path: Path) -> None:
+    more = {"animate": (tmp_path / "x.svg",), "check": (tmp_path / "x.svg", "velocity")}.get(verb, ())
+    for wrong in (3, None, planes.solve(planes.load(FOUR_BAR)) if verb != "picture" else []):
+        with pytest.raises(
+            planes.PlanesError, match=r'a scene is needed, not .*: planes.load\("scene.yaml"\) gives one'
+        ):
+            getattr(planes, verb)(wrong, *more)
+    if verb not in ("animate", "check"):
+        assert getattr(planes, verb)(str(FOUR_BAR))
+    with pytest.raises(planes.PlanesError, match="no such file"):
+        getattr(planes, verb)(tmp_path / "none.yaml", *more)
+
+
+def test_a_parameter_that_is_no_number_and_a_file_that_is_none_are_sentences() -> None:
+    for wrong in ("abc", None, float("nan"), [0.1]):
+        for ask in (planes.load(FOUR_BAR).with_parameters, lambda **given: planes.load(FOUR_BAR, **given)):
+            with pytest.raises(planes.PlanesError, match=r"^l_AB must be one finite number, not "):
+                ask(l_AB=wrong)  # type: ignore[arg-type]
+    for none in (3, None, 0.5):
+        with pytest.raises(planes.PlanesError, match="the file cannot be read|no such file"):
+            planes.load(none)  # type: ignore[arg-type]
 
 
 def test_the_face_takes_what_one_types() -> None:

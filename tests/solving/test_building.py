@@ -146,6 +146,15 @@ def test_a_misspelt_word_is_no_point_and_a_link_is_given_once(word: str, near: s
         Linkage("x").link(1, O=0).link("1", A=0)
 
 
+@pytest.mark.parametrize(
+    ("call", "word", "near"),
+    [("load", "forse", "force"), ("drive", "angle", ""), ("drive", "omga", "omega"), ("guide", "angel", "angle")],
+)
+def test_a_misspelt_keyword_of_any_call_is_a_sentence(call: str, word: str, near: str) -> None:
+    with pytest.raises(planes.PlanesError, match=rf"^{call}\(\) has no {word}; valid: .*{near}"):
+        getattr(Linkage("x").link(1, O=0), call)(1, **{word: 3})
+
+
 def test_a_room_is_reached_through_the_verb_of_its_name() -> None:
     import planes.check.reading as reading
     import planes.lesson.practice as practice
