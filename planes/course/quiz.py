@@ -26,6 +26,9 @@ PUPIL = Pencil(skill.HAND.point_mm, skill.HAND.ray_deg, skill.RULER_MM)
 """A pupil's pencil: by it answers are allowed to be off."""
 SIGMAS, LEAST = 2.0, 0.03
 """What is let pass: two standard deviations of that pencil, or this part of the value."""
+_PLANS = {"v": "velocity", "omega": "velocity", "a": "acceleration", "epsilon": "acceleration"}
+_PLANS |= {"M": "force", "Fb": "force"}
+"""The plans that main answers are found by."""
 _SPELT = {letter: name for name, letter in GREEK.items()}
 
 
@@ -89,14 +92,17 @@ class Quiz:
         return cls(**{**held, **lists, "picture": base64.b64decode(held["picture"])})
 
 
-def questions(scene: Scene, lang: Lang) -> tuple[QuizItem, ...]:
-    """The main answers of a scene, each with what a pupil's pencil makes of it."""
+def questions(scene: Scene, lang: Lang, plans: Sequence[str] = ()) -> tuple[QuizItem, ...]:
+    """The main answers of a scene, of a mechanism those of some ``plans`` (all, if none is named), each with what a
+    pupil's pencil makes of it."""
     exact, drawn = solve(scene, lang=lang), solve(scene, None, PUPIL, lang)
     if not exact.positions or not drawn.positions:
         raise PlanesError(Phrase("quiz_not_drawn", why=(exact.failed or drawn.failed)[0]["error"]))
     add_errors(drawn, PUPIL)
     errors = drawn.positions[0].results["errors"]
     answers = main_answers(scene, exact.json())
+    if plans and scene.mechanism:
+        answers = {key: value for key, value in answers.items() if _PLANS.get(letter_of(key[0])) in plans}
     return tuple(_question(name, unit, value, errors) for (name, unit), value in answers.items())
 
 

@@ -47,8 +47,8 @@ _ONE = threading.Lock()  # a worker may have several threads; the libraries that
 
 @frozen
 class Order:
-    """What is to be made of a student's scene: the names of ``files``, what stands above them, plans of blanks; whose
-    it is: assignment, variant, student, as blanks say it."""
+    """What is to be made of a student's scene: the names of ``files``, their heads, the plans asked for; whose it is:
+    assignment, variant, student, as blanks say it."""
 
     scene: str
     heads: tuple[str, ...]
@@ -136,7 +136,8 @@ class Desk:
         made = list[bytes]()
         for size in FIGURE_MM:
             shown = self.shown({**FIT_MM, "position": size}, size < FIGURE_MM[0])
-            made.append(self.set(task(self.scene, self.drawn, shown, self.order.heads, self.order.lang)))
+            sheet = task(self.scene, self.drawn, shown, self.order.heads, self.order.lang, self.order.plans)
+            made.append(self.set(sheet))
             if not self.drawn.plans.moves or len(PdfDocument(made[-1])) == 1:
                 return made[-1]
         return made[0]
@@ -197,7 +198,7 @@ class Desk:
 
     def quiz(self) -> bytes:
         """What platforms ask, with the scheme in another position as a picture."""
-        asked = questions(self.scene, self.order.lang)
+        asked = questions(self.scene, self.order.lang, self.order.plans)
         held = replace(self.told, questions=asked, picture=self.asked_of().rendered(".png"))
         return (json.dumps(held.json(), ensure_ascii=False, indent=1) + "\n").encode()
 

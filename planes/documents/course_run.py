@@ -22,6 +22,7 @@ from planes.documents.course import Made, Order, due, make, names_of
 from planes.lesson.note import student_said
 from planes.scene import loads
 from planes.words import Lang, Phrase
+from planes.words.names import kind_of
 from planes.words.naming import Naming
 from render.report import rendered
 
@@ -70,7 +71,7 @@ class Conductor:
         files = [(s, n) for s, order in orders.items() for n in order.files]
         kept = {(s.place, n): self.ledger.entries.get(self.place(s, n), Entry()) for s, n in files}
         self.report.faults.sort()
-        self.report.said = sorted((*where, text) for where, entry in kept.items() for text in entry.said)
+        self.report.said += sorted((*where, text) for where, entry in kept.items() for text in entry.said)
         places = [share.place for share in orders]
         self.report.said += [("teacher", "quiz", text) for text in unasked(self.ledger.folder, places, self.lang)]
         return self.report
@@ -82,17 +83,22 @@ class Conductor:
     # numbers
 
     def settle(self) -> dict[Share, Settled]:
-        """Everybody's numbers, no two alike in one assignment."""
+        """Everybody's numbers, no two of which give the same plans of one assignment, if they are drawn."""
         asked = {s: question(self.course, s, self.lang) for s in self.given}
         settled: dict[Share, Settled] = {}
         todo = list(self.given)
         for _ in range(COPIES):
             settled |= self.answered({s: asked[s] for s in todo})
-            todo = list(alike(self.given, settled))
+            pairs = dict(alike(self.given, settled, self.course.plans))
+            todo = [share for share in pairs if share.variant is None]
             if not todo:
                 break
             asked |= {s: replace(asked[s], copy=asked[s].copy + 1) for s in todo}
         settled |= dict.fromkeys(todo, Settled(fault=Phrase("course_too_few").told(self.lang)))
+        for share, other in pairs.items():
+            if share.variant and share.variant != other.variant:
+                text = Phrase("course_same_plans", other=other.student.name).told(self.lang)
+                self.report.said.append((share.place, "", text))
         for share in self.given:
             self.kept_or_written(share, asked[share], settled[share])
         return settled
@@ -206,16 +212,18 @@ def order_of(order: Order, name: str) -> str:
     return made_of(replace(order, files=()), name)
 
 
-def alike(given: Sequence[Share], settled: dict[Share, Settled]) -> Iterator[Share]:
-    """Who drew the numbers somebody before has."""
-    seen = set()
+def alike(given: Sequence[Share], settled: dict[Share, Settled], plans: Sequence[str]) -> Iterator[tuple[Share, Share]]:
+    """Who has the plans that are asked as somebody before has them, and who that is."""
+    seen = dict[str, Share]()
     for share in sorted(given, key=lambda s: s.variant is None):  # given variants stay what they are
         if (answer := settled[share]).fault:
             continue
-        numbers = json.dumps([share.assignment.name, *loads(answer.scene, SCENE).parameters.items()])
-        if numbers in seen and share.variant is None:
-            yield share
-        seen.add(numbers)
+        key = json.loads(answer.key)
+        drawn = key.get("positions", [key])[0].get("plans", {})
+        asked = [plan["segments"] for name, plan in drawn.items() if kind_of(name) in plans]
+        numbers = json.dumps([share.assignment.name, asked or [*loads(answer.scene, SCENE).parameters.items()]])
+        if (other := seen.setdefault(numbers, share)) is not share:
+            yield share, other
 
 
 def conduct(

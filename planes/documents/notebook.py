@@ -13,10 +13,9 @@ from planes.check.outcome import Outcome
 from planes.check.report import heads, numbers_of, rows_of
 from planes.documents.drawn import picture, shown
 from planes.plans import structure_of
-from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position, told
-from planes.solving.of_scene import read
+from planes.solving.of_scene import AnyScene, read
 from planes.words import Lang, Phrase, decimal, home_lang, say
 from planes.words.errors import PlanesError, SceneError
 from planes.words.units import number, quantity
@@ -127,11 +126,11 @@ def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"),
         import traitlets
     except ImportError:
         raise PlanesError(Phrase("needs_anywidget")) from None
-    scene = read(scene)
-    plans, wanted = plans_of(scene)
-    if scene.mechanism is None:
-        raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
-    drive, said = scene_plans(scene).mechanism.drive, lang or home_lang()
+    own = read(scene)
+    plans, wanted = plans_of(own)
+    if own.mechanism is None:
+        raise SceneError(Phrase("vectors_alone"), own.file, own.where.get(("vectors",), 1))
+    drive, said = plans.mechanism.drive, lang or home_lang()
     turns = drive.kind == "phi"
     reach = (0.0, 360.0, 1.0) if turns else (drive.position - 1.0, drive.position + 1.0, 0.01)
 
@@ -154,7 +153,7 @@ def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"),
         def draw(self) -> None:
             """The views at the drive's place, or why there are none."""
             try:
-                self.position = position(scene, plans, wanted, self.value, None, said)
+                self.position = position(own, plans, wanted, self.value, None, said)
                 pages = [picture(self.position, view, said) for view in views]
                 self.svg, self.failure = "".join(page._repr_svg_() for page in pages), ""
             except PlanesError as failure:
