@@ -31,7 +31,7 @@ SHOWN = 6  # columns named in the short form
 
 
 class Table(Described, Mapping[str, Array | Complexes]):
-    """Columns by name, each an array of shape (positions,), with their ``units``.
+    """Columns by name, each an array of shape (positions,), with their ``units``; ``len`` counts the columns.
 
     A vector ``v_C`` is complex, x + iy; its components are ``v_C_x`` and ``v_C_y``. Where a position cannot be drawn,
     the numbers are NaN and ``failed`` gives the mark and the reason in short, "C: arcs apart"; elsewhere it is "".
@@ -70,7 +70,7 @@ class Table(Described, Mapping[str, Array | Complexes]):
         more = ", …" if len(names) > SHOWN else ""
         lost = int(np.count_nonzero(self.failed != ""))
         failed = f", {lost} of them failed" if lost else ""
-        return f"<Table of {len(self.failed)} positions{failed}: {', '.join(names[:SHOWN])}{more}>"
+        return f"<Table of {len(self)} columns, {len(self.failed)} positions{failed}: {', '.join(names[:SHOWN])}{more}>"
 
     def to_pandas(self) -> DataFrame:
         """The columns as a ``pandas.DataFrame``, the reasons last. Needs pandas: ``pip install pandas``."""

@@ -155,9 +155,9 @@ class ClassWork:
         return ", ".join(f"{name} ({', '.join(scenes)})" if several else name for name, scenes in names.items())
 
     def csv(self) -> str:
-        """The table for a spreadsheet, begun so that it knows the letters."""
+        """The table for a spreadsheet."""
         head, rows = self.table()
-        return f"\ufeff{as_csv([head, *rows])}"
+        return as_csv([head, *rows])
 
     def page(self) -> str:
         """The page, what needs a look at the top."""

@@ -16,7 +16,7 @@ from planes.plans.statements.of_scene import cut_to, fitted, scene_plans
 from planes.scene import Scene
 from planes.solving.nearest import Nearest
 from planes.solving.own_equations import own_equations
-from planes.solving.readings import KINDS, Readings, known
+from planes.solving.readings import KINDS, LOADS, Readings, known
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Written
@@ -86,7 +86,9 @@ class Position(Pictured, Tabulated):
         return rows
 
     def number(self, group: str) -> float | None:
-        """The balancing load, if it was asked for."""
+        """The balancing load, if it was asked for: "balancing_moment" or, by the lever, "zhukovsky_moment" (N·m);
+        "balancing_force" or "zhukovsky_force" (N). :class:`UnknownName` for another group."""
+        known(group, LOADS)
         return next((f.number for f in self.found if f.quantity.group == group), None)
 
     def measured_on(self, plan: str) -> Iterator[tuple[str, Segment, Json]]:

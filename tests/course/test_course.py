@@ -63,9 +63,10 @@ def test_names_and_scenes_alone_make_a_course(folder: Make) -> None:
     assert course.documents == ("task", "blank", "key", "sheets", "lesson") and course.sharpness_deg == 15
 
 
-def test_a_table_of_students(folder: Make) -> None:
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1251"])
+def test_a_table_of_students(folder: Make, encoding: str) -> None:
     at = folder(students="", scenes=("03", "12"))
-    (at / "students.csv").write_text("№;ФИО;Группа;Задание;Вариант\n1;Иванов;М-1;3;Б\n2;Петров;;;\n", "utf-8-sig")
+    (at / "students.csv").write_text("№;ФИО;Группа;Задание;Вариант\n1;Иванов;М-1;3;Б\n2;Петров;;;\n", encoding)
     first, second = read_course(at).students
     assert (first.name, first.group, first.assignment, first.variant) == ("Иванов", "М-1", "3", "Б")
     assert (second.name, second.group, second.assignment, second.variant) == ("Петров", "", None, None)

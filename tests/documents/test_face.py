@@ -7,6 +7,7 @@ import doctest
 import importlib
 import json
 import pickle
+import pydoc
 import re
 import subprocess
 import sys
@@ -322,3 +323,19 @@ def test_extremes_print_as_the_tables_of_a_cycle_and_tell_their_shape(capsys: py
     told = str(type(planes.extremes).__doc__) + str(planes.extremes.__doc__)
     for key in (*list(found)[4:], *found["driven"], "unit", "group", "extremes", "at", "value", "kind"):
         assert re.search(rf'[`"]{key}[`"]', told), key
+
+
+def test_help_shows_what_a_person_can_read() -> None:
+    for name in planes.__all__:
+        told = pydoc.render_doc(getattr(planes, name), renderer=pydoc.plaintext)
+        assert not re.search(r" at 0x|_Verb|_none", told), name
+        assert name in told.splitlines()[0]
+
+
+def test_a_group_of_loads_that_is_nothing_is_answered_by_those_there_are() -> None:
+    here = planes.solve(planes.load(FOUR_BAR))
+    assert here.number("balancing_moment") == here.value("M_1") and here.number("balancing_force") is None
+    with pytest.raises(KeyError, match=r"there is no moment here; valid: balancing_moment, .*zhukovsky_force"):
+        here.number("moment")
+    table = planes.cycle(planes.load(FOUR_BAR), "v_C", phi=[0, 10])
+    assert repr(table).startswith(f"<Table of {len(table)} columns, 2 positions: ")
