@@ -1,16 +1,14 @@
-"""A scene written back as the file that says it: the same mechanism when it is read again."""
+"""A scene written as the text of a file."""
 
 import math
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
 import yaml
 
-from planes.scene.mechanism import FRAME, RATES, Amount, Drive, Guide, Link, Load, LoadLaw, Mechanism, Slide, StrokeLoad
 from planes.scene.paths import entries_of
 from planes.scene.source import Node, SourceScalar, SourceTable, parse
-from planes.words.records import Json
 
 
 class _Lines(yaml.SafeDumper):
@@ -18,14 +16,6 @@ class _Lines(yaml.SafeDumper):
 
 
 _Lines.add_representer(complex, lambda dumper, z: dumper.represent_sequence("tag:yaml.org,2002:seq", [z.real, z.imag]))
-
-
-def as_yaml(mechanism: Mechanism, title: str) -> str:
-    """The text of a scene file: numbers in full, no expressions; parts that say nothing are left out."""
-    parts: Json = {"planes": 1, "title": title, **dict(_mechanism(mechanism))}
-    if mechanism.frame_number != FRAME:
-        parts["frame"]["number"] = mechanism.frame_number
-    return written({key: value for key, value in parts.items() if _said(value)})
 
 
 def written(parts: Mapping[str, object]) -> str:
@@ -66,22 +56,6 @@ def _dumped(key: str, value: object) -> str:
     return text
 
 
-def _said(value: object) -> bool:
-    empty = isinstance(value, dict) and all(one == "" for one in value.values())
-    return value is not None and value != [] and not empty
-
-
-def _mechanism(m: Mechanism) -> Iterator[tuple[str, object]]:
-    yield "frame", _link(m.frame)
-    yield "links", {name: _link(link) for name, link in m.links.items()}
-    yield "assembly", {name: a.order or {"near": a.near} for name, a in m.assembly.items()}
-    yield "drive", _drive(m.drive)
-    yield "loads", [_load(load) for load in m.loads]
-    yield "gravity", m.gravity
-    pins = {name: {"coefficient": j.coefficient, "radius": j.radius} for name, j in m.journals.items()}
-    yield "friction", {**m.friction, **pins, **{name: j.coefficient for name, j in m.journals.items() if j.round}}
-
-
 def _as_written(node: Any) -> object:
     """A part of the scene as it was written; of anything else plain tables, lists, texts and numbers, whichever
     library they come from."""
@@ -104,60 +78,3 @@ def _scalar(node: SourceScalar) -> object:
         with suppress(ValueError):
             return kind(node.text)
     return None if node.absent else node.text
-
-
-def _link(link: Link) -> Json:
-    on_axis, slides = link.name != "0", link.slides or link.slides_round
-    points = dict(list(link.points.items())[:-1]) if link.slides_round else link.points  # the last is the centre
-    round_guides = {g.name: {"centre": g.centre, "radius": g.radius} for g in link.round_guides.values()}
-    said = {
-        "points": {name: z.real if on_axis and not z.imag else z for name, z in points.items()},
-        "guides": {name: _guide(guide) for name, guide in link.guides.items()} | round_guides,
-        "slides": None if slides is None else _slide(slides),
-        "centre": link.centre,
-        "mass": link.mass,
-        "inertia": link.inertia,
-    }
-    return {key: value for key, value in said.items() if _said(value)}
-
-
-def _guide(guide: Guide) -> Json:
-    if guide.origin_given:
-        form: Json = {"through": guide.through_point or guide.through, "angle": guide.angle_deg}
-    else:
-        form = {"x": guide.through.real} if guide.angle_deg == 90.0 else {"y": guide.through.imag}
-    return form | ({"mark": guide.mark} if guide.mark else {})
-
-
-def _slide(slide: Slide) -> Json | str:
-    more = {"angle": slide.angle_deg, "offset": slide.offset, "length": slide.length}
-    given = {key: value for key, value in more.items() if value is not None}
-    return {"guide": slide.guide, **given} if given else slide.guide
-
-
-def _drive(drive: Drive) -> Json:
-    names = drive.kind, *RATES[drive.kind]
-    on = {} if drive.on == FRAME else {"on": drive.on}
-    values = drive.position, drive.velocity, drive.acceleration
-    balance = {"balance": dict(zip(("point", "angle"), drive.balance, strict=True))} if drive.balance else {}
-    return {"link": drive.link, **on, **dict(zip(names, values, strict=True)), **balance}
-
-
-def _load(load: Load) -> Json:
-    said: Json = {"link": load.link, "point": load.point, load.kind: _amount(load.value)}
-    if load.sense:
-        said[load.sense] = "motion"
-    elif load.direction_deg is not None:
-        angle = _amount(load.direction_deg)
-        said["direction"] = {"link": load.direction_link, "angle": angle} if load.direction_link else angle
-    return {key: value for key, value in said.items() if value is not None}
-
-
-def _amount(value: Amount | StrokeLoad) -> object:
-    """A number of a load, or the law it follows."""
-    if isinstance(value, StrokeLoad):
-        both = {"working": _amount(value.working), "idle": _amount(value.idle)}
-        return {**both, "stroke": value.stroke, "slider": value.slider}
-    if isinstance(value, LoadLaw):
-        return {"over": value.text, "table": [list(pair) for pair in value.table]} if value.table else value.text
-    return value

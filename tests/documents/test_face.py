@@ -133,7 +133,12 @@ def test_a_mechanism_built_in_python() -> None:
     )
     scene = planes.Scene.of(built, "four-bar")
     assert abs(planes.solve(scene).v["B"]) == pytest.approx(1.0)
-    assert planes.loads(scene.to_yaml()).mechanism == scene.mechanism
+    assert planes.picture(scene) and planes.cycle(scene, "v_C", phi=[60, 70])["v_C"].shape == (2,)
+    for ask in (scene.to_yaml, scene.with_parameters):
+        with pytest.raises(
+            planes.PlanesError, match=r"^<four-bar>: the scene was made from a mechanism and has no text"
+        ):
+            ask()
     with pytest.raises(planes.PlanesError, match="two ways"):
         planes.solve(planes.Scene.of(replace(built, assembly={})))
 

@@ -2,7 +2,7 @@
 dimensions are changed, or are taken as they are written.
 """
 
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple, Protocol
 
 from planes.drafting.dimensions import Dimension
@@ -60,6 +60,10 @@ class SceneDimensions:
         return self.taken((slides.offset if slides else None) or 0.0)
 
 
+# "own" is the place of a point on its link; "guided" the direction of a guide there, degrees; "leaning" how far the axes
+# of a slider are turned from its guide, "aside" how far to the left of it its first point lies; "along" how far from one
+# point to another it goes in a direction, "height" how far a point lies to the left of the line through another in it;
+# "ratio" (p - q) / (r - q): how a point stands to two others.
 _WAYS: Mapping[str, Callable[..., Any]] = {
     "-": lambda shape, ar, way: -anew(way, shape, ar),
     "difference": lambda shape, ar, one, two: anew(one, shape, ar) - anew(two, shape, ar),
@@ -94,51 +98,13 @@ def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
     return Dimension(a.value - b.value, ("difference", a.of, b.of))
 
 
-def _reckoned(shape: SceneDimensions, *what: Hashable) -> Dimension:
-    return Dimension(anew(what, shape, ARITHMETIC), what)
-
-
-def own(shape: SceneDimensions, p: OwnPlace) -> Dimension:
-    """The place of a point on its link."""
-    return _reckoned(shape, "own", p)
-
-
-def guided(shape: SceneDimensions, guide: str) -> Dimension:
-    """The direction of a guide on its link, degrees."""
-    return _reckoned(shape, "guided", guide)
-
-
-def leaning(shape: SceneDimensions, slider: str) -> Dimension:
-    """How far the axes of a slider are turned from its guide, degrees."""
-    return _reckoned(shape, "leaning", slider)
-
-
-def aside(shape: SceneDimensions, slider: str) -> Dimension:
-    """How far to the left of its guide a slider's first point lies."""
-    return _reckoned(shape, "aside", slider)
-
-
-def distance(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
-    """The distance of two points."""
-    return _reckoned(shape, "distance", p, q)
+def reckoned(shape: SceneDimensions, way: str, *what: OwnPlace | str | Dimension) -> Dimension:
+    """A dimension by its way, one of those above, and what that is of."""
+    how = (way, *(one.of if isinstance(one, Dimension) else one for one in what))
+    return Dimension(anew(how, shape, ARITHMETIC), how)
 
 
 def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The direction from one point to another, degrees."""
-    angle = _reckoned(shape, "angle", p, q)
+    angle = reckoned(shape, "angle", p, q)
     return angle._replace(value=angle.value or 0.0)
-
-
-def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
-    """How far from one point to another it goes in a direction."""
-    return _reckoned(shape, "along", p, q, way.of)
-
-
-def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dimension:
-    """(p - q) / (r - q): how a point stands to two others."""
-    return _reckoned(shape, "ratio", p, q, r)
-
-
-def height(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
-    """How far a point lies to the left of the line through another in a direction."""
-    return _reckoned(shape, "height", p, q, way.of)
