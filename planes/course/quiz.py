@@ -27,8 +27,7 @@ PUPIL = Pencil(skill.HAND.point_mm, skill.HAND.ray_deg, skill.RULER_MM)
 SIGMAS, LEAST = 2.0, 0.03
 """What is let pass: two standard deviations of that pencil, or this part of the value."""
 _PLANS = {"v": "velocity", "omega": "velocity", "a": "acceleration", "epsilon": "acceleration"}
-_PLANS |= {"M": "force", "Fb": "force"}
-"""The plans that main answers are found by."""
+"""The plans that main answers are found by; others are loads."""
 _SPELT = {letter: name for name, letter in GREEK.items()}
 
 
@@ -102,7 +101,7 @@ def questions(scene: Scene, lang: Lang, plans: Sequence[str] = ()) -> tuple[Quiz
     errors = drawn.positions[0].results["errors"]
     answers = main_answers(scene, exact.json())
     if plans and scene.mechanism:
-        answers = {key: value for key, value in answers.items() if _PLANS.get(letter_of(key[0])) in plans}
+        answers = {key: value for key, value in answers.items() if _PLANS.get(letter_of(key[0]), "force") in plans}
     return tuple(_question(name, unit, value, errors) for (name, unit), value in answers.items())
 
 
@@ -114,16 +113,13 @@ def _question(name: str, unit: str, value: float, errors: Json) -> QuizItem:
 
 def error_of(name: str, errors: Json) -> float:
     """One standard deviation of a main answer."""
-    if name in errors.get("vectors", {}):
-        return math.hypot(*(x or 0.0 for x in errors["vectors"][name]))
-    if name in errors.get("values", {}):
-        return float(errors["values"][name] or 0.0)
     letter, index, _ = parts_of(name)
-    if letter in ("omega", "epsilon"):
-        return float(errors["links"][index][letter] or 0.0)
-    if letter in ("v", "a"):
-        return math.hypot(*(x or 0.0 for x in errors["points"][index][letter]))
-    return float(errors.get("balancing_moment") or errors.get("balancing_force") or 0.0)
+    stated = {**errors.get("vectors", {}), **errors.get("values", {})}
+    if name in stated or letter not in _PLANS:
+        found = stated.get(name, errors.get("balancing_moment", errors.get("balancing_force")))
+    else:
+        found = errors["points" if letter in ("v", "a") else "links"][index][letter]
+    return math.hypot(*(x or 0.0 for x in (found if isinstance(found, list) else [found])))
 
 
 WIDE = 0.5  # of a value: a tolerance in which half of it, and its double, would pass, asks nothing

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from planes.batch.cycle import Cycle
 from planes.batch.table import SWEPT, Table
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked
@@ -20,8 +19,8 @@ from planes.documents import animation
 from planes.documents.drawn import picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
-from planes.plans.curves import Curve, meant
-from planes.plans.quantities import Quantity
+from planes.plans.curves import meant
+from planes.plans.quantities import results_of
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.parameters import finite
@@ -75,34 +74,18 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
     """The results of one set of parameters."""
     plans = scene_plans(scene)
     drive = plans.mechanism.drive
-    asked = [meant(plans, name) for name in map(str, names or ()) if name != drive.kind]
-    quantities, curves = [q for q in asked if isinstance(q, Quantity)], [c for c in asked if isinstance(c, Curve)]
-    run = Cycle(plans, None if names is None else [q.name for q in quantities])
+    names = [q.name for q in results_of(plans)] if names is None else [n for n in map(str, names) if n != drive.kind]
+    curves = list({c.name: c for name in names for c in meant(plans, name)}.values())
     if values is None:
         values = np.arange(360.0) if drive.kind == "phi" else np.array([drive.position])
-    table, codes = run.table(values, bare=False)
+    turn = WholeTurn(plans, curves, slopes=False)
+    (block,) = turn.blocks(values, len(values))
     columns = {name: np.full(len(values), number) for name, number in given.items()} | {drive.kind: values}
     units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.kind == "phi" else "m"}
-    columns |= {c.name: row for c, row in zip(run.columns, table, strict=True)}
-    units |= {c.name: c.unit for c in run.columns}
-    first = {q.path: q.columns for q in reversed(quantities)}
-    for q in (q for q in quantities if len(q.columns) == 1):  # by the name it is asked by
-        columns.setdefault(q.name, columns[first[q.path][0].name])
-        units.setdefault(q.name, q.columns[0].unit)
-    for q in (q for q in quantities if q.reversed):
-        columns |= {f"{q.name}_{part}": -columns[f"{q.of}_{part}"] for part in "xy"}
-        units |= {f"{q.name}_{part}": "N" for part in "xy"}
-    reasons = np.array(["", *(r.named for r in run.reasons)], dtype=object)
-    failed = reasons[codes]
-    curves = [c for c in curves if c.name not in columns]
-    if curves:
-        turn = WholeTurn(plans, curves, slopes=False)
-        (block,) = turn.blocks(values, len(values))
-        columns |= {c.name: row for c, row in zip(curves, block.table, strict=True)}
-        units |= {c.name: c.unit for c in curves}
-        reasons = np.array(["", *(r.named for r in turn.reasons)], dtype=object)
-        failed = np.where(failed == "", reasons[block.codes], failed)
-    return Table(columns, units, failed, plans.naming)
+    columns |= {c.name: row for c, row in zip(curves, block.table, strict=True)}
+    units |= {c.name: c.unit for c in curves}
+    reasons = np.array(["", *(r.named for r in turn.reasons)], dtype=object)
+    return Table(columns, units, reasons[block.codes], plans.naming)
 
 
 def _place(scene: Scene, phi: Any, s: Any) -> float | None:

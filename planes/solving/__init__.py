@@ -1,5 +1,6 @@
 """Solve a scene for one or many values of its drive: what ``planes solve`` prints, as plain dictionaries."""
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -10,7 +11,7 @@ from planes.drafting.drawing import Drawing, proved, run
 from planes.drafting.instruments import Instrument, Pencil, is_exact
 from planes.plans import Plans
 from planes.plans.measuring import DrawingReader, polar
-from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, results_of, told_of
+from planes.plans.quantities import GROUPS, Measured, Quantity, asked, nested, told_of
 from planes.plans.scales import fits_on, scales
 from planes.plans.statements.of_scene import cut_to, fitted, scene_plans
 from planes.scene import Scene
@@ -110,17 +111,16 @@ class Position(Pictured, Tabulated):
         """A quantity by its name in ``find:``, or a curve of :func:`planes.extremes`: a number in SI, complex for a
         vector; analogues of acceleration are those of an exact drawing. :attr:`names` are all there are; for another,
         or one that ``find:`` left out, a :class:`SceneError`."""
-        from planes.plans.curves import Curve, meant
+        from planes.plans.curves import meant
 
         if str(name) == self.plans.mechanism.drive.kind:
             return self.at
-        quantity = meant(self.plans, str(name))
+        columns = CurveColumns(self)
         try:
-            if isinstance(quantity, Curve):
-                return float(quantity.read(CurveColumns(self)))
-            return self._quantity(quantity)
+            numbers = [float(curve.read(columns)) for curve in meant(self.plans, str(name))]
         except (KeyError, ProgramError):
             raise SceneError(Phrase("not_in_find", name=name)) from None
+        return complex(*numbers[:2]) if len(numbers) > 1 else numbers[0]
 
     @property
     def names(self) -> list[str]:
@@ -128,12 +128,6 @@ class Position(Pictured, Tabulated):
         from planes.plans.curves import names_of
 
         return names_of(self.plans)
-
-    def _quantity(self, quantity: Quantity) -> float | complex:
-        same = (f for f in self.found if f.quantity.path == quantity.path)
-        measured = next(same, None) or self.reader.read(quantity)
-        vector = -measured.vector if quantity.reversed else measured.vector  # F_12 is opposite to F_21
-        return measured.number if len(measured.numbers) == 1 else vector
 
     @property
     def reader(self) -> DrawingReader:
@@ -151,18 +145,19 @@ class CurveColumns(dict[str, Any]):
     """The columns that curves are read from, each measured when it is asked for; "q:" those of a unit drive."""
 
     def __init__(self, position: Position) -> None:
-        super().__init__()
-        self.position = position
+        from planes.plans.curves import all_columns
 
-    def __missing__(self, name: str) -> float | None:
+        super().__init__()
+        self.position, self.all = position, all_columns(position.plans)
+
+    def __missing__(self, name: str) -> float:
         here, plain = self.position, name.removeprefix("q:")
-        plans, reader = here.plans, here.reader
-        column = next(c for q in results_of(plans) for c in q.columns if c.name == plain)
+        plans, reader, column = here.plans, here.reader, self.all[plain]
         if plain != name:
-            given = {**plans.given, **here.scales, **plans.at(here.at)}
-            given |= dict(zip(plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
+            unit = dict(zip(plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
+            given = {**plans.given, **here.scales, **plans.at(here.at), **unit}
             reader = DrawingReader(plans, run(plans.program.sliced(column.needs), given), here.scales)
-        return reader.column(column)
+        return math.nan if (number := reader.column(column)) is None else number
 
 
 @dataclass

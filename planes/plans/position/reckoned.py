@@ -60,10 +60,10 @@ class SceneDimensions:
         return self.taken((slides.offset if slides else None) or 0.0)
 
 
-# "own" is the place of a point on its link; "guided" the direction of a guide there, degrees; "leaning" how far the axes
-# of a slider are turned from its guide, "aside" how far to the left of it its first point lies; "along" how far from one
-# point to another it goes in a direction, "height" how far a point lies to the left of the line through another in it;
-# "ratio" (p - q) / (r - q): how a point stands to two others.
+# "own" is the place of a point on its link; "guided" the direction of a guide there, degrees; "leaning" how far the
+# axes of a slider are turned from its guide, "aside" how far to the left of it its first point lies; "along" how far
+# from one point to another it goes in a direction, "height" how far a point lies to the left of the line through
+# another in it; "ratio" (p - q) / (r - q): how a point stands to two others.
 _WAYS: Mapping[str, Callable[..., Any]] = {
     "-": lambda shape, ar, way: -anew(way, shape, ar),
     "difference": lambda shape, ar, one, two: anew(one, shape, ar) - anew(two, shape, ar),
