@@ -120,9 +120,8 @@ class Desk:
         if kind.startswith("sheet-"):
             sheet = self.sheet(int(kind[-1]))
             return sheet.rendered(f".{suffix}"), sheet.warnings
-        makers = {"task": self.task, "blank": self.blank, "key": self.key, "lesson": self.lesson}
-        makers |= {"note": self.note, "scorm": self.scorm, "quiz": self.quiz}
-        return makers[kind](), ()
+        made: bytes = getattr(self, kind)()
+        return made, ()
 
     def sheet(self, number: int) -> Sheet:
         """A sheet of the project, composed once for all its formats."""

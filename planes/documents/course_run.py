@@ -71,7 +71,7 @@ class Conductor:
         files = [(s, n) for s, order in orders.items() for n in order.files]
         kept = {(s.place, n): self.ledger.entries.get(self.place(s, n), Entry()) for s, n in files}
         self.report.faults.sort()
-        self.report.said += sorted((*where, text) for where, entry in kept.items() for text in entry.said)
+        self.report.said = sorted((*where, text) for where, entry in kept.items() for text in entry.said)
         places = [share.place for share in orders]
         self.report.said += [("teacher", "quiz", text) for text in unasked(self.ledger.folder, places, self.lang)]
         return self.report
@@ -89,16 +89,11 @@ class Conductor:
         todo = list(self.given)
         for _ in range(COPIES):
             settled |= self.answered({s: asked[s] for s in todo})
-            pairs = dict(alike(self.given, settled, self.course.plans))
-            todo = [share for share in pairs if share.variant is None]
+            todo = list(alike(self.given, settled, self.course.plans))
             if not todo:
                 break
             asked |= {s: replace(asked[s], copy=asked[s].copy + 1) for s in todo}
         settled |= dict.fromkeys(todo, Settled(fault=Phrase("course_too_few").told(self.lang)))
-        for share, other in pairs.items():
-            if share.variant and share.variant != other.variant:
-                text = Phrase("course_same_plans", other=other.student.name).told(self.lang)
-                self.report.said.append((share.place, "", text))
         for share in self.given:
             self.kept_or_written(share, asked[share], settled[share])
         return settled
@@ -212,9 +207,9 @@ def order_of(order: Order, name: str) -> str:
     return made_of(replace(order, files=()), name)
 
 
-def alike(given: Sequence[Share], settled: dict[Share, Settled], plans: Sequence[str]) -> Iterator[tuple[Share, Share]]:
-    """Who has the plans that are asked as somebody before has them, and who that is."""
-    seen = dict[str, Share]()
+def alike(given: Sequence[Share], settled: dict[Share, Settled], plans: Sequence[str]) -> Iterator[Share]:
+    """Who drew numbers by which the plans that are asked are as somebody before has them."""
+    seen = set()
     for share in sorted(given, key=lambda s: s.variant is None):  # given variants stay what they are
         if (answer := settled[share]).fault:
             continue
@@ -222,8 +217,9 @@ def alike(given: Sequence[Share], settled: dict[Share, Settled], plans: Sequence
         drawn = key.get("positions", [key])[0].get("plans", {})
         asked = [plan["segments"] for name, plan in drawn.items() if kind_of(name) in plans]
         numbers = json.dumps([share.assignment.name, asked or [*loads(answer.scene, SCENE).parameters.items()]])
-        if (other := seen.setdefault(numbers, share)) is not share:
-            yield share, other
+        if numbers in seen and share.variant is None:
+            yield share
+        seen.add(numbers)
 
 
 def conduct(

@@ -19,7 +19,7 @@ from planes.documents import animation
 from planes.documents.drawn import picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
-from planes.plans.curves import meant
+from planes.plans.curves import meant, read_as
 from planes.plans.quantities import results_of
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
@@ -74,8 +74,9 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
     """The results of one set of parameters."""
     plans = scene_plans(scene)
     drive = plans.mechanism.drive
-    names = [q.name for q in results_of(plans)] if names is None else [n for n in map(str, names) if n != drive.kind]
-    curves = list({c.name: c for name in names for c in meant(plans, name)}.values())
+    asked = (meant(plans, name) for name in map(str, names or ()) if name != drive.kind)
+    read = map(read_as, results_of(plans)) if names is None else asked
+    curves = list({c.name: c for some in read for c in some}.values())
     if values is None:
         values = np.arange(360.0) if drive.kind == "phi" else np.array([drive.position])
     turn = WholeTurn(plans, curves, slopes=False)
@@ -86,12 +87,6 @@ def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str,
     units |= {c.name: c.unit for c in curves}
     reasons = np.array(["", *(r.named for r in turn.reasons)], dtype=object)
     return Table(columns, units, reasons[block.codes], plans.naming)
-
-
-def _place(scene: Scene, phi: Any, s: Any) -> float | None:
-    """The one place of the drive that is asked for."""
-    at: float | None = places_of(scene, phi, s, several=False)
-    return at
 
 
 def check(
@@ -116,7 +111,7 @@ def check(
     Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
     scene = read(scene)
-    at, known_mu = _place(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
+    at, known_mu = places_of(scene, phi, s, False), None if mu is None else read_mu(mu, kind_of(plan))
     answers = answers_of(scene, at, plan) if str(drawing).lower().endswith(TABLES) else ()
     asked = Asked(scene, plan, at, known_mu, answers=answers)
     known = Known(pole, marks or {}, page=None if page is None else page - 1)
@@ -139,7 +134,7 @@ def sheet(
     A notebook shows what is returned. Raises :class:`PlanesError` where it cannot be drawn or written.
     """
     scene = read(scene)
-    lang, at = lang or home_lang(), _place(scene, phi, s) if scene.mechanism else None
+    lang, at = lang or home_lang(), places_of(scene, phi, s, False) if scene.mechanism else None
     values = None if at is None else [at]
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     if output is not None:

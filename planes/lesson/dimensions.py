@@ -15,7 +15,7 @@ from planes.batch.tracing import given_on, given_values
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.plans import Plans
-from planes.plans.position.reckoned import Dimensions, OwnPlace, SceneDimensions, anew
+from planes.plans.position.reckoned import OwnPlace, SceneDimensions, anew
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
 from planes.words.names import Meaning, given_of
@@ -153,7 +153,7 @@ def degrees(z: complex) -> float:
 
 
 @frozen
-class _Changed(Dimensions):
+class _Changed:
     """The dimensions as the free numbers make them."""
 
     free: FreeNumbers

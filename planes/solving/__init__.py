@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,7 @@ from planes.words.frozen import frozen
 from planes.words.names import POLE, at, label_of, parts_of
 from planes.words.records import Json, Pictured, Tabulated
 
+_VECTOR, _NUMBER = attrgetter("vector"), attrgetter("number")
 TOLD = 20  # for how many failed positions the nearest working one is looked for
 
 
@@ -48,27 +50,27 @@ class Position(Pictured, Tabulated):
     @property
     def r(self) -> Readings[complex]:
         """Positions of points, m: complex by name."""
-        return self.of("points", "r").each(lambda measured: measured.vector)
+        return self.of("points", "r").each(_VECTOR)
 
     @property
     def v(self) -> Readings[complex]:
         """Velocities of points, m/s."""
-        return self.of("points", "v").each(lambda measured: measured.vector)
+        return self.of("points", "v").each(_VECTOR)
 
     @property
     def a(self) -> Readings[complex]:
         """Accelerations of points, m/s²."""
-        return self.of("points", "a").each(lambda measured: measured.vector)
+        return self.of("points", "a").each(_VECTOR)
 
     @property
     def omega(self) -> Readings[float]:
         """Angular velocities of links, rad/s, counter-clockwise positive."""
-        return self.of("links", "omega").each(lambda measured: measured.number)
+        return self.of("links", "omega").each(_NUMBER)
 
     @property
     def epsilon(self) -> Readings[float]:
         """Angular accelerations of links, rad/s²."""
-        return self.of("links", "epsilon").each(lambda measured: measured.number)
+        return self.of("links", "epsilon").each(_NUMBER)
 
     def of(self, group: str, key: str = "") -> Readings[Measured]:
         """What was found of one kind ("points", "v"; "reactions"), by the name of the point, link or reaction.
@@ -129,11 +131,6 @@ class Position(Pictured, Tabulated):
 
         return names_of(self.plans)
 
-    @property
-    def reader(self) -> DrawingReader:
-        """What reads its drawing."""
-        return DrawingReader(self.plans, self.drawing, self.scales)
-
     def __repr__(self) -> str:
         if not self.plans.moves:
             return f"<Position: vectors {', '.join(self.of('vectors'))}>"
@@ -151,13 +148,15 @@ class CurveColumns(dict[str, Any]):
         self.position, self.all = position, all_columns(position.plans)
 
     def __missing__(self, name: str) -> float:
-        here, plain = self.position, name.removeprefix("q:")
-        plans, reader, column = here.plans, here.reader, self.all[plain]
-        if plain != name:
-            unit = dict(zip(plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
-            given = {**plans.given, **here.scales, **plans.at(here.at), **unit}
-            reader = DrawingReader(plans, run(plans.program.sliced(column.needs), given), here.scales)
-        return math.nan if (number := reader.column(column)) is None else number
+        from planes.batch.cycle import Cycle
+
+        here, column = self.position, self.all[name.removeprefix("q:")]
+        if name.startswith("q:"):
+            unit: dict[str, Any] = dict(zip(here.plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
+            (block,) = Cycle(here.plans, known=unit, columns=[column]).blocks([here.at])
+            return float(block.table[0, 0])
+        number = DrawingReader(here.plans, here.drawing, here.scales).column(column)
+        return math.nan if number is None else number
 
 
 @dataclass

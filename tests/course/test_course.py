@@ -219,16 +219,6 @@ def test_nobody_has_the_plans_that_are_asked_as_somebody_else_has_them(folder: M
     assert not made.faults and not made.said and len(set(own)) == len(own) == 3
 
 
-def test_whose_given_variants_give_the_same_plans_is_said(folder: Make, tmp_path: Path) -> None:
-    at = folder("course: 1\nplans: [velocity]\n", "Иванов\nПетров\n")
-    text = (at / "12.yaml").read_text("utf-8")
-    (at / "12.yaml").write_text(re.sub(r"variants: .*", "variants: {А: {m_1: 2}, Б: {m_1: 3}}", text), "utf-8")
-    made = conduct(replace(read_course(at), documents=()), tmp_path / "out", workers._alone, "en")
-    assert not made.faults and [said for *_, said in made.said] == [
-        "the plans that are asked are the same as those of Иванов; give another variant, or draw numbers"
-    ]
-
-
 @pytest.mark.parametrize("plans", [("velocity", "acceleration"), ("velocity",), ("velocity", "acceleration", "force")])
 def test_a_task_and_questions_ask_what_is_asked(plans: tuple[str, ...]) -> None:
     scene = load(SAMPLES / "six-link.yaml")

@@ -86,8 +86,8 @@ def reach_of(b: Bodies, pair: Pair, ends: tuple[str, str]) -> tuple[str, str | N
     guide, origin = carrier.guides[pair.guide], OwnPlace(carrier.name, guide=pair.guide)
     foot, pin = OwnPlace(slider.name, slider.first_point), OwnPlace(slider.name, ends[1])
     more = difference(
-        reckoned(b.shape, "along", foot, pin, -reckoned(b.shape, "leaning", slider.name)),
-        reckoned(b.shape, "along", origin, OwnPlace(carrier.name, ends[0]), reckoned(b.shape, "guided", pair.guide)),
+        reckoned(b.shape, "along", foot, pin, -reckoned(b.shape, "lean", slider.name)),
+        reckoned(b.shape, "along", origin, OwnPlace(carrier.name, ends[0]), reckoned(b.shape, "angle", pair.guide)),
     )
     reach = d.give(b.mechanism.drive.given, b.mechanism.drive.position)
     if ends != (guide.through_point, slider.first_point):

@@ -180,9 +180,7 @@ class Bodies:
 
     def own_angle(self, pair: Pair, link: str) -> Dimension:
         """The direction of the pair's guide in the axes of ``link``, one of the pair, degrees."""
-        return (
-            -reckoned(self.shape, "leaning", link) if link == pair.link else reckoned(self.shape, "guided", pair.guide)
-        )
+        return -reckoned(self.shape, "lean", link) if link == pair.link else reckoned(self.shape, "angle", pair.guide)
 
     def axis_along(self, pair: Pair, link: str, direction: str) -> str:
         """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
@@ -211,16 +209,16 @@ class Bodies:
                 "height",
                 OwnPlace(link, point),
                 OwnPlace(link, guide=pair.guide),
-                reckoned(self.shape, "guided", pair.guide),
+                reckoned(self.shape, "angle", pair.guide),
             )
         slides = body.slides
         if slides is None:
             raise AssertionError(pair)
-        own = None if slides.offset is None else -reckoned(self.shape, "aside", link)
+        own = None if slides.offset is None else -reckoned(self.shape, "offset", link)
         if point == body.first_point:
             return None if own is None else -own
         spots = OwnPlace(link, point), OwnPlace(link, body.first_point)
-        return difference(reckoned(self.shape, "height", *spots, -reckoned(self.shape, "leaning", link)), own)
+        return difference(reckoned(self.shape, "height", *spots, -reckoned(self.shape, "lean", link)), own)
 
     def shifted(self, label: str, means: Meaning, start: str, direction: str, by: Dimension | None) -> str:
         """A helping mark ``by`` metres to the left of a line through ``start`` (that itself when it is nothing)."""

@@ -3,10 +3,10 @@ dimensions are changed, or are taken as they are written.
 """
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 from planes.drafting.dimensions import Dimension
-from planes.geometry.arithmetic import Arithmetic, Point, Real
+from planes.geometry.arithmetic import Arithmetic, Point
 from planes.scene.mechanism import FRAME, Link, Mechanism
 
 ARITHMETIC = Arithmetic()
@@ -18,15 +18,6 @@ class OwnPlace(NamedTuple):
     link: str
     point: str = ""
     guide: str = ""
-
-
-class Dimensions(Protocol):
-    """The dimensions of links: places in their own axes (m), angles (degrees)."""
-
-    def place(self, spot: OwnPlace) -> Point: ...
-    def angle(self, guide: str) -> Real: ...
-    def lean(self, slider: str) -> Real: ...
-    def offset(self, slider: str) -> Real: ...
 
 
 class SceneDimensions:
@@ -60,31 +51,26 @@ class SceneDimensions:
         return self.taken((slides.offset if slides else None) or 0.0)
 
 
-# "own" is the place of a point on its link; "guided" the direction of a guide there, degrees; "leaning" how far the
-# axes of a slider are turned from its guide, "aside" how far to the left of it its first point lies; "along" how far
-# from one point to another it goes in a direction, "height" how far a point lies to the left of the line through
-# another in it; "ratio" (p - q) / (r - q): how a point stands to two others.
+# "along" is how far from one point to another it goes in a direction, "height" how far a point lies to the left of the
+# line through another in it; "ratio" (p - q) / (r - q): how a point stands to two others.
 _WAYS: Mapping[str, Callable[..., Any]] = {
     "-": lambda shape, ar, way: -anew(way, shape, ar),
     "difference": lambda shape, ar, one, two: anew(one, shape, ar) - anew(two, shape, ar),
-    "own": lambda shape, ar, p: shape.place(p),
-    "guided": lambda shape, ar, guide: shape.angle(guide),
-    "leaning": lambda shape, ar, slider: shape.lean(slider),
-    "aside": lambda shape, ar, slider: shape.offset(slider),
     "distance": lambda shape, ar, p, q: abs(shape.place(q) - shape.place(p)),
-    "angle": lambda shape, ar, p, q: ar.angle_deg(shape.place(q) - shape.place(p)),
+    "direction": lambda shape, ar, p, q: ar.angle_deg(shape.place(q) - shape.place(p)),
     "along": lambda shape, ar, p, q, way: ((shape.place(q) - shape.place(p)) * _back(way, shape, ar)).real,
     "ratio": lambda shape, ar, p, q, r: (shape.place(p) - shape.place(q)) / (shape.place(r) - shape.place(q)),
     "height": lambda shape, ar, p, q, way: ((shape.place(p) - shape.place(q)) * _back(way, shape, ar)).imag,
 }
 
 
-def anew(how: tuple[Any, ...], shape: Dimensions, ar: Arithmetic) -> Any:
-    """What a dimension is where the links have other dimensions, or are reckoned with other numbers."""
-    return _WAYS[how[0]](shape, ar, *how[1:])
+def anew(how: tuple[Any, ...], shape: Any, ar: Arithmetic) -> Any:
+    """What a dimension is of links that have this shape, in some arithmetic: by a way above, or as the shape says."""
+    way, *what = how
+    return _WAYS[way](shape, ar, *what) if way in _WAYS else getattr(shape, way)(*what)
 
 
-def _back(way: tuple[Any, ...], shape: Dimensions, ar: Arithmetic) -> Point:
+def _back(way: tuple[Any, ...], shape: Any, ar: Arithmetic) -> Point:
     """The turn from a direction back to x."""
     return ar.cis_deg(-anew(way, shape, ar))
 
@@ -99,12 +85,12 @@ def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
 
 
 def reckoned(shape: SceneDimensions, way: str, *what: OwnPlace | str | Dimension) -> Dimension:
-    """A dimension by its way, one of those above, and what that is of."""
+    """A dimension by its way, one of those above or a method of the shape, and what that is of."""
     how = (way, *(one.of if isinstance(one, Dimension) else one for one in what))
     return Dimension(anew(how, shape, ARITHMETIC), how)
 
 
 def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The direction from one point to another, degrees."""
-    angle = reckoned(shape, "angle", p, q)
+    angle = reckoned(shape, "direction", p, q)
     return angle._replace(value=angle.value or 0.0)

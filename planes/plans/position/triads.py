@@ -99,7 +99,7 @@ def hold_of(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> Hold
 
 def local_of(b: Bodies, link: Link, point: str) -> str:
     """The place of a point on its link."""
-    return b.draft.reckon(f"at_{point}_{link.name}", reckoned(b.shape, "own", OwnPlace(link.name, point)))
+    return b.draft.reckon(f"at_{point}_{link.name}", reckoned(b.shape, "place", OwnPlace(link.name, point)))
 
 
 def place_chain(b: Bodies, g: BasicChain) -> None:
