@@ -44,13 +44,10 @@ def task(
     if drawn.plans.moves:
         yield Figure(DrawnViews(scene, shown, (("scheme",), *opened)), say("task_scheme", lang))
     yield given(scene, drawn, lang)
-    yield from _asked_for(scene, drawn, lang, plans) if drawn.plans.moves else stated(scene, drawn, lang)
-    if opened and not drawn.plans.moves:
-        yield Figure(DrawnViews(scene, drawn, opened), "")
-
-
-def _asked_for(scene: Scene, drawn: Position, lang: Lang, plans: Sequence[str]) -> Iterator[Block]:
-    """What a mechanism is given by in words, and what is to be done."""
+    if not drawn.plans.moves:
+        yield from stated(scene, drawn, lang)
+        yield from (Figure(DrawnViews(scene, drawn, (one,)), "") for one in opened)
+        return
     if said := said_of(scene, drawn, lang):
         yield Heading(say("task_conditions", lang))
         yield Paragraph(said)

@@ -20,8 +20,6 @@ from planes.plans.force.loads import force_name
 from planes.plans.quantities import MOTION, Quantity, catalogue, results_of
 from planes.plans.transfers import analogue_units, ratio_name, turning
 from planes.scene.mechanism import FRAME
-from planes.words import Phrase
-from planes.words.errors import SceneError, choices
 from planes.words.frozen import frozen, replace
 from planes.words.names import as_indexed
 from planes.words.units import RATE_UNITS
@@ -92,17 +90,15 @@ def arrows_of(plans: Plans) -> dict[str, CycleVector]:
 
 
 def meant(plans: Plans, name: str) -> list[Curve]:
-    """What a name means as curves: the columns of a quantity, or a curve that is none. :class:`SceneError` where it
+    """What a name means as curves: the columns of a quantity, or a curve that is none. :class:`PlanesError` where it
     means nothing."""
     quantities = catalogue(plans)
     names = plans.naming.names(quantities, poles=False)
     if names.meant(name):
         return read_as(quantities[names.one(name, "no_quantity", lambda n: quantities[n].path)])
     curves = askable(plans)
-    names = plans.naming.names(curves, poles=False)
-    if names.meant(name):
-        return [curves[names.one(name, "no_quantity", lambda n: curves[n].name)]]
-    raise SceneError(Phrase("no_quantity", name=name, valid=choices(name, names_of(plans))))
+    name = plans.naming.names(curves, poles=False).one(name, "no_quantity", lambda n: curves[n].name)
+    return [curves[name]]
 
 
 def names_of(plans: Plans) -> list[str]:
@@ -111,7 +107,7 @@ def names_of(plans: Plans) -> list[str]:
 
 
 def askable(plans: Plans) -> dict[str, Curve]:
-    """The parts of all vectors, and the curves."""
+    """The curves, with numbers and parts of vectors that are none."""
     return {c.name: c for q in catalogue(plans).values() for c in read_as(q)} | curves_of(plans)
 
 

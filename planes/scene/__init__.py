@@ -22,7 +22,7 @@ from planes.scene.source import Node
 from planes.scene.structures import FrameworkReader
 from planes.scene.vector_equations import VectorEquation
 from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_own
-from planes.words import Phrase, langs
+from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
 from planes.words.names import CREMONA, latin
@@ -116,25 +116,15 @@ class Scene(Pictured):
         variant = f", variant {self.variant}" if self.variant else ""
         return f"<Scene {self.title.get('en') or self.file!r}: {what}{variant}>"
 
-    @classmethod
-    def of(cls, mechanism: Mechanism, title: str = "", file: str = "") -> "Scene":
-        """The scene of a mechanism built in Python; scales are chosen by the program. It has no text."""
-        name, words = file or f"<{title or 'Mechanism'}>", MappingProxyType(dict.fromkeys(langs(), title))
-        return cls(name, words, mechanism=mechanism, mu=MappingProxyType(settings.read_plans(Reader(name), None)))
-
     def with_parameters(self, **values: float) -> "Scene":
         """The same scene read again with other numbers for some of its parameters (SI, degrees)."""
-        return loads(
-            self.reading.source or self.to_yaml(), self.file, self.variant, **{**self.reading.changed, **values}
-        )
+        return loads(self.reading.source, self.file, self.variant, **{**self.reading.changed, **values})
 
     def to_yaml(self) -> str:
         """The text of its scene file. Where a variant was chosen or parameters were changed, their numbers are in its
-        parameters, and variants and remarks are not kept. :class:`SceneError` where there is no text."""
+        parameters, and variants and remarks are not kept."""
         from planes.scene.writing import own_scene
 
-        if not self.reading.source:
-            raise SceneError(Phrase("scene_no_text"), self.file)
         changed = {name: repr(float(value)) for name, value in self.reading.changed.items()}
         if not changed and self.variant is None:
             return self.reading.source

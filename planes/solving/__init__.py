@@ -112,7 +112,7 @@ class Position(Pictured, Tabulated):
     def value(self, name: str) -> float | complex:
         """A quantity by its name in ``find:``, or a curve of :func:`planes.extremes`: a number in SI, complex for a
         vector; analogues of acceleration are those of an exact drawing. :attr:`names` are all there are; for another,
-        or one that ``find:`` left out, a :class:`SceneError`."""
+        or one that ``find:`` left out, a :class:`PlanesError`."""
         from planes.plans.curves import meant
 
         if str(name) == self.plans.mechanism.drive.kind:
