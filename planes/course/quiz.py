@@ -116,10 +116,10 @@ def error_of(name: str, errors: Json) -> float:
     letter, index, _ = parts_of(name)
     stated = {**errors.get("vectors", {}), **errors.get("values", {})}
     if name in stated or letter not in _PLANS:
-        found = stated.get(name, errors.get("balancing_moment", errors.get("balancing_force")))
+        sigmas = stated.get(name, errors.get("balancing_moment", errors.get("balancing_force")))
     else:
-        found = errors["points" if letter in ("v", "a") else "links"][index][letter]
-    return math.hypot(*(x or 0.0 for x in (found if isinstance(found, list) else [found])))
+        sigmas = errors["points" if letter in ("v", "a") else "links"][index][letter]
+    return math.hypot(*(x or 0.0 for x in (sigmas if isinstance(sigmas, list) else [sigmas])))
 
 
 WIDE = 0.5  # of a value: a tolerance in which half of it, and its double, would pass, asks nothing

@@ -1,6 +1,7 @@
 """The figures of a cycle as a person reads them in a terminal, and as JSON."""
 
 import math
+from typing import Any
 
 from planes.diagrams.extremes import Extreme
 from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary, of_cycle
@@ -125,7 +126,7 @@ class Extremes(Json):
         self.summary = of_cycle(scene)
         super().__init__(as_json(self.summary))
 
-    def __reduce__(self) -> tuple[type["Extremes"], tuple[Scene]]:
+    def __reduce__(self) -> Any:
         return Extremes, (self.summary.scene,)
 
     def __str__(self) -> str:

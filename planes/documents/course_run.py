@@ -215,7 +215,7 @@ def alike(given: Sequence[Share], settled: dict[Share, Settled], plans: Sequence
             continue
         key = json.loads(answer.key)
         drawn = key.get("positions", [key])[0].get("plans", {})
-        asked = [plan["segments"] for name, plan in drawn.items() if kind_of(name) in plans]
+        asked = [drawn[name]["segments"] for name in drawn if kind_of(name) in plans]
         numbers = json.dumps([share.assignment.name, asked or key])
         if numbers in seen and share.variant is None:
             yield share

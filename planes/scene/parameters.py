@@ -31,7 +31,7 @@ def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | Non
             raise reader.error(Phrase("reserved_parameter", name=name), line)
         if len(name) > MAX_NAME or not is_name(name):
             raise reader.error(Phrase("bad_parameter", name=shown(name), most=MAX_NAME), line)
-    entries = {**table.entries, **(chosen.entries if chosen else {})}
+    entries = {**table.entries, **entries_of(chosen)}
     written = {name: _scalar(reader, entry, Phrase("parameter", name=name)) for name, entry in entries.items()}
     try:
         values = resolve(written)
@@ -72,7 +72,7 @@ def with_numbers(
     given: dict[str, Node] = {
         name: SourceScalar(repr(finite(value, name, False)), line) for name, value in numbers.items()
     }
-    return SourceTable({**(chosen.entries if chosen else {}), **given}, line)
+    return SourceTable({**entries_of(chosen), **given}, line)
 
 
 def _scalar(reader: Reader, node: Node, what: Phrase) -> str:

@@ -144,14 +144,15 @@ class CurveColumns(dict[str, Any]):
     def __init__(self, position: Position) -> None:
         from planes.plans.curves import all_columns
 
-        super().__init__()
+        measured = (zip(f.quantity.columns, f.numbers, strict=True) for f in position.found)
+        super().__init__({c.name: math.nan if n is None else n for pairs in measured for c, n in pairs})
         self.position, self.all = position, all_columns(position.plans)
 
     def __missing__(self, name: str) -> float:
         from planes.batch.cycle import Cycle
 
         here, column = self.position, self.all[name.removeprefix("q:")]
-        if name.startswith("q:"):
+        if name not in self.all:
             unit: dict[str, Any] = dict(zip(here.plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
             (block,) = Cycle(here.plans, known=unit, columns=[column]).blocks([here.at])
             return float(block.table[0, 0])

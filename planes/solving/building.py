@@ -210,5 +210,5 @@ def _given(**parts: Any) -> dict[str, Any]:
 def _refuse(call: Callable[..., object], more: Mapping[str, object]) -> None:
     """Refuse keywords that a call does not have."""
     for word in more:
-        known = [name for name in call.__annotations__ if name not in ("more", "return")]
+        known = [*call.__annotations__][:-2]  # but "more" and "return"
         raise PlanesError(Phrase("call_keyword", call=call.__name__, word=word, valid=choices(word, known)))

@@ -12,7 +12,7 @@ T = TypeVar("T")
 _OF_MOTION = ("points.r", "points.v", "points.a", "links.omega", "links.epsilon")
 KINDS = (*_OF_MOTION, "reactions", "transfers", "friction", "edges", "loads", "vectors", "values")
 """Kinds of results there may be, or none of."""
-LOADS = tuple(f"{by}_{what}" for by in ("balancing", "zhukovsky") for what in ("moment", "force"))
+LOADS = ("balancing_moment", "balancing_force", "zhukovsky_moment", "zhukovsky_force")
 
 
 def known(name: str, names: Collection[str]) -> None:

@@ -152,14 +152,14 @@ def shown(text: str) -> str:
 def choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
     """Words that name what would have been valid: "; valid: a, b; did you mean a?", for lists of any length, of names
     of any length: bounded in time and in words. ``what`` is their key."""
-    known = [name for name in islice(names, 2000) if len(name) <= OFFERED]
+    known, given = [name for name in islice(names, 2000) if len(name) <= OFFERED], given[:OFFERED]
     if not known:
         return ""
-    near = _near(given[:OFFERED], known)
+    near = _near(given, known)
     if len(known) <= OFFERED:
         return Phrase(what, names=tuple(known), near=near)
-    meant = [str(near.parts["name"])] if isinstance(near, Phrase) else []
-    some = tuple(dict.fromkeys((*meant, *get_close_matches(given[:OFFERED], known, 12, 0.0))))
+    meant = [near.parts["name"]] if isinstance(near, Phrase) else []
+    some = tuple(dict.fromkeys((*meant, *get_close_matches(given, known, 12), *known)))[:12]
     return Phrase("valid_some", names=some, near=near)
 
 

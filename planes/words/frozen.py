@@ -5,7 +5,7 @@ Only the initialiser is written for a class; how records are compared, hashed an
 """
 
 import copyreg
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields, replace
 from operator import attrgetter
 from types import MappingProxyType
@@ -16,7 +16,7 @@ __all__ = ["field", "frozen", "replace"]
 T = TypeVar("T")
 
 
-def _closed(values: Mapping[Any, Any]) -> MappingProxyType[Any, Any]:
+def _closed(values: Any) -> Any:
     return MappingProxyType(values)
 
 
