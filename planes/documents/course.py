@@ -120,8 +120,7 @@ class Desk:
         if kind.startswith("sheet-"):
             sheet = self.sheet(int(kind[-1]))
             return sheet.rendered(f".{suffix}"), sheet.warnings
-        made: bytes = getattr(self, kind)()
-        return made, ()
+        return getattr(self, kind)(), ()
 
     def sheet(self, number: int) -> Sheet:
         """A sheet of the project, composed once for all its formats."""
