@@ -157,9 +157,9 @@ class ClassWork:
         return ", ".join(every).removesuffix(".")  # the sentence ends with its own
 
     def csv(self) -> str:
-        """The table for a spreadsheet, with a prefix that declares its encoding."""
+        """The table for a spreadsheet."""
         head, rows = self.table()
-        return f"\ufeff{as_csv([head, *rows])}"
+        return as_csv([head, *rows])
 
     def page(self) -> str:
         """The page, with doubtful drawings at the top."""

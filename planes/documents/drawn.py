@@ -12,6 +12,7 @@ from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
 from planes.solving import Position, solve
+from planes.solving.of_scene import AnyScene, read
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
 from planes.words.lettering import spelt
@@ -94,14 +95,14 @@ def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, outpu
         page({both.key: lambda: both}, both.key, composer).write(output)
 
 
-def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None = None) -> Page:
-    """One view (by default the scheme) of a scene, or of a position already solved, for a notebook.
+def picture(drawn: AnyScene | Position, view: str | None = None, lang: Lang | None = None) -> Page:
+    """One view (the scheme, unless another is named) of a scene, or of a position solved before, for a notebook.
 
     A position is drawn as it is, by whatever instrument; the sheet settings of a scene are unknown then.
     """
     lang = lang or home_lang()
-    if isinstance(drawn, Scene):
-        return view_of(drawn, view, None, lang)
+    if not isinstance(drawn, Position):
+        return view_of(read(drawn), view, None, lang)
     scene = Scene(mechanism=drawn.plans.mechanism, mu=drawn.scales)
     composer = Composer(scene, lang, drawn.plans)
     return page(_mechanism_views(scene, drawn, composer), view, composer)

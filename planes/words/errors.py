@@ -26,6 +26,8 @@ front=ahead forward=ahead forwards=ahead back=behind backward=behind backwards=b
 """
 _MEANT = dict(pair.split("=") for pair in _SYNONYMS.split())
 """Keys and words of a scene by what people write for them whose spelling does not lead there."""
+_ELSEWHERE = {"alpha": "epsilon", "theta": "phi", "w": "omega"}
+"""Letters of this program by those of other books."""
 
 
 def place_of(file: str, line: int | None) -> str:
@@ -123,7 +125,9 @@ class ExpressionError(PlanesError, ValueError):
 def _near(given: str, known: list[str]) -> Told:
     """Words that suggest a name that is nearly the same, or looks the same in other letters."""
     meant = _MEANT.get(given.casefold(), _spelled(given))
-    if same := next((name for name in known if _spelled(name) == meant), None):
+    letter, _, index = meant.partition("_")
+    ways = (meant, f"{_ELSEWHERE.get(letter, letter)}_{index}")
+    if same := next((name for way in ways for name in known if _spelled(name) == way), None):
         return Phrase(key if (key := f"meant_{given}") in table("en") else "near_name", name=same)
     if twin := next((name for name in known if latin(name) == latin(given)), None):
         return Phrase("near_alike", name=twin)
@@ -152,14 +156,14 @@ def shown(text: str) -> str:
 def choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
     """Words that list the valid choices: "; valid: a, b; did you mean a?". Time and length are bounded whatever the
     list and its names. ``what`` is their key."""
-    known = [name for name in islice(names, 2000) if len(name) <= OFFERED]
+    known, given = [name for name in islice(names, 2000) if len(name) <= OFFERED], given[:OFFERED]
     if not known:
         return ""
-    near = _near(given[:OFFERED], known)
+    near = _near(given, known)
     if len(known) <= OFFERED:
         return Phrase(what, names=tuple(known), near=near)
-    meant = [str(near.parts["name"])] if isinstance(near, Phrase) else []
-    some = (*meant, *(name for name in known[:12] if name not in meant))
+    meant = [near.parts["name"]] if isinstance(near, Phrase) else []
+    some = tuple(dict.fromkeys((*meant, *get_close_matches(given, known, 12), *known)))[:12]
     return Phrase("valid_some", names=some, near=near)
 
 

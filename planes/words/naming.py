@@ -128,7 +128,7 @@ class Naming:
     def curve(self, name: str) -> str:
         """A curve's name as a letter with its index in _{…}: v_C_x, vq_slide_3, F_21, F_11_10, F_50_arm."""
         head, *index = name.split("_")
-        last = index.pop() if index[1:] and index[-1] in ("x", "y", "arm", "moment") else ""
+        last = index.pop() if index[1:] and index[-1] in _COMPONENTS else ""
         axis, subject = last if last in ("x", "y") else "", "".join(index[1:] if index[:1] == ["slide"] else index)
         if head == "r":
             return f"{axis or 'r'}_{{{subject}}}"
@@ -143,7 +143,10 @@ class Naming:
         return f"{letter}_{{{analogue}{subject}{axis}}}"
 
     def typed(self, name: str) -> str:
-        """A name as typed in a table or an option: the program's own, except reactions, F_36 or R_63."""
+        """A name as it is typed in a table or an option: that of the program but for reactions, F_36 or R_63."""
+        head, _, part = name.rpartition("_")
+        if part in _COMPONENTS:
+            return f"{self.typed(head)}_{part}"
         letter, index, _ = parts_of(name)
         if letter not in ("F", "R") or not index[:1].isalnum():
             return name
@@ -166,8 +169,8 @@ class Naming:
         letter, index = (f"{letter}T", index[1:]) if letter in "PM" and index.startswith("T") else (letter, index)
         ways += [self.vector(f"{letter}_F_{index}")] if letter in _OF_REACTIONS and index[:1].isdigit() else []
         balancing = name.startswith(("M_", "MZ_", "Fb_", "FbZ_")) and name.partition("_")[2] == self.driver
-        if balancing or name.startswith(("coriolis_", "r_")) or name.rpartition("_")[2] in ("x", "y", "arm", "moment"):
-            ways.append(self.curve(name))
+        if balancing or name.startswith(("coriolis_", "r_")) or name.rpartition("_")[2] in _COMPONENTS:
+            ways += [self.curve(name), self.typed(name)]
         return tuple(ways)
 
     def names(self, known: Iterable[str], poles: bool = True, more: Ways | None = None) -> "Names":
@@ -183,6 +186,7 @@ class Naming:
         return tuple(replace(self, lang=lang, frame=frame, from_on=order) for lang, frame, order in ways)
 
 
+_COMPONENTS = ("x", "y", "arm", "moment")
 _OF_REACTIONS = ("N", "T", "PT", "MT")  # of friction: they have the index of their reaction
 
 
@@ -255,4 +259,6 @@ class Names:
         if names := self._exact.get(key) or self._otherwise.get(key):
             return names
         primed, plain = self._folded
-        return primed.get(key.casefold()) or plain.get(key.casefold().replace("'", ""), [])
+        if self.poles:  # of marks primes are left out at times
+            return primed.get(key.casefold()) or plain.get(key.casefold().replace("'", ""), [])
+        return primed.get(key.casefold(), [])

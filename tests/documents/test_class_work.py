@@ -220,8 +220,8 @@ def test_only_what_has_changed_is_judged_anew(
     cv2.imwrite(str(folder / "IMG_1.jpg"), seen[:, 20:])
     again, after = run()  # the picture is another one since the marks were saved
     assert again == ["IMG_1.jpg"] and after["IMG_1.jpg"]["verdict"] == "right"
-    assert "not taken" in " ".join(after["IMG_1.jpg"]["warnings"]) and "IMG_1.csv" not in after
-    assert "not taken" in (out / "index.html").read_text("utf-8")
+    assert "not used" in " ".join(after["IMG_1.jpg"]["warnings"]) and "IMG_1.csv" not in after
+    assert "not used" in (out / "index.html").read_text("utf-8")
     assert "Name the table IMG_1.csv" in after["IMG_1 (1).csv"]["sentence"]["en"]
     file = own / "out/teacher" / BORIS / "scene.yaml"
     file.write_text(f"{file.read_text('utf-8')}\n", "utf-8")

@@ -8,10 +8,10 @@ import pytest
 
 from planes import solving
 from planes.cli import main
-from planes.diagrams.curves import driven
 from planes.diagrams.turn import span_of
 from planes.documents import sheets as drawing_sheets
 from planes.documents.sheets import sheet_of, turned_once
+from planes.plans.curves import driven
 from planes.scene import load, loads
 from planes.solving import plans_of, solve
 from planes.solving.given import GivenTable

@@ -13,6 +13,7 @@ from planes.words import Phrase, langs, say
 from planes.words.errors import PlanesError, shown
 from planes.words.frozen import frozen
 from planes.words.names import POLE
+from planes.words.records import table_text
 
 TABLES = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
 """The columns each table must have."""
@@ -96,7 +97,7 @@ def read_table(path: str | Path) -> ReadPaper:
     """A CSV or JSON file as a paper; :class:`PlanesError` where it cannot be read."""
     paper = ReadPaper(str(path))
     try:
-        text = contents(path, LARGEST).decode("utf-8-sig")
+        text = table_text(contents(path, LARGEST))
     except UnicodeDecodeError:
         raise paper.refuse("check_text") from None
     if text.lstrip()[:1] in ("{", "["):
