@@ -75,8 +75,8 @@ __all__ = [
 
 
 class _Verb:
-    """A public function with the name of a room: ``planes.check(scene, …)`` and ``import planes.check.reading`` both
-    work."""
+    """A public function whose name a room has too: ``planes.check(scene, …)`` and ``import planes.check.reading``
+    both work. Its class is called as ``help`` is to call it, "function check"."""
 
     def __init__(self, act: Callable[..., Any], room: str) -> None:
         update_wrapper(self, act)
@@ -95,7 +95,7 @@ class _Verb:
 @cache
 def _public(name: str) -> Any:
     act = getattr(import_module(_HOME[name]), name)
-    return _Verb(act, f"{__name__}.{name}") if name in _ROOMS else act
+    return type(f"function {name}", (_Verb,), {})(act, f"{__name__}.{name}") if name in _ROOMS else act
 
 
 class _Face(ModuleType):

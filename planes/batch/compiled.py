@@ -1,4 +1,4 @@
-"""A program as one compiled loop over positions (the extra ``planes[fast]``), from a tape.
+"""A program as one compiled loop over positions (the extra ``fast``): made from a tape.
 
 The compiler is the one inside numba, called directly: a tape has no types to infer and no branches.
 """

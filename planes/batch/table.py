@@ -31,7 +31,7 @@ SHOWN = 6  # columns named in the short form
 
 
 class Table(Described, Mapping[str, Array | Complexes]):
-    """Columns by name, each an array of shape (positions,), with their ``units``.
+    """Columns by name, each an array of shape (positions,), with their ``units``; ``len`` counts the columns.
 
     A vector ``v_C`` is complex, x + iy; its components are ``v_C_x`` and ``v_C_y``. Where a position cannot be drawn,
     the numbers are NaN and ``failed`` gives the mark and the reason in short, "C: arcs apart"; elsewhere it is "".
@@ -43,12 +43,12 @@ class Table(Described, Mapping[str, Array | Complexes]):
         self.columns, self.units, self.failed, self.naming = dict(columns), dict(units), failed, naming or Naming()
 
     def __getitem__(self, name: str) -> Array | Complexes:
-        if f"{name}_x" in self.columns:
-            return self.columns[f"{name}_x"] + 1j * self.columns[f"{name}_y"]
         if name in self.columns:
             return self.columns[name]
+        if f"{name}_x" in self.columns:
+            return self.columns[f"{name}_x"] + 1j * self.columns[f"{name}_y"]
         try:
-            return self[self.naming.names(self.quantities, poles=False).one(str(name), "no_column")]
+            return self[self.naming.names((*self.quantities, *self.columns), poles=False).one(str(name), "no_column")]
         except PlanesError as error:
             raise UnknownName(error.phrase) from None
 
@@ -57,7 +57,7 @@ class Table(Described, Mapping[str, Array | Complexes]):
         """The vectors by their names, v_C of v_C_x and v_C_y, then the other columns."""
         vectors = [column.removesuffix("_x") for column in self.columns if column.endswith("_x")]
         parts = {f"{vector}_{part}" for vector in vectors for part in "xy"}
-        return [*vectors, *(column for column in self.columns if column not in parts)]
+        return list(dict.fromkeys((*vectors, *(column for column in self.columns if column not in parts))))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.columns)
@@ -70,7 +70,7 @@ class Table(Described, Mapping[str, Array | Complexes]):
         more = ", …" if len(names) > SHOWN else ""
         lost = int(np.count_nonzero(self.failed != ""))
         failed = f", {lost} of them failed" if lost else ""
-        return f"<Table of {len(self.failed)} positions{failed}: {', '.join(names[:SHOWN])}{more}>"
+        return f"<Table of {len(self)} columns, {len(self.failed)} positions{failed}: {', '.join(names[:SHOWN])}{more}>"
 
     def to_pandas(self) -> DataFrame:
         """The columns as a ``pandas.DataFrame``, the reasons last. Needs pandas: ``pip install pandas``."""

@@ -89,12 +89,12 @@ def _without_collector(short: bool) -> Iterator[None]:
 
 
 def _tell_file(args: argparse.Namespace) -> None:
-    """Report the file written, and its size, to a user at a terminal; for a sheet always, with its format."""
-    output, made = getattr(args, "output", None), getattr(args, "made", "")
-    if output and sys.stderr and (made or sys.stderr.isatty()) and os.path.isfile(output):
-        words = {"file": output, "size": math.ceil(os.path.getsize(output) / 1000), "made": made}
-        key, to = ("sheet_written", sys.stdout) if made else ("file_written", sys.stderr)
-        print(say(key, args.lang or home_lang(), **words), file=to)
+    """Which file was written, and how large it is, a sheet with its format; then what must be known of it."""
+    output, lang = getattr(args, "output", None), args.lang or home_lang()
+    if output and sys.stderr and os.path.isfile(output):
+        words = {"file": output, "size": math.ceil(os.path.getsize(output) / 1000), "made": getattr(args, "made", "")}
+        remarks = (say("note_warning", lang, text=text) for text in getattr(args, "remarks", ()))
+        print(say("file_written", lang, **words), *remarks, sep="\n", file=sys.stderr)
 
 
 def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.ArgumentParser:
@@ -104,8 +104,9 @@ def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.Argument
         return say(f"help_{key}", lang)
 
     reader = Parser(prog="planes", description=help_of("planes"), lang=lang)
-    reader.add_argument("--version", action="version", version=f"planes {sys.modules['planes'].__version__}")
-    reader.add_argument("--lang", choices=langs(), metavar="LANG", help=help_of("lang"))  # already read by `lang_of`
+    version = f"planes {sys.modules['planes'].__version__}"
+    reader.add_argument("--version", action="version", version=version, help=say("usage_version", lang))
+    reader.add_argument("--lang", choices=langs(), metavar="LANG", help=help_of("lang"))  # `lang_of` has read it
     commands = reader.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
     for name, own in OPTIONS.items():
         text = help_of(name.replace("-", "_"))

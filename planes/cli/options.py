@@ -183,8 +183,8 @@ def values_of(args: Namespace, scene: Scene) -> list[float] | None:
 
 
 def range_of(args: Namespace, scene: Scene) -> tuple[str, str | None]:
-    """The kind of the drive, and its values as typed."""
-    return scene.drive.kind if scene.drive else "", asked_of_drive(scene, args.phi, args.s)
+    """The kind of the drive, and its values as they were written."""
+    return scene.drive.kind if scene.drive else "", asked_of_drive(scene, args.phi, args.s, "--")
 
 
 def value_of(args: Namespace, scene: Scene) -> float | None:

@@ -16,11 +16,11 @@ gives details; all its keys except ``course`` are optional::
     sharpness: 15                        # degrees: with drawn numbers no lines of any plan cross at less, all round
     documents: [task, blank, key, sheets, lesson]   # note, book, scorm, moodle, stack, prairielearn too
     formats: [pdf]                       # of the sheets: dxf, svg, png as well
-    plans: [velocity, acceleration, force]          # the plans that get a blank
+    plans: [velocity, acceleration, force]          # what is asked: in tasks, on blanks, on platforms
     seed: 1
 
-A student's numbers depend on the name, the assignment and the seed alone, so a new name in the list changes nobody
-else's numbers; only the given variants follow the order of the list. No two students have the same numbers.
+A student's numbers depend on the name, the assignment and the seed alone, so a name added to the list changes nobody
+else's; only the given variants go by the order of the list. No two have drawn numbers that give the same ``plans``.
 """
 
 from collections.abc import Mapping

@@ -29,6 +29,8 @@ from planes.words.records import Json
 from planes.words.units import RATE_UNITS
 
 FILE = "scene.yaml"
+SCALES = ("plans",)
+"""Keys of a scene that are left out where numbers are drawn: its scales were chosen for its own."""
 
 
 @frozen
@@ -86,7 +88,7 @@ def settle(q: Question) -> Settled:
 
 def _settled(q: Question) -> Settled:
     numbers = {} if q.variant else drawn(q)
-    text = own_scene(q.text, q.file, q.variant, numbers, q.sheet)
+    text = own_scene(q.text, q.file, q.variant, numbers, q.sheet, SCALES if numbers else ())
     solved = solve(scene := loads(text, FILE), lang=q.lang)
     if not solved.positions:
         return Settled(fault=solved.failed[0]["error"])
@@ -110,7 +112,7 @@ def drawn(q: Question) -> dict[str, str]:
     """One student's numbers."""
 
     def make(numbers: Mapping[str, str]) -> Scene:
-        return loads(own_scene(q.text, q.file, None, numbers, {}), q.file)
+        return loads(own_scene(q.text, q.file, None, numbers, {}, SCALES), q.file)
 
     chance = dice(q.seed, *q.student, q.file.rpartition("/")[2], q.copy)
     return draw_numbers(choices_of(q.text, q.file, q.draw), make, q.sharpness_deg, chance)

@@ -33,26 +33,26 @@ ACROSS, NARROW = 4, 26  # numbers per line; longest name in such a line
 _WORK = ("structure", "position", "velocity", "acceleration", "force", "lever")
 
 
-def task(scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], lang: Lang) -> Iterator[Block]:
-    """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, the work."""
+def task(
+    scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], lang: Lang, plans: Sequence[str] = ()
+) -> Iterator[Block]:
+    """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, what is to do:
+    the ``plans`` asked for, all if none is."""
     yield Heading(heads[0], 0)
     yield from (Paragraph(line) for line in heads[1:] if line)
     opened = (("studio",),) if scene.sheet.get("studio") else ()
     if drawn.plans.moves:
         yield Figure(DrawnViews(scene, shown, (("scheme",), *opened)), say("task_scheme", lang))
     yield given(scene, drawn, lang)
-    yield from _asked_for(scene, drawn, lang) if drawn.plans.moves else stated(scene, drawn, lang)
-    if opened and not drawn.plans.moves:
-        yield Figure(DrawnViews(scene, drawn, opened), "")
-
-
-def _asked_for(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
-    """The data of a mechanism in words, and the work."""
+    if not drawn.plans.moves:
+        yield from stated(scene, drawn, lang)
+        yield from (Figure(DrawnViews(scene, drawn, (one,)), "") for one in opened)
+        return
     if said := said_of(scene, drawn, lang):
         yield Heading(say("task_conditions", lang))
         yield Paragraph(said)
     yield Heading(say("task_todo", lang))
-    yield from (Paragraph(line, number=k) for k, line in enumerate(work(scene, drawn, lang), 1))
+    yield from (Paragraph(line, number=k) for k, line in enumerate(work(scene, drawn, lang, plans), 1))
 
 
 def given(scene: Scene, drawn: Position, lang: Lang) -> Block:
@@ -133,15 +133,16 @@ def unit_of(name: str, lang: Lang) -> str:
     return say(key, lang) if key else ""
 
 
-def work(scene: Scene, drawn: Position, lang: Lang) -> Iterator[str]:
-    """The work to do, as far as the mechanism requires it."""
+def work(scene: Scene, drawn: Position, lang: Lang, asked: Sequence[str]) -> Iterator[str]:
+    """What is to be done, as far as it is ``asked`` (all, if nothing is) and the mechanism asks for it."""
     plans = {kind_of(name) for name in drawn.plans.drawn} | {"structure"}
     m, drive = drawn.plans.mechanism, drawn.plans.mechanism.drive
     value = decimal(told(drawn.at, drive.kind, lang), lang)
     value = f"⟨{'phi' if drive.kind == 'phi' else 's'}_{drive.link}⟩ = {value}"
     loaded = bool(m.loads) or any(link.mass or link.inertia for link in m.links.values())
     for key in _WORK:
-        if key in plans and (loaded or key not in ("force", "lever")):
+        due = not asked or key in ("structure", "position") or ("force" if key == "lever" else key) in asked
+        if due and key in plans and (loaded or key not in ("force", "lever")):
             yield say("task_force_plan" if key == "force" else f"task_{key}", lang, drive=value)
     if scene.find:
         yield say("task_find", lang, names=tuple(f"⟨{name}⟩" for name in found_of(scene)))

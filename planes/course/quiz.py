@@ -25,7 +25,9 @@ from planes.words.records import Json
 PUPIL = Pencil(skill.HAND.point_mm, skill.HAND.ray_deg, skill.RULER_MM)
 """A student's pencil: it sets the tolerance of answers."""
 SIGMAS, LEAST = 2.0, 0.03
-"""The tolerance: two standard deviations of that pencil, or this part of the value."""
+"""What is let pass: two standard deviations of that pencil, or this part of the value."""
+_PLANS = {"v": "velocity", "omega": "velocity", "a": "acceleration", "epsilon": "acceleration"}
+"""The plans that main answers are found by; others are loads."""
 _SPELT = {letter: name for name, letter in GREEK.items()}
 
 
@@ -89,14 +91,17 @@ class Quiz:
         return cls(**{**held, **lists, "picture": base64.b64decode(held["picture"])})
 
 
-def questions(scene: Scene, lang: Lang) -> tuple[QuizItem, ...]:
-    """The main answers of a scene, each with the error of a student's pencil."""
+def questions(scene: Scene, lang: Lang, plans: Sequence[str] = ()) -> tuple[QuizItem, ...]:
+    """The main answers of a scene, of a mechanism those of some ``plans`` (all, if none is named), each with what a
+    pupil's pencil makes of it."""
     exact, drawn = solve(scene, lang=lang), solve(scene, None, PUPIL, lang)
     if not exact.positions or not drawn.positions:
         raise PlanesError(Phrase("quiz_not_drawn", why=(exact.failed or drawn.failed)[0]["error"]))
     add_errors(drawn, PUPIL)
     errors = drawn.positions[0].results["errors"]
     answers = main_answers(scene, exact.json())
+    if plans and scene.mechanism:
+        answers = {key: value for key, value in answers.items() if _PLANS.get(letter_of(key[0]), "force") in plans}
     return tuple(_question(name, unit, value, errors) for (name, unit), value in answers.items())
 
 
@@ -108,16 +113,13 @@ def _question(name: str, unit: str, value: float, errors: Json) -> QuizItem:
 
 def error_of(name: str, errors: Json) -> float:
     """One standard deviation of a main answer."""
-    if name in errors.get("vectors", {}):
-        return math.hypot(*(x or 0.0 for x in errors["vectors"][name]))
-    if name in errors.get("values", {}):
-        return float(errors["values"][name] or 0.0)
     letter, index, _ = parts_of(name)
-    if letter in ("omega", "epsilon"):
-        return float(errors["links"][index][letter] or 0.0)
-    if letter in ("v", "a"):
-        return math.hypot(*(x or 0.0 for x in errors["points"][index][letter]))
-    return float(errors.get("balancing_moment") or errors.get("balancing_force") or 0.0)
+    stated = {**errors.get("vectors", {}), **errors.get("values", {})}
+    if name in stated or letter not in _PLANS:
+        sigmas = stated.get(name, errors.get("balancing_moment", errors.get("balancing_force")))
+    else:
+        sigmas = errors["points" if letter in ("v", "a") else "links"][index][letter]
+    return math.hypot(*(x or 0.0 for x in (sigmas if isinstance(sigmas, list) else [sigmas])))
 
 
 WIDE = 0.5  # of a value: with this tolerance both half and double the value would pass, so the question is useless

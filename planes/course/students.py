@@ -23,8 +23,8 @@ _HEADS = {
 
 
 def read_file(path: Path) -> tuple[Student, ...]:
-    """The students of a file: a table if its suffix is .csv or .tsv, else a name per line; ``#`` begins a comment."""
-    text = unicodedata.normalize("NFC", source.read(path))
+    """The students of a file: a table if its suffix is .csv or .tsv, else a name a line; ``#`` begins a remark."""
+    text = unicodedata.normalize("NFC", source.read(path, table=True))
     if path.suffix.lower() in (".csv", ".tsv"):
         return _table(text, str(path))
     lines = ((n, line.partition("#")[0].strip()) for n, line in enumerate(text.splitlines(), 1))

@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from planes.course.reading import scenes_in
-from planes.diagrams.curves import FULL
 from planes.diagrams.summary import summary
 from planes.plans import Plans
+from planes.plans.curves import FULL
 from planes.scene import Scene, load
 from planes.solving import Position, solve, told
 from planes.solving.tables import difference

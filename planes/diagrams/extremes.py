@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from planes.diagrams.curves import FULL, Curve, Sample
 from planes.diagrams.smooth import flat_places
 from planes.diagrams.turn import Grid, WholeTurn
 from planes.geometry.arrays import Array
+from planes.plans.curves import FULL, Curve, Sample
 from planes.words.frozen import frozen
 
 CELLS = 32  # parts of a bracket in each round

@@ -12,10 +12,10 @@ import numpy as np
 
 from planes.batch.cycle import Block, Cycle, Reason
 from planes.batch.streams import TableHead, opened
-from planes.diagrams.curves import Curve
 from planes.diagrams.turn import WholeTurn
 from planes.drafting.drawing import proved, run
 from planes.plans import Plans
+from planes.plans.curves import Curve
 from planes.plans.scales import unit_scales
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene

@@ -5,11 +5,11 @@ from math import isfinite
 
 import numpy as np
 
-from planes.diagrams.curves import FULL, curves_of, driven, output_curves, transfer_curves
 from planes.diagrams.extremes import extremes
 from planes.diagrams.turn import Grid, WholeTurn, grid, span_of, turn_of, unwound
 from planes.geometry.arrays import Array
 from planes.plans import Plans
+from planes.plans.curves import FULL, curves_of, driven, output_curves, transfer_curves
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen

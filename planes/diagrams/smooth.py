@@ -10,9 +10,9 @@ from functools import cache
 import numpy as np
 from numpy.polynomial import polynomial
 
-from planes.diagrams.curves import FULL, Curve
 from planes.diagrams.turn import Grid
 from planes.geometry.arrays import Array, Indices
+from planes.plans.curves import FULL, Curve
 
 HALF = 5  # nodes on each side
 STEPS = 8  # of Newton's method, from the middle

@@ -5,11 +5,11 @@ from functools import cached_property
 
 import numpy as np
 
-from planes.diagrams.curves import FULL, Curve, driven
 from planes.diagrams.extremes import Extreme, extremes, varies
 from planes.diagrams.turn import Grid, grid, in_one_piece, reach, turn_of
 from planes.geometry.arrays import Array, Complexes
 from planes.plans import Plans
+from planes.plans.curves import FULL, Curve, driven
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.words import Phrase

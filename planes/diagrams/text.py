@@ -1,9 +1,11 @@
 """The figures of a cycle as tables for a terminal, and as JSON."""
 
 import math
+from typing import Any
 
 from planes.diagrams.extremes import Extreme
-from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary
+from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary, of_cycle
+from planes.scene import Scene
 from planes.solving import told
 from planes.solving.text_tables import table
 from planes.words import Lang, decimals, home_lang, say
@@ -120,9 +122,12 @@ def _paths(s: Summary, lang: Lang) -> list[str]:
 class Extremes(Json):
     """A cycle's figures, a dict from :func:`as_json`; printed, the tables of ``planes cycle``."""
 
-    def __init__(self, summary: Summary) -> None:
-        super().__init__(as_json(summary))
-        self.summary = summary
+    def __init__(self, scene: Scene) -> None:
+        self.summary = of_cycle(scene)
+        super().__init__(as_json(self.summary))
+
+    def __reduce__(self) -> Any:
+        return Extremes, (self.summary.scene,)
 
     def __str__(self) -> str:
         return report(self.summary, home_lang()).rstrip()

@@ -9,10 +9,20 @@ from functools import cached_property
 import numpy as np
 
 from planes.batch.cycle import CHUNK, Block, Cycle, Reason, pays
-from planes.batch.table import columns_of
-from planes.diagrams.curves import FULL, UNIT, Curve, CycleVector, WorkingRange, arrows_of, curves_of, named, needs_of
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.plans import Plans
+from planes.plans.curves import (
+    FULL,
+    UNIT,
+    Curve,
+    CycleVector,
+    WorkingRange,
+    all_columns,
+    arrows_of,
+    curves_of,
+    named,
+    needs_of,
+)
 from planes.scene.ranges import Span
 from planes.words.frozen import frozen
 from planes.words.names import letter_of
@@ -34,9 +44,9 @@ class WholeTurn:
 
     @cached_property
     def cycles(self) -> tuple[tuple[str, Cycle], ...]:
-        """The runs, each with the prefix of its columns: with the drive's given motion, and with a unit drive, ω₁ = 1
-        and ε₁ = 0 (or v = 1 and a = 0), where velocities are analogues, dr/dφ₁."""
-        columns = {c.name: c for c in columns_of(self.plans)}
+        """The runs there are, each with the prefix of its columns: the drive's own motion, and the unit drive's, ω₁ = 1
+        and ε₁ = 0 (or v = 1 and a = 0), velocities of which are analogues, dr/dφ₁."""
+        columns = all_columns(self.plans)
         unit = dict(zip(self.plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
         own = [columns[n] for n in self.needs if not n.startswith(UNIT)]
         one = [columns[n.removeprefix(UNIT)] for n in self.needs if n.startswith(UNIT)]

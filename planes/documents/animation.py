@@ -57,7 +57,7 @@ def animate(scene: Scene, output: str | Path, lang: Lang, frames: int = FRAMES, 
         drawn, round_trip = positions(scene, frames, lang)
         pages, size = laid_out(scene, drawn, lang)
         shown = [*pages, *pages[-2:0:-1]] if round_trip else pages
-        data = moving.written(shown, size, seconds, suffix, step)
+        data = moving.written(shown, size, seconds, suffix, step, scene.title.get(lang) or scene.file, lang)
     keep(data, output)
 
 

@@ -65,7 +65,7 @@ class ClassWork:
         row = ClassRow.of(one, self.lang)
         if self.ledger and one.found:
             shown = report.page_data(one.found, self.lang, row.places)
-            shown["title"] = ". ".join(filter(None, (one.whose, shown["title"])))
+            shown["title"] = ". ".join(filter(None, (one.whose.removesuffix("."), shown["title"])))
             page = check_pages.report_page({**shown, "of_class": one.file, "command": self.command}, self.lang)
             self._keep(name, source, page.encode())
         self.add_row(row, source, task)
@@ -151,13 +151,15 @@ class ClassWork:
         names: dict[str, list[str]] = {}
         for task in self.tasks:
             if task.student and str(task.file) not in came:
-                names.setdefault(task.student.replace("-", " "), []).append(task.scene)
-        return ", ".join(f"{name} ({', '.join(scenes)})" if several else name for name, scenes in names.items())
+                name = str(task.variant(None).sheet.get("student") or task.student.replace("-", " "))
+                names.setdefault(name, []).append(task.scene)
+        every = (f"{name} ({', '.join(scenes)})" if several else name for name, scenes in names.items())
+        return ", ".join(every).removesuffix(".")  # the sentence ends with its own
 
     def csv(self) -> str:
-        """The table for a spreadsheet, with a prefix that declares its encoding."""
+        """The table for a spreadsheet."""
         head, rows = self.table()
-        return f"\ufeff{as_csv([head, *rows])}"
+        return as_csv([head, *rows])
 
     def page(self) -> str:
         """The page, with doubtful drawings at the top."""

@@ -47,8 +47,8 @@ _ONE = threading.Lock()  # a worker may have several threads; the drawing librar
 
 @frozen
 class Order:
-    """The order for a student's scene: the names of ``files``, the heads, plans of blanks; the owner: assignment,
-    variant, student, as on blanks."""
+    """What is to be made of a student's scene: the names of ``files``, their heads, the plans asked for; whose it is:
+    assignment, variant, student, as blanks say it."""
 
     scene: str
     heads: tuple[str, ...]
@@ -119,9 +119,7 @@ class Desk:
         if kind.startswith("sheet-"):
             sheet = self.sheet(int(kind[-1]))
             return sheet.rendered(f".{suffix}"), sheet.warnings
-        makers = {"task": self.task, "blank": self.blank, "key": self.key, "lesson": self.lesson}
-        makers |= {"note": self.note, "scorm": self.scorm, "quiz": self.quiz}
-        return makers[kind](), ()
+        return getattr(self, kind)(), ()
 
     def sheet(self, number: int) -> Sheet:
         """A sheet of the project, composed once for all its formats."""
@@ -135,7 +133,8 @@ class Desk:
         made = list[bytes]()
         for size in FIGURE_MM:
             shown = self.shown({**FIT_MM, "position": size}, size < FIGURE_MM[0])
-            made.append(self.set(task(self.scene, self.drawn, shown, self.order.heads, self.order.lang)))
+            sheet = task(self.scene, self.drawn, shown, self.order.heads, self.order.lang, self.order.plans)
+            made.append(self.set(sheet))
             if not self.drawn.plans.moves or len(PdfDocument(made[-1])) == 1:
                 return made[-1]
         return made[0]
@@ -195,8 +194,8 @@ class Desk:
         )
 
     def quiz(self) -> bytes:
-        """The questions for platforms, with the scheme in another position as a picture."""
-        asked = questions(self.scene, self.order.lang)
+        """What platforms ask, with the scheme in another position as a picture."""
+        asked = questions(self.scene, self.order.lang, self.order.plans)
         held = replace(self.told, questions=asked, picture=self.asked_of().rendered(".png"))
         return (json.dumps(held.json(), ensure_ascii=False, indent=1) + "\n").encode()
 

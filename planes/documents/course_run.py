@@ -22,6 +22,7 @@ from planes.documents.course import Made, Order, due, make, names_of
 from planes.lesson.note import student_said
 from planes.scene import loads
 from planes.words import Lang, Phrase
+from planes.words.names import kind_of
 from planes.words.naming import Naming
 from render.report import rendered
 
@@ -82,13 +83,13 @@ class Conductor:
     # numbers
 
     def settle(self) -> dict[Share, Settled]:
-        """Everybody's numbers, no two students alike in one assignment."""
+        """Everybody's numbers, no two of which give the same plans of one assignment, if they are drawn."""
         asked = {s: question(self.course, s, self.lang) for s in self.given}
         settled: dict[Share, Settled] = {}
         todo = list(self.given)
         for _ in range(COPIES):
             settled |= self.answered({s: asked[s] for s in todo})
-            todo = list(alike(self.given, settled))
+            todo = list(alike(self.given, settled, self.course.plans))
             if not todo:
                 break
             asked |= {s: replace(asked[s], copy=asked[s].copy + 1) for s in todo}
@@ -206,13 +207,16 @@ def order_of(order: Order, name: str) -> str:
     return made_of(replace(order, files=()), name)
 
 
-def alike(given: Sequence[Share], settled: dict[Share, Settled]) -> Iterator[Share]:
-    """Students with the same numbers as somebody before."""
+def alike(given: Sequence[Share], settled: dict[Share, Settled], plans: Sequence[str]) -> Iterator[Share]:
+    """Who drew numbers by which the plans that are asked are as somebody before has them."""
     seen = set()
     for share in sorted(given, key=lambda s: s.variant is None):  # given variants stay as they are
         if (answer := settled[share]).fault:
             continue
-        numbers = json.dumps([share.assignment.name, *loads(answer.scene, SCENE).parameters.items()])
+        key = json.loads(answer.key)
+        drawn = key.get("positions", [key])[0].get("plans", {})
+        asked = [drawn[name]["segments"] for name in drawn if kind_of(name) in plans]
+        numbers = json.dumps([share.assignment.name, asked or key])
         if numbers in seen and share.variant is None:
             yield share
         seen.add(numbers)

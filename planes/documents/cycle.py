@@ -7,13 +7,13 @@ from math import isfinite
 
 import numpy
 
-from planes.diagrams.curves import FULL, Curve, CycleVector, arrows_of, curves_of, named, output_curves
 from planes.diagrams.extremes import Extreme, extremes
 from planes.diagrams.motion import Runs, ends_of
 from planes.diagrams.turn import WholeTurn, grid, turn_of, unwound
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
 from planes.plans import Plans
+from planes.plans.curves import FULL, Curve, CycleVector, arrows_of, curves_of, named, output_curves
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.ranges import Span

@@ -12,8 +12,10 @@ from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
 from planes.solving import Position, solve
+from planes.solving.of_scene import AnyScene, read
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
+from planes.words.lettering import spelt
 from render.files import SUFFIXES, Page
 from render.files.dxf_entities import Lettered
 from render.paper.hues import coloured
@@ -36,10 +38,12 @@ def shown(thing: Drawing | Scene | Position) -> str | None:
 
 
 class DrawnSheet(NamedTuple):
-    """The drawn sheet: the format and the size of the paper ("A2, 594 × 420 mm"), and the remarks."""
+    """What was drawn: the format and the size of the paper ("A2, 594 × 420 mm"), what must be said of it, and what of
+    a drawing by hand."""
 
     size: str
     said: tuple[str, ...]
+    remarks: tuple[str, ...] = ()
 
 
 def draw_sheet(
@@ -70,15 +74,16 @@ def draw_sheet(
     drawn.write(output, text)
     paper = f"{drawn.paper.name.replace('x', '×')}, " if isinstance(drawn, Sheet) else ""
     size = " × ".join(f"{mm:.0f}" for mm in drawn.size)
-    said = (*drawn.warnings, *(_by_hand(scene, values, lang) if view is None and number != 2 else ()))
-    return DrawnSheet(f"{paper}{size} {say('mm', lang)}", said)
+    remarks = tuple(_by_hand(scene, values, lang)) if view is None and number != 2 else ()
+    return DrawnSheet(f"{paper}{size} {say('mm', lang)}", tuple(drawn.warnings), remarks)
 
 
 def _by_hand(scene: Scene, values: Iterable[float] | None, lang: Lang) -> Iterator[str]:
     """The remark that velocities and accelerations on the sheet are uncertain in a drawing by hand, as in a check of
     one."""
     for position in solve(scene, values, lang=lang).positions if scene.mechanism else ():
-        if names := ", ".join(unsure(position)):
+        naming = replace(position.plans.naming, lang=lang)
+        if names := ", ".join(spelt(naming.vector(name)) for name in unsure(position)):
             yield say("unsure_by_hand", lang, names=names)
 
 
@@ -90,14 +95,14 @@ def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, outpu
         page({both.key: lambda: both}, both.key, composer).write(output)
 
 
-def picture(drawn: Scene | Position, view: str | None = None, lang: Lang | None = None) -> Page:
-    """One view (by default the scheme) of a scene, or of a position already solved, for a notebook.
+def picture(drawn: AnyScene | Position, view: str | None = None, lang: Lang | None = None) -> Page:
+    """One view (the scheme, unless another is named) of a scene, or of a position solved before, for a notebook.
 
     A position is drawn as it is, by whatever instrument; the sheet settings of a scene are unknown then.
     """
     lang = lang or home_lang()
-    if isinstance(drawn, Scene):
-        return view_of(drawn, view, None, lang)
+    if not isinstance(drawn, Position):
+        return view_of(read(drawn), view, None, lang)
     scene = Scene(mechanism=drawn.plans.mechanism, mu=drawn.scales)
     composer = Composer(scene, lang, drawn.plans)
     return page(_mechanism_views(scene, drawn, composer), view, composer)

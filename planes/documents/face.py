@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from planes.batch.cycle import Cycle
 from planes.batch.table import SWEPT, Table
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked
@@ -15,16 +14,18 @@ from planes.check.handed_in import TABLES, read_paper
 from planes.check.outcome import Outcome
 from planes.check.outcome import check as judge
 from planes.course.numbers import answers_of
+from planes.diagrams.turn import WholeTurn
 from planes.documents import animation
 from planes.documents.drawn import picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
-from planes.plans.quantities import asked as asked_for
+from planes.plans.curves import meant, read_as
+from planes.plans.quantities import results_of
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
-from planes.scene.ranges import asked_of_drive, finite
-from planes.solving.building import Linkage
-from planes.solving.of_scene import read
+from planes.scene.parameters import finite
+from planes.scene.ranges import places_of
+from planes.solving.of_scene import AnyScene, read
 from planes.words import Lang, home_lang
 from planes.words.names import kind_of
 from planes.words.units import read_mu
@@ -38,12 +39,7 @@ __all__ = ["animate", "check", "cycle", "extremes", "lesson", "picture", "sheet"
 
 
 def cycle(
-    scene: Scene | Linkage,
-    names: str | Iterable[str] | None = None,
-    phi: Any = None,
-    *,
-    s: Any = None,
-    **parameters: Any,
+    scene: AnyScene, names: str | Iterable[str] | None = None, phi: Any = None, *, s: Any = None, **parameters: Any
 ) -> Table:
     """Results for many positions, as arrays by name. ``names`` are results such as "v_C", "omega_2", "F_21", "M_1" or
     the position vector "r_C" (None: everything). Where a position cannot be drawn, there is NaN, and ``failed`` has the
@@ -58,14 +54,15 @@ def cycle(
     >>> scene = planes.load("samples/kind-1-rrr.yaml")
     >>> table = planes.cycle(scene, ["v_C", "omega_2"], phi=range(0, 360, 90), l_CD=[0.3, 0.35])
     >>> table
-    <Table of 8 positions: l_CD [SI], phi [°], v_C_x [m/s], v_C_y [m/s], omega_2 [rad/s]>
+    <Table of 5 columns, 8 positions: l_CD [SI], phi [°], v_C_x [m/s], v_C_y [m/s], omega_2 [rad/s]>
     >>> table["v_C"].shape
     (8,)
     """
     scene = read(scene)
-    asked = [names] if isinstance(names, str) else list(names) if names is not None else None
-    values = asked_of_drive(scene, phi, s)
-    values = values if values is None else np.atleast_1d(finite(values, "s" if phi is None else "phi"))
+    one = isinstance(names, str) or not isinstance(names, Iterable)
+    asked = None if names is None else [str(names)] if one else list(names)
+    values = places_of(scene, phi, s)
+    values = values if values is None else np.atleast_1d(values)
     swept = {name: np.atleast_1d(finite(v, name)) for name, v in parameters.items()}
     tables = []
     for numbers in product(*swept.values()):
@@ -77,29 +74,24 @@ def cycle(
 def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str, float]) -> Table:
     """The results for one set of parameters."""
     plans = scene_plans(scene)
-    drive, run = plans.mechanism.drive, Cycle(plans, names)
+    drive = plans.mechanism.drive
+    asked = (meant(plans, name) for name in map(str, names or ()) if name != drive.kind)
+    read = map(read_as, results_of(plans)) if names is None else asked
+    curves = list({c.name: c for some in read for c in some}.values())
     if values is None:
         values = np.arange(360.0) if drive.kind == "phi" else np.array([drive.position])
-    table, codes = run.table(values, bare=False)
+    turn = WholeTurn(plans, curves, slopes=False)
+    (block,) = turn.blocks(values, len(values))
     columns = {name: np.full(len(values), number) for name, number in given.items()} | {drive.kind: values}
     units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.kind == "phi" else "m"}
-    columns |= {c.name: row for c, row in zip(run.columns, table, strict=True)}
-    units |= {c.name: c.unit for c in run.columns}
-    for q in (q for q in asked_for(plans, names or ()) if q.reversed):
-        columns |= {f"{q.name}_{part}": -columns[f"{q.of}_{part}"] for part in "xy"}
-        units |= {f"{q.name}_{part}": "N" for part in "xy"}
-    reasons = np.array(["", *(r.named for r in run.reasons)], dtype=object)
-    return Table(columns, units, reasons[codes], plans.naming)
-
-
-def _place(scene: Scene, phi: Any, s: Any) -> float | None:
-    """The one position of the drive requested."""
-    at = asked_of_drive(scene, phi, s)
-    return None if at is None else float(finite(at, "s" if phi is None else "phi", several=False))
+    columns |= {c.name: row for c, row in zip(curves, block.table, strict=True)}
+    units |= {c.name: c.unit for c in curves}
+    reasons = np.array(["", *(r.named for r in turn.reasons)], dtype=object)
+    return Table(columns, units, reasons[block.codes], plans.naming)
 
 
 def check(
-    scene: Scene | Linkage,
+    scene: AnyScene,
     drawing: str | Path,
     plan: str,
     phi: float | None = None,
@@ -119,7 +111,7 @@ def check(
     missing. Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
     scene = read(scene)
-    at, known_mu = _place(scene, phi, s), None if mu is None else read_mu(mu, kind_of(plan))
+    at, known_mu = places_of(scene, phi, s, False), None if mu is None else read_mu(mu, kind_of(plan))
     answers = answers_of(scene, at, plan) if str(drawing).lower().endswith(TABLES) else ()
     asked = Asked(scene, plan, at, known_mu, answers=answers)
     known = Known(pole, marks or {}, page=None if page is None else page - 1)
@@ -127,7 +119,7 @@ def check(
 
 
 def sheet(
-    scene: Scene | Linkage,
+    scene: AnyScene,
     output: str | Path | None = None,
     phi: float | None = None,
     *,
@@ -142,7 +134,7 @@ def sheet(
     notebook shows the returned value. Raises :class:`PlanesError` where it cannot be drawn or written.
     """
     scene = read(scene)
-    lang, at = lang or home_lang(), _place(scene, phi, s) if scene.mechanism else None
+    lang, at = lang or home_lang(), places_of(scene, phi, s, False) if scene.mechanism else None
     values = None if at is None else [at]
     drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     if output is not None:
@@ -151,7 +143,7 @@ def sheet(
 
 
 def lesson(
-    scene: Scene | Linkage, output: str | Path | None = None, lang: Lang | None = None, centres: bool = False
+    scene: AnyScene, output: str | Path | None = None, lang: Lang | None = None, centres: bool = False
 ) -> Lesson:
     """The construction step by step as a web page, optionally with a chapter on instantaneous ``centres``; written to
     ``output`` if given. A notebook shows it."""
@@ -161,7 +153,7 @@ def lesson(
     return page
 
 
-def extremes(scene: Scene | Linkage) -> "Extremes":
+def extremes(scene: AnyScene) -> "Extremes":
     """Stroke, dead points, time ratio, and the extremes of every curve over the cycle.
 
     A dict in the shape of ``planes cycle --json``, with numbers at full precision; printed, it is the tables of
@@ -185,14 +177,13 @@ def extremes(scene: Scene | Linkage) -> "Extremes":
     >>> round(found["driven"]["time_ratio"], 4)
     1.1516
     """
-    from planes.diagrams.summary import of_cycle
     from planes.diagrams.text import Extremes
 
-    return Extremes(of_cycle(read(scene)))
+    return Extremes(read(scene))
 
 
 def animate(
-    scene: Scene | Linkage,
+    scene: AnyScene,
     output: str | Path,
     *,
     frames: int = animation.FRAMES,

@@ -13,9 +13,9 @@ from planes.check.outcome import Outcome
 from planes.check.report import heads, numbers_of, rows_of
 from planes.documents.drawn import picture, shown
 from planes.plans import structure_of
-from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position, told
+from planes.solving.of_scene import AnyScene, read
 from planes.words import Lang, Phrase, decimal, home_lang, say
 from planes.words.errors import PlanesError, SceneError
 from planes.words.units import number, quantity
@@ -115,22 +115,22 @@ export default { render({ model, el }) {
 """
 
 
-def crank(scene: Scene, views: Sequence[str] = ("position", "velocity-plan"), lang: Lang | None = None) -> AnyWidget:
-    """A crank to turn in a notebook: a slider for the drive; the named views are redrawn at each of its positions.
+def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"), lang: Lang | None = None) -> AnyWidget:
+    """A crank to turn in a notebook: a slider for the drive, the views named redrawn at each place of it.
 
-    ``value`` of the returned object is the drive's position (degrees; m for a sliding driver) and may be set or
-    observed; ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget
-    (``planes[notebook]``).
+    ``value`` of what is returned is the drive's place (degrees; m of a sliding driver) and may be set or observed;
+    ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget.
     """
     try:
         import anywidget
         import traitlets
     except ImportError:
         raise PlanesError(Phrase("needs_anywidget")) from None
-    plans, wanted = plans_of(scene)
-    if scene.mechanism is None:
-        raise SceneError(Phrase("vectors_alone"), scene.file, scene.where.get(("vectors",), 1))
-    drive, said = scene_plans(scene).mechanism.drive, lang or home_lang()
+    own = read(scene)
+    plans, wanted = plans_of(own)
+    if own.mechanism is None:
+        raise SceneError(Phrase("vectors_alone"), own.file, own.where.get(("vectors",), 1))
+    drive, said = plans.mechanism.drive, lang or home_lang()
     turns = drive.kind == "phi"
     reach = (0.0, 360.0, 1.0) if turns else (drive.position - 1.0, drive.position + 1.0, 0.01)
 
@@ -153,7 +153,7 @@ def crank(scene: Scene, views: Sequence[str] = ("position", "velocity-plan"), la
         def draw(self) -> None:
             """The views at the drive's position, or why there are none."""
             try:
-                self.position = position(scene, plans, wanted, self.value, None, said)
+                self.position = position(own, plans, wanted, self.value, None, said)
                 pages = [picture(self.position, view, said) for view in views]
                 self.svg, self.failure = "".join(page._repr_svg_() for page in pages), ""
             except PlanesError as failure:

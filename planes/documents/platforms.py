@@ -15,7 +15,7 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 from numpy import uint32
 from numpy.random import RandomState
 
-from planes.course.quiz import Pool, Quiz, QuizItem, by_assignment
+from planes.course.quiz import LEAST, Pool, Quiz, QuizItem, by_assignment
 from planes.words import Lang, say
 from planes.words.naming import Naming
 
@@ -127,12 +127,13 @@ def _calculated(quiz: Element, group: Sequence[Quiz], number: int, lang: Lang) -
         _text(question, tag, "")
     answer = SubElement(question, "answer", fraction="100")
     SubElement(answer, "text").text = f"{{{item.key}}}"
-    least = min(q.questions[number].tolerance for q in group)
-    fields = {"tolerance": f"{least:.6g}", "tolerancetype": "2", "correctanswerformat": "2", "correctanswerlength": "4"}
-    _fields(answer, fields)  # nominal; significant figures
+    asked_of = [q.questions[number] for q in group]
+    share = max(LEAST, *(one.tolerance / abs(one.value) for one in asked_of))  # so that nobody's right drawing fails
+    fields = {"tolerance": f"{share:.6g}", "tolerancetype": "1", "correctanswerformat": "2", "correctanswerlength": "4"}
+    _fields(answer, fields)  # relative; significant figures
     _text(answer, "feedback", "", format="html")
     _fields(question, UNITLESS)
-    rows = pool.varied | {item.key: [q.questions[number].value for q in group]}
+    rows = pool.varied | {item.key: [one.value for one in asked_of]}
     definitions = SubElement(question, "dataset_definitions")
     for name, values in rows.items():
         _dataset(definitions, name, values)

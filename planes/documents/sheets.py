@@ -10,12 +10,12 @@ import numpy as np
 
 from planes.batch.cycle import Cycle
 from planes.batch.table import columns_of
-from planes.diagrams.curves import FULL, WorkingRange, curves_of, driven, output_curves
 from planes.diagrams.motion import dead_points, driven_grid
 from planes.diagrams.turn import span_of, unwound
 from planes.documents.cycle import check_names, known, over_cycle
 from planes.geometry.arrays import Array
 from planes.plans import Plans
+from planes.plans.curves import FULL, WorkingRange, curves_of, driven, output_curves
 from planes.plans.position.bodies import SCHEME
 from planes.plans.quantities import results_of
 from planes.plans.scales import extent, fits_on, fitting, sides

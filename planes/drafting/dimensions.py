@@ -1,19 +1,15 @@
 """A given number or place computed from the dimensions of links."""
 
-from collections.abc import Callable, Hashable
 from typing import Any, NamedTuple
 
 from planes.drafting.tools import Thing
-from planes.geometry.arithmetic import Arithmetic
 
 
 class Dimension(NamedTuple):
-    """The value, the formula for it, and the dimensions ``of`` which it is computed: two that agree by chance are not
-    the same dimension."""
+    """Its kind, the values it is calculated ``of``, and how: two that are equal by chance are not the same dimension."""
 
     value: Thing
-    by: Callable[[Any, Arithmetic], Any]
-    of: Hashable
+    of: tuple[Any, ...]
 
     def __neg__(self) -> "Dimension":
-        return Dimension(-self.value, lambda shape, ar: -self.by(shape, ar), ("-", self.of))
+        return Dimension(-self.value, ("-", self.of))

@@ -6,9 +6,10 @@ from dataclasses import dataclass, field, fields
 from typing import Any
 
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
-from planes.words import Told
+from planes.words import Phrase, Told
 from planes.words.errors import PlanFailure
 from planes.words.lettering import line_in_words, name_in_words
+from planes.words.units import UNIT
 
 NOWHERE = complex("nan+nanj")  # placeholder for a failed mark of many drawings
 Step = Any  # of planes.drafting.steps: a step knows the tool that draws it
@@ -126,4 +127,6 @@ def names_of(step: Step) -> dict[str, Told]:
     for line, along, start in (("line", "along", "start"), ("other_line", "across", "other")):
         if along in named and start in named:
             words[line] = line_in_words(named[along], named[start])
+    if "mu" in named:
+        words["unit"] = Phrase(UNIT.get(named["mu"].removeprefix("mu_"), "units"))
     return words

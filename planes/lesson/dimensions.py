@@ -14,7 +14,7 @@ from planes.batch.tracing import given_on, given_values
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.plans import Plans
-from planes.plans.position.reckoned import Dimensions, OwnPlace, SceneDimensions
+from planes.plans.position.reckoned import OwnPlace, SceneDimensions, anew
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
 from planes.words.names import Meaning, given_of
@@ -70,7 +70,7 @@ class FreeNumbers:
         self.asked, ar = _Asked(plans), Arithmetic()
         for name in plans.program.givens:
             if name in plans.reckoned:
-                plans.reckoned[name].by(self.asked, ar)
+                anew(plans.reckoned[name].of, self.asked, ar)
         self.own: dict[str, float] = {}
         self.reaches = dict(self._reaches())
         self.turned = {g: self._named(ANGLE + g, self.asked.angle(g)) for g in [*self.asked.guides]}
@@ -104,7 +104,7 @@ class FreeNumbers:
         shape = _Changed(self, things, own, ar)
         for name in self.given:
             if name in self.plans.reckoned:
-                things[name] = own[name] if name in self.own else self.plans.reckoned[name].by(shape, ar)
+                things[name] = own[name] if name in self.own else anew(self.plans.reckoned[name].of, shape, ar)
         return things
 
     def placing(self, link: str, point: str) -> list[str]:
@@ -152,8 +152,8 @@ def degrees(z: complex) -> float:
 
 
 @frozen
-class _Changed(Dimensions):
-    """The dimensions computed from the free numbers."""
+class _Changed:
+    """The dimensions as the free numbers make them."""
 
     free: FreeNumbers
     things: Mapping[str, Thing]

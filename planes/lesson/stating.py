@@ -12,7 +12,7 @@ from planes.lesson.frame import Frame, Make
 from planes.lesson.steps import Names, whole
 from planes.plans import Plans
 from planes.plans.force.loads import force_name
-from planes.words import Lang, say
+from planes.words import Lang, Phrase, say
 from planes.words.frozen import frozen, replace
 from planes.words.names import at, kind_of, links_of, parts_of
 
@@ -61,9 +61,14 @@ class Stating:
         return " = ".join([f"⟨{e.total}⟩", *(" + ".join(f"⟨{n}⟩" for n in names if n != e.total) for names in sides)])
 
     def unknown(self, e: Equation, lang: Lang) -> str:
-        """The unknowns, in words."""
-        parts = dict.fromkeys((whole(e, name), part) for name, part in e.unknowns)
-        return ", ".join(say(f"lesson_unknown_{part}", lang, name=name) for name, part in parts)
+        """What is sought, in words."""
+        parts: dict[str, dict[str, None]] = {}
+        for name, part in e.unknowns:
+            parts.setdefault(part, {})[f"⟨{whole(e, name)}⟩"] = None
+        said = (
+            Phrase(f"lesson_unknown_{part}{'s' * (len(names) > 1)}", names=(*names,)) for part, names in parts.items()
+        )
+        return say("lesson_unknowns", lang, parts=(*said,))
 
     def why(self, e: Equation, lang: Lang) -> str:
         """For forces, the bodies in equilibrium; for velocities and accelerations, the two motions of a point."""

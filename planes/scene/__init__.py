@@ -27,7 +27,7 @@ from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
 from planes.words.names import CREMONA, latin
 from planes.words.records import Pictured
-from planes.words.units import Convention, mu_text
+from planes.words.units import Convention
 
 __all__ = ["ReadWith", "Scene", "Statement", "VectorGiven", "load", "loads"]
 
@@ -108,38 +108,27 @@ class Scene(Pictured):
         said = self.sheet.get("mu_convention", self.mu_written)
         return "unit_per_mm" if said == "unit_per_mm" else "mm_per_unit"
 
+    def __hash__(self) -> int:
+        return hash((self.file, self.variant, *sorted(self.parameters.items())))
+
     def __repr__(self) -> str:
         what = "vectors" if self.mechanism is None else f"links {', '.join(self.mechanism.links)}"
         variant = f", variant {self.variant}" if self.variant else ""
         return f"<Scene {self.title.get('en') or self.file!r}: {what}{variant}>"
-
-    @classmethod
-    def of(cls, mechanism: Mechanism, title: str = "", file: str = "") -> "Scene":
-        """The scene of a mechanism built in Python; the program chooses the scales."""
-        from planes.scene.writing import as_yaml
-
-        return loads(as_yaml(mechanism, {"title": title}, {}), file or f"<{title or 'Mechanism'}>")
 
     def with_parameters(self, **values: float) -> "Scene":
         """The same scene read again with other numbers for some of its parameters (SI, degrees)."""
         return loads(self.reading.source, self.file, self.variant, **{**self.reading.changed, **values})
 
     def to_yaml(self) -> str:
-        """The text of an equivalent scene file in plain numbers: variants are not kept, their numbers are filled in.
+        """The text of its scene file. Where a variant was chosen or parameters were changed, their numbers are in its
+        parameters, and variants and remarks are not kept."""
+        from planes.scene.writing import own_scene
 
-        Raises :class:`~planes.words.errors.SceneError` for a scene of vectors alone.
-        """
-        from planes.scene.writing import as_yaml
-
-        if self.mechanism is None:
-            raise SceneError(Phrase("vectors_alone"), self.file, 1)
-        words: dict[str, object] = {
-            key: settings.fewest(dict(getattr(self, key))) for key in ("title", "note", "missing")
-        }
-        plans = {plan: {"mu": mu_text(mu, plan)} for plan, mu in self.mu.items() if mu}
-        asked = {"plans": plans, "find": None if self.find is None else list(self.find), "sheet": dict(self.sheet)}
-        words["parameters"] = dict(self.parameters)
-        return as_yaml(self.mechanism, words, {**asked, "crank_slider": self.crank_slider})
+        changed = {name: repr(float(value)) for name, value in self.reading.changed.items()}
+        if not changed and self.variant is None:
+            return self.reading.source
+        return own_scene(self.reading.source, self.file, self.variant, changed, {})
 
 
 def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:

@@ -24,8 +24,8 @@ STEEP = 1.0  # a coefficient of friction this large is more likely a misprint
 RADIANS = 5e-4  # how close to a multiple of π/12 a number must be to count as one
 STEP = math.pi / 12
 LARGEST = 6.29  # radians of a turn
-OF_UNITS = [f"doubt_{key}" for key in ("radians", "ratio", "gravity", "friction", "inertia", "heavy", "long")]
-"""Doubts about units: whether a number is in those of scenes, SI and degrees."""
+OF_UNITS = [f"doubt_{key}" for key in ("radians", "ratio", "gravity", "friction", "inertia", "heavy", "long", "far")]
+"""The doubts whether a number is in the units of scenes, SI and degrees."""
 _OF_LINK = {f.name for f in fields(Link)} - {"name"}
 _ANGLES = ("phi", "angle", "direction", "perpendicular_to", "near")
 _RATIO = re.compile(r"\s*-?\s*(sin|cos|tan)\s*\(")
@@ -44,6 +44,7 @@ def read_doubts(
     doubts = [*_empty(table), *_unused(table, parameters), *_angles(table, parameters), *_backwards(table, parameters)]
     if mechanism:
         doubts += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
+        doubts += _far(mechanism.frame)
         if (mechanism.gravity or 0) > HEAVY:
             doubts.append((Phrase("doubt_gravity", value=Written(f"{mechanism.gravity:g}")), ("gravity",)))
         doubts += [
@@ -191,6 +192,14 @@ def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
         alone = len(own) == 1 and not (own[0].slides or own[0].slides_round) and said.near is None
         if own and name not in mechanism.frame.guides and (name in driven or alone):
             yield Phrase("doubt_assembly", point=name), ("assembly", name)
+
+
+def _far(frame: Link) -> Iterator[tuple[Phrase, Keys]]:
+    """Fixed points and guides so far from the origin that metres are hardly meant."""
+    for kind, places in ("points", frame.points), ("guides", {name: g.through for name, g in frame.guides.items()}):
+        for name, z in places.items():
+            if abs(z) >= LONG_M:
+                yield Phrase("doubt_far", name=name, size=Written(f"{abs(z):g}")), ("frame", kind, name)
 
 
 def _size(link: Link) -> float:

@@ -10,7 +10,7 @@ import unicodedata
 from collections.abc import Callable, Iterable, Mapping
 
 from planes.geometry.arithmetic import Real, acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
-from planes.scene.unit_words import FACTORS, in_si
+from planes.scene.unit_words import FACTORS, unit_of
 from planes.words import Phrase, Written
 from planes.words.errors import ExpressionError, choices, shown
 
@@ -131,8 +131,14 @@ class ExpressionParser:
             return Phrase("decimal_point", number=f"{near[0][1]}.{near[2][1]}")
         if kind == "end":
             return Phrase("end_absent")
-        if kinds in ("number-name-end", "number-name-sign") and word not in (*self.valid, *RESERVED):
-            return Phrase("unit_written", word=shown(word), hint=in_si([w for _, w in self.tokens[self.at :]]))
+        if kinds in ("number-name-end", "number-name-sign"):
+            unit = unit_of([w for _, w in self.tokens[self.at :]])
+            factor = FACTORS.get(unit.lower())
+            for name in (*self.valid, *RESERVED):
+                if name == word or FACTORS.get(name.lower(), name) == factor:
+                    return Phrase("write_times", number=near[0][1], name=name)
+            hint = unit and Phrase("unit_in_si", unit=unit, factor=factor)
+            return Phrase("unit_written", word=shown(word), hint=hint)
         return Phrase("unexpected" if kind == "sign" else "unexpected_operand", word=shown(word))
 
     def sign(self, *signs: str) -> str:

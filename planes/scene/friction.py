@@ -32,7 +32,7 @@ def read_friction(
             raise reader.error(Phrase("friction_of_pin", what=what, name=name), entry)
         else:
             idle = {*radii, *(guide for link in bodies for guide in link.guides)}
-            valid = reader.offer(name, sorted(slid | hinges), Phrase("rubbing_pairs"))
+            valid = reader.offer(name, sorted(slid | hinges))
             why = Phrase("friction_no_slide" if name in idle else "friction_no_pair", name=name[:60], valid=valid)
             raise reader.error(why, table.lines[name])
     return guides, journals

@@ -206,7 +206,7 @@ def _check_slide(reader: Reader, table: SourceTable, link: Link, owners: dict[st
     guide, line = link.slides.guide if link.slides else "", line_of(table, (link.name, "slides"))
     if guide not in owners:
         others = [name for name, owner in owners.items() if owner != link.name]
-        valid = reader.offer(guide, others, Phrase("guides_all"))
+        valid = reader.offer(guide, others)
         raise reader.error(Phrase("no_guide", name=link.name, guide=guide[:60], valid=valid), line)
     if owners[guide] == link.name:
         raise reader.error(Phrase("own_guide", name=link.name, guide=guide), line)

@@ -114,7 +114,7 @@ class LawReader:
         elif link in sliders or len(sliders) == 1:
             slider = link if link in sliders else sliders[0]
         else:
-            valid = self.reader.offer("", sliders, kind)
+            valid = self.reader.offer("", sliders)
             raise load.error(Phrase("law_slider", what=what, link=link, valid=valid))
         behind = load.optional("stroke") is not None and load.word("stroke", ("ahead", "behind")) == "behind"
         return StrokeLoad(working, idle, slider, "behind" if behind else "ahead")

@@ -1,6 +1,6 @@
 """Motion and loading of a mechanism in a scene: assembly, drive, loads."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import cast
 
 from planes.scene.load_laws import LawReader
@@ -37,15 +37,17 @@ def read_assembly(reader: Reader, node: Node, frame: Link, links: Links) -> dict
     for name, line in table.lines.items():
         if name not in points and name not in guides:
             reader.check_colon(table, name, (*points, *guides))
-            valid = reader.offer(name, (*points, *guides), Phrase("points_all"))
+            valid = reader.offer(name, (*points, *guides))
             raise reader.error(Phrase("assembly_name", name=name[:60], valid=valid), line)
-    return {name: _assembly(reader, name, entry) for name, entry in table.entries.items()}
+    return {name: _assembly(reader, name, entry, (*links.values(), frame)) for name, entry in table.entries.items()}
 
 
-def _assembly(reader: Reader, name: str, node: Node) -> Assembly:
+def _assembly(reader: Reader, name: str, node: Node, links: Iterable[Link]) -> Assembly:
     what = Phrase("assembly_of", name=name)
     if isinstance(node, SourceScalar):
-        return Assembly(cast(Order, reader.word(node, what, ORDERS)))
+        own = [link.slides for link in links if name in link.points]
+        fitting = ORDERS[2:] if any(own[:2]) or not own else ORDERS[:2]
+        return Assembly(cast(Order, reader.word(node, what, ORDERS if node.text in ORDERS else fitting)))
     return Assembly(near=Fields(reader, node, what, ("near",)).place("near"))
 
 
@@ -101,7 +103,7 @@ def _check_rates(drive: Fields, kind: DriveKind) -> None:
 def _moving(fields: Fields, links: Links) -> str:
     node, kind = fields.required("link"), Phrase("links_all")
     if isinstance(node, SourceScalar) and node.text == FRAME and FRAME not in links:
-        valid = fields.reader.offer(FRAME, links, kind)
+        valid = fields.reader.offer(FRAME, links)
         raise fields.reader.error(Phrase("frame_still", what=fields.named("link"), valid=valid), node)
     return fields.known("link", links, kind)
 
@@ -121,7 +123,7 @@ def _load(laws: LawReader, node: Node, what: Phrase, links: Links) -> Load:
         return _moment(load, link, value)
     points = links[link].points
     if "point" not in load:
-        valid = laws.reader.offer("", points, Phrase("points_all"))
+        valid = laws.reader.offer("", points)
         raise load.error(Phrase("force_no_point", what=what, valid=valid))
     point = load.known("point", points, _points_of(link))
     if not any(key in load for key in _DIRECTIONS):

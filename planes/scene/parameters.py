@@ -4,7 +4,9 @@ Numbers that share a parameter with the drive's position are valid at that posit
 of 3000*sin(phi_1) is calculated once, and would not change as the drive moves.
 """
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from planes.scene.expressions import RESERVED, evaluate, is_name, names_in
 from planes.scene.mechanism import Law
@@ -12,7 +14,7 @@ from planes.scene.paths import Keys, entries_of, texts
 from planes.scene.reader import MAX_NAME, Reader, absent, part
 from planes.scene.source import Items, Node, SourceScalar, SourceTable, parse
 from planes.words import Phrase
-from planes.words.errors import ExpressionError, choices, shown
+from planes.words.errors import ExpressionError, PlanesError, choices, shown
 from planes.words.names import latin
 
 SPELLED = dict(zip("АБВГДЕ", "ABVGDE", strict=True))
@@ -29,7 +31,7 @@ def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | Non
             raise reader.error(Phrase("reserved_parameter", name=name), line)
         if len(name) > MAX_NAME or not is_name(name):
             raise reader.error(Phrase("bad_parameter", name=shown(name), most=MAX_NAME), line)
-    entries = {**table.entries, **(chosen.entries if chosen else {})}
+    entries = {**table.entries, **entries_of(chosen)}
     written = {name: _scalar(reader, entry, Phrase("parameter", name=name)) for name, entry in entries.items()}
     try:
         values = resolve(written)
@@ -42,6 +44,21 @@ def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | Non
     return values
 
 
+def finite(value: Any, name: str, several: bool = True) -> Any:
+    """A finite number, or, of ``several``, the numbers of a flat list or array; a :class:`PlanesError` says which
+    argument, ``name``, is neither."""
+    try:
+        plain = value.tolist() if hasattr(value, "tolist") else value
+        many = several and isinstance(plain, Iterable) and not isinstance(plain, str)
+        numbers = [float(one) for one in (plain if many else [plain])]
+        if numbers and all(map(math.isfinite, numbers)):
+            return numbers if many else numbers[0]
+    except (TypeError, ValueError):
+        pass
+    key = "not_finite_numbers" if several else "not_finite_number"
+    raise PlanesError(Phrase(key, name=name, given=shown(" ".join(repr(value).split()))))
+
+
 def with_numbers(
     reader: Reader, node: Node | None, chosen: SourceTable | None, numbers: Mapping[str, float]
 ) -> SourceTable:
@@ -49,11 +66,13 @@ def with_numbers(
     known = entries_of(node)
     for name in numbers:
         if name not in known:
-            valid = reader.offer(name, known, Phrase("parameters_all"))
+            valid = reader.offer(name, known)
             raise reader.error(Phrase("parameter_unknown", name=shown(name), valid=valid), node or 1)
     line = node.line if node else 1
-    given: dict[str, Node] = {name: SourceScalar(repr(float(value)), line) for name, value in numbers.items()}
-    return SourceTable({**(chosen.entries if chosen else {}), **given}, line)
+    given: dict[str, Node] = {
+        name: SourceScalar(repr(finite(value, name, False)), line) for name, value in numbers.items()
+    }
+    return SourceTable({**entries_of(chosen), **given}, line)
 
 
 def _scalar(reader: Reader, node: Node, what: Phrase) -> str:
@@ -75,7 +94,7 @@ def read_variants(reader: Reader, node: Node | None, parameters: Node | None) ->
         table = SourceTable({}, entry.line) if absent(entry) else reader.table(entry, what)
         for key, line in table.lines.items():
             if key not in known:
-                valid = reader.offer(key, known, Phrase("parameters_all"))
+                valid = reader.offer(key, known)
                 raise reader.error(Phrase("no_parameter", name=name, key=shown(key), valid=valid), line)
             _scalar(reader, table.entries[key], part(key, what))
         tables[name] = table

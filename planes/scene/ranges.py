@@ -1,14 +1,14 @@
 """Ranges of the drive's position as a user types them: "30", "0:360:30", "-90"."""
 
 import math
-from collections.abc import Iterable
 from typing import Any, TypeVar
 
 from planes.geometry.arrays import Array
 from planes.scene import Scene
+from planes.scene.parameters import finite
 from planes.scene.reader import MOST_TURNS
 from planes.words import Phrase
-from planes.words.errors import PlanesError, SceneError, shown
+from planes.words.errors import PlanesError, SceneError
 from planes.words.frozen import frozen
 
 T = TypeVar("T")
@@ -42,30 +42,22 @@ class Span:
         return values
 
 
-def asked_of_drive(scene: Scene, phi: T | None, s: T | None) -> T | None:
-    """Of an angle and a length, the one that moves the drive; the other is refused."""
+def asked_of_drive(scene: Scene, phi: T | None, s: T | None, sign: str = "") -> T | None:
+    """Of an angle and a place the one the drive is moved by; the other may not be asked for. ``sign`` stands before
+    the names of both."""
     kind = scene.drive.kind if scene.drive else ""
     asked = {"phi": phi, "s": s}
     for option, value in asked.items():
         if value is not None and option != kind:
-            why = Phrase("driver_by", kind=kind) if kind else Phrase("no_driver")
-            raise PlanesError(Phrase("option_misfit", option=option, file=scene.file, why=why))
+            why = Phrase("driver_by", kind=sign + kind) if kind else Phrase("no_driver")
+            raise PlanesError(Phrase("option_misfit", option=sign + option, file=scene.file, why=why))
     return asked.get(kind)
 
 
-def finite(value: Any, name: str, several: bool = True) -> Any:
-    """A finite number or, if ``several``, the numbers of a flat list or array; otherwise a :class:`PlanesError` that
-    names the argument ``name``."""
-    try:
-        plain = value.tolist() if hasattr(value, "tolist") else value
-        many = several and isinstance(plain, Iterable) and not isinstance(plain, str)
-        numbers = [float(one) for one in (plain if many else [plain])]
-        if numbers and all(map(math.isfinite, numbers)):
-            return numbers if many else numbers[0]
-    except (TypeError, ValueError):
-        pass
-    key = "not_finite_numbers" if several else "not_finite_number"
-    raise PlanesError(Phrase(key, name=name, given=shown(" ".join(repr(value).split()))))
+def places_of(scene: Scene, phi: Any, s: Any, several: bool = True) -> Any:
+    """Where the drive is asked to be, as :func:`finite` takes it; None where nothing is asked."""
+    at = asked_of_drive(scene, phi, s)
+    return None if at is None else finite(at, "s" if phi is None else "phi", several)
 
 
 def read_range(text: str, option: str = "--phi") -> list[float]:

@@ -42,11 +42,12 @@ class Reader:
         return node
 
     def check_colon(self, table: SourceTable, key: str, names: Iterable[str]) -> None:
-        """Refuse {phi 30}: the colon is missing, and the whole text is a key."""
-        first, _, rest = key.partition(" ")
+        """In {phi 30} the colon is forgotten, in {phi:30} the space after it, and all of it is a key."""
+        first, sign, rest = [*re.split("([ :])", key, maxsplit=1), "", ""][:3]
         value = table.entries[key]
         if rest and first in names and isinstance(value, SourceScalar) and value.absent:
-            raise self.error(Phrase("colon_after", key=shown(first), text=shown(key)), table.lines[key])
+            forgotten = Phrase("colon_after", key=shown(first), text=shown(key))
+            raise self.error(Phrase("colon_space", key=first) if sign == ":" else forgotten, table.lines[key])
 
     def names(self, node: Node, what: Told, kind: Phrase) -> SourceTable:
         """The node as a table whose keys are names of a ``kind``: "a point"."""
@@ -88,13 +89,13 @@ class Reader:
         """The node as a defined name of a ``kind``: "point"."""
         text = self.text(node, what)
         if text not in (names if isinstance(names, Mapping) else (names := list(names))):
-            valid = self.offer(text, names, kind)
+            valid = self.offer(text, names)
             raise self.error(Phrase("unknown_name", what=what, of=kind, name=shown(text), valid=valid), node)
         return text
 
-    def offer(self, given: str, names: Iterable[str], kind: Phrase) -> Told:
-        """Words that list the valid names, or say that there are none."""
-        return choices(given, names) or Phrase("none_defined", of=kind)
+    def offer(self, given: str, names: Iterable[str]) -> Told:
+        """Words with the valid names, or that there are none."""
+        return choices(given, names) or Phrase("none_defined")
 
     def number(self, node: Node, what: Told) -> float:
         """The finite value of a number or an expression."""

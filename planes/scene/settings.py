@@ -61,11 +61,6 @@ def read_words(reader: Reader, node: Node | None, what: str) -> Words:
     return {lang: next((given[one] for one in stand_ins(lang) if one in given), any_one) for lang in langs()}
 
 
-def fewest(words: Words) -> Words:
-    """The words without fallback languages: reading them again gives the same."""
-    return {lang: text for lang, text in words.items() if len(own := stand_ins(lang)) == 1 or text != words[own[1]]}
-
-
 def read_plans(reader: Reader, node: Node | None) -> dict[str, float | None]:
     """μ of each plan in mm per SI unit; None where the program chooses."""
     scales: dict[str, float | None] = dict.fromkeys(PLANS)

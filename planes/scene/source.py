@@ -12,6 +12,7 @@ import stat
 import sys
 import unicodedata
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import yaml
@@ -20,6 +21,7 @@ from planes.scene.yaml_faults import explained
 from planes.words import Phrase
 from planes.words.errors import SceneError, shown
 from planes.words.frozen import field, frozen
+from planes.words.records import table_text
 
 MAX_BYTES = 1_000_000
 STANDARD = "-"
@@ -77,8 +79,9 @@ def walk(node: Node, path: tuple[str, ...] = (), line: int = 0) -> Iterator[tupl
             yield from walk(value, (*path, str(index)))
 
 
-def read(path: str | Path) -> str:
-    """The text of a file, or of standard input for ``-``; a SceneError explains why it cannot be read."""
+def read(path: str | Path, table: bool = False) -> str:
+    """The text of a file (a ``table``: in whichever way a spreadsheet saves it), of what is piped in where it is ``-``,
+    or a SceneError that says why it cannot be read."""
     name = str(path)
     if name == STANDARD:
         return decoded(sys.stdin.buffer.read(MAX_BYTES + 1), name)
@@ -94,10 +97,13 @@ def read(path: str | Path) -> str:
         raise
     except FileNotFoundError:
         raise SceneError(Phrase("no_file"), name) from None
-    except (OSError, ValueError) as error:
+    except (OSError, TypeError, ValueError) as error:
         key = _REASONS.get(getattr(error, "errno", None))
         reason = Phrase(key) if key else getattr(error, "strerror", None) or str(error)
         raise SceneError(Phrase("unreadable_file", reason=reason), name) from None
+    if table and len(data) <= MAX_BYTES:
+        with suppress(UnicodeDecodeError):
+            return table_text(data)
     return decoded(data, name)
 
 

@@ -1,23 +1,25 @@
 """The fault in a file that is not YAML, in one short sentence instead of the reader's own message."""
 
+import re
+
 from planes.words import Phrase
 
-_PROBLEMS = (
-    ("could not find expected ':'", "colon_missing"),
-    ("mapping values are not allowed", "colon_second"),
-    ("expected ',' or ']'", "list_open"),
-    ("expected ',' or '}'", "table_open"),
-    ("expected key", "indentation"),
-    ("expected <block end>", "indentation"),
-    ("expected '-' indicator", "indentation"),
-    ("block sequence entries are not allowed", "list_item"),
-    ("expected <document start>", "after_end"),
-    ("unexpected end of stream", "quote_open"),
-    ("document indicator", "quote_open"),
-    ("unknown escape character", "escape"),
-    ("did not find expected node content", "value_absent"),
-    ("unexpected ':'", "colon_here"),
-)
+_PROBLEMS = """
+could not find expected ':' = colon_missing
+mapping values are not allowed = colon_second
+expected ',' or ']' = list_open
+expected ',' or '}' = table_open
+expected key = indentation
+expected <block end> = indentation
+expected '-' indicator = indentation
+block sequence entries are not allowed = list_item
+expected <document start> = after_end
+unexpected end of stream = quote_open
+document indicator = quote_open
+unknown escape character = escape
+did not find expected node content = value_absent
+unexpected ':' = colon_here
+"""
 
 _RARE = {
     "": "unreadable",
@@ -25,7 +27,10 @@ _RARE = {
     "found incompatible YAML document": "other_yaml",
 }
 
-_AT_START = ("colon_missing", "list_open", "table_open", "quote_open")  # the line where it began is more useful
+_GLUED = re.compile(r"\s*(?:- )?\{?\s*([\w-]+):[^\s:/]")  # a key whose colon is not followed by a space
+
+_OF_COLONS = ("colon_missing", "colon_second")
+_AT_START = ("colon_missing", "list_open", "table_open", "quote_open")  # the line where it began tells more
 
 
 def explained(error: Exception, text: str) -> tuple[Phrase, int | None]:
@@ -35,15 +40,18 @@ def explained(error: Exception, text: str) -> tuple[Phrase, int | None]:
     mark = getattr(error, "problem_mark", None) or context
     if mark is None:
         return _other(problem), None
+    rows = text.split("\n")
     if "cannot start any token" in problem:
-        rows = text.split("\n")
         char = rows[mark.line][mark.column : mark.column + 1] if mark.line < len(rows) else ""
         if char == "\t":
             return Phrase("tab"), mark.line + 1
         return Phrase("value_begins", char=char), mark.line + 1
-    for piece, key in _PROBLEMS:
+    for piece, _, key in (line.partition(" = ") for line in _PROBLEMS.split("\n")[1:-1]):
         if piece in problem:
             start = context if context is not None and key in _AT_START else mark
+            for line in (start.line, start.line - 1) if key in _OF_COLONS else ():
+                if 0 <= line < len(rows) and (glued := _GLUED.match(rows[line])):
+                    return Phrase("colon_space", key=glued[1]), line + 1
             return Phrase(key), start.line + 1
     return _other(problem), mark.line + 1
 

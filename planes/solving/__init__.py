@@ -1,8 +1,11 @@
 """Solve a scene for one or many positions of its drive: the output of ``planes solve``, as plain dictionaries."""
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from operator import attrgetter
 from pathlib import Path
+from typing import Any
 
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing, proved, run
@@ -15,16 +18,17 @@ from planes.plans.statements.of_scene import cut_to, fitted, scene_plans
 from planes.scene import Scene
 from planes.solving.nearest import Nearest
 from planes.solving.own_equations import own_equations
-from planes.solving.readings import KINDS, Readings, known
+from planes.solving.readings import KINDS, LOADS, Readings, known
 from planes.solving.scatter import scatter_mm
 from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Written
-from planes.words.errors import PlanFailure, SceneError
+from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import frozen
 from planes.words.names import POLE, at, label_of, parts_of
 from planes.words.records import Json, Pictured, Tabulated
 
-TOLD = 20  # number of failed positions for which the nearest working one is searched
+_VECTOR, _NUMBER = attrgetter("vector"), attrgetter("number")
+TOLD = 20  # for how many failed positions the nearest working one is looked for
 
 
 @frozen
@@ -46,27 +50,27 @@ class Position(Pictured, Tabulated):
     @property
     def r(self) -> Readings[complex]:
         """Positions of points, m: complex by name."""
-        return self.of("points", "r").each(lambda measured: measured.vector)
+        return self.of("points", "r").each(_VECTOR)
 
     @property
     def v(self) -> Readings[complex]:
         """Velocities of points, m/s."""
-        return self.of("points", "v").each(lambda measured: measured.vector)
+        return self.of("points", "v").each(_VECTOR)
 
     @property
     def a(self) -> Readings[complex]:
         """Accelerations of points, m/s²."""
-        return self.of("points", "a").each(lambda measured: measured.vector)
+        return self.of("points", "a").each(_VECTOR)
 
     @property
     def omega(self) -> Readings[float]:
         """Angular velocities of links, rad/s, counter-clockwise positive."""
-        return self.of("links", "omega").each(lambda measured: measured.number)
+        return self.of("links", "omega").each(_NUMBER)
 
     @property
     def epsilon(self) -> Readings[float]:
         """Angular accelerations of links, rad/s²."""
-        return self.of("links", "epsilon").each(lambda measured: measured.number)
+        return self.of("links", "epsilon").each(_NUMBER)
 
     def of(self, group: str, key: str = "") -> Readings[Measured]:
         """The results of one kind ("points", "v"; "reactions"), by the name of the point, link or reaction. Raises
@@ -85,7 +89,9 @@ class Position(Pictured, Tabulated):
         return rows
 
     def number(self, group: str) -> float | None:
-        """The balancing load, if requested."""
+        """The balancing load, if it was asked for: "balancing_moment" or, by the lever, "zhukovsky_moment" (N·m);
+        "balancing_force" or "zhukovsky_force" (N). :class:`UnknownName` for another group."""
+        known(group, LOADS)
         return next((f.number for f in self.found if f.quantity.group == group), None)
 
     def measured_on(self, plan: str) -> Iterator[tuple[str, Segment, Json]]:
@@ -104,19 +110,54 @@ class Position(Pictured, Tabulated):
                     yield (f"{plan[0]}_{point}" if is_total else s.name), s, segment
 
     def value(self, name: str) -> float | complex:
-        """A quantity by its name in ``find:``: a number in SI, complex for a vector; otherwise a
-        :class:`SceneError`."""
-        (quantity,) = asked(self.plans, [name])
-        same = (f for f in self.found if f.quantity.path == quantity.path)
-        measured = next(same, None) or DrawingReader(self.plans, self.drawing, self.scales).read(quantity)
-        vector = -measured.vector if quantity.reversed else measured.vector  # F_12 is opposite to F_21
-        return measured.number if len(measured.numbers) == 1 else vector
+        """A quantity by its name in ``find:``, or a curve of :func:`planes.extremes`: a number in SI, complex for a
+        vector; analogues of acceleration are those of an exact drawing. :attr:`names` are all there are; for another,
+        or one that ``find:`` left out, a :class:`PlanesError`."""
+        from planes.plans.curves import meant
+
+        if str(name) == self.plans.mechanism.drive.kind:
+            return self.at
+        columns = CurveColumns(self)
+        try:
+            numbers = [float(curve.read(columns)) for curve in meant(self.plans, str(name))]
+        except (KeyError, ProgramError):
+            raise SceneError(Phrase("not_in_find", name=name)) from None
+        return complex(*numbers[:2]) if len(numbers) > 1 else numbers[0]
+
+    @property
+    def names(self) -> list[str]:
+        """All names that :meth:`value` and :func:`planes.cycle` take."""
+        from planes.plans.curves import names_of
+
+        return names_of(self.plans)
 
     def __repr__(self) -> str:
         if not self.plans.moves:
             return f"<Position: vectors {', '.join(self.of('vectors'))}>"
         drive = self.plans.mechanism.drive
         return f"<Position {drive.kind} = {told(self.at, drive.kind, 'en')}: {self.plans.structure.formula}>"
+
+
+class CurveColumns(dict[str, Any]):
+    """The columns that curves are read from, each measured when it is asked for; "q:" those of a unit drive."""
+
+    def __init__(self, position: Position) -> None:
+        from planes.plans.curves import all_columns
+
+        measured = (zip(f.quantity.columns, f.numbers, strict=True) for f in position.found)
+        super().__init__({c.name: math.nan if n is None else n for pairs in measured for c, n in pairs})
+        self.position, self.all = position, all_columns(position.plans)
+
+    def __missing__(self, name: str) -> float:
+        from planes.batch.cycle import Cycle
+
+        here, column = self.position, self.all[name.removeprefix("q:")]
+        if name not in self.all:
+            unit: dict[str, Any] = dict(zip(here.plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
+            (block,) = Cycle(here.plans, known=unit, columns=[column]).blocks([here.at])
+            return float(block.table[0, 0])
+        number = DrawingReader(here.plans, here.drawing, here.scales).column(column)
+        return math.nan if number is None else number
 
 
 @dataclass

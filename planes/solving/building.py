@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any, Self
 
@@ -58,7 +58,7 @@ class Linkage:
 
     def fix(self, **places: Place) -> Self:
         """Add points of the frame by name, in m: ``fix(O=(0, 0), C=(0.3, -0.1))``."""
-        self.parts["frame"]["points"] |= _placed(places)
+        self.parts["frame"]["points"] |= places
         return self
 
     def guide(
@@ -72,19 +72,21 @@ class Linkage:
         angle: Number | None = None,
         centre: Place | None = None,
         radius: Number | None = None,
+        **more: object,
     ) -> Self:
         """Add a guide of the frame, or of a ``link`` added before, in the axes of that link.
 
         ``x`` is a vertical guide through (x, 0), directed to +y, ``y`` a horizontal one, directed to +x; ``through`` is
         a point or its name, with an ``angle`` in degrees; ``centre`` and ``radius`` give an arc.
         """
+        _refuse(self.guide, more)
         links = self.parts["links"]
         if link is not None and str(link) not in links:
             words = {"what": Phrase("guide_named", name=name), "of": Phrase("links_all"), "name": shown(str(link))}
             raise PlanesError(Phrase("unknown_name", **words, valid=choices(str(link), links)))
         owner = self.parts["frame"] if link is None else links[str(link)]
         line = _given(x=x, y=y, through=through, angle=angle, centre=centre, radius=radius)
-        owner.setdefault("guides", {})[name] = _placed(line)
+        owner.setdefault("guides", {})[name] = line
         return self
 
     def link(
@@ -108,7 +110,7 @@ class Linkage:
                 raise PlanesError(Phrase("link_keyword", word=point, near="centre" if near[0] == "center" else near[0]))
         if str(name) in self.parts["links"]:
             raise PlanesError(Phrase("link_twice", link=name))
-        self.parts["links"][str(name)] = {"points": _placed(places), **own}
+        self.parts["links"][str(name)] = {"points": places, **own}
         return self
 
     def assemble(self, sides: Mapping[str, Any] | None = None, **more: Any) -> Self:
@@ -128,9 +130,11 @@ class Linkage:
         velocity: Number | None = None,
         acceleration: Number | None = None,
         on: int | str | None = None,
+        **more: object,
     ) -> Self:
         """Set the driver: a crank at ``phi`` degrees, ``omega`` rad/s, ``epsilon`` rad/s², or a slider at ``s`` m,
-        ``velocity`` m/s, ``acceleration`` m/s²; ``on`` a moving link, if it is not on the frame."""
+        ``velocity`` m/s, ``acceleration`` m/s²; ``on`` a moving link, if it does not hang on the frame."""
+        _refuse(self.drive, more)
         turning = _given(phi=phi, omega=omega, epsilon=epsilon, on=on)
         sliding = _given(s=s, velocity=velocity, acceleration=acceleration)
         self.parts["drive"] = {"link": str(link), **turning, **sliding}
@@ -146,6 +150,7 @@ class Linkage:
         against: str | None = None,
         along: str | None = None,
         direction: Any = None,
+        **more: object,
     ) -> Self:
         """Add a ``force`` (N) at a point of a link, or a ``moment`` (N·m, counter-clockwise positive).
 
@@ -153,6 +158,7 @@ class Linkage:
         ``{"link": 3, "angle": 90}`` to turn with a link.
         A magnitude may be a law of the motion: ``"3000*sin(phi)"``, ``{"working": 6000, "idle": 200}``.
         """
+        _refuse(self.load, more)
         said = _given(point=point, force=force, moment=moment, against=against, along=along, direction=direction)
         self.parts["loads"].append({"link": str(link), **said})
         return self
@@ -200,13 +206,8 @@ def _given(**parts: Any) -> dict[str, Any]:
     return {key: value for key, value in parts.items() if value is not None}
 
 
-def _placed(parts: Mapping[str, Any]) -> dict[str, Any]:
-    """Places in the form of a scene file."""
-    return {name: _place(value) for name, value in parts.items()}
-
-
-def _place(place: Any) -> Any:
-    """A place in the form of a scene file."""
-    if isinstance(place, complex):
-        return [place.real, place.imag]
-    return list(place) if isinstance(place, tuple) else place
+def _refuse(call: Callable[..., object], more: Mapping[str, object]) -> None:
+    """Refuse keywords that a call does not have."""
+    for word in more:
+        known = [*call.__annotations__][:-2]  # but "more" and "return"
+        raise PlanesError(Phrase("call_keyword", call=call.__name__, word=word, valid=choices(word, known)))

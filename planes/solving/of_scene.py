@@ -7,18 +7,26 @@ from typing import Any, overload
 from planes import scene as scenes
 from planes.drafting.instruments import Instrument
 from planes.scene import Scene
-from planes.scene.ranges import asked_of_drive, finite
+from planes.scene.ranges import places_of
 from planes.solving import Position, Solved, plans_of, position
 from planes.solving import solve as solve_each
 from planes.solving.building import Linkage, doubted
-from planes.words import home_lang
+from planes.words import Phrase, home_lang
+from planes.words.errors import PlanesError
 
 Numbers = Iterable[float]
+AnyScene = Scene | Linkage | str | Path
+"""A scene, a mechanism built in Python, or the path of a file."""
 
 
-def read(scene: Scene | Linkage) -> Scene:
-    """A scene, or the scene of a mechanism built in Python."""
-    return scene.scene() if isinstance(scene, Linkage) else scene
+def read(scene: AnyScene) -> Scene:
+    """The scene that is given in one of these ways."""
+    if isinstance(scene, str | Path):
+        return load(scene)
+    made = scene.scene() if isinstance(scene, Linkage) else scene
+    if not isinstance(made, Scene):
+        raise PlanesError(Phrase("scene_needed", given=type(scene).__name__))
+    return made
 
 
 def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:
@@ -37,20 +45,16 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
 
 @overload
 def solve(
-    scene: Scene | Linkage, phi: float | None = None, *, s: float | None = None, instrument: Instrument | None = None
+    scene: AnyScene, phi: float | None = None, *, s: float | None = None, instrument: Instrument | None = None
 ) -> Position: ...
 @overload
 def solve(
-    scene: Scene | Linkage,
-    phi: Numbers | None = None,
-    *,
-    s: Numbers | None = None,
-    instrument: Instrument | None = None,
+    scene: AnyScene, phi: Numbers | None = None, *, s: Numbers | None = None, instrument: Instrument | None = None
 ) -> Solved: ...
 def solve(
-    scene: Scene | Linkage, phi: Any = None, *, s: Any = None, instrument: Instrument | None = None
+    scene: AnyScene, phi: Any = None, *, s: Any = None, instrument: Instrument | None = None
 ) -> Position | Solved:
-    """Draw and measure one position, or each of several.
+    """Draw and measure one position of a scene (or of the file at a path), or each of several.
 
     ``phi`` (degrees; ``s``, in m, for a sliding driver) is one value or an iterable of them; the default is the value
     in the scene. One value gives a :class:`Position`, or raises ``PlanFailure`` where it cannot be drawn; several give
@@ -65,8 +69,7 @@ def solve(
     [-0.902, 0.684, 2.553]
     """
     scene = read(scene)
-    at = asked_of_drive(scene, phi, s)
-    at = at if at is None else finite(at, "s" if phi is None else "phi")
+    at = places_of(scene, phi, s)
     if isinstance(at, list):
         return solve_each(scene, at, instrument, home_lang())
     plans, wanted = plans_of(scene)

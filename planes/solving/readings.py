@@ -11,7 +11,8 @@ S = TypeVar("S")
 T = TypeVar("T")
 _OF_MOTION = ("points.r", "points.v", "points.a", "links.omega", "links.epsilon")
 KINDS = (*_OF_MOTION, "reactions", "transfers", "friction", "edges", "loads", "vectors", "values")
-"""Kinds of results that a mechanism may lack."""
+"""Kinds of results there may be, or none of."""
+LOADS = ("balancing_moment", "balancing_force", "zhukovsky_moment", "zhukovsky_force")
 
 
 def known(name: str, names: Collection[str]) -> None:

@@ -9,8 +9,9 @@ from planes.plans.quantities import Measured
 from planes.scene import Scene
 from planes.solving import Position, Solved, key_of
 from planes.solving.own_equations import own_rows
-from planes.solving.text_tables import directed, error_of, largest, number_cell, pm, spelt, table, titled
+from planes.solving.text_tables import directed, error_of, largest, number_cell, pm, table, titled
 from planes.words import Lang, decimals, home_lang, say
+from planes.words.lettering import spelt
 from planes.words.names import kind_of, label_of, plan_of
 from planes.words.naming import Naming
 from planes.words.records import Json
@@ -65,7 +66,7 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
         lines += (
             _reactions(forces, lang, e, naming)
             + _derived(p, lang, naming, "loads", "friction", "edges")
-            + _balance(p, lang)
+            + _balance(p, lang, naming)
         )
     return [decimals(line, lang) for line in lines] + [f"! {w}" for w in r["warnings"]]
 
@@ -174,7 +175,7 @@ def _derived(p: Position, lang: Lang, naming: Naming, *groups: str) -> list[str]
     return lines
 
 
-def _balance(p: Position, lang: Lang) -> list[str]:
+def _balance(p: Position, lang: Lang, naming: Naming) -> list[str]:
     lines: list[str] = []
     for what, unit in (("moment", "N·m"), ("force", "N")):
         moment, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
@@ -184,7 +185,8 @@ def _balance(p: Position, lang: Lang) -> list[str]:
             sense = (
                 f" ({say('lesson_ccw' if moment > 0 else 'lesson_cw', lang)})" if what == "moment" and moment else ""
             )
-            lines.append(f"{say(f'balancing_{what}', lang)}: {number} {say(unit, lang)}{sense}")
+            letter = spelt(naming.balancing(what == "moment"))
+            lines.append(f"{say(f'balancing_{what}', lang)} {letter}: {number} {say(unit, lang)}{sense}")
         if check is not None:
             lines.append(f"{say('by_lever', lang)}: {' ± '.join([number_cell(check), *other])} {say(unit, lang)}")
         if moment is not None and check is not None:

@@ -48,11 +48,6 @@ def table(title: str, head: Iterable[str], rows: Iterable[Sequence[str]], even: 
     return ["", title, *(f"  {line.rstrip()}" for line in text)]
 
 
-def spelt(lettered: str) -> str:
-    """A lettered name for a terminal: F_{56}^{t} -> F_56^t."""
-    return lettered.replace("{", "").replace("}", "")
-
-
 def largest(position: Position) -> float:
     """The largest result for bodies in equilibrium, N or N·m, relative to which rounding is zero; 0 for all other
     scenes."""

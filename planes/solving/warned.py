@@ -8,6 +8,8 @@ from planes.drafting.tools import Thing
 from planes.plans.measuring import BLUNT, DrawingReader, say_plan
 from planes.plans.quantities import Quantity, results_of
 from planes.words import Lang, Written, say
+from planes.words.frozen import replace
+from planes.words.lettering import spelt
 from planes.words.names import index_of
 
 
@@ -23,9 +25,10 @@ def warnings(
     for reason, step, _ in reader.drawing.tool.notes:
         said.append(say(reason, lang, makes=index_of(str(getattr(step, "makes", "")))))
     rough, none = _doubts(reader, wanted, given)
-    if faint := [*_faint(reader), *none]:
-        said.append(say("faint", lang, makes=", ".join(faint)))
-    return said + ([say("doubtful", lang, makes=", ".join(rough))] if rough else [])
+    naming = replace(reader.stated.naming, lang=lang)
+    for key, names in (("faint", [*_faint(reader), *none]), ("doubtful", rough)):
+        said += [say(key, lang, makes=", ".join(spelt(naming.vector(name)) for name in names))] if names else []
+    return said
 
 
 def _blunt(reader: DrawingReader, lang: Lang) -> dict[str, list[str]]:

@@ -28,10 +28,9 @@ def pressed(text: str) -> str:
 
 
 def scene_text(scene: Scene) -> str:
-    """The scene as its file has it, without comments, with the numbers of its variant filled in, and without the
-    address."""
-    changed = {name: repr(value) for name, value in scene.reading.changed.items()}
-    return own_scene(scene.reading.source, scene.file, scene.variant, changed, {}, without=("studio",))
+    """The scene as its file says it, without remarks, with the numbers of its variant in, and without the address."""
+    scales = ("plans",) if scene.reading.changed else ()  # which were chosen for its own numbers
+    return own_scene(scene.to_yaml(), scene.file, None, {}, {}, without=("studio", *scales))
 
 
 def link(scene: Scene) -> str:

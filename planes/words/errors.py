@@ -7,22 +7,27 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from planes.words import Lang, Phrase, Told
+from planes.words import Lang, Phrase, Told, table
 from planes.words.frozen import frozen
 from planes.words.names import latin
 
-QUOTED, OFFERED = 60, 40  # length of a quotation from a file; length of a name offered, and how many are offered
+QUOTED, OFFERED = 60, 40  # letters of what is quoted of a file; letters of a name that is offered, and how many
+LIKE = 0.65  # how like two words of other lengths are, of 1, one of which is a misspelling of the other
 _SPELLED = "alpha beta gamma delta epsilon theta lambda mu rho tau phi psi omega"
 _GREEK = dict(zip("αβγδεθλμρτφψω", _SPELLED.split(), strict=True))
-_RUSSIAN = """
+_SYNONYMS = """
 название=title заголовок=title примечание=note параметры=parameters варианты=variants стойка=frame
 звенья=links звено=link сборка=assembly привод=drive ведущее=drive нагрузки=loads нагрузка=loads
 силы=loads сила=force момент=moment трение=friction планы=plans масштаб=mu найти=find лист=sheet
 векторы=vectors уравнения=equations точки=points точка=point направляющие=guides скользит=slides
 масса=mass инерция=inertia центр=centre угол=angle направление=direction гравитация=gravity
+forces=loads opposite=against opposing=against n=omega rpm=omega angular_velocity=omega
+front=ahead forward=ahead forwards=ahead back=behind backward=behind backwards=behind rear=behind
 """
-_MEANT = dict(pair.split("=") for pair in _RUSSIAN.split())
-"""Keys of a scene by the Russian words for them."""
+_MEANT = dict(pair.split("=") for pair in _SYNONYMS.split())
+"""Keys and words of a scene by what people write for them whose spelling does not lead there."""
+_ELSEWHERE = {"alpha": "epsilon", "theta": "phi", "w": "omega"}
+"""Letters of this program by those of other books."""
 
 
 def place_of(file: str, line: int | None) -> str:
@@ -120,11 +125,14 @@ class ExpressionError(PlanesError, ValueError):
 def _near(given: str, known: list[str]) -> Told:
     """Words that suggest a name that is nearly the same, or looks the same in other letters."""
     meant = _MEANT.get(given.casefold(), _spelled(given))
-    if same := next((name for name in known if _spelled(name) == meant), None):
-        return Phrase("near_name", name=same)
-    if alike := next((name for name in known if latin(name) == latin(given)), None):
-        return Phrase("near_alike", name=alike)
-    matches = get_close_matches(given, known, n=1, cutoff=0.5)
+    letter, _, index = meant.partition("_")
+    ways = (meant, f"{_ELSEWHERE.get(letter, letter)}_{index}")
+    if same := next((name for way in ways for name in known if _spelled(name) == way), None):
+        return Phrase(key if (key := f"meant_{given}") in table("en") else "near_name", name=same)
+    if twin := next((name for name in known if latin(name) == latin(given)), None):
+        return Phrase("near_alike", name=twin)
+    alike = [name for name in known if len(name) == len(given)]
+    matches = get_close_matches(given, known, n=1, cutoff=LIKE) or get_close_matches(given, alike, n=1, cutoff=0.5)
     return Phrase("near_name", name=matches[0]) if matches else ""
 
 
@@ -148,14 +156,14 @@ def shown(text: str) -> str:
 def choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
     """Words that list the valid choices: "; valid: a, b; did you mean a?". Time and length are bounded whatever the
     list and its names. ``what`` is their key."""
-    known = [name for name in islice(names, 2000) if len(name) <= OFFERED]
+    known, given = [name for name in islice(names, 2000) if len(name) <= OFFERED], given[:OFFERED]
     if not known:
         return ""
-    near = _near(given[:OFFERED], known)
+    near = _near(given, known)
     if len(known) <= OFFERED:
         return Phrase(what, names=tuple(known), near=near)
-    meant = [str(near.parts["name"])] if isinstance(near, Phrase) else []
-    some = (*meant, *(name for name in known[:12] if name not in meant))
+    meant = [near.parts["name"]] if isinstance(near, Phrase) else []
+    some = tuple(dict.fromkeys((*meant, *get_close_matches(given, known, 12), *known)))[:12]
     return Phrase("valid_some", names=some, near=near)
 
 

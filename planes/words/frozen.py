@@ -4,14 +4,23 @@ Only the initialiser is generated per class; comparison, hash and repr are share
 between the command line and its first answer, so the user would wait for them.
 """
 
+import copyreg
 from collections.abc import Callable
 from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields, replace
 from operator import attrgetter
+from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar, dataclass_transform
 
 __all__ = ["field", "frozen", "replace"]
 
 T = TypeVar("T")
+
+
+def _closed(values: Any) -> Any:
+    return MappingProxyType(values)
+
+
+copyreg.pickle(MappingProxyType, lambda view: (_closed, (dict(view),)))  # records go to other processes, and are copied
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -34,20 +43,20 @@ def frozen(cls: type[T]) -> type[T]:
 def _initialiser(cls: type) -> Callable[..., None]:
     heads: list[str] = []
     lines = []
-    known: dict[str, Any] = {"_put": object.__setattr__, "_missing": MISSING}
+    known: dict[str, Any] = {"put": object.__setattr__}
     for one in sorted(fields(cls), key=lambda f: bool(f.kw_only)):
         heads += ["*"] if one.kw_only and "*" not in heads else []
         name, value = one.name, one.name
         if one.default_factory is not MISSING:
             known[f"_{name}"] = one.default_factory
-            value = f"_{name}() if {name} is _missing else {name}"
-            heads.append(f"{name}=_missing")
+            value = f"_{name}() if {name} is ... else {name}"
+            heads.append(f"{name}=...")
         elif one.default is not MISSING:
             known[f"_{name}"] = one.default
             heads.append(f"{name}=_{name}")
         else:
             heads.append(name)
-        lines.append(f" _put(self, {name!r}, {value})")
+        lines.append(f" put(self, {name!r}, {value})")
     lines += [" self.__post_init__()"] if hasattr(cls, "__post_init__") else []
     exec(f"def __init__(self, {', '.join(heads)}):\n" + "\n".join(lines or [" pass"]), known)
     made: Callable[..., None] = known["__init__"]

@@ -22,6 +22,11 @@ def flat(text: str) -> str:
     return "".join(c for c in text if c not in "_^{}")
 
 
+def spelt(lettered: str) -> str:
+    """A lettered name as a terminal has it: F_{56}^{t} -> F_56^t."""
+    return lettered.replace("{", "").replace("}", "")
+
+
 def rate_of(letter: str) -> tuple[str, str]:
     """The letter as written, and the index of an analogue: omegaq -> ω, q."""
     plain = letter.removesuffix("q")

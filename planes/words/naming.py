@@ -12,7 +12,7 @@ from itertools import product
 from planes.words import Lang, Phrase, decimal, langs, say
 from planes.words.errors import PlanesError, choices
 from planes.words.frozen import frozen, replace
-from planes.words.lettering import flat, lowered, rate_of
+from planes.words.lettering import flat, lowered, rate_of, spelt
 from planes.words.names import POLE, parted, parts_of, tidy
 from planes.words.units import Convention, mu_text
 
@@ -73,6 +73,8 @@ class Naming:
             letter, index = "R" if self.from_on else letter, self.reaction(index)
         elif letter == "I":
             letter = "Φ"
+        elif letter == "M" and index == self.driver:
+            index = say("balance", self.lang)
         elif letter in ("MI", "MP"):
             letter, index = "M", ("Φ" if letter == "MI" else "P") + index
         elif letter in ("N", "T", "PT", "MT", "ω") and index.startswith("F_"):  # friction is indexed like its reaction
@@ -85,6 +87,11 @@ class Naming:
         elif letter == "Fb":
             return self.balancing(False)
         return letter + (f"_{{{index.replace('_', ',')}}}" if index else "") + (f"^{{{part}}}" if part else "")
+
+    def own(self, name: str) -> str:
+        """A point's own vector for one that is the same, since it ends at a point of the frame: v_B for v_BB0."""
+        half = name[: (len(name) - 1) // 2 + 1]
+        return half if name in self.grounded and name == f"{half}{half[2:]}0" else name
 
     def arm(self, force: str, arm: str) -> str:
         """An arm of a force by its name in the program: h_G_2_C -> h_{G2}, h_G_2_B^B -> h_{G2}^{B}, H_G_2 -> H_{G2};
@@ -121,7 +128,7 @@ class Naming:
     def curve(self, name: str) -> str:
         """A curve's name as a letter with its index in _{…}: v_C_x, vq_slide_3, F_21, F_11_10, F_50_arm."""
         head, *index = name.split("_")
-        last = index.pop() if index[1:] and index[-1] in ("x", "y", "arm", "moment") else ""
+        last = index.pop() if index[1:] and index[-1] in _COMPONENTS else ""
         axis, subject = last if last in ("x", "y") else "", "".join(index[1:] if index[:1] == ["slide"] else index)
         if head == "r":
             return f"{axis or 'r'}_{{{subject}}}"
@@ -136,15 +143,18 @@ class Naming:
         return f"{letter}_{{{analogue}{subject}{axis}}}"
 
     def typed(self, name: str) -> str:
-        """A name as typed in a table or an option: the program's own, except reactions, F_36 or R_63."""
+        """A name as it is typed in a table or an option: that of the program but for reactions, F_36 or R_63."""
+        head, _, part = name.rpartition("_")
+        if part in _COMPONENTS:
+            return f"{self.typed(head)}_{part}"
         letter, index, _ = parts_of(name)
         if letter not in ("F", "R") or not index[:1].isalnum():
             return name
-        return self.vector(name).translate(_UNBRACED) if index.isalnum() or "_" in index else name
+        return spelt(self.vector(name)) if index.isalnum() or "_" in index else name
 
     def retold(self, text: str, names: Iterable[str]) -> str:
-        """A sentence with the program's names replaced by the names people type."""
-        other = {name: typed for name in names if (typed := self.typed(name)) != name}
+        """A sentence that was told in the program's names, in those that people type and sheets print."""
+        other = {name: said for name in names if (said := re.sub("^I_", "Φ_", self.typed(name))) != name}
         some = "|".join(map(re.escape, sorted(other, key=len, reverse=True)))
         return re.sub(rf"(?<![\w^])(?:{some})(?![\w^])", lambda m: other[m[0]], text) if other else text
 
@@ -159,8 +169,8 @@ class Naming:
         letter, index = (f"{letter}T", index[1:]) if letter in "PM" and index.startswith("T") else (letter, index)
         ways += [self.vector(f"{letter}_F_{index}")] if letter in _OF_REACTIONS and index[:1].isdigit() else []
         balancing = name.startswith(("M_", "MZ_", "Fb_", "FbZ_")) and name.partition("_")[2] == self.driver
-        if balancing or name.startswith(("coriolis_", "r_")) or name.rpartition("_")[2] in ("x", "y", "arm", "moment"):
-            ways.append(self.curve(name))
+        if balancing or name.startswith(("coriolis_", "r_")) or name.rpartition("_")[2] in _COMPONENTS:
+            ways += [self.curve(name), self.typed(name)]
         return tuple(ways)
 
     def names(self, known: Iterable[str], poles: bool = True, more: Ways | None = None) -> "Names":
@@ -176,8 +186,8 @@ class Naming:
         return tuple(replace(self, lang=lang, frame=frame, from_on=order) for lang, frame, order in ways)
 
 
-_OF_REACTIONS = ("N", "T", "PT", "MT")  # friction has the index of its reaction
-_UNBRACED = str.maketrans("", "", "{}")
+_COMPONENTS = ("x", "y", "arm", "moment")
+_OF_REACTIONS = ("N", "T", "PT", "MT")  # of friction: they have the index of their reaction
 
 
 class Names:
@@ -249,4 +259,6 @@ class Names:
         if names := self._exact.get(key) or self._otherwise.get(key):
             return names
         primed, plain = self._folded
-        return primed.get(key.casefold()) or plain.get(key.casefold().replace("'", ""), [])
+        if self.poles:  # of marks primes are left out at times
+            return primed.get(key.casefold()) or plain.get(key.casefold().replace("'", ""), [])
+        return primed.get(key.casefold(), [])

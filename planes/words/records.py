@@ -45,10 +45,31 @@ FORMULA = tuple("=+-@\t＝＋－＠")  # a cell that begins so is evaluated by a
 
 
 def as_csv(rows: Iterable[Iterable[str]]) -> str:
-    """Rows of cells separated by commas; no text from outside can be evaluated as a formula."""
+    """Rows with commas between the cells, begun so that a spreadsheet knows the letters; no text of somebody else's is
+    worked out as a formula."""
     out = io.StringIO()
+    out.write("\ufeff")
     csv.writer(out, lineterminator="\n").writerows([cell(text) for text in row] for row in rows)
     return out.getvalue()
+
+
+def table_text(data: bytes) -> str:
+    """The text of a table as spreadsheets save it: in UTF-8, UTF-16 or, in Russian, Windows-1251. UnicodeDecodeError
+    where it may be none of these: words would have letters of two alphabets, or capitals within."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return data.decode("utf-16")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = data.decode("cp1251")
+        if _NOT_RUSSIAN.search(text):
+            raise
+        return text
+
+
+_RUSSIAN = "А-Яа-яЁёІіЇїЄєЎўҐґ"
+_SIGNS = "«»–—№°±·²µ’…\xa0"
+_NOT_RUSSIAN = re.compile(rf"[A-Za-z][{_RUSSIAN}]|[{_RUSSIAN}][A-Za-z]|[а-яё][А-ЯЁ]|[^\x00-\x7f{_RUSSIAN}{_SIGNS}]")
 
 
 def cell(text: str) -> str:

@@ -25,14 +25,26 @@ Step = Callable[[int, int], None] | None
 
 
 def written(
-    frames: Sequence[Sequence[Mark]], size_mm: tuple[float, float], seconds: float, suffix: str, step: Step = None
+    frames: Sequence[Sequence[Mark]],
+    size_mm: tuple[float, float],
+    seconds: float,
+    suffix: str,
+    step: Step = None,
+    title: str = "",
+    lang: str = "en",
 ) -> bytes:
-    """The file: the frames, each ``size_mm`` wide and high, evenly over a given time in s, in an endless loop.
+    """The file: the frames, each ``size_mm`` wide and high, evenly over so many seconds, without end; an SVG says its
+    ``title`` and the language of its words.
 
     ``step`` is called after every frame. :class:`PlanesError` for MP4 without OpenCV.
     """
     if suffix == ".svg":
-        return _svg(frames, size_mm, seconds, step)
+        pages = []
+        for k, marks in enumerate(frames, 1):
+            pages.append(svg.write(marks, size_mm, title, lang=lang).decode())
+            if step:
+                step(k, len(frames))
+        return _svg(pages, seconds)
     pictures = _pictures(frames, size_mm, WIDE_PX if suffix == ".gif" else FILM_PX, step)
     return _gif(pictures, seconds) if suffix == ".gif" else _mp4(pictures, seconds)
 
@@ -74,13 +86,8 @@ def _mp4(pictures: "Sequence[Image]", seconds: float) -> bytes:
         return file.read_bytes()
 
 
-def _svg(frames: Sequence[Sequence[Mark]], size_mm: tuple[float, float], seconds: float, step: Step) -> bytes:
-    """Frames as groups, one visible at a time, without a script."""
-    pages = []
-    for k, marks in enumerate(frames):
-        pages.append(svg.write(marks, size_mm, "").decode())
-        if step:
-            step(k + 1, len(frames))
+def _svg(pages: Sequence[str], seconds: float) -> bytes:
+    """Frames as groups, of which one at a time is seen; no script."""
     head, parts = pages[0][: pages[0].index("<g ")], []
     for k, page in enumerate(pages):
         body = re.sub(r' id="\w+"', "", page[page.index("<g ") : page.rindex("</svg>")])

@@ -31,6 +31,7 @@ export const task = {
     }
     this.last = same;
     box.innerHTML = now;
+    if (p.over) this.sign(p.name);
     if (!id) return;
     const again = data_ ? [...box.querySelectorAll("[data-term]")].find(b => b.dataset.term === data_) : $(id);
     (again && !again.disabled ? again : box.querySelector("#mm, #figure, button[data-do], #h")).focus();
@@ -76,12 +77,12 @@ export const task = {
   told() { // numbers that the question needs but does not ask for
     const asked = new Set(practice.items.filter((t, k) => t.kind === "number" &&
       !practice.done.has(k)).map(t => t.what.replace(/[‖|]/g, "")));
-    const given = practice.frame.values.filter(n => !asked.has(n.replace(/[‖|]/g, ""))).map(n => `⟨${n.replace(/[‖|]/g,
-      "")}⟩ = ⟦${/^h_/i.test(n) ? "a" : "v"}¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim()).join("; ");
-    const p = data.plans.find(p => p.key === practice.frame.plan);
-    const mu = practice.item.kind === "number" && p && !practice.waits("mu", p.key) ?
-      `μ = ${filled(p.mu[state.lang])}` : "";
-    return sentence([given, mu].filter(Boolean).join("; "), practice.frame.plan);
+    const [scales, values] = [true, false].map(is => practice.frame.values.filter(n => n.startsWith("mu_") === is));
+    const given = values.filter(n => !asked.has(n.replace(/[‖|]/g, ""))).map(n => `⟨${n.replace(/[‖|]/g,
+      "")}⟩ = ⟦${/^h_/i.test(n) ? "a" : "v"}¦${n}⟧ ${(data.units[n] || {})[state.lang] || ""}`.trim());
+    const mu = data.plans.filter(p => scales.includes("mu_" + p.key) || (practice.item.kind === "number" &&
+      p.key === practice.frame.plan && !practice.waits("mu", p.key))).map(p => `μ = ${filled(p.mu[state.lang])}`);
+    return sentence([...new Set([...given, ...mu])].join("; "), practice.frame.plan);
   },
   hand() { // the fields of the current tool
     const marks = desk.marks().map(m => [m, spoken(labelOf(m), practice.frame.plan)]);
@@ -134,15 +135,22 @@ export const task = {
   /** @type {(what: string, label: string) => string} */
   button(what, label) { return `<button type="button" id="do-${what}" data-do="${what}">${label}</button>`; },
   /** @type {(said: string) => string} */
-  end(said) { // the result, and the code for the teacher's program
-    const code = handed(), name = safe(practice.name || "practice");
+  end(said) { // the result, and the code a teacher's planes reads
     return `${said}<h2 id="h" tabindex="-1">${say("over")} ${practice.good} / ${practice.items.length}.</h2><p>${say(
       "hand_in")}</p><div class="answers"><label>${say(
       "student")} <input id="student" type="text" autocomplete="name" value="${safe(practice.name)}"></label>` +
-      `<a id="save" download="${name}.practice" href="${URL.createObjectURL(new Blob([code + "\n"],
-        { type: "text/plain" }))}">${say("save_code")}</a></div><textarea id="code" readonly rows="4" aria-label="${say(
-        "code")}">${code}</textarea>` +
+      `<a id="save">${say("save_code")}</a></div><textarea id="code" readonly rows="4" aria-label="${say(
+        "code")}"></textarea>` +
       `<div class="answers">${this.button("again", say("again"))}${this.button("fresh", say("fresh"))}</div>`;
+  },
+  /** @type {(name: string) => void} */
+  sign(name) { // in place: a click on its way to the link must find the same one
+    practice.name = name.slice(0, 80);
+    const code = handed(), save = $("save");
+    const kept = URL.createObjectURL(new Blob([code + "\n"], { type: "text/plain" }));
+    URL.revokeObjectURL(save.href);
+    Object.assign(save, { href: kept, download: `${practice.name.replace(/[\s.]+$/, "") || "practice"}.practice` });
+    $("code").value = code;
   },
   /** @type {(what: string, e: any) => void} */
   pick(what, e) {
@@ -173,8 +181,8 @@ export const task = {
   /** @type {(id: string, value: string) => void} */
   change(id, value) {
     if (id === "now") { practice.said = null; practice.take(+value); return; }
-    if (id === "student") practice.name = value.slice(0, 80);
-    else if (id === "spot") desk.spot = +value;
+    if (id === "student") { this.sign(value); return; }
+    if (id === "spot") desk.spot = +value;
     else if (id === "way") desk.back = value === "1";
     else fields[id] = value;
     if (id === "from" && desk.along === value) desk.along = desk.lines()[0][0];
@@ -196,7 +204,8 @@ on($("task"), "click",
   e => { const b = e.target.closest("[data-do]"); if (b) task.pick(b.dataset.do, b); });
 on($("task"), "change", e => task.change(e.target.id, e.target.value));
 on($("task"), "input",
-  e => { if (e.target.id === "mm" || e.target.id === "angle") { fields[e.target.id] = e.target.value; later(); } });
+  e => { if (e.target.id === "student") task.sign(e.target.value);
+    if (e.target.id === "mm" || e.target.id === "angle") { fields[e.target.id] = e.target.value; later(); } });
 on($("task"), "keydown", e => {
   if (e.key !== "Enter" || e.target.tagName !== "INPUT" || e.target.id === "student") return;
   if (e.target.id !== "figure") fields[e.target.id] = e.target.value;

@@ -108,8 +108,8 @@ def finished(
 
 
 def unseen(one: View, lang: Lang) -> list[str]:
-    """Sentences about details of a view that cannot be seen or read."""
-    facts = {"view": plain(one.title or one.key), "names": ", ".join(one.crowded)}
+    """Sentences about what cannot be seen or read in a view."""
+    facts = {"view": plain(one.title or one.key), "names": one.crowded}
     return [*one.unseen, *([say("overprinted", lang, **facts)] if one.crowded else [])]
 
 

@@ -4,8 +4,8 @@ import math
 from collections.abc import Sequence
 from itertools import cycle
 
-from planes.diagrams.curves import driven
 from planes.plans import Plans
+from planes.plans.curves import driven
 from planes.words import say
 from planes.words.frozen import frozen, replace
 from planes.words.lettering import flat

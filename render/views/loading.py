@@ -173,8 +173,8 @@ class Loading:
             self.force(plans.balancing, foot, along * sign)
         else:
             taken = len([c for c in plans.acting.couples[link] if not c.handed])
-            name, sign = self.naming.balancing(True), 1 if link == plans.structure.driver else -1
-            self.couple(name, link, float(self.drawing[plans.balancing]) * sign, taken, name)
+            sign = 1 if link == plans.structure.driver else -1
+            self.couple(plans.balancing, link, float(self.drawing[plans.balancing]) * sign, taken)
 
     def inner(self) -> set[str]:
         """Names of the reactions between these links, and of their couples."""

@@ -109,11 +109,9 @@ class MomentLines:
         return "N" if plans.at_rest else "W"
 
     def unknown(self, equation: Moments) -> str:
-        """The letter of the unknown of the equation."""
-        drive = self.position.plans.mechanism.drive
-        if equation.unknown in (self.position.plans.balancing, self.position.plans.zhukovsky):
-            return self.naming.balancing(drive.kind == "phi")
-        return self.naming.vector(equation.unknown)
+        """The letter of what the equation is solved for."""
+        plans = self.position.plans
+        return self.naming.vector(plans.balancing if equation.unknown == plans.zhukovsky else equation.unknown)
 
     def product(self, name: str, lever: str) -> str:
         """A force times its arm, a couple, either times its rate."""

@@ -115,7 +115,8 @@ class Polygon:
         for s in (s for s in self.plotted.drawn_segments(self.plan) if at(s.plan, s.start) not in rays):
             if abs(self.mark(s.end) - self.mark(s.start)) > ZERO_MM:
                 names = self.arrows.setdefault((s.start, s.end), [])
-                names += [s.name] * (s.name not in names)
+                name = self.naming.own(s.name)
+                names += [name] * (name not in names)
 
     def unseen(self, title: str) -> list[str]:
         """A sentence about the vectors that are too short to be drawn, if there are any."""

@@ -102,7 +102,7 @@ def test_no_other_way_to_reckon_is_better_anywhere(name: str, other: str) -> Non
 @pytest.mark.parametrize("name", SHOWN)
 @pytest.mark.parametrize("tool", ["pylinkage", "kinepy"])
 def test_no_other_tool_is_better_anywhere(name: str, tool: str) -> None:
-    pytest.importorskip(tool, reason=f"{tool} is among the extra [bench] only: pip install planes[bench]")
+    pytest.importorskip(tool, reason=f"{tool} is among the extra [bench] only: pip install -e '.[bench]'")
     if tool == "pylinkage" and name in ("six-link", "kind-4-prp"):
         pytest.skip("pylinkage has no group with a moving or a second guide")
     found = next(errors for key, errors in way(name).errors.items() if tool in key)

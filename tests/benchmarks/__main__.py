@@ -158,12 +158,14 @@ def tables(measured: Measured) -> str:
             told = (f"{cell[0]:.1f} ({cell[1]:.1f})" if cell else "–" for cell in cells)
             lines.append(f"| {who} | {' | '.join(told)} |")
         lines.append("")
-    ways = ", ".join(f"{mechanism} {threads(mechanism, COUNTS[-1]):.2f}" for mechanism in ("four-bar", "six-link"))
+    ways = ", ".join(
+        f"{mechanism} {threads(mechanism, COUNTS[-1]):.2f} times" for mechanism in ("four-bar", "six-link")
+    )
     return "\n".join(
         [
             *lines,
-            f"Two threads beside one, one table of {COUNTS[-1]:,} positions".replace(",", " ")
-            + f": {ways} times as quick.",
+            f"Two threads instead of one make a table of {COUNTS[-1]:,} positions faster".replace(",", " ")
+            + f": {ways}.",
         ]
     )
 

@@ -19,7 +19,7 @@ from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.outcome import check
 from planes.check.reading.matching import paper_of
 from planes.check.reading.svg import read_svg
-from planes.check.report import as_json
+from planes.check.report import as_json, numbers_of
 from planes.cli import main
 from planes.drafting.drawing import run as run_program
 from planes.scene import load
@@ -126,6 +126,10 @@ def test_the_normal_part_of_a_driven_point_is_written_with_its_pivot_or_without(
         ([("v_C", 2404.0, "мм/с")], "velocity", None, None),
         ([("v_C", 2.4 * 900, "m/s"), ("omega_2", 8.12, "")], "velocity", "v_C", "mu_inverted"),
         ([("v_C", 72.1, "m/s")], "velocity", "v_C", "mm_for_value"),
+        ([("v_C", 2404.0, "")], "velocity", "v_C", "unit_missing"),
+        ([("omega_2", 8.12 * 30 / 3.1416, "")], "velocity", "omega_2", "unit_missing"),
+        ([("omega_2", 8.12 * 180 / 3.1416, "rad/s")], "velocity", "omega_2", "unit_missing"),
+        ([("omega_2", 465.2, "°/s")], "velocity", None, None),
         ([("omega_2", 8.12 / 250, "rad/s")], "velocity", "omega_2", "omega_without_mu_l"),
         ([("omega_2", 8.12, ""), ("omega_3", 16.0, "")], "velocity", "omega_3", "sense_wrong"),
     ],
@@ -546,3 +550,32 @@ def test_a_result_that_needs_no_step_of_the_plan_is_judged(plan: str) -> None:
         for value, verdict in ((true, "right"), (true + 20.0, "wrong")):
             found = check(asked(plan), ReadPaper("t", results=[(name, value, "")]))
             assert found.verdict == verdict, (name, found)
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "result,value,unit",
+        "результат;значение;единица",
+        "величина;число;ед.",
+        "результат;значення;одиниця",
+        "вынік;значэнне;адзінка",
+    ],
+)
+def test_the_columns_of_a_table_are_named_in_any_language(head: str, tmp_path: Path) -> None:
+    mark = ";" if ";" in head else ","
+    (file := tmp_path / "t.csv").write_text(f"{head}\nv_C{mark}2.4{mark}m/s\n", encoding="utf-8")
+    paper = read_table(file)
+    assert paper.results == [("v_C", 2.4, "m/s")] and not paper.left
+
+
+def test_a_name_with_another_index_is_not_guessed_at() -> None:
+    out = check(
+        asked("velocity"), ReadPaper("t", results=[("v_C", 2.4, "m/s"), ("omega_7", 3.0, ""), ("omga_2", 8.1, "")])
+    )
+    assert out.unknown == {"omega_7": "", "omga_2": "omega_2"}
+
+
+def test_a_number_of_a_report_has_a_true_minus() -> None:
+    out = check(asked("velocity"), ReadPaper("t", results=[("v_C", 2.4, "m/s"), ("omega_2", -3.53, "")]))
+    assert numbers_of(out, "ru")[1][2] == "−3,53" and "−3,53" in out.sentence.told("ru")

@@ -128,3 +128,12 @@ def test_a_head_speaks_for_the_end_it_is_at(way: int) -> None:
 
 def test_a_sheet_without_a_line_has_no_ink() -> None:
     assert not felt(sheet()).points.size
+
+
+def test_a_line_that_cannot_be_drawn_is_nowhere() -> None:
+    """Its ends are no numbers: it lies on no ink, and nobody is warned of a cast."""
+    paper = sheet()
+    triangle(paper, 1.0)
+    nowhere = complex(np.nan, np.nan)
+    there, not_there, far = shares(felt(paper), [SIDES[0], (SIDES[0][0], nowhere), (nowhere, complex(np.inf, 0))])
+    assert there > 0.9 and not_there == far == 0.0

@@ -11,6 +11,7 @@ from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome, check
+from planes.check.report import mark_rows
 from render.files import Page
 from render.paper.marks import Arrow, Line, Text
 from tests.check.test_own_sheets import drawn, view
@@ -84,6 +85,11 @@ def test_a_vector_that_misses_its_marks_or_is_not_drawn(plan: str, way: str, suf
         found = check(asked, read_paper(str(file), asked, Known()))
         assert found.verdict in (("right_as_seen",) if way == "missing" else ("wrong", "right_as_seen")), one
         assert found.verdict == "right_as_seen" or found.first_wrong
+        if found.paper.left:  # and it is said why
+            assert any(note.key == "check_no_vector" for note in found.notes)
+        if found.mistake == "vector_astray":  # the row shows the miss it is wrong by
+            row = next(row for row in mark_rows(found) if row["mark"] == found.first_wrong)
+            assert row["own_deviation_mm"] > row["own_tolerance_mm"]
 
 
 @pytest.mark.slow

@@ -78,7 +78,7 @@ def test_what_everybody_gets(whole: Path) -> None:
 @pytest.mark.slow
 def test_the_summary_holds_everybodys_own_answers(whole: Path) -> None:
     out = whole / "out"
-    rows = list(csv.DictReader((out / "teacher/summary.csv").read_text("utf-8").splitlines()))
+    rows = list(csv.DictReader((out / "teacher/summary.csv").read_text("utf-8-sig").splitlines()))
     assert [r["Вариант"] for r in rows] == ["А", "Б", "В", "Г", "Д", "Е", "свой", "свой"]
     assert len({tuple(r.values())[4:] for r in rows}) == 8
     for row in rows:
@@ -157,7 +157,7 @@ def test_one_students_fault_does_not_stop_the_others(
     assert two_lists.startswith("предупреждение: студенты названы в самом")
     assert said.startswith("Второй: из 100 наборов чисел не подошёл ни один: 100 не собираются")
     assert [f.name for f in (at / "out/students").iterdir()] == ["Первый"]
-    rows = list(csv.DictReader((at / "out/teacher/summary.csv").read_text("utf-8").splitlines()))
+    rows = list(csv.DictReader((at / "out/teacher/summary.csv").read_text("utf-8-sig").splitlines()))
     assert rows[1]["Ошибка"].startswith("из 100 наборов") and not rows[0]["Ошибка"]
 
 
@@ -170,7 +170,7 @@ def test_there_must_be_numbers_for_everybody(
     at = folder(tmp_path / "course", course, 3)
     assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 1
     assert capsys.readouterr().err == "Студент-3: there are not enough different sets of numbers; widen draw\n"
-    rows = list(csv.DictReader((at / "out/teacher/summary.csv").read_text("utf-8").splitlines()))
+    rows = list(csv.DictReader((at / "out/teacher/summary.csv").read_text("utf-8-sig").splitlines()))
     assert sorted(r["phi_1 [°]"] for r in rows) == ["", "30", "60"]
 
 
@@ -295,7 +295,7 @@ def test_a_process_that_is_stopped_is_a_sentence() -> None:
 @pytest.fixture(scope="module")
 def cluster() -> Iterator[str]:
     """The address of a Dask scheduler of this machine with two workers, as processes of their own."""
-    pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install 'planes[dask]'")
+    pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install distributed")
     program = (
         "import sys\nfrom distributed import LocalCluster\nif __name__ == '__main__':\n"
         " with LocalCluster(n_workers=2, threads_per_worker=2, dashboard_address=None) as c:\n"
@@ -333,7 +333,7 @@ def test_a_cluster_that_fails_is_a_sentence(cluster: str) -> None:
 
 @pytest.mark.slow
 def test_no_scheduler_is_a_sentence(whole: Path, tmp_path: Path) -> None:
-    pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install 'planes[dask]'")
+    pytest.importorskip("distributed", reason="a Dask cluster needs distributed: pip install distributed")
     program = (
         "import sys\nfrom planes.cli import main\nfrom planes.course import workers\nworkers.SECONDS = 0.5\n"
         "sys.exit(main(sys.argv[1:]))"

@@ -62,7 +62,7 @@ BAD = [  # scene, what stands there, what instead, a piece of the sentence, its 
     (FOUR_BAR, "D: 0, C: 0.3", "D: 0, E: 0.3", "a link or a pair is missing", 6),
     (ROCKER, "slides: g", "slides: 3", 'link 2 slides on "3", but there is no such guide', 5),
     (ROCKER, "B: 0}, slides: g", "B: 0}, slides: g, guides: {h: {through: D}}", "no point of link 2", 5),
-    (LOAD, "point: C", "point: B", 'no point of link 3 "B"; valid: C', 10),
+    (LOAD, "point: C", "point: B", 'no point of link 3 called "B"; valid: C', 10),
     (PARALLEL_GUIDES, "A: [0, 0]", "A: [0, 0]", "links 2 and 3 both slide on guides of link 0", 6),
     (TWO_EQUATIONS, "a", "a", "d = e + a: d and e are parallel, so the polygon cannot close", 5),
     (LENGTHS, "a", "a", "a = b + c: b and c together are too short by 7", 3),
@@ -77,9 +77,14 @@ BAD = [  # scene, what stands there, what instead, a piece of the sentence, its 
     (SLIDER, "C: 0.3", "C: 0", "hinges B and C of link 2 coincide: the length BC is zero", 5),
 ]
 UNDRAWN = [  # the same for positions that cannot be drawn
-    (SLIDER, "slides: x-x", "slides: {guide: x-x, offset: 0.5}", "misses the line of C along guide x-x by 150 mm"),
+    (
+        SLIDER,
+        "slides: x-x",
+        "slides: {guide: x-x, offset: 0.5}",
+        "misses the line of C along guide x-x by 0.15 m (150 mm on paper)",
+    ),
     (CROSS_SLIDE, "phi: 30", "phi: 180", "the lines of guide g and of guide x-x are parallel"),
-    (FOUR_BAR, "B: 0.1", "B: 1e30", "mm apart: C cannot be drawn"),
+    (FOUR_BAR, "B: 0.1", "B: 1e30", "mm on paper): C cannot be drawn"),
 ]
 
 

@@ -83,7 +83,8 @@ def test_a_table_of_marks_without_its_plan_is_answered_with_the_plans(
 def test_help_is_in_the_language_that_stands_before_it(line: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as stop:
         main(line.split())
-    assert stop.value.code == 0 and capsys.readouterr().out.startswith("порядок: planes")
+    assert stop.value.code == 0 and (told := capsys.readouterr().out).startswith("использование: planes")
+    assert "show program" not in told
 
 
 def test_a_file_whose_name_looks_like_an_option(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

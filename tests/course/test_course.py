@@ -13,14 +13,16 @@ from pathlib import Path
 import numpy
 import pytest
 
-from planes.course import ParameterChoice, ledger
+from planes.course import ParameterChoice, ledger, workers
 from planes.course import random_numbers as numbers
 from planes.course.ledger import Ledger, digest
 from planes.course.numbers import main_answers, own_scene, question, settle
-from planes.course.papers import clearest
+from planes.course.papers import clearest, work
+from planes.course.quiz import questions
 from planes.course.random_numbers import around, choices_of, dice, draw_numbers
 from planes.course.reading import read_course
 from planes.course.students import shares
+from planes.documents.course_run import conduct
 from planes.drafting.drawing import run
 from planes.plans import plans_of
 from planes.plans.scales import unit_scales
@@ -61,9 +63,10 @@ def test_names_and_scenes_alone_make_a_course(folder: Make) -> None:
     assert course.documents == ("task", "blank", "key", "sheets", "lesson") and course.sharpness_deg == 15
 
 
-def test_a_table_of_students(folder: Make) -> None:
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1251"])
+def test_a_table_of_students(folder: Make, encoding: str) -> None:
     at = folder(students="", scenes=("03", "12"))
-    (at / "students.csv").write_text("№;ФИО;Группа;Задание;Вариант\n1;Иванов;М-1;3;Б\n2;Петров;;;\n", "utf-8-sig")
+    (at / "students.csv").write_text("№;ФИО;Группа;Задание;Вариант\n1;Иванов;М-1;3;Б\n2;Петров;;;\n", encoding)
     first, second = read_course(at).students
     assert (first.name, first.group, first.assignment, first.variant) == ("Иванов", "М-1", "3", "Б")
     assert (second.name, second.group, second.assignment, second.variant) == ("Петров", "", None, None)
@@ -92,6 +95,7 @@ REFUSED = [
     ("course: 1\nstudent: [A]\n", "", r"course\.yaml:2: .*student.*students"),
     ("course: 1\ndocuments: [task, sheet]\n", "", r"course\.yaml:2: .*sheet.*sheets"),
     ("course: 1\ndraw: {l_XY: 10 %}\n", "", r"course\.yaml:2: .*l_XY.*l_AB"),
+    ("course: 1\ndraw: {omega: 20 %}\n", "", r"course\.yaml:2: .*name the number .*'drive: {omega: omega_1}'; .*\?$"),
     ("course: 1\ndraw: {l_AB: some}\n", "", r"course\.yaml:2: .*some"),
     ("course: 1\ndraw: {l_AB: {from: 1, to: 2, step: 0}}\n", "", r"course\.yaml:2: .*step"),
     ("course: 1\nsharpness: 90\n", "", r"course\.yaml:2: .*90"),
@@ -204,6 +208,30 @@ def test_numbers_are_ones_own_whoever_else_is_there(folder: Make) -> None:
     assert told[0].items() <= told[1].items() and len(set(told[1].values())) == 4
     question_again = replace(question(few, shares(few)[0], "en"), copy=1)
     assert settle(question_again).scene not in told[1].values()
+
+
+def test_nobody_has_the_plans_that_are_asked_as_somebody_else_has_them(folder: Make, tmp_path: Path) -> None:
+    """Where the load alone differs, plans of velocities and accelerations are the same."""
+    text = "course: 1\nvariants: drawn\nplans: [velocity, acceleration]\ndraw: {F_5: 20 %, omega_1: [14, 15, 16, 17]}\n"
+    course = replace(read_course(folder(text, "А\nБ\nВ\n")), documents=())
+    made = conduct(course, tmp_path / "out", workers._alone, "en")
+    own = [load(file).parameters["omega_1"] for file in (tmp_path / "out").rglob("scene.yaml")]
+    assert not made.faults and not made.said and len(set(own)) == len(own) == 3
+
+
+@pytest.mark.parametrize("plans", [("velocity", "acceleration"), ("velocity",), ("velocity", "acceleration", "force")])
+def test_a_task_and_questions_ask_what_is_asked(plans: tuple[str, ...]) -> None:
+    scene = load(SAMPLES / "six-link.yaml")
+    here = solve(scene).positions[0]
+    asked = " ".join(work(scene, here, "en", plans))
+    names = " ".join(one.name for one in questions(scene, "en", plans))
+    for plan, words, name in (
+        ("velocity", "elocit", "omega_"),
+        ("acceleration", "ccelerat", "epsilon_"),
+        ("force", "Force polygons", "M_1"),
+        ("force", "Zhukovsky", "M_1"),
+    ):
+        assert (words in asked) == (name in names) == (plan in plans), (plan, asked, names)
 
 
 @pytest.mark.slow

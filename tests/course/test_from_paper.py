@@ -168,7 +168,7 @@ def quizzes(name: str) -> tuple[tuple[Quiz, Scene], ...]:
     path = ROOT / name
     text, found = path.read_text("utf-8"), []
     for numbers in ({}, {"l_AB": "0.105", "phi_1": "70"}):
-        own = own_scene(text, path.name, None, numbers, {})
+        own = own_scene(text, path.name, None, numbers, {}, ("plans",) if numbers else ())
         one = desk(own)
         found.append((Quiz.read(one.quiz().decode()), one.scene))
     return tuple(found)

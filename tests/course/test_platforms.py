@@ -121,6 +121,10 @@ def test_a_calculated_question_has_everybodys_numbers(out: Path) -> None:
         sets = {said(d, "name/text"): d for d in question.findall("dataset_definitions/dataset_definition")}
         wild = set(re.findall(r"\{(\w+)\}", said(question, "questiontext/text") + said(question, "answer/text")))
         assert wild == set(sets) and len(sets) >= 2
+        share = float(said(question, "answer/tolerance"))
+        own = [quiz.questions[number] for quiz in quizzes(out)]
+        assert said(question, "answer/tolerancetype") == "1" and share >= LEAST
+        assert all(share * abs(one.value) >= one.tolerance * (1 - 1e-5) for one in own)
         for d in sets.values():
             items = d.findall("dataset_items/dataset_item")
             assert [said(i, "number") for i in items] == ["1", "2", "3"] and said(d, "itemcount") == "3"

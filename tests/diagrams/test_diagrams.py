@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.diagrams.curves import UNIT, WorkingRange, curves_of
 from planes.diagrams.extremes import extremes
 from planes.diagrams.long_run import five_decimals
 from planes.diagrams.motion import dead_points, driven_grid
@@ -20,6 +19,7 @@ from planes.diagrams.summary import Summary, of_cycle, summary
 from planes.diagrams.text import as_json, report
 from planes.diagrams.turn import WholeTurn, grid, reach, span_of, turn_of, unwound
 from planes.plans import Plans, plans_of
+from planes.plans.curves import UNIT, WorkingRange, curves_of
 from planes.scene import Scene, load, loads
 from planes.solving.nearest import works as works_at
 from planes.words.errors import PlanesError

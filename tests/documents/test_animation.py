@@ -48,6 +48,7 @@ def test_a_driver_that_only_swings_goes_there_and_back(tmp_path: Path) -> None:
     file = tmp_path / "swing.svg"
     planes.animate(planes.load(ROCKING), file, frames=3, lang="en")
     text = file.read_text("utf-8")
+    assert re.search(r'<svg[^>]* lang="en"', text) and re.search(r"<title>[^<]+</title>", text)
     assert text.count("<animate ") == 6 and "<script" not in text  # four positions and two of them on the way back
     starts = sorted(float(x.split(";")[1]) for x in re.findall(r'keyTimes="(.*?)"', text))
     assert all(math.isclose(b - a, 1 / 6, abs_tol=1e-5) for a, b in pairwise(starts))

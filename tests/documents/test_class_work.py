@@ -220,8 +220,8 @@ def test_only_what_has_changed_is_judged_anew(
     cv2.imwrite(str(folder / "IMG_1.jpg"), seen[:, 20:])
     again, after = run()  # the picture is another one since the marks were saved
     assert again == ["IMG_1.jpg"] and after["IMG_1.jpg"]["verdict"] == "right"
-    assert "not taken" in " ".join(after["IMG_1.jpg"]["warnings"]) and "IMG_1.csv" not in after
-    assert "not taken" in (out / "index.html").read_text("utf-8")
+    assert "not used" in " ".join(after["IMG_1.jpg"]["warnings"]) and "IMG_1.csv" not in after
+    assert "not used" in (out / "index.html").read_text("utf-8")
     assert "Name the table IMG_1.csv" in after["IMG_1 (1).csv"]["sentence"]["en"]
     file = own / "out/teacher" / BORIS / "scene.yaml"
     file.write_text(f"{file.read_text('utf-8')}\n", "utf-8")
@@ -383,6 +383,10 @@ def test_what_came_twice_and_whose_did_not_come(
     again = [line.split(".csv")[0].strip() for line in told if "The same plan of the same student: " in line]
     assert again == ["Петрова скорости 2", "Петрова скорости"]
     assert told[-1] == "Nothing received from: Иванов Пётр."
+    own = (course / "out" / "teacher" / BORIS / "scene.yaml").read_text("utf-8")
+    (tmp_path / "own.yaml").write_text(own.replace("Иванов Пётр", "Иванов П. С."), "utf-8")
+    work = ClassWork("", "en", tasks=(Task(tmp_path / "own.yaml", "", BORIS),))
+    assert work.missing() == "Иванов П. С"  # and the sentence ends with its own full stop
     page = (tmp_path / "out" / "index.html").read_text("utf-8")
     assert told[-1] in page and page.count("The same plan of the same student") == 2
     (photos / "Иванов скорости.csv").write_text("mark,x_mm,y_mm\np,0,0\nb,30,51.96\nc,20,8\n", "utf-8")

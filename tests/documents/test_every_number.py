@@ -20,7 +20,7 @@ from planes.plans.measuring import lettering
 from planes.scene import load
 from planes.solving import solve
 from planes.solving.document import Block, DocumentTable
-from planes.words.errors import SceneError
+from planes.words.errors import PlanesError
 from planes.words.naming import Naming
 from render.paper.marks import Text
 from tests.documents.test_one_truth import told
@@ -124,7 +124,7 @@ def test_each_number_is_that_of_the_results(path: Path) -> None:
         assert abs(abs(one.value) - abs(other.value)) <= 1.02 * (one.off + other.off), (one, other)
         try:
             true = None if one.unit == "мм" else solved.value(one.name)
-        except (SceneError, KeyError):
+        except (PlanesError, KeyError):
             continue
         assert true is None or abs(abs(one.value) - abs(true)) <= 1.02 * one.off, (one, true)
 

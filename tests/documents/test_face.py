@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import copy
 import doctest
 import importlib
 import json
+import pickle
+import pydoc
 import re
 import subprocess
 import sys
@@ -18,6 +21,8 @@ import pytest
 import planes
 from planes.cli import main
 from planes.scene.mechanism import Assembly, Drive, Link, Mechanism
+from planes.solving import Solved, solve
+from planes.words.units import PLANS
 from tests.helpers import ROOT
 
 SAMPLES = sorted([*(ROOT / "samples").glob("*.yaml"), *(ROOT / "samples" / "assignments").glob("0*.yaml")])
@@ -116,7 +121,7 @@ def test_what_fails_says_so() -> None:
     with pytest.raises(planes.PlanesError):
         planes.solve(scene, phi=90)
     assert len(planes.solve(scene, [90, 150]).failed) == 1
-    with pytest.raises(planes.PlanesError, match="--s"):
+    with pytest.raises(planes.PlanesError, match=r"^s does not fit .*: its driver is given by phi$"):
         planes.solve(scene, s=0.1)
 
 
@@ -127,23 +132,45 @@ def test_a_mechanism_built_in_python() -> None:
     built = Mechanism(
         Link("0", points), MappingProxyType(links), Drive("1", "phi", 60.0, 10.0), assembly={"C": Assembly("left")}
     )
-    scene = planes.Scene.of(built, "four-bar")
+    scene = planes.Scene("four-bar", mechanism=built, mu=dict.fromkeys(PLANS))
     assert abs(planes.solve(scene).v["B"]) == pytest.approx(1.0)
-    assert planes.loads(scene.to_yaml()).mechanism == scene.mechanism
+    assert planes.picture(scene) and planes.cycle(scene, "v_C", phi=[60, 70])["v_C"].shape == (2,)
     with pytest.raises(planes.PlanesError, match="two ways"):
-        planes.solve(planes.Scene.of(replace(built, assembly={})))
+        planes.solve(replace(scene, mechanism=replace(built, assembly={})))
+
+
+OF_SCENE = ("mechanism", "statement", "mu", "find", "title", "note", "missing", "sheet", "frame_number", "parameters")
 
 
 @pytest.mark.parametrize("path", SAMPLES, ids=lambda p: p.stem)
-def test_a_scene_written_as_yaml_is_the_same_scene(path: Path) -> None:
-    scene = planes.load(path)
-    if scene.mechanism is None:
-        with pytest.raises(planes.PlanesError):
-            scene.to_yaml()
-        return
+def test_a_scene_written_as_yaml_is_the_same_scene_and_its_parameters_can_be_changed(path: Path) -> None:
+    scene = planes.load(path, *planes.load(path).variants[-1:])
+    own = {name: value for name, value in scene.used.items() if value}
+    for name, value in list(own.items())[:1]:  # scales too stay what they were
+        changed = {name: 1.001 * value}
+        other, again = scene.with_parameters(**changed), planes.loads(scene.to_yaml()).with_parameters(**changed)
+        for one in (again, planes.loads(other.to_yaml())):
+            assert [getattr(one, of) for of in OF_SCENE] == [getattr(other, of) for of in OF_SCENE]
     again = planes.loads(scene.to_yaml())
-    for name in ("mechanism", "mu", "find", "title", "note", "missing", "sheet", "frame_number", "parameters"):
-        assert getattr(again, name) == getattr(scene, name), name
+    assert [getattr(again, of) for of in OF_SCENE] == [getattr(scene, of) for of in OF_SCENE]
+
+
+def _kept(thing: object) -> object:
+    """What is to be the same in a copy: of a scene all of it."""
+    if isinstance(thing, planes.Scene):
+        return thing, hash(thing)
+    return str(thing), getattr(thing, "results", None), thing.json() if isinstance(thing, Solved) else None
+
+
+@pytest.mark.parametrize("path", [p for p in SAMPLES if p.parent.name == "samples"], ids=lambda p: p.stem)
+def test_results_go_to_other_processes_and_are_copied(path: Path) -> None:
+    scene = planes.load(path)
+    assert scene == planes.load(path) and hash(scene) == hash(planes.load(path))
+    things: list[object] = [scene, planes.solve(scene), solve(scene)]
+    things += [planes.extremes(scene)] if path == FOUR_BAR else []
+    for thing in things:
+        for again in (copy.deepcopy(thing), pickle.loads(pickle.dumps(thing))):
+            assert _kept(again) == _kept(thing)
 
 
 def test_things_show_themselves_shortly() -> None:
@@ -200,8 +227,7 @@ def test_a_position_prints_its_tables(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_parameter_from_which_nothing_is_made_cannot_be_changed() -> None:
-    text = planes.load(FOUR_BAR).to_yaml()  # in plain numbers: no expression is left
-    assert planes.loads(text)
+    text = planes.load(FOUR_BAR).to_yaml().replace("A: 0, B: l_AB", "A: 0, B: 0.1")
     with pytest.raises(planes.PlanesError, match=r"nothing in this scene depends on the parameter l_AB"):
         planes.loads(text, l_AB=0.2)
 
@@ -213,6 +239,63 @@ def test_a_reaction_named_from_the_other_link_is_opposite() -> None:
         assert here.value(other) == -here.value(one) != 0
     assert table["F_12"][1] == pytest.approx(-here.value("F_21"), rel=1e-12)
     assert "F_12" in table and table.get("nope", 0) == 0 and "nope" not in table
+
+
+@pytest.mark.few(3)
+@pytest.mark.parametrize("path", [p for p in SAMPLES if p.parent.name == "samples"], ids=lambda p: p.stem)
+def test_every_name_that_is_printed_can_be_asked_for(path: Path) -> None:
+    scene = planes.load(path)
+    here, printed = planes.solve(scene), list[str]()
+    if scene.mechanism and scene.drive:
+        everything = planes.cycle(scene, phi=here.at) if scene.drive.kind == "phi" else planes.cycle(scene, s=here.at)
+        printed = [*everything, *planes.extremes(scene)["curves"]]
+    names = list(dict.fromkeys((*here.names, *printed)))
+    for name in names[:: 1 + len(names) // 40]:
+        assert np.isfinite(here.value(name)) or name.endswith("_arm"), name
+    if printed:
+        table = planes.cycle(scene, names, **{scene.drive.kind: here.at})  # type: ignore[union-attr]
+        for name in names[:: 1 + len(names) // 40]:
+            assert np.isnan(table[name][0]) or table[name][0] == pytest.approx(here.value(name), rel=1e-6, abs=1e-6)
+
+
+def test_a_name_that_is_none_is_refused_with_what_is_meant_and_where_all_names_are() -> None:
+    scene = planes.load(FOUR_BAR)
+    here = planes.solve(scene)
+    for name, near in (("alpha_2", "epsilon_2"), ("theta_2", "phi_2"), ("w_2", "omega_2"), ("v_C'", "v_C"), (2, "")):
+        for ask in (here.value, lambda one: planes.cycle(scene, [one])):
+            with pytest.raises(planes.PlanesError, match=rf"no quantity {name};.*{near}.*\.names\)$"):
+                ask(name)  # type: ignore[arg-type]
+    assert here.value("phi") == pytest.approx(here.at) and len(here.names) == len(set(here.names)) > 40
+    only = planes.solve(planes.loads(FOUR_BAR.read_text("utf-8") + "\nfind: [omega_2]\n"))
+    with pytest.raises(planes.PlanesError, match=r"^find: of the scene does not ask for M_1; add it there"):
+        only.value("M_1")
+
+
+VERBS = ("animate", "check", "crank", "cycle", "extremes", "lesson", "picture", "sheet", "solve")
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_a_path_is_a_scene_and_what_is_none_is_refused(verb: str, tmp_path: Path) -> None:
+    more = {"animate": (tmp_path / "x.svg",), "check": (tmp_path / "x.svg", "velocity")}.get(verb, ())
+    for wrong in (3, None, planes.solve(planes.load(FOUR_BAR)) if verb != "picture" else []):
+        with pytest.raises(
+            planes.PlanesError, match=r'a scene is needed, not .*: planes.load\("scene.yaml"\) gives one'
+        ):
+            getattr(planes, verb)(wrong, *more)
+    if verb not in ("animate", "check"):
+        assert getattr(planes, verb)(str(FOUR_BAR))
+    with pytest.raises(planes.PlanesError, match="no such file"):
+        getattr(planes, verb)(tmp_path / "none.yaml", *more)
+
+
+def test_a_parameter_that_is_no_number_and_a_file_that_is_none_are_sentences() -> None:
+    for wrong in ("abc", None, float("nan"), [0.1]):
+        for ask in (planes.load(FOUR_BAR).with_parameters, lambda **given: planes.load(FOUR_BAR, **given)):
+            with pytest.raises(planes.PlanesError, match=r"^l_AB must be one finite number, not "):
+                ask(l_AB=wrong)  # type: ignore[arg-type]
+    for none in (3, None, 0.5):
+        with pytest.raises(planes.PlanesError, match=r"the file cannot be read|no such file"):
+            planes.load(none)  # type: ignore[arg-type]
 
 
 def test_the_face_takes_what_one_types() -> None:
@@ -241,3 +324,19 @@ def test_extremes_print_as_the_tables_of_a_cycle_and_tell_their_shape(capsys: py
     told = str(type(planes.extremes).__doc__) + str(planes.extremes.__doc__)
     for key in (*list(found)[4:], *found["driven"], "unit", "group", "extremes", "at", "value", "kind"):
         assert re.search(rf'[`"]{key}[`"]', told), key
+
+
+def test_help_shows_what_a_person_can_read() -> None:
+    for name in planes.__all__:
+        told = pydoc.render_doc(getattr(planes, name), renderer=pydoc.plaintext)
+        assert not re.search(r" at 0x|_Verb|_none", told), name
+        assert name in told.splitlines()[0]
+
+
+def test_a_group_of_loads_that_is_nothing_is_answered_by_those_there_are() -> None:
+    here = planes.solve(planes.load(FOUR_BAR))
+    assert here.number("balancing_moment") == here.value("M_1") and here.number("balancing_force") is None
+    with pytest.raises(KeyError, match=r"there is no moment here; valid: balancing_moment, .*zhukovsky_force"):
+        here.number("moment")
+    table = planes.cycle(planes.load(FOUR_BAR), "v_C", phi=[0, 10])
+    assert repr(table).startswith(f"<Table of {len(table)} columns, 2 positions: ")

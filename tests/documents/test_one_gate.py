@@ -13,10 +13,10 @@ from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.outcome import check
 from planes.course.numbers import main_answers
-from planes.diagrams.curves import curves_of, named
 from planes.documents.lesson import note
 from planes.documents.sheets import sheet_of
 from planes.lesson.told import Told
+from planes.plans.curves import curves_of, named
 from planes.plans.quantities import Quantity, asked, catalogue
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene

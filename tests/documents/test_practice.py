@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 from pathlib import Path
 from typing import Any
@@ -327,6 +328,31 @@ def test_a_code_is_verified_and_an_altered_one_refused(desk: Any, tmp_path: Path
     assert "altered" in out and "104 of 104" in out and "give 103" in out and "the code is damaged" in out
     assert cli.main(["check", str(HERE / "kind-1-rrr.yaml"), str(codes / "0.practice"), "--lang", "en"]) == 2
     assert "does not belong to" in capsys.readouterr().out
+
+
+def test_the_first_click_saves_under_the_name_just_typed(desk: Any) -> None:
+    """Leaving the field takes nothing from under the finger that is on the link; initials end with one full stop."""
+    assert desk.evaluate(SOLVE)[0]
+    desk.focus("#student")
+    desk.ask("Input.insertText", text="Жданович Е. В.")
+    box = desk.locator("#save").bounding_box()
+    desk.evaluate("() => { window.link = document.getElementById('save'); }")
+    with desk.expect_download():
+        desk.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    assert desk.evaluate("() => window.link.isConnected && window.link.download") == "Жданович Е. В.practice"
+    code = desk.input_value("#code").split(".")[1]
+    assert "Жданович Е. В." in base64.urlsafe_b64decode(code + "=" * (-len(code) % 4)).decode()
+
+
+def test_scales_stand_as_they_are_written_and_nothing_twice(desk: Any) -> None:
+    """Beside a question: no name of the program's for a scale, each with its unit."""
+    told = desk.evaluate("""() => { const every = []; for (let k = 0; k < 400 && !practice.over; k++) {
+        if (practice.item.kind === "number") every.push(document.querySelector("#task .answers span").innerText);
+        give(); } return every; }""")
+    assert told and not [text for text in told if "mu_" in text]
+    for parts in (text.split("; ") for text in told):
+        assert len(set(parts)) == len(parts)
+        assert all("/" in part for part in parts if part.startswith("μ"))
 
 
 MARKED: dict[str, list[pytest.MarkDecorator]] = {"bntu-4": [], "excavator": [pytest.mark.slow]}

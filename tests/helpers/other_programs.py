@@ -1,4 +1,4 @@
-"""Other programs on the same mechanism, for contrast, where they are installed (the extra ``planes[bench]``).
+"""Other programs on the same mechanism, for contrast, where they are installed (the extra ``bench``).
 
 pylinkage computes places, velocities and accelerations of cranks and of RRR and RRP groups on frame guides by its
 compiled path; kinepy computes places of any group, velocities and accelerations being left to differences.

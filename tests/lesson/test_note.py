@@ -22,3 +22,18 @@ def test_loads_and_poles_of_statics_may_be_changed_in_a_lesson() -> None:
         own = {k["given"]: k for k in knobs.all}
         assert given <= own.keys() and not any("when" in k for k in knobs.all)
         assert "position:C" in knobs.drags()
+
+
+def test_the_results_hold_the_balancing_load_by_the_symbol_of_the_figures() -> None:
+    from planes.lesson.stated_note import note_of
+    from planes.scene import load
+    from planes.solving import solve
+    from planes.solving.document import Paragraph
+    from planes.words.naming import Naming
+    from tests.helpers import ROOT
+
+    scene = load(ROOT / "samples" / "crank-slider.yaml")
+    (position,) = solve(scene).positions
+    told = [b.text for b in note_of(scene, position, "en").results() if isinstance(b, Paragraph)]
+    assert any(text.startswith("Balancing moment: ⟨M_1⟩ = ") for text in told)
+    assert [Naming(lang).vector("M_1") for lang in ("en", "ru")] == ["M_{b}", "M_{ур}"]

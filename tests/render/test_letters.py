@@ -69,7 +69,7 @@ def test_a_page_letters_as_the_sheet_does(text: str) -> None:
 
 def test_only_the_balancing_load_differs_by_the_language() -> None:
     told = written(RRP)
-    assert {*told["en"]} <= {"MZ_1"} and len(told["ru"]) > 20
+    assert {*told["en"]} <= {"M_1", "MZ_1"} and len(told["ru"]) > 20
 
 
 @pytest.mark.parametrize(
@@ -90,3 +90,9 @@ def test_a_plain_sentence_has_its_names_lettered_and_its_commands_whole(told: st
     shown = shown.replace("<+", '<span class="command">').replace("+>", "</span>")
     names = ["a", "c", "c'", "s5", "F_21t"]
     assert sentence(told, names, Naming("en"), "acceleration", {"s5.jpg": "s5.html"}) == shown
+
+
+def test_a_vector_to_a_point_of_the_frame_is_the_points_own() -> None:
+    naming = Naming(grounded=["v_BB0", "a_S2S20", "v_BE"])
+    assert [*map(naming.own, ("v_BB0", "a_S2S20", "v_BE", "v_CB"))] == ["v_B", "a_S2", "v_BE", "v_CB"]
+    assert naming.retold("I_2, F_21: wrong", ["I_2", "F_21"]) == "Φ_2, F_21: wrong"

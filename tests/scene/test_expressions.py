@@ -76,7 +76,7 @@ BAD = [
     ("()", "not expected"),
     ("2(3)", "not expected"),
     ("2 3", "operator missing"),
-    ("2φ", "operator missing"),
+    ("2φ", "write 2*φ"),
     ("l_AC", "did you mean l_AB?"),
     ("foo", "l_AB, φ, длина, x', pi, sqrt"),
     ("sinus(3)", 'no function "sinus"'),

@@ -58,7 +58,7 @@ BAD = [
     ("{x: -0.42}", "{x: 1, y: 2}", "both x and y", 8),
     ("{x: -0.42}", "{}", "one of the keys x, y, through", 8),
     ("{x: -0.42}", "{x: 1, angle: 2}", "remove angle", 8),
-    ("{x: -0.42}", "{through: Z}", 'no point of the frame "Z"', 8),
+    ("{x: -0.42}", "{through: Z}", 'no point of the frame called "Z"', 8),
     ("{x: -0.42}", "-0.42", "must be a table", 8),
     ("{x: -0.42}", "{x: 1, mark: a b}", "name of a mark", 8),
     ("{x: -0.42}", "{x: -0,42}", "decimal point: -0.42", 8),

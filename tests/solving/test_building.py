@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import pydoc
 import re
 import warnings
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 
 import planes
@@ -37,6 +41,30 @@ def test_its_file_says_the_same() -> None:
     here, again = planes.solve(built.scene()), planes.solve(planes.loads(built.to_yaml()))
     assert again.results == here.results
     assert "friction: {x-x: 0.1}" in built.to_yaml() and "S2: [0.0, 0.12]" in built.to_yaml()
+
+
+def other_numbers(value: Any, kind: Callable[[Any], Any]) -> Any:
+    """Everything that is given in a linkage, with its numbers in another type."""
+    if isinstance(value, dict):
+        return {key: other_numbers(one, kind) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [other_numbers(one, kind) for one in value]
+    return kind(value) if isinstance(value, int | float | complex) else value
+
+
+@pytest.mark.parametrize(
+    "kind", [np.asarray, np.array, lambda z: np.asarray(z)[()], lambda z: Fraction(z) if isinstance(z, float) else z]
+)
+def test_numbers_of_other_libraries_are_numbers(kind: Callable[[Any], Any]) -> None:
+    built, other = slider_crank(), slider_crank()
+    other.parts = other_numbers(other.parts, kind)
+    assert planes.loads(other.to_yaml()).mechanism == planes.loads(built.to_yaml()).mechanism
+    bar = Linkage("x").fix(O=np.zeros(2), D=(np.float32(0.5), np.int8(0))).link(1, O=0, A=np.float64(0.125))
+    bar.link(np.int64(2), A=0, B=np.array([0.5, 0.0])).link(3, D=0, B=0.25).assemble(B={"near": np.array([0.5, 0.25])})
+    assert planes.solve(bar.drive(np.int64(1), phi=np.int64(60), omega=np.float32(3))).omega[1] == 3
+    for wrong in (math.nan, np.float64("inf"), object(), {1, 2}):
+        with pytest.raises(planes.PlanesError, match=r"^<x>: point B of link 2: \"?[^.]"):
+            Linkage("x").fix(O=0).link(2, O=0, B=wrong).drive(2, phi=1).scene()
 
 
 def test_what_cannot_be_meant_is_a_sentence_that_names_the_part_and_no_line_of_a_file() -> None:
@@ -116,6 +144,15 @@ def test_a_misspelt_word_is_no_point_and_a_link_is_given_once(word: str, near: s
         Linkage("x").link(1, O=0, **{word: 2})
     with pytest.raises(planes.PlanesError, match="link 1 has been added already"):
         Linkage("x").link(1, O=0).link("1", A=0)
+
+
+@pytest.mark.parametrize(
+    ("call", "word", "near"),
+    [("load", "forse", "force"), ("drive", "angle", ""), ("drive", "omga", "omega"), ("guide", "angel", "angle")],
+)
+def test_a_misspelt_keyword_of_any_call_is_a_sentence(call: str, word: str, near: str) -> None:
+    with pytest.raises(planes.PlanesError, match=rf"^{call}\(\) has no {word}; valid: .*{near}"):
+        getattr(Linkage("x").link(1, O=0), call)(1, **{word: 3})
 
 
 def test_a_room_is_reached_through_the_verb_of_its_name() -> None:

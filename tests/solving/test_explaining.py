@@ -27,3 +27,10 @@ def test_every_step_of_every_sample_is_told(lang: Lang) -> None:
 def test_an_assembly_that_is_followed_is_one_thing(lang: Lang) -> None:
     lines = explain(load(str(ROOT / "samples/class-three/press.yaml")), lang).splitlines()
     assert max(map(len, lines)) < 300 and not any("track_" in line or "turning_" in line for line in lines)
+
+
+def test_vectors_are_called_as_in_every_other_answer() -> None:
+    """On a fixed guide v_BB0 is v_B; what a slider does has the number of its link; I is written Φ."""
+    text = explain(load(str(ROOT / "samples/crank-slider.yaml")), "en")
+    assert "  v_3: " in text and "  Φ_2: " in text and "  v_B: " in text
+    assert not any(name in text for name in ("BB0:", "slide_3", "  I_2:"))

@@ -62,17 +62,17 @@ plans: {position: {mu: 1000 mm/m}}
 CASES: dict[str, tuple[str, str, str]] = {  # scene, in Russian, in English
     "arcs apart": (
         FOUR_BAR.replace("B: 0.1", "B: 0.3").replace("phi: 60", "phi: 180"),
-        "дуги l_BC из B и l_DC из D не встречаются, не хватает 100 мм: C не построить; механизм в этом положении "
-        "не собирается",
-        "the arcs l_BC about B and l_DC about D are 100 mm apart: C cannot be drawn; the mechanism does not assemble "
-        "in this position",
+        "дуги l_BC из B и l_DC из D не встречаются, не хватает 0,1 м (100 мм на бумаге): C не построить; механизм в "
+        "этом положении не собирается",
+        "the arcs l_BC about B and l_DC about D are 0.1 m apart (100 mm on paper): C cannot be drawn; the mechanism "
+        "does not assemble in this position",
     ),
     "arcs inside": (
         FOUR_BAR.replace("{D: 0, C: 0.3}", "{D: 0, C: 0.9}"),
-        "дуга l_BC из B и дуга l_DC из D лежат одна внутри другой на 239,4 мм: C не построить; механизм в этом "
-        "положении не собирается",
-        "of the arcs l_BC about B and l_DC about D one lies inside the other by 239.4 mm: C cannot be drawn; the "
-        "mechanism does not assemble in this position",
+        "дуга l_BC из B и дуга l_DC из D лежат одна внутри другой на 0,2394 м (239,4 мм на бумаге): C не построить; "
+        "механизм в этом положении не собирается",
+        "of the arcs l_BC about B and l_DC about D one lies inside the other by 0.2394 m (239.4 mm on paper): C "
+        "cannot be drawn; the mechanism does not assemble in this position",
     ),
     "arcs coincide": (
         FOUR_BAR.replace("D: [0.4, 0]", "D: [0.1, 0]").replace("phi: 60", "phi: 0"),
@@ -83,23 +83,23 @@ CASES: dict[str, tuple[str, str, str]] = {  # scene, in Russian, in English
     ),
     "arc short": (
         SLIDER.replace("C: 0.3", "C: 0.03"),
-        "дуга радиуса l_BC из B не достаёт до прямой направляющей x-x на 20 мм: C не построить; механизм в этом "
-        "положении не собирается",
-        "the arc l_BC about B misses the line of guide x-x by 20 mm: C cannot be drawn; the mechanism does not "
-        "assemble in this position",
+        "дуга радиуса l_BC из B не достаёт до прямой направляющей x-x на 0,02 м (20 мм на бумаге): C не построить; "
+        "механизм в этом положении не собирается",
+        "the arc l_BC about B misses the line of guide x-x by 0.02 m (20 mm on paper): C cannot be drawn; the "
+        "mechanism does not assemble in this position",
     ),
     "dead point of RRR": (
         FOUR_BAR.replace("C: 0.3", "C: 0.25").replace("B: 0.1", "B: 0.3").replace("phi: 60", "phi: 90"),
-        "прямые ⊥BC через b и ⊥DC через p параллельны и отстоят на 60 мм: c бесконечно далеко, механизм в особом "
-        "положении; измените положение ведущего звена",
-        "the lines ⊥BC through b and ⊥DC through p are parallel, 60 mm apart: c is infinitely far, the mechanism is "
-        "at a dead point; take another position of the driver",
+        "прямые ⊥BC через b и ⊥DC через p параллельны и отстоят на 60 мм на бумаге: c бесконечно далеко, механизм в "
+        "особом положении; измените положение ведущего звена",
+        "the lines ⊥BC through b and ⊥DC through p are parallel, 60 mm apart on paper: c is infinitely far, the "
+        "mechanism is at a dead point; take another position of the driver",
     ),
     "dead point of RRP": (
         SLIDER.replace("C: 0.3", "C: 0.08").replace("phi: 30", "phi: 53.13010235415598"),
         "",
-        "the lines ⊥BC through b and ∥x-x through p are parallel, 60 mm apart: c is infinitely far, the mechanism is "
-        "at a dead point; take another position of the driver",
+        "the lines ⊥BC through b and ∥x-x through p are parallel, 60 mm apart on paper: c is infinitely far, the "
+        "mechanism is at a dead point; take another position of the driver",
     ),
     "change point": (
         FOUR_BAR.replace("{B: 0, C: 0.3}", "{B: 0, C: 0.4}")
@@ -112,9 +112,9 @@ CASES: dict[str, tuple[str, str, str]] = {  # scene, in Russian, in English
     ),
     "guides parallel": (
         CROSS_SLIDE.replace("phi: 30", "phi: 0"),
-        "прямые направляющей g и направляющей x-x параллельны и отстоят на 100 мм: C бесконечно далеко, механизм в "
-        "особом положении; измените положение ведущего звена",
-        "the lines of guide g and of guide x-x are parallel, 100 mm apart: C is infinitely far, the mechanism "
+        "прямые направляющей g и направляющей x-x параллельны и отстоят на 100 мм на бумаге: C бесконечно далеко, "
+        "механизм в особом положении; измените положение ведущего звена",
+        "the lines of guide g and of guide x-x are parallel, 100 mm apart on paper: C is infinitely far, the mechanism "
         "is at a dead point; take another position of the driver",
     ),
     "guides coincide": (
@@ -126,11 +126,11 @@ CASES: dict[str, tuple[str, str, str]] = {  # scene, in Russian, in English
     ),
     "offset circle too large": (
         ROCKER.replace("through: D", "through: [0, 0.15]").replace("phi: 60", "phi: 0"),
-        "точка B ближе к D, чем смещение направляющей, на 50 мм: касательной для направляющей g не провести; "
-        "механизм в этом "
+        "точка B ближе к D, чем смещение направляющей, на 0,05 м (50 мм на бумаге): касательной для направляющей g "
+        "не провести; механизм в этом "
         "положении не собирается",
-        "B is closer to D than the guide's offset, by 50 mm: no tangent for guide g can be drawn; the "
-        "mechanism does not "
+        "B is closer to D than the guide's offset, by 0.05 m (50 mm on paper): no tangent for guide g can be drawn; "
+        "the mechanism does not "
         "assemble in this position",
     ),
     "points meet": (

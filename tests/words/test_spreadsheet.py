@@ -8,8 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from planes.check.grading.paper import read_table
 from planes.cli import main
-from planes.words.records import as_csv, cell
+from planes.words.errors import PlanesError
+from planes.words.records import as_csv, cell, table_text
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
@@ -36,7 +38,7 @@ def test_a_formula_is_a_text(text: str) -> None:
 
 
 def test_a_line_of_the_table_is_one_line() -> None:
-    assert as_csv([["a\r=1+1\n@b", "\n=1"]]) == "a =1+1 @b,' =1\n"
+    assert as_csv([["a\r=1+1\n@b", "\n=1"]]) == "\ufeffa =1+1 @b,' =1\n"
 
 
 def test_all_else_stays_as_it_is() -> None:
@@ -44,7 +46,7 @@ def test_all_else_stays_as_it_is() -> None:
 
 
 def test_a_table_is_read_back() -> None:
-    rows = list(csv.reader(as_csv([PLAIN, FORMULAS]).splitlines(keepends=True)))
+    rows = list(csv.reader(table_text(as_csv([PLAIN, FORMULAS]).encode()).splitlines(keepends=True)))
     assert rows == [PLAIN, [f"'{text}" for text in FORMULAS]]
 
 
@@ -67,7 +69,23 @@ def test_names_that_students_choose_are_no_formulas(tmp_path: Path, capsys: pyte
     (course / "students.csv").write_text(listed, "utf-8")
     (course / "course.yaml").write_text("course: 1\ndocuments: [task]\nlang: en\n", "utf-8")
     assert main(["course", str(course), "--jobs", "1", "--lang", "en"]) == 0
-    summary = (course / "out/teacher/summary.csv").read_text("utf-8")
+    summary = (course / "out/teacher/summary.csv").read_text("utf-8-sig")
     found = list(csv.reader(summary.splitlines()))
     assert [row[:2] for row in found[1:]] == [[f"'{n}"] * 2 if n != "+1" else [n] * 2 for n in names]
     assert all(float(row[4]) for row in found[1:])
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16", "cp1251"])
+def test_a_table_saved_by_a_spreadsheet_is_read(encoding: str, tmp_path: Path) -> None:
+    (table := tmp_path / "ответы.csv").write_text("результат;значение;№\nv_B;1,5;«да»\n", encoding)
+    assert [one[:2] for one in read_table(table).results] == [("v_B", 1.5)]
+
+
+OTHERS = ["Müller".encode("cp1252"), "José".encode("cp1252"), "Иванов".encode("koi8-r"), b"\x98"]
+
+
+@pytest.mark.parametrize("data", OTHERS)
+def test_letters_that_may_be_others_are_refused_with_what_to_do(data: bytes, tmp_path: Path) -> None:
+    (table := tmp_path / "t.csv").write_bytes(b"result,value\nv_B,1 # " + data)
+    with pytest.raises(PlanesError, match=r"t\.csv: the file is not readable as text; save it as UTF-8$"):
+        read_table(table)

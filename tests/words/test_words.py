@@ -347,9 +347,16 @@ def test_numbers_of_a_message_have_the_decimal_sign_of_its_language(
     file = ROOT / "samples" / "six-link.yaml"
     assert cli.main(["solve", str(file), "--phi", "90.5", "--lang", lang]) == 2
     said = capsys.readouterr().err
-    assert re.findall(r"[0-9]([.,])[0-9]", said.partition("six-link.yaml")[2]) == [sign] * 3
+    assert re.findall(r"[0-9]([.,])[0-9]", said.partition("six-link.yaml")[2]) == [sign] * 4
     text = file.read_text("utf-8").replace("assembly: {C: right}", "assembly: {}")
     with pytest.raises(PlanesError) as refused:
         solve(loads(text))
     told = refused.value.told(lang)
     assert set(re.findall(r"[0-9]([.,])[0-9]", told)) == {sign}
+
+
+def test_no_remedy_asks_an_index_for_this_project() -> None:
+    """It is on none: what a bare name there brings is somebody else's package."""
+    told = [*ROOT.glob("planes/words/*/*.json"), *ROOT.glob("docs/site/*/*.md"), *ROOT.glob("README*.md")]
+    asked = re.compile(r"pip install (-U )?['\"]?planes\b")
+    assert len(told) > 100 and not [file for file in told if asked.search(file.read_text("utf-8"))]

@@ -93,11 +93,12 @@ class SheetInk:
         return cls(shrunk(dark, share), flat.corner, flat.size_mm[1], ink)
 
     def _at(self, z: Complexes) -> tuple[Indices, Booleans]:
-        """Where places are in the picture's rows laid end to end, and which are on it."""
-        x = ((z.real - self.corner.real) * PX_PER_MM).astype(numpy.int32)
-        y = ((self.top - z.imag) * PX_PER_MM).astype(numpy.int32)
-        inside = (x >= 0) & (y >= 0) & (x < self.width) & (y < self.height)
-        return numpy.where(inside, y * self.width + x, 0), inside
+        """Where places are in the picture's rows laid end to end, and which are on it: those of lines that cannot be
+        drawn are not numbers, and nowhere."""
+        x, y = (z.real - self.corner.real) * PX_PER_MM, (self.top - z.imag) * PX_PER_MM
+        inside = (x > -1) & (y > -1) & (x < self.width) & (y < self.height)
+        with numpy.errstate(invalid="ignore"):
+            return numpy.where(inside, y.astype(numpy.int32) * self.width + x.astype(numpy.int32), 0), inside
 
     def _paper_own(self) -> Booleans:
         """Which points lie on a line that runs from edge to edge of the sheet, as folds and ruling do: found by its
@@ -116,6 +117,7 @@ class SheetInk:
                     own[near[abs(off - (line - bins // 2)) < BESIDE_MM]] = True
         return own
 
+    @numpy.errstate(invalid="ignore")  # of what cannot be drawn any way will do
     def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
         """The share of each line from a to b that is drawn, 0 to 1, felt at so many places of it, so many pixels
         (:data:`PX_PER_MM`) about."""

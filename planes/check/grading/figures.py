@@ -1,5 +1,6 @@
 """Numbers a person wrote down, as they are read off a drawing: lengths of segments, results."""
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import permutations, product
@@ -28,6 +29,7 @@ class WrittenNumber:
     signed: bool = False
     plan: str = ""
     value: str = ""  # the program's name of it, if it has one
+    unit: str = ""  # of a result
 
 
 Written = tuple[str, float, str]  # a name, a value and its unit, as written
@@ -56,7 +58,8 @@ def offers(unknown: Mapping[str, str]) -> tuple[Told, ...]:
 
 
 def _nearest(written: str, names: Names) -> str:
-    return nearest(written, map(names.naming.typed, names.known))
+    near = nearest(written, map(names.naming.typed, names.known))
+    return near if re.sub(r"\d", "", near) != re.sub(r"\d", "", written) else ""  # another link is no misspelling
 
 
 def read_results(
@@ -67,7 +70,8 @@ def read_results(
     sure = {text: one[0] for text, one in meant.items() if len({known[n].path for n in one}) == 1}
     figures, unknown, strange = list[WrittenNumber](), dict[str, str](), dict[str, Phrase]()
     for text, value, unit in written:
-        name, in_si = sure.get(text), unit_in_si(unit)
+        name = sure.get(text)
+        in_si = unit_in_si(unit, known[name].whole.unit if name else "")
         if in_si is None:
             strange[text] = Phrase("check_unit", name=text, unit=unit)
         elif name is None:
@@ -85,7 +89,7 @@ def figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """How a quantity of the catalogue is read off a drawing."""
     one = q.whole
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
-    return WrittenNumber(name, value, lambda things: one.take(things, Many()), not one.part, plan, one.value)
+    return WrittenNumber(name, value, lambda things: one.take(things, Many()), not one.part, plan, one.value, one.unit)
 
 
 def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:

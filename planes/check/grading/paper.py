@@ -9,24 +9,17 @@ from pathlib import Path
 
 from planes.check.grading.sign_faults import SignFault
 from planes.check.reading.opened import MB, contents, too_many
-from planes.words import Phrase
+from planes.words import Phrase, langs, say
 from planes.words.errors import PlanesError, shown
 from planes.words.frozen import frozen
 from planes.words.names import POLE
+from planes.words.records import table_text
 
 TABLES = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
 """The columns each table must have."""
-COLUMNS = {
-    "mark": ("mark", "точка", "отметка", "point"),
-    "x_mm": ("x_mm", "x"),
-    "y_mm": ("y_mm", "y"),
-    "segment": ("segment", "отрезок"),
-    "mm": ("mm", "мм", "length_mm"),
-    "result": ("result", "результат", "name"),
-    "value": ("value", "значение"),
-    "unit": ("unit", "единица"),
-    "error_mm": ("error_mm", "±"),
-}
+_KEYS = ("mark", "x_mm", "y_mm", "segment", "mm", "result", "value", "unit", "error_mm")
+COLUMNS = {key: (key, *(way for lang in langs() for way in say(f"written_{key}", lang).split(", "))) for key in _KEYS}
+"""The names of the columns of tables, and how people write them in every language."""
 _PARTS = {"rows": "mark", "marks": "mark", "segments": "segment", "results": "result"}  # of JSON
 _ROUNDED = math.sqrt(12)  # a number rounded to r is wrong by r/√12
 LARGEST = 2 * MB
@@ -104,7 +97,7 @@ def read_table(path: str | Path) -> ReadPaper:
     """A CSV or JSON file as a paper; :class:`PlanesError` where it cannot be read."""
     paper = ReadPaper(str(path))
     try:
-        text = contents(path, LARGEST).decode("utf-8-sig")
+        text = table_text(contents(path, LARGEST))
     except UnicodeDecodeError:
         raise paper.refuse("check_text") from None
     if text.lstrip()[:1] in ("{", "["):

@@ -1,26 +1,36 @@
 """Slips of reckoning: a number that a right drawing does not give, and what was done to it instead."""
 
 from collections.abc import Iterable
+from functools import partial
 
 from planes.check.grading.figures import WrittenNumber
 from planes.check.grading.handwork import Hand
 from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
+from planes.words import Phrase, Written
 from planes.words.names import letter_of, mu_of
+from planes.words.units import number
+from planes.words.written_units import COMMON, unit_in_si
 
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
 
 
-def number_mistake(f: WrittenNumber, true: float, sigma: float, free: Hand) -> str | None:
+def number_mistake(f: WrittenNumber, true: float, sigma: float, free: Hand) -> Phrase | None:
     """Slips of reckoning that leave the drawing as it is."""
     if not true or not f.given:
         return None
     near = min(max(SHARE, 3 * sigma / abs(true)), 0.25)
     if f.signed and _near(f.given, -true, near):
-        return "sense_wrong"
+        return Phrase("mistake_sense_wrong", mark=f.name)
     for mistake, value in _slips(f, true, free):
         if value and _near(abs(f.given), abs(value), near):
-            return mistake
+            return Phrase(f"mistake_{mistake}", mark=f.name)
+    for unit in COMMON:
+        size, key = unit_in_si(unit) or (1.0, "")
+        if key == f.unit and _near(size * abs(f.given), abs(true), near):
+            return Phrase(
+                "mistake_unit_missing", mark=f.name, given=Written(partial(number, f.given)), unit=Phrase(unit)
+            )
     return None
 
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 from planes.check.grading.evidence import chance_off
 from planes.check.grading.figures import WrittenNumber, first_of
@@ -13,6 +14,7 @@ from planes.check.grading.variants import Variant
 from planes.drafting.skill import SIGMAS, too_near
 from planes.words import Phrase, Written
 from planes.words.names import mu_of
+from planes.words.units import number
 
 ROUNDED = 0.005  # of a number reckoned in three digits
 LEAST = 0.1  # of the true value: smaller numbers are not written more exactly
@@ -30,7 +32,7 @@ class Scored:
     verdict: str
     close: bool = False
     mine: float | None = None  # what the person's own drawing gives
-    slip: str | None = None  # the slip of reckoning that gives the number
+    slip: Phrase | None = None  # the slip of reckoning that gives the number
     hand: float = 1.0  # the errors of this person by those of a pupil
 
     @property
@@ -81,8 +83,8 @@ class Account:
         if self.named or not (s := self.first):
             return self.named.sentence if self.named else None
         if s.slip:
-            return Phrase(f"mistake_{s.slip}", mark=s.figure.name)
-        given, true = Written(f"{s.figure.given:.4g}"), Written(f"{s.true:.4g}")
+            return s.slip
+        given, true = (Written(partial(number, value)) for value in (s.figure.given, s.true))
         return Phrase("check_number_unclear", mark=s.figure.name, given=given, true=true)
 
 

@@ -22,7 +22,7 @@ from planes.words import Lang, Phrase, decimal, langs, say
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, label_of
 from planes.words.records import Json
-from planes.words.units import mu_text
+from planes.words.units import mu_text, number
 
 LIKELY = 0.5  # a verdict no less likely than its opposite
 SIZES = ("read_mm", "read_error_mm", "deviation_mm", "tolerance_mm")
@@ -47,7 +47,9 @@ def mark_rows(out: Outcome) -> list[Json]:
             row |= _warned(verdict == "right" and WARN < miss.sigmas <= limit)
         elif absent:
             row["verdict"] = "unread"
-        row |= {"verdict": "wrong"} if any(label_of(mark) in one.marks for one in out.paper.signs) else {}
+        for sign in (one for one in out.paper.signs if label_of(mark) in one.marks):
+            astray = ("deviation_mm", "own_deviation_mm") if sign.mistake == "vector_astray" else ()
+            row |= {"verdict": "wrong", **dict.fromkeys(astray, round(sign.off, 3))}
         if label_of(mark) == out.paper.scale_mark:
             row["unjudged"] = "length"  # the scale was taken from it
         rows.append(row)
@@ -70,7 +72,7 @@ def result_rows(out: Outcome) -> list[Json]:
     rows = []
     for s in out.results.scored if out.results else []:
         row = {"name": s.figure.name, "given": s.figure.given, "true": s.true, "verdict": s.verdict}
-        row |= {"mistake": s.slip} if s.verdict == "wrong" else {}
+        row |= {"mistake": s.slip and s.slip.key.removeprefix("mistake_")} if s.verdict == "wrong" else {}
         rows.append(row | _warned(s.close))
     return rows
 
@@ -193,11 +195,12 @@ def rows_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
 def numbers_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
     """Rows of the table of results: verdict, name, written, true, verdict in words with the slip if it is known."""
     rows = []
-    for r in result_rows(outcome):
-        verdict, slip = say(f"verdict_{r['verdict']}", lang), r.get("mistake")
-        if slip:
-            verdict += ": " + Phrase(f"mistake_{slip}", mark="").told(lang).removeprefix(": ")
-        rows.append([r["verdict"], r["name"], *(decimal(f"{r[k]:.4g}", lang) for k in ("given", "true")), verdict])
+    scored = outcome.results.scored if outcome.results else []
+    for r, s in zip(result_rows(outcome), scored, strict=True):
+        verdict = say(f"verdict_{r['verdict']}", lang)
+        if s.slip and s.verdict == "wrong":
+            verdict += ": " + s.slip.told(lang).removeprefix(f"{s.figure.name}: ")
+        rows.append([r["verdict"], r["name"], *(number(r[k], lang) for k in ("given", "true")), verdict])
     return rows
 
 

@@ -76,7 +76,7 @@ class CrossArc(TwoPlaces):
         tool.sharpen(self.makes, sharpness)
         slack = tool.slack * (tool.ar.size(start) + tool.ar.size(centre) + radius)
         tool.require(radius > 0, self, "no_length")
-        tool.require(miss <= slack, self, "arc_short", miss_mm=miss)
+        tool.require(miss <= slack, self, "arc_short", miss_mm=miss, miss=miss / env[self.mu])
         return tool.mark(place)
 
     def opening(self, env: Env) -> Real:
@@ -105,8 +105,9 @@ class CrossArcs(TwoPlaces):
         slack = tool.slack * (tool.ar.size(centre) + tool.ar.size(other) + r + s)
         square = plane.dot(other - centre, other - centre)  # test without its square root
         tool.require((r > 0) & (s > 0), self, "no_lengths")
-        tool.require(square <= (r + s + slack) ** 2, self, "arcs_apart", miss_mm=far)
-        tool.require(square >= tool.ar.maximum(abs(r - s) - slack, 0.0) ** 2, self, "arcs_inside", miss_mm=near)
+        tool.require(square <= (r + s + slack) ** 2, self, "arcs_apart", miss_mm=far, miss=far / env[self.mu])
+        outside = square >= tool.ar.maximum(abs(r - s) - slack, 0.0) ** 2
+        tool.require(outside, self, "arcs_inside", miss_mm=near, miss=near / env[self.mu])
         tool.require(square > slack * slack, self, "arcs_coincide")
         return tool.mark(place)
 
@@ -136,7 +137,7 @@ class Touch(TwoPlaces):
         u, sharpness, miss = plane.tangent(start, end, offset, env[self.side], tool.ar)
         tool.sharpen(self.makes, sharpness)
         slack = tool.slack * (tool.ar.size(start) + tool.ar.size(end) + abs(offset))
-        tool.require(miss <= slack, self, "circle_large", miss_mm=miss)
+        tool.require(miss <= slack, self, "circle_large", miss_mm=miss, miss=miss / env[self.mu])
         tool.require(abs(end - start) > slack, self, "points_meet", miss_mm=miss)
         return u
 

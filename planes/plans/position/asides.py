@@ -9,7 +9,7 @@ from planes.drafting.steps import Turn
 from planes.drafting.steps.reckoning import Product
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.position.bodies import SCHEME, Bodies
-from planes.plans.position.reckoned import OwnPlace, along, angle_deg, difference, guided, leaning
+from planes.plans.position.reckoned import OwnPlace, angle_deg, difference, reckoned
 from planes.scene.mechanism import Link
 from planes.words.frozen import frozen
 from planes.words.names import Meaning, at
@@ -86,8 +86,8 @@ def reach_of(b: Bodies, pair: Pair, ends: tuple[str, str]) -> tuple[str, str | N
     guide, origin = carrier.guides[pair.guide], OwnPlace(carrier.name, guide=pair.guide)
     foot, pin = OwnPlace(slider.name, slider.first_point), OwnPlace(slider.name, ends[1])
     more = difference(
-        along(b.shape, foot, pin, -leaning(b.shape, slider.name)),
-        along(b.shape, origin, OwnPlace(carrier.name, ends[0]), guided(b.shape, pair.guide)),
+        reckoned(b.shape, "along", foot, pin, -reckoned(b.shape, "lean", slider.name)),
+        reckoned(b.shape, "along", origin, OwnPlace(carrier.name, ends[0]), reckoned(b.shape, "angle", pair.guide)),
     )
     reach = d.give(b.mechanism.drive.given, b.mechanism.drive.position)
     if ends != (guide.through_point, slider.first_point):

@@ -12,18 +12,7 @@ from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Contour, Tracked
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.assur.structure import Structure
-from planes.plans.position.reckoned import (
-    OwnPlace,
-    SceneDimensions,
-    angle_deg,
-    aside,
-    difference,
-    distance,
-    guided,
-    height,
-    leaning,
-    ratio,
-)
+from planes.plans.position.reckoned import OwnPlace, SceneDimensions, angle_deg, difference, reckoned
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.frozen import frozen
 from planes.words.names import POLE, Meaning, at
@@ -162,13 +151,12 @@ class Bodies:
     ) -> str:
         """The mark of a place of a rigid link, in the same ratio to the ``ends`` as to the points they represent."""
         assert body.ref
-        like = ratio(self.shape, p, *(OwnPlace(p.link, s.place) for s in body.ref))
+        like = reckoned(self.shape, "ratio", p, *(OwnPlace(p.link, s.place) for s in body.ref))
         return self.draft.step(Similar(mark, *ends, self.draft.reckon(f"ratio_{name}_{p.link}", like), means=means))
 
     def length(self, link: Link, one: str, two: str, end: OwnPlace | None = None) -> str:
-        """The given distance between two points of a link; ``end`` is the place of the second if it is not one of
-        them."""
-        apart = distance(self.shape, OwnPlace(link.name, one), end or OwnPlace(link.name, two))
+        """The given distance of two points of a link; ``end`` is the place of the second if it is none of them."""
+        apart = reckoned(self.shape, "distance", OwnPlace(link.name, one), end or OwnPlace(link.name, two))
         return self.draft.reckon(f"l_{one}{two}", apart, Meaning("length", one, two, link.name))
 
     def distance(self, link: Link, one: BodyPoint, two: BodyPoint) -> str:
@@ -194,7 +182,7 @@ class Bodies:
 
     def own_angle(self, pair: Pair, link: str) -> Dimension:
         """The direction of the pair's guide in the axes of ``link``, one of the pair, degrees."""
-        return -leaning(self.shape, link) if link == pair.link else guided(self.shape, pair.guide)
+        return -reckoned(self.shape, "lean", link) if link == pair.link else reckoned(self.shape, "angle", pair.guide)
 
     def axis_along(self, pair: Pair, link: str, direction: str) -> str:
         """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
@@ -218,17 +206,21 @@ class Bodies:
             guide = body.guides[pair.guide]
             if guide.through_point == point:
                 return None
-            return height(
-                self.shape, OwnPlace(link, point), OwnPlace(link, guide=pair.guide), guided(self.shape, pair.guide)
+            return reckoned(
+                self.shape,
+                "height",
+                OwnPlace(link, point),
+                OwnPlace(link, guide=pair.guide),
+                reckoned(self.shape, "angle", pair.guide),
             )
         slides = body.slides
         if slides is None:
             raise AssertionError(pair)
-        own = None if slides.offset is None else -aside(self.shape, link)
+        own = None if slides.offset is None else -reckoned(self.shape, "offset", link)
         if point == body.first_point:
             return None if own is None else -own
         spots = OwnPlace(link, point), OwnPlace(link, body.first_point)
-        return difference(height(self.shape, *spots, -leaning(self.shape, link)), own)
+        return difference(reckoned(self.shape, "height", *spots, -reckoned(self.shape, "lean", link)), own)
 
     def shifted(self, label: str, means: Meaning, start: str, direction: str, by: Dimension | None) -> str:
         """An auxiliary mark ``by`` metres to the left of a line through ``start`` (``start`` itself where that is

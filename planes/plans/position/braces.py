@@ -13,7 +13,7 @@ from planes.plans.position.asides import Aside, aside_of
 from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, BraceReach
 from planes.plans.position.driven_positions import Way, cylinder, elbow_of, place_reached, place_sliding
 from planes.plans.position.positions import two_hinges
-from planes.plans.position.reckoned import OwnPlace, ratio
+from planes.plans.position.reckoned import OwnPlace, reckoned
 from planes.words.names import Meaning, at, mu_of
 
 
@@ -49,7 +49,7 @@ def _braced(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str
     pin = d.step(CrossArcs(pinned, one[1], one[2], other[1], other[2], mu_of(SCHEME), side, means=helper))
     end = pin
     if hinge != far:
-        stands = ratio(b.shape, *(OwnPlace(second.name, p) for p in (hinge, motor, far)))
+        stands = reckoned(b.shape, "ratio", *(OwnPlace(second.name, p) for p in (hinge, motor, far)))
         like = d.reckon(f"ratio_{hinge}_{second.name}", stands)
         end = d.step(Similar(at(SCHEME, f"{hinge}°{aside.tag}"), elbow, pin, like, means=helper))
     return elbow, end, BraceReach(way, reach, length, offset is not None)

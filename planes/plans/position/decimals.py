@@ -8,7 +8,7 @@ from typing import Any
 from planes.drafting.dimensions import Dimension
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
-from planes.plans.position.reckoned import SceneDimensions
+from planes.plans.position.reckoned import SceneDimensions, anew
 from planes.words.frozen import frozen
 
 UNSURE = Decimal(2) ** -52  # relative: error of a number computed from written ones
@@ -93,8 +93,8 @@ class AsWritten(SceneDimensions):
         return Decimal(x) * (1 + UNSURE) if abs(x) == self.moved else Decimal(x)
 
     def _less(self, value: Thing, by: Dimension | None) -> Thing:
-        """The decimal minus the double."""
-        true = by.by(self, _DECIMALS) if by else self.taken(value)
+        """The decimals less the double."""
+        true = anew(by.of, self, _DECIMALS) if by else self.taken(value)
         if isinstance(value, complex):
             return complex(float(true.real - Decimal(value.real)), float(true.imag - Decimal(value.imag)))
         less = float(true - Decimal(value))

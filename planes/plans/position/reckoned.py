@@ -1,11 +1,11 @@
 """Quantities computed from a scene's numbers before the drawing, with their formulas, so that they can be computed
 again for other dimensions of a link, or for decimals as written."""
 
-from collections.abc import Callable, Hashable, Iterable
-from typing import Any, NamedTuple, Protocol
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, NamedTuple
 
 from planes.drafting.dimensions import Dimension
-from planes.geometry.arithmetic import Arithmetic, Point, Real
+from planes.geometry.arithmetic import Arithmetic, Point
 from planes.scene.mechanism import FRAME, Link, Mechanism
 
 ARITHMETIC = Arithmetic()
@@ -17,15 +17,6 @@ class OwnPlace(NamedTuple):
     link: str
     point: str = ""
     guide: str = ""
-
-
-class Dimensions(Protocol):
-    """The dimensions of links: places in their own axes (m), angles (degrees)."""
-
-    def place(self, spot: OwnPlace) -> Point: ...
-    def angle(self, guide: str) -> Real: ...
-    def lean(self, slider: str) -> Real: ...
-    def offset(self, slider: str) -> Real: ...
 
 
 class SceneDimensions:
@@ -59,72 +50,46 @@ class SceneDimensions:
         return self.taken((slides.offset if slides else None) or 0.0)
 
 
+# "along" is how far from one point to another it goes in a direction, "height" how far a point lies to the left of the
+# line through another in it; "ratio" (p - q) / (r - q): how a point stands to two others.
+_WAYS: Mapping[str, Callable[..., Any]] = {
+    "-": lambda shape, ar, way: -anew(way, shape, ar),
+    "difference": lambda shape, ar, one, two: anew(one, shape, ar) - anew(two, shape, ar),
+    "distance": lambda shape, ar, p, q: abs(shape.place(q) - shape.place(p)),
+    "direction": lambda shape, ar, p, q: ar.angle_deg(shape.place(q) - shape.place(p)),
+    "along": lambda shape, ar, p, q, way: ((shape.place(q) - shape.place(p)) * _back(way, shape, ar)).real,
+    "ratio": lambda shape, ar, p, q, r: (shape.place(p) - shape.place(q)) / (shape.place(r) - shape.place(q)),
+    "height": lambda shape, ar, p, q, way: ((shape.place(p) - shape.place(q)) * _back(way, shape, ar)).imag,
+}
+
+
+def anew(how: tuple[Any, ...], shape: Any, ar: Arithmetic) -> Any:
+    """What a dimension is of links that have this shape, in some arithmetic: by a way above, or as the shape says."""
+    way, *what = how
+    return _WAYS[way](shape, ar, *what) if way in _WAYS else getattr(shape, way)(*what)
+
+
+def _back(way: tuple[Any, ...], shape: Any, ar: Arithmetic) -> Point:
+    """The turn from a direction back to x."""
+    return ar.cis_deg(-anew(way, shape, ar))
+
+
 def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
     """a - b, where None is an exact zero."""
     if b is None:
         return a
     if a is None:
         return -b
-    return Dimension(a.value - b.value, lambda shape, ar: a.by(shape, ar) - b.by(shape, ar), ("difference", a.of, b.of))
+    return Dimension(a.value - b.value, ("difference", a.of, b.of))
 
 
-def _reckoned(shape: SceneDimensions, by: Callable[[Any, Arithmetic], Any], *what: Hashable) -> Dimension:
-    return Dimension(by(shape, ARITHMETIC), by, what)
-
-
-def own(shape: SceneDimensions, p: OwnPlace) -> Dimension:
-    """The place of a point on its link."""
-    return _reckoned(shape, lambda shape, ar: shape.place(p), "own", p)
-
-
-def guided(shape: SceneDimensions, guide: str) -> Dimension:
-    """The direction of a guide on its link, degrees."""
-    return _reckoned(shape, lambda shape, ar: shape.angle(guide), "guided", guide)
-
-
-def leaning(shape: SceneDimensions, slider: str) -> Dimension:
-    """The angle of a slider's axes from its guide, degrees."""
-    return _reckoned(shape, lambda shape, ar: shape.lean(slider), "leaning", slider)
-
-
-def aside(shape: SceneDimensions, slider: str) -> Dimension:
-    """How far to the left of its guide a slider's first point lies."""
-    return _reckoned(shape, lambda shape, ar: shape.offset(slider), "aside", slider)
-
-
-def distance(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
-    """The distance between two points."""
-    return _reckoned(shape, lambda shape, ar: abs(shape.place(q) - shape.place(p)), "distance", p, q)
+def reckoned(shape: SceneDimensions, way: str, *what: OwnPlace | str | Dimension) -> Dimension:
+    """A dimension by its way, one of those above or a method of the shape, and what that is of."""
+    how = (way, *(one.of if isinstance(one, Dimension) else one for one in what))
+    return Dimension(anew(how, shape, ARITHMETIC), how)
 
 
 def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The direction from one point to another, degrees."""
-    angle = _reckoned(shape, lambda shape, ar: ar.angle_deg(shape.place(q) - shape.place(p)), "angle", p, q)
+    angle = reckoned(shape, "direction", p, q)
     return angle._replace(value=angle.value or 0.0)
-
-
-def along(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
-    """The component along a direction of the vector between two points."""
-
-    def by(shape: Dimensions, ar: Arithmetic) -> Real:
-        return ((shape.place(q) - shape.place(p)) * ar.cis_deg(-way.by(shape, ar))).real
-
-    return _reckoned(shape, by, "along", p, q, way.of)
-
-
-def ratio(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, r: OwnPlace) -> Dimension:
-    """(p - q) / (r - q): the position of a point relative to two others."""
-
-    def by(shape: Dimensions, ar: Arithmetic) -> Point:
-        return (shape.place(p) - shape.place(q)) / (shape.place(r) - shape.place(q))
-
-    return _reckoned(shape, by, "ratio", p, q, r)
-
-
-def height(shape: SceneDimensions, p: OwnPlace, q: OwnPlace, way: Dimension) -> Dimension:
-    """The distance of a point to the left of the line through another in a direction."""
-
-    def by(shape: Dimensions, ar: Arithmetic) -> Real:
-        return ((shape.place(p) - shape.place(q)) * ar.cis_deg(-way.by(shape, ar))).imag
-
-    return _reckoned(shape, by, "height", p, q, way.of)

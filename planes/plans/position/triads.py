@@ -14,7 +14,7 @@ from planes.plans.assur.contours import Contour, Tracked
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice
 from planes.plans.position.driven_positions import driven_way
 from planes.plans.position.positions import on_line, place_slider, rigid_body
-from planes.plans.position.reckoned import OwnPlace, difference, own
+from planes.plans.position.reckoned import OwnPlace, difference, reckoned
 from planes.scene.mechanism import Link
 from planes.words.names import Meaning, at, mu_of
 
@@ -100,7 +100,7 @@ def hold_of(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> Hold
 
 def local_of(b: Bodies, link: Link, point: str) -> str:
     """The place of a point on its link."""
-    return b.draft.reckon(f"at_{point}_{link.name}", own(b.shape, OwnPlace(link.name, point)))
+    return b.draft.reckon(f"at_{point}_{link.name}", reckoned(b.shape, "place", OwnPlace(link.name, point)))
 
 
 def place_chain(b: Bodies, g: BasicChain) -> None:

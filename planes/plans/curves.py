@@ -15,8 +15,9 @@ from planes.drafting.tools import AskedFor
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
 from planes.plans import Plans
+from planes.plans.columns import Column
 from planes.plans.force.loads import force_name
-from planes.plans.quantities import MOTION, results_of
+from planes.plans.quantities import MOTION, Quantity, catalogue, results_of
 from planes.plans.transfers import analogue_units, ratio_name, turning
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
@@ -81,15 +82,46 @@ def curves_of(plans: Plans) -> dict[str, Curve]:
 
 def arrows_of(plans: Plans) -> dict[str, CycleVector]:
     """Every vector of a mechanism by its name: r_C, v_C, vq_C, a_C, aq_C, F_21."""
-    units, vectors = analogue_units(plans.mechanism.drive.kind == "phi"), {}
-    for p in plans.points:
-        for letter, unit in (("r", "m"), ("v", "m/s"), ("a", "m/s²")):
-            vectors[f"{letter}_{p}"] = CycleVector(f"{letter}_{p}", unit, f"{letter}_{p}")
-        for letter in "va":
-            vectors[f"{letter}q_{p}"] = CycleVector(f"{letter}q_{p}", units[letter], f"{UNIT}{letter}_{p}")
-    for r in plans.reactions.values():
-        vectors[r.key] = CycleVector(r.key, "N", r.key)
-    return vectors
+    units = analogue_units(plans.mechanism.drive.kind == "phi")
+    own = [q for q in results_of(plans) if q.group in ("points", "reactions")]
+    vectors = {q.name: CycleVector(q.name, q.columns[0].unit, q.name) for q in own}
+    named = ((f"{letter}q_{p}", letter, p) for p in plans.points for letter in "va")
+    return vectors | {name: CycleVector(name, units[letter], f"{UNIT}{letter}_{p}") for name, letter, p in named}
+
+
+def meant(plans: Plans, name: str) -> list[Curve]:
+    """What a name means as curves: the columns of a quantity, or a curve that is none. :class:`PlanesError` where it
+    means nothing."""
+    quantities = catalogue(plans)
+    names = plans.naming.names(quantities, poles=False)
+    if names.meant(name):
+        return read_as(quantities[names.one(name, "no_quantity", lambda n: quantities[n].path)])
+    curves = askable(plans)
+    name = plans.naming.names(curves, poles=False).one(name, "no_quantity", lambda n: curves[n].name)
+    return [curves[name]]
+
+
+def names_of(plans: Plans) -> list[str]:
+    """Every name that can be asked for, as it is typed."""
+    return list(dict.fromkeys(map(plans.naming.typed, (*catalogue(plans), *askable(plans)))))
+
+
+def askable(plans: Plans) -> dict[str, Curve]:
+    """The curves, with numbers and parts of vectors that are none."""
+    return {c.name: c for q in catalogue(plans).values() for c in read_as(q)} | curves_of(plans)
+
+
+def read_as(q: Quantity) -> list[Curve]:
+    """The columns of a quantity as curves: of F_12 those of F_21, opposite."""
+    if len(q.columns) == 1:
+        return [Curve(q.name, q.columns[0].unit, "rate", _column(q.columns[0].name))]
+    parts = ((f"{q.name}_{c.name.rpartition('_')[2]}", c) for c in q.columns if c.part or not q.reversed)
+    return [Curve(n, c.unit, "rate", _opposite(c.name) if q.reversed else _column(c.name)) for n, c in parts]
+
+
+def all_columns(plans: Plans) -> dict[str, Column]:
+    """What curves are read from, by name."""
+    return {c.name: c for q in reversed(catalogue(plans).values()) for c in q.columns}
 
 
 def named(written: str, known: Mapping[str, T], plans: Plans, file: str) -> T:
@@ -169,6 +201,10 @@ def _forces(plans: Plans) -> Iterator[Curve]:
 
 def _column(name: str) -> Callable[[Sample], Real]:
     return lambda s: s[name]
+
+
+def _opposite(name: str) -> Callable[[Sample], Real]:
+    return lambda s: -s[name]
 
 
 def _scalar(name: str, unit: str, group: Group, need: str, slope: str = "", factor: float = 1.0) -> Curve:
