@@ -230,9 +230,9 @@ def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     drawn = vectors_drawn(sketch, paper, bench)
     paper.scale_mark, paper.signs = by, paper.signs or [*arrow_faults(drawn)]
     missing = [bench.vectors[vector] for vector, one in drawn.items() if one.how == "missing"]
-    if missing:
-        paper.notes.append(Phrase("check_no_vector", names=tuple(missing)))
     paper.left = [*dict.fromkeys([*paper.left, *missing])]
+    if paper.left:
+        paper.notes.append(Phrase("check_no_vector", names=tuple(paper.left)))
     origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
     paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []
     if by:
