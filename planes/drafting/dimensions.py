@@ -6,7 +6,7 @@ from planes.drafting.tools import Thing
 
 
 class Dimension(NamedTuple):
-    """Its kind, the values it is calculated ``of``, and how: two that are equal by chance are not the same dimension."""
+    """Its kind, the values it is found ``of``, and how: two that are equal by chance are not the same dimension."""
 
     value: Thing
     of: tuple[Any, ...]
