@@ -53,8 +53,8 @@ class Typesetter:
 
     def term(self, text: str) -> str:
         """A product, or a quotient of two."""
-        if text[:1] == "−":
-            return "-" + self.term(text[1:])
+        if text[:1] == "−":  # in braces it is a sign of this term, not between two
+            return f"{{-{self.term(text[1:])}}}"
         above, *below = parted(text, "/")
         if not below:
             return r" \cdot ".join(map(self.factor, parted(above, "·")[::2]))
@@ -62,7 +62,8 @@ class Typesetter:
 
     def factor(self, text: str) -> str:
         """A name, a number, or an expression in brackets."""
-        return TOKEN.sub(self.token, text.replace("∣", "|").replace("−", "-").replace(",", "{,}"))
+        signed = re.sub(r"−([\d,.]+)", r"{-\1}", text.replace("∣", "|")).replace(",", "{,}")
+        return TOKEN.sub(self.token, signed)
 
     def token(self, match: re.Match[str]) -> str:
         """What is not written as it stands: a name, a power, a word."""

@@ -58,7 +58,7 @@ def broken(parts: Sequence[str], size: float, width: float) -> list[MathLine]:
         return [line]
     lines, room = [""], width
     for part in parts:
-        need = math_line(part, size).width
+        need = math_line(f"{{}}{part}", size).width  # its sign stands between two terms
         if lines[-1] and need > room:
             lines[-1] += part[0] if part[0] in "=+-" else ""
             lines, room = [*lines, ""], width

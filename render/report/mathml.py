@@ -22,4 +22,5 @@ def mathml(tex: str) -> str:
     for ours, other in SPELLED.items():
         tex = re.sub(ours, other, tex)
     tex = UPRIGHT.sub(lambda words: rf"\text{{{words[1].replace(chr(92), '')}}}", tex)  # its spaces need no mark
-    return convert(tex).replace("<math ", '<math displaystyle="true" ', 1)
+    numbers = re.sub(r"<mtext>([\d,]+)</mtext>", r"<mn>\1</mn>", convert(tex))
+    return numbers.replace("<math ", '<math displaystyle="true" ', 1)
