@@ -203,8 +203,8 @@ def test_a_class_ends_with_the_status_of_its_worst_drawing() -> None:
 
 
 def test_a_close_call_is_said_to_be_one() -> None:
-    """A little beyond the tolerance a shaky hand may have drawn it, too: the mark is not judged; what lies far beyond is
-    wrong, and the surer the farther."""
+    """A little beyond the tolerance a shaky hand may have drawn it, too: the mark is not judged. What lies far beyond
+    is wrong, and the surer the farther."""
     found = {off: as_json(seen({**RIGHT, "s2": RIGHT["s2"] + off * 1j}, 0.0)) for off in (1.6, 2.0, 2.4, 20.0)}
     near, far = found[1.6], [found[off] for off in (2.4, 20.0)]
     assert (near["verdict"], near["unseen"]) == ("right_as_seen", ["s2"])
