@@ -226,10 +226,11 @@ def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     if paper.spots:
         pointed = bench.pointed(known.marks, sketch.mm) if pole is None else {}
         doubt = doubt_of(sketch)
-        paper.spots = with_told([replace(s, doubt=doubt) for s in paper.spots], pointed)
+        paper.spots = with_told([replace(s, doubt=max(doubt, s.doubt)) for s in paper.spots], pointed)
     drawn = vectors_drawn(sketch, paper, bench)
-    paper.scale_mark, paper.signs = by, [*arrow_faults(drawn)]
-    paper.left = [bench.vectors[vector] for vector, one in drawn.items() if one.how == "missing"]
+    paper.scale_mark, paper.signs = by, paper.signs or [*arrow_faults(drawn)]
+    missing = [bench.vectors[vector] for vector, one in drawn.items() if one.how == "missing"]
+    paper.left = [*dict.fromkeys([*paper.left, *missing])]
     if paper.left:
         paper.notes.append(Phrase("check_no_vector", names=tuple(paper.left)))
     origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first

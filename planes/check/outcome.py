@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.evidence import SURE_LENGTHS, lengths_by_chance
+from planes.check.grading.evidence import LIKELY, SURE_LENGTHS, lengths_by_chance
 from planes.check.grading.figures import WrittenNumber, offers, read_results, segment_figures
 from planes.check.grading.grading import Grading, grade
 from planes.check.grading.paper import ReadPaper
@@ -53,8 +53,14 @@ class Outcome(Described):
     @property
     def wrong(self) -> Grading | SignFault | Account | None:
         """What goes wrong: the drawing, its letters and arrows, else the lengths or the results."""
-        every = (self.grading, *self.paper.signs, self.segments, self.results)
+        drawn = None if self._in_doubt else self.grading
+        every = (drawn, *self.paper.signs, self.segments, self.results)
         return next((one for one in every if one and one.fault), None)
+
+    @property
+    def _in_doubt(self) -> bool:
+        """Whether the drawing is likelier right than wrong, though something of it would be called wrong."""
+        return bool(self.grading and self.grading.fault and self.grading.chance_wrong < LIKELY)
 
     @property
     def chance(self) -> float | None:
@@ -110,7 +116,8 @@ class Outcome(Described):
         untold, polygon = () if self.wrong else self.paper.untold, self.grading.rebuilt
         closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
         hidden = (n for n in self.grading.unseen if n not in self.paper.named)
-        return list(dict.fromkeys([*hidden, *untold, *closing, *far, *left]))
+        doubted = [self.grading.first_wrong or ""] if self._in_doubt and not self.wrong else []
+        return list(dict.fromkeys([*filter(None, doubted), *hidden, *untold, *closing, *far, *left]))
 
     def typed(self, text: str) -> str:
         """What is told of the work, in names as people type them."""

@@ -203,12 +203,14 @@ def test_a_class_ends_with_the_status_of_its_worst_drawing() -> None:
 
 
 def test_a_close_call_is_said_to_be_one() -> None:
-    """A little beyond the tolerance a shaky hand may have drawn it, too; far beyond it has not."""
-    chances = []
-    for off in (1.6, 2.0, 20.0):
-        found = as_json(seen({**RIGHT, "s2": RIGHT["s2"] + off * 1j}, 0.0))
-        chances.append(found["probability"] if found["verdict"] == "wrong" else 0.0)
-    assert chances[0] < chances[1] <= chances[2] and chances[2] > SURE
+    """A little beyond the tolerance a shaky hand may have drawn it, too: the mark is not judged. What lies far beyond
+    is wrong, and the surer the farther."""
+    found = {off: as_json(seen({**RIGHT, "s2": RIGHT["s2"] + off * 1j}, 0.0)) for off in (1.6, 2.0, 2.4, 20.0)}
+    near, far = found[1.6], [found[off] for off in (2.4, 20.0)]
+    assert (near["verdict"], near["unseen"]) == ("right_as_seen", ["s2"])
+    assert next(row for row in near["marks"] if row["mark"] == "s2")["verdict"] == "unread"
+    assert [one["verdict"] for one in far] == ["wrong"] * 2
+    assert 0.5 < far[0]["probability"] <= far[1]["probability"] and far[1]["probability"] > SURE
 
 
 def test_the_vector_across_a_guide_is_called_what_it_is() -> None:

@@ -21,7 +21,7 @@ from planes.check.reading.arrowheads import settle
 from planes.check.reading.dxf import read_dxf
 from planes.check.reading.parts import joined, parts, without_letters
 from planes.check.reading.pdf import read_pdf
-from planes.check.reading.strokes import Arrowhead, Nodes, ReadDrawing
+from planes.check.reading.strokes import Arrowhead, ReadDrawing
 from planes.check.reading.svg import read_carried, read_svg
 from planes.check.reading.whole_page import enlarged, paper_on
 from planes.check.reading.written import Words
@@ -241,12 +241,6 @@ def test_a_straight_polyline_with_a_middle_vertex_is_one_vector() -> None:
     sketch = ReadDrawing(strokes=[(0j, 20 + 0j), (20 + 0j, 40 + 0j)], heads=[Arrowhead(40 + 0j, 1 + 0j)])
     settle(sketch)
     assert sketch.strokes == [(0j, 40 + 0j)]
-
-
-def test_lines_that_run_on_move_no_node() -> None:
-    """Vectors meet at 30+40j; a line drawn on past it, and another that crosses near it, change nothing."""
-    strokes = [(0j, 30 + 40j), (60 + 0j, 30 + 40j), (0j, 30.6 + 40.8j), (29.7 + 45j, 29.7 + 10j)]
-    assert 30 + 40j in Nodes(strokes, 0.6, vectors=[0, 1]).places
 
 
 def test_letters_drawn_in_strokes_go_and_vectors_stay() -> None:

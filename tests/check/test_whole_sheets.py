@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
+from planes.check.evidence.line_words import words_of
 from planes.check.grading.prepared_plan import known_plans
 from planes.check.reading.parts import joined
-from planes.check.reading.strokes import Nodes, ReadDrawing
+from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.whole_page import elsewhere, mu_over
-from planes.check.reading.words_near import led, led_to_vectors
 from planes.check.reading.written import Words
 from planes.documents.sheets import DrawnPosition, sheet_of
 from planes.scene import Scene
@@ -66,6 +66,7 @@ SHEETS = (
     ("assignments/56", 2, "force:2-3", ".dxf"),  # a name far off, with a line to its vector
     ("assignments/34", 1, "position", ".svg"),  # another plan's long title ends as near beside it
     ("assignments/63", 2, "force:4-5", ".pdf"),  # small beside a free body with the same forces
+    ("assignments/31", None, "position", ".svg"),  # a link in one row with underlines elsewhere on the sheet
 )
 
 
@@ -139,14 +140,8 @@ def test_what_stands_about_a_spoiled_plan_leads_nobody_astray(
 WHOLE = [(s, n) for s in (*SCENES, *ASSIGNMENTS) for n in (None, 1, 2)]
 
 
-UNDRAWN = pytest.mark.xfail(reason="a force of 1.1 mm is drawn in its detail alone", strict=True)
-UNDRAWN_ON = {("assignments/32", None)}
-
-
 @pytest.mark.long
-@pytest.mark.parametrize(
-    ("sample", "number"), [pytest.param(*w, marks=[UNDRAWN] if w in UNDRAWN_ON else []) for w in WHOLE]
-)
+@pytest.mark.parametrize(("sample", "number"), WHOLE)
 def test_every_plan_of_every_sheet_is_right(sample: str, number: int | None, tmp_path: Path) -> None:
     whole = sheet_of(drawn(sample)[0], None, number=number)
     for plan in shown(sample, number):
@@ -192,17 +187,17 @@ def test_a_line_from_a_name_may_stop_short_of_its_mark_and_is_of_the_nearest_nam
     vectors = [(0j, 40 + 0j), (0j, 30 + 20j), (40 + 0j, 30 + 20j)]
     words = [Words("s2", 44 + 9j, 5.0, 6.0), Words("b", 43 + 17j, 5.0, 3.0)]
     sketch = ReadDrawing(strokes=[*vectors, (44 + 8.4j, 40.3 + 0.5j)], words=words, ways=[1, 1, 1, 0])
-    found = list(led(sketch, Nodes(sketch.strokes, vectors=[0, 1, 2])))
-    assert [(w.text, w.place) for w in found] == [("s2", 40 + 0j)]
+    found = words_of(sketch, Naming().names(["s2", "b"]), ["s2", "b"]).words
+    assert [([*w.likely], w.led) for w in found] == [(["s2"], 40.3 + 0.5j), (["b"], None)]
+    assert found[0].off(40 + 0j, 40 + 0j) < 1 < found[1].off(40 + 0j, 40 + 0j)
 
 
 def test_a_line_from_a_name_of_a_force_leads_to_its_vector() -> None:
-    words, known = [Words("F_21", 10 + 20j, 5.0, 8.0), Words("G_2", 16 + 2j, 5.0, 8.0)], Naming().names(["F_21", "G_2"])
+    words, known = [Words("F_21", 10 + 20j, 5.0, 8.0), Words("G_2", 16 + 2j, 5.0, 8.0)], ["F_21", "G_2"]
     strokes = [(0j, 40 + 0j), (40 + 0j, 40 + 30j), (14 + 19.4j, 16 + 0j), (40 + 30j, 41 + 30j)]
     sketch = ReadDrawing(strokes=strokes, words=words, ways=[1, 1, 0, 0])
-    assert [(w.text, w.place) for w in led_to_vectors(sketch, (), known)[2:]] == [("F_21", 16 + 0j)]
-    dotted = led_to_vectors(sketch, [16 + 0j], known)  # then it stands nowhere else
-    assert [(w.text, w.place, w.led) for w in dotted] == [("G_2", 16 + 2j, False), ("F_21", 16 + 0j, True)]
+    force, weight = words_of(sketch, Naming().names(known), known).words
+    assert force.off(*strokes[0]) == 0.0 and force.off(*strokes[1]) > 20 and weight.led is None
 
 
 def test_a_row_of_names_written_in_pieces_is_one_word() -> None:

@@ -67,6 +67,10 @@ class HandWords:
             self.known[key] = -math.log(max(1 - total, 0.0) + near / max(total, 1.0))
         return self.known[key]
 
+    def told(self, rows: Iterable[tuple[str, complex, complex]]) -> float:
+        """What it costs to believe that vectors of names lead so."""
+        return sum(self.price(n, a, b) for n, a, b in rows)
+
     def by(self, name: str, z: complex) -> float:
         """How likely a name stands by a place."""
         return max((one.likely.get(name, 0.0) for one in self.words if one.off(z, z) < BY_MM), default=0.0)

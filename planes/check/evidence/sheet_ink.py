@@ -58,6 +58,11 @@ class SheetInk:
     """The ink of one sheet. ``dark``: 0 of paper, 1 of a plain line, ``PX_PER_MM`` pixels to a millimetre; its lower
     left corner is at ``corner``, its upper edge ``high_mm`` above."""
 
+    reach_mm = 0.0  # how far apart its lines lie, where that is known to be all of one drawing
+    exact = False  # whether its lines and their heads are known, not felt
+    ends: Complexes = numpy.zeros(0, complex)  # of its lines, where they are known
+    most_head = HEAD_RANGE[1]  # the most that speaks for a head
+
     def __init__(self, dark: Array, corner: complex, high_mm: float, source: Ink | None = None) -> None:
         self.source = source  # the ink it was made from, with its letters
         self.top = corner.imag + high_mm
@@ -138,6 +143,10 @@ class SheetInk:
         felt = numpy.clip((there - behind - LEAST_HEAD) * HEAD_GAIN, *HEAD_RANGE)
         return numpy.where(length > SHORTEST_MM, felt, 0.0)
 
+    def point(self, z: Complexes) -> Array:
+        """How much speaks for a point's being at places: on a picture nothing."""
+        return numpy.zeros(z.shape)
+
     def _beside(self, b: Complexes, way: Complexes, mm: tuple[float, float]) -> Array:
         """How dark it is beside lines, so far back from their ends."""
         back, off = numpy.meshgrid(numpy.arange(*mm, BESIDE_STEP_MM), ASIDE_MM)
@@ -178,8 +187,12 @@ class SheetInk:
         for n, ks in enumerate(which.reshape(a.shape)):
             sign = (abs(z[:, None] - signs[n]) < reach).any(axis=1)
             mine, running = own[ks].any(axis=0) | sign, near[ks].any(axis=0) | sign
-            left[n] = mm[~running].sum() + LESS * mm[running & ~mine].sum()
+            left[n] = self._left(mm, mine, running, kept)
         return left
+
+    def _left(self, mm: Array, mine: Booleans, running: Booleans, kept: Booleans) -> float:
+        """How much of some ink is left by lines it is ``mine`` of, and some it only carries on."""
+        return float(mm[~running].sum() + LESS * mm[running & ~mine].sum())
 
 
 def _filter(angle: float) -> Array:

@@ -28,7 +28,7 @@ def covered(
     value = length * (gain * share - w.MISSING * (1 - share))
     score = numpy.where(plan.needed, value, numpy.maximum(value, 0.0)).sum(axis=1)
     need = numpy.where(plan.needed, length, 0.0)
-    there = numpy.isfinite(b).all(axis=1) & (abs(numpy.nan_to_num(b) - pole) < w.FAR_MM).all(axis=1)
+    there = numpy.isfinite(b).all(axis=1) & (abs(numpy.nan_to_num(b) - pole) < max(w.FAR_MM, ink.reach_mm)).all(axis=1)
     cover = (need * share).sum(axis=1) / numpy.maximum(need.sum(axis=1), 1e-6)
     return numpy.where(there, score, LOST), cover
 

@@ -110,7 +110,7 @@ class Explanation:
         fault = SignFault("plan_turned", self.plan.labels[0], POLE, 1 - self.doubt, angle)
         return [fault] if h.kind == "turned_whole" else []
 
-    def _undone(self, z: complex) -> complex:
+    def undone(self, z: complex) -> complex:
         """A place of a plan that is mirrored or turned as a whole, as if it were not."""
         h, pole = self.best.hypothesis, self.pole + self.best.places.get(POLE, 0j)
         if h.mirrored:
@@ -126,7 +126,7 @@ class Explanation:
             return [pole, *self._sides(best, doubt)]
         places = ((n, best.places.get(n, 0j)) for n in self.plan.labels)
         shown = ((n, z) for n, z in places if best.sigmas.get(n, math.inf) < w.UNSEEN_MM and n != self._left_out)
-        return [pole, *(ReadMark(n, self._undone(self.pole + z), self._error_mm(best, n), doubt) for n, z in shown)]
+        return [pole, *(ReadMark(n, self.undone(self.pole + z), self._error_mm(best, n), doubt) for n, z in shown)]
 
     @property
     def _left_out(self) -> str | None:
@@ -141,7 +141,7 @@ class Explanation:
             side = self.plan.sides[k]
             if side.end != self._left_out and abs(b[k] - a[k]) > w.POINT_MM:
                 end = END if self.plan.lines[k][1] == END else side.end
-                yield ReadMark(side.name, self._undone(self.pole + complex(b[k])), self._error_mm(best, end), doubt)
+                yield ReadMark(side.name, self.undone(self.pole + complex(b[k])), self._error_mm(best, end), doubt)
 
     def _error_mm(self, best: Laid, name: str) -> float:
         """σ of a mark's place."""
@@ -162,9 +162,9 @@ class Explanation:
             return []
         if self.wrong and (self.best is self.wrong or self.doubt >= w.ASKED):
             return self._elsewhere([self.wrong], w.MOVED_MM, self.wrong.hypothesis.mark)
-        return self._elsewhere(self._rivals(), w.FAR_OFF_MM)
+        return self._elsewhere(self.rivals(), w.FAR_OFF_MM)
 
-    def _rivals(self) -> list[Laid]:
+    def rivals(self) -> list[Laid]:
         """Drawings that fit the ink as well as the best of those with every mark in its place."""
         laid = [one for one in self.laid if one.places]
         here = max(one.evidence for one in laid if (self._off_mm(one) <= w.FAR_OFF_MM).all())

@@ -24,7 +24,7 @@ from planes.words.names import POLE
 
 Free = tuple[str, str, complex]
 """A free size: of which kind, at which mark, by how much it moves that (mm)."""
-SMALLEST_PLAN_MM = 30.0
+SMALLEST_PLAN_MM, SHEET_MM = 30.0, 420.0  # no larger plan is weighed more finely than one of a sheet of A3
 SCALES = 1.7, 1.2  # of a whole plan: the logarithm of the largest, steps in mm at its rim
 PRINTERS = 0.9, 1.06  # a plan larger or smaller by so much may be its printer's doing
 WAYS_DIFFER = 0.17  # sine of the angle between ways that differ
@@ -41,7 +41,7 @@ def wholes(plan: PlanLines) -> list[Hypothesis]:
     """The whole plan mirrored, turned, or at another scale than any printer makes it."""
     if plan.kind == "position":
         return []
-    reach = max(SMALLEST_PLAN_MM, *map(abs, plan.true.values()))
+    reach = min(max(SMALLEST_PLAN_MM, *map(abs, plan.true.values())), SHEET_MM)
     small = STEP_MM * numpy.arange(3, 40) / reach
     top, step = SCALES
     sizes = [k for k in numpy.exp(numpy.arange(-top, top, step / reach)).tolist() if not PRINTERS[0] < k < PRINTERS[1]]
@@ -81,7 +81,7 @@ def _of_mark(plan: PlanLines, places: dict[str, complex], mark: str) -> Iterator
         low, high = min(LONGER * abs(v), SHORTER_MM), min(LONGER * abs(v) + LEAST_MM * 5, LONGEST_MM)
         along = numpy.arange(-low, high, STEP_MM)
         yield from (("length", mark, z) for z in (along[abs(along) > LEAST_MM] * v / abs(v)).tolist())
-        arc = numpy.arange(LEAST_MM, math.pi * abs(v), STEP_MM) / abs(v)
+        arc = numpy.arange(LEAST_MM / abs(v), math.pi, STEP_MM / min(abs(v), SHEET_MM))
         yield from (("turned", mark, z) for z in (v * (numpy.exp(1j * numpy.r_[arc, -arc]) - 1)).tolist())
     grid = numpy.arange(-REACH_MM, REACH_MM + 1, GRID_MM)
     around = (grid[:, None] + 1j * grid).ravel()

@@ -1,7 +1,7 @@
 """A plan's lines as they lie on paper under any hypothesis, many drawings at once by one run of the program."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations
 
@@ -126,7 +126,7 @@ class PlanLines:
                 way = numpy.full(count, numpy.exp(1j * math.radians(guide.angle_deg)))
                 ways.append((at_[slider] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
             elif (base := str(guide.through_point)) in at_:
-                off = at_[slider] - at_[base]
+                off = numpy.nan_to_num(at_[slider] - at_[base])
                 way = off / numpy.maximum(abs(off), 1e-6)
                 ways.append((at_[base] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
         shown = [n for n in reach if n in at_]
@@ -152,6 +152,15 @@ class PlanLines:
         places = numpy.concatenate([places, numpy.stack(rest, axis=1)], axis=1)
         places[:, :-1] += places[:, -1:]  # the pole may lie aside, with all that is drawn from it
         return places
+
+    def each(self, every: Sequence[Hypothesis]) -> Iterator[tuple[Hypothesis, Complexes | None]]:
+        """Hypotheses with their drawings; one drawing serves for all that only turn, mirror or scale it."""
+        right = None if self.held else self.draw(Hypothesis(), {}, 1)
+        for h in every:
+            if right is None or h.variant or h.nudges:
+                yield h, self.draw(h, {}, 1)
+            else:
+                yield h, (right.conj() if h.mirrored else right) * h.turn
 
     def laid(self, places: Complexes, order: Sequence[int] = ()) -> tuple[Complexes, Complexes]:
         """Starts and ends of the lines; the sides of a force polygon may be laid in another order."""

@@ -40,6 +40,7 @@ class Laid:
     sigmas: dict[str, float] = field(default_factory=dict)
     strange: float = 0.0  # ink that none of its lines explains, mm
     moved: dict[str, float] = field(default_factory=dict)  # by how much from where steps lead, mm
+    erred: float = 0.0  # what that costs
 
     @property
     def evidence(self) -> float:
@@ -55,10 +56,16 @@ class Scorer:
     ink: SheetInk
     pole: complex
     words: HandWords = field(default_factory=HandWords)
+    far: dict[str, float] = field(default_factory=dict)  # of each mark from the pole, as it was to be drawn, mm
     box: Box | None = None  # where ink is to be explained: the same for all, or they could not be compared
 
     def weighed(self) -> list[Laid]:
         """The likeliest hypotheses settled, the best first; the right plan is one of them."""
+        if plain := self._plainly() if self.ink.exact else []:
+            before, named = plain[0].score, self._by_names(plain)
+            if before - named[0].score < w.TELLING:  # no name stands elsewhere
+                return named
+            self.box = None
         self.plan.share, laid = self._printed_at(), list[Laid]()
         other = next(iter(orders(self.plan, self.ink, self.pole)), Hypothesis()).order
         bases = [Hypothesis(), Hypothesis(order=other, cost=w.ORDER)]
@@ -66,12 +73,45 @@ class Scorer:
             likely = self.likeliest(base)
             laid += [self.settled(h) for h in (likely if any(h.right for h in likely) else [*likely, base])]
         best = max(laid, key=lambda one: one.score)
-        if best.cover < w.EXPLAINED:
+        if w.AT_ALL < best.cover < w.EXPLAINED:
             single = [one.hypothesis for one in sorted(laid, key=lambda one: -one.score)]
             for first in [h for h in single if not h.right and h.turn == 1][: w.FIRSTS]:
                 pairs = [h for h in self.likeliest(first, alone=True) if h != first]
                 laid += [self.settled(h) for h in pairs[: w.SECONDS]]
         return self._by_names(sorted(laid, key=lambda one: -one.score))
+
+    def _plainly(self) -> list[Laid]:
+        """The right plan and mistakes of the catalogue, if one leaves nothing to be explained: no other is likelier."""
+        rough = self._rough([Hypothesis(), *catalogue(self.plan)])
+        if not rough or not rough[0][1].right:
+            return []
+        self.box = self._room(numpy.concatenate([z.ravel() for *_, d in rough for z in self._lines(Hypothesis(), d)]))
+        laid = [self.settled(rough[0][1])]
+        if not self._full(laid[0]):
+            laid += [self.settled(h) for _, h, _ in sorted(rough[1:], key=lambda r: -r[0])[: w.FIRSTS]]
+        laid = sorted(laid, key=lambda one: -one.score)
+        if self._full(laid[0]):
+            return laid
+        self.box = None
+        return []
+
+    def _full(self, one: Laid) -> bool:
+        """Whether a drawing has its lines with all heads and leaves nothing, or its points with all signs: beside a
+        scheme there are guides, sizes and more."""
+        if not one.places:
+            return False
+        ends, scheme = self._lines(one.hypothesis, self._row(one)), self.plan.kind == "position"
+        signs = len(self.plan.labels) if scheme else (to_be_seen(*ends) & self.plan.needed).sum()
+        short = w.HEAD * self.ink.most_head * signs - one.evidence
+        return bool(short - one.erred < w.TELLING and not (one.hypothesis.right and short > w.COSTS["length"]))
+
+    def _rough(self, every: list[Hypothesis]) -> list[tuple[float, Hypothesis, Complexes]]:
+        """Hypotheses of one order that can be drawn, with what their lines are worth at a glance."""
+        could = [(h, drawn) for h, drawn in self.plan.each(every) if drawn is not None]
+        if not could:
+            return []
+        scores = self.covered(*self._lines(every[0], numpy.concatenate([drawn for _, drawn in could])), 2)[0]
+        return [(score - h.cost, h, drawn) for score, (h, drawn) in zip(scores.tolist(), could, strict=True)]
 
     def _printed_at(self) -> float:
         """At what share of its size the sheet was printed: where some drawing, settled there, is likeliest."""
@@ -86,8 +126,6 @@ class Scorer:
     def _by_names(self, laid: list[Laid]) -> list[Laid]:
         """The same with what the names written beside the lines tell, of a force polygon its order, too."""
         best = laid[0]
-        if self.ink.source is None:
-            return laid
         a, b = (z[0] for z in self._lines(best.hypothesis, self._row(best)))
         seen, force = abs(b - a) > w.SHORT_MM, self.plan.kind == "force"
         names = [s.name for s in self.plan.sides] if force else self.plan.labels
@@ -100,7 +138,7 @@ class Scorer:
             start, end = (z[0].tolist() for z in self._lines(one.hypothesis, self._row(one)))
             places = [self.pole + one.places[n] for n in self.plan.labels]
             ways = zip(names, *((start, end) if force else (places, places)), strict=False)
-            one.score -= w.LETTERS * sum(self.words.price(n, rounded(a), rounded(b)) for n, a, b in ways)
+            one.score -= w.LETTERS * self.words.told((n, rounded(a), rounded(b)) for n, a, b in ways)
         return sorted(laid, key=lambda one: -one.score)
 
     def _row(self, one: Laid) -> Complexes:
@@ -109,11 +147,7 @@ class Scorer:
     def likeliest(self, base: Hypothesis, alone: bool = False) -> list[Hypothesis]:
         """The best hypotheses of each kind and mark upon one; ``alone``, of its free sizes only."""
         others = [] if alone else [replace(h, order=base.order) for h in (*catalogue(self.plan), *wholes(self.plan))]
-        rough: list[tuple[float, Hypothesis, Complexes]] = []
-        for h in (base, *others):
-            if (drawn := self.plan.draw(h, {}, 1)) is not None:
-                rough.append((float(self.covered(*self._lines(h, drawn), 2)[0][0]) - h.cost, h, drawn))
-        rough += self._free(base)
+        rough = [*self._rough([base, *others]), *self._free(base)]
         rough = sorted((r for r in rough if r[0] > LOST / 2), key=lambda r: -r[0])[: w.WEIGHED]
         if not rough:
             return []
@@ -156,18 +190,26 @@ class Scorer:
         said: Array = w.HEAD * numpy.where(there, felt, 0.0).sum(axis=1)
         return said
 
+    def points(self, drawn: Complexes) -> Array:
+        """What signs of points tell of the marks of each row of a scheme."""
+        if self.plan.kind != "position":
+            return numpy.zeros(len(drawn))
+        said: Array = w.HEAD * self.ink.point(drawn[:, : len(self.plan.labels)] + self.pole).sum(axis=1)
+        return said
+
     def scored(self, h: Hypothesis, drawn: Complexes, roughly: bool = False) -> tuple[Array, Array, Array]:
         """The whole score of each row, the share of its needed lines that is there, and the ink it leaves, mm."""
         a, b = self._lines(h, drawn)
         score, cover = self.covered(a, b, 1 + roughly, 0.0)
-        score = score + self.heads(a, b)
+        score = score + self.heads(a, b) + self.points(drawn)
         if self.box is None:
             return score, cover, numpy.zeros(len(a))
         more_a, more_b, signs, reach = self.plan.signs(drawn)
         a, b = (numpy.nan_to_num(numpy.hstack([z, more + self.pole])) for z, more in ((a, more_a), (b, more_b)))
         loose = w.LOOSE_MM if roughly else 0.0
         strange = self.ink.unexplained(a, b, self.box, self.pole, loose, signs + self.pole, reach)
-        return score - w.STRANGE * strange, cover, strange
+        priced = w.STRANGE * strange * (not self.ink.exact or self.plan.kind != "position")  # a scheme is never alone
+        return score - priced, cover, strange
 
     def erred(self, moves: Moves) -> Array:
         """What it costs that a hand put marks so far from where steps lead."""
@@ -178,12 +220,17 @@ class Scorer:
 
     def _spread(self, name: str) -> float:
         """How far a hand puts a mark from where steps lead, σ in mm."""
-        return w.HAND_MM + w.HAND_SHARE * abs(self.plan.true[name])
+        return w.HAND_MM + w.HAND_SHARE * self.far[name]
 
     def settled(self, h: Hypothesis) -> Laid:
         """A hypothesis with each mark where its ink is."""
         held, scores = dict.fromkeys(self.plan.names, 0j), numpy.zeros(0)
-        for about, sizes in w.MOVES_MM:
+        if (drawn := self.plan.draw(h, {}, 1)) is None:
+            return Laid(h, LOST)
+        self.far = dict(zip(self.plan.names, numpy.nan_to_num(abs(drawn[0])).tolist(), strict=True))
+        if self.ink.exact:
+            self._to_ends(h, held)
+        for about, sizes in w.MOVES_MM[self.ink.exact :]:
             scores = self._moved(h, held, about, self._moves(sizes))
             if not scores.size:
                 return Laid(h, LOST)
@@ -192,6 +239,16 @@ class Scorer:
     def _moves(self, sizes: Iterable[float]) -> list[tuple[str, complex]]:
         ways = [complex(numpy.exp(0.25j * math.pi * k)) for k in range(8)]
         return [(n, mm * way) for n in self.plan.names for mm in sizes for way in ways]
+
+    def _to_ends(self, h: Hypothesis, held: dict[str, complex]) -> None:
+        """Each mark to the end of a line about it; what follows is drawn from there."""
+        for m, n in enumerate(self.plan.labels):
+            drawn = self.plan.draw(h, {n: numpy.array([v]) for n, v in held.items()}, 1)
+            if drawn is not None and self.ink.ends.size:
+                off = self.ink.ends - (drawn[0, m] + self.pole)
+                nearest = complex(off[abs(off).argmin()])
+                about = w.TO_END_MM + w.TO_END_SHARE * abs(drawn[0, m])
+                held[n] += nearest if abs(nearest) < about else 0j
 
     def _moved(self, h: Hypothesis, held: dict[str, complex], about: int, moves: list[tuple[str, complex]]) -> Array:
         """What it is worth to move each mark on from where it is ``held``, once no move gains anything."""
@@ -203,7 +260,7 @@ class Scorer:
             if (drawn := self.plan.draw(h, tried, len(moves) + 1)) is None:
                 return numpy.zeros(0)
             a, b = self._lines(h, drawn)
-            scores = self.covered(a, b, about)[0] + self.heads(a, b) - self.erred(tried)
+            scores = self.covered(a, b, about)[0] + self.heads(a, b) + self.points(drawn) - self.erred(tried)
             k = int(numpy.argmax(scores))
             if k == 0 or scores[k] < best + w.ENOUGH:
                 break
@@ -217,9 +274,10 @@ class Scorer:
             return Laid(h, LOST)
         a, b = self._lines(h, drawn)
         score, cover, strange = (float(row[0]) for row in self.scored(h, drawn))
-        score += omitted(self.plan, self.ink, a[0], b[0]) - float(self.erred(held)) - h.cost
+        erred = float(self.erred(held))
+        score += omitted(self.plan, self.ink, a[0], b[0]) - erred - h.cost
         places, moved = dict(zip(self.plan.names, drawn[0].tolist(), strict=True)), {n: abs(z) for n, z in held.items()}
-        return Laid(h, score, cover, places, self._sigmas(scores), strange, moved)
+        return Laid(h, score, cover, places, self._sigmas(scores), strange, moved, erred)
 
     def _sigmas(self, scores: Array) -> dict[str, float]:
         """How surely ink tells each mark where it settled, by how much worse it is elsewhere: a parabola's σ."""
@@ -239,6 +297,6 @@ class Scorer:
 
     def _room(self, z: Complexes) -> Box:
         """About all that may have been drawn."""
-        z = z[numpy.isfinite(z) & (abs(z - self.pole) < w.ROOM_MM)]
+        z = z[numpy.isfinite(z) & (abs(z - self.pole) < max(w.ROOM_MM, self.ink.reach_mm))]
         rim = w.MARGIN_MM * (1 + 1j)
         return Box(complex(z.real.min(), z.imag.min()) - rim, complex(z.real.max(), z.imag.max()) + rim)

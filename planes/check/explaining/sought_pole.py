@@ -14,17 +14,21 @@ PLAINLY = 0.9  # the share of its lines by which the right plan is plainly there
 AT_ONCE = 2000
 
 
-def sought_pole(plan: PlanLines, ink: SheetInk) -> complex:
-    """The likeliest pole of the right plan; where that is not plainly there, of a mistake's; there must be ink."""
-    cells = numpy.unique(numpy.round(ink.points / CELL_MM)) * CELL_MM
+def sought_pole(plan: PlanLines, ink: SheetInk, cells: Complexes | None = None, price: Array | float = 0.0) -> complex:
+    """The likeliest pole of the right plan; where that is not plainly there, of a mistake's; there must be ink. Its
+    places may be known, with what each costs."""
+    known = cells is not None
+    cells = numpy.unique(numpy.round(ink.points / CELL_MM)) * CELL_MM if cells is None else cells
     best, most = complex(cells[0]), -numpy.inf
     for h in (Hypothesis(), *catalogue(plan)):
         drawn = plan.draw(h, {}, 1)
         if drawn is None or not numpy.isfinite(drawn).all():
             continue
         scores, shares = _laid_from(plan, ink, drawn, cells)
-        place = cells[scores.argmax()] + (STEPS[:, None] + 1j * STEPS).ravel()
-        scores, shares = _laid_from(plan, ink, drawn, place)
+        scores, place = scores - price, cells
+        if not known:
+            place = cells[scores.argmax()] + (STEPS[:, None] + 1j * STEPS).ravel()
+            scores, shares = _laid_from(plan, ink, drawn, place)
         k = int(scores.argmax())
         if scores[k] - h.cost > most:
             best, most = complex(place[k]), float(scores[k]) - h.cost
@@ -50,4 +54,6 @@ def _laid_from(plan: PlanLines, ink: SheetInk, drawn: Complexes, poles: Complexe
         worth = (ahead * length[:half]).max(axis=1) + (back * length[half:]).max(axis=1)
         return worth, numpy.minimum(ahead.max(axis=1), back.max(axis=1))
     value = length * (w.GAINED * shares - w.MISSING * (1 - shares))
-    return value.sum(axis=1), (shares * length).sum(axis=1) / max(float(length.sum()), 1e-6)
+    signs = ink.point(drawn[0] + poles[:, None]) if plan.kind == "position" else numpy.zeros((len(poles), 1))
+    worth = value.sum(axis=1) + w.HEAD * signs.sum(axis=1)
+    return worth, (shares * length).sum(axis=1) / max(float(length.sum()), 1e-6)

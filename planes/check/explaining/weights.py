@@ -19,6 +19,7 @@ SHORT_MM = 1.5  # lines that are not looked for
 MOST, KEPT, APART_MM = 900, 4, 4.0  # free sizes weighed after the first look; kept of a kind and mark, how far apart
 WEIGHED, SETTLED, FIRSTS, SECONDS = 120, 10, 3, 3  # weighed by all ink; settled; on which a second one is tried
 MOVES_MM = (1, (0.8, 0.3)), (0, (0.5, 0.25, 0.1))  # of marks that settle, by ink a pixel about, and just there
+TO_END_MM, TO_END_SHARE = 1.6, 0.05  # of a mark to the end of a line, where ends are known; of its way from the pole
 ROUNDS, ENOUGH, LOOSE_MM = 14, 0.05, 0.8  # how often they are moved; what is no gain; of lines before they settle
 COARSE, FINE = 24, 56  # places of a line at which ink is felt
 FAR_MM, ROOM_MM, MARGIN_MM = 230.0, 150.0, 20.0  # of a mark that is off the sheet; of what may be drawn, and about it
@@ -26,6 +27,7 @@ SHARES = 0.935, 0.996, 0.005  # of its size, at which a sheet may have been prin
 PRINTS, ALIKE = 2, 0.012  # others than its full size that are looked at closely; shares that are one
 NAMED = 5  # orders that names tell, settled
 BEAMS, STRAY = 12, 0.01  # orders of a polygon followed at once; what each side out of turn costs
+AT_ALL = 0.5  # the share of a plan's lines that must be there, or a second mistake is not looked for
 EXPLAINED = 0.9  # the share of a plan's lines that must be there before no second mistake is looked for
 MOVED_MM = 1.5  # what a mistake moves at the least
 
@@ -52,3 +54,4 @@ HEADED_MM, USUAL_HEAD, NO_HEAD, TURNED, FEWEST = 14.0, 1.0, 0.55, 0.9, 3  # of l
 BESIDE_MM, LIKELY = 7.0, 0.5  # how far off its mark a name stands, at the most; how surely it is read
 # how likely two names together are by each other's marks, how much rather than by their own; how surely they were read
 CROSSED, RATHER, EXCHANGED = 0.08, 25.0, 0.95
+SOFT_MM = 1.5  # by which a text is nearer to what it names than to anything else

@@ -25,6 +25,7 @@ MOST = 8
 SLIP = 0.02  # the share of marks that are wrong for a reason of their own; so likely is each mistake of the catalogue
 MISREAD_MM = 0.7  # half of the places taken for a mark by error are no more than 1.7 times this from it
 ANYWHERE = 0.2  # the share of them that may be anywhere on the drawing
+LIKELY = 0.5  # a verdict no less likely than its opposite; a drawing that is called wrong must be
 SURE = 0.98  # what is less likely is only said to be likely
 ASKED = 0.8  # what is less likely is not said of a picture: it is asked
 

@@ -28,18 +28,6 @@ def doubt_of(sketch: ReadDrawing) -> float:
     return CONFUSED if met else MISREAD
 
 
-def apart(sketch: ReadDrawing) -> bool:
-    """Whether nothing but where its lines cross tells where vectors without heads end."""
-    if any(sketch.ways) or sketch.endless is not None:
-        return not any(sketch.ways)
-    return meeting(sketch.strokes, ends_of(sketch.strokes), FARTHEST_MM) < MEETING
-
-
-def ends_of(strokes: Sequence[Stroke]) -> list[tuple[int, complex]]:
-    """Every end, with which stroke it is of."""
-    return [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
-
-
 def meeting(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]], near: float = SNAPPED_MM) -> float:
     """Which share of the ends of strokes meet others."""
     return sum(_met(strokes, z, (k,), near) for k, z in ends if len(ends) < CROSSINGS) / max(len(ends), 1)

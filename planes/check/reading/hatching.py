@@ -2,7 +2,7 @@
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 
 import numpy
 from shapely import STRtree, points
@@ -19,16 +19,18 @@ AT_ONCE = 250  # ends whose neighbours are looked for: all of a scribble may be 
 
 
 def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
-    """The drawing without its hatching: it has no heads, and nothing of a plan begins or ends where it does."""
-    loose = [k for k in _free(sketch.strokes) if not sketch.way(k)]
-    gone: set[int] = set()
-    for alike in _parallel(sketch.strokes, loose):
-        gone.update(_even_rows(sketch.strokes, alike))
+    """The drawing without its hatching: it has no heads, and nothing of a plan begins or ends where it does; one end of
+    a few of its strokes may lie by something by chance."""
+    free = _free(sketch.strokes)
+    gone, loose = set[int](), {k for k, ends in enumerate(free) if ends == 2 and not sketch.way(k)}
+    for held in (loose, {k for k, ends in enumerate(free) if ends and not sketch.way(k)}):
+        for alike in _parallel(sketch.strokes, sorted(held)):
+            gone.update(_even_rows(sketch.strokes, alike, loose))
     return sketch.only(k for k in range(len(sketch.strokes)) if k not in gone) if gone else sketch
 
 
 def _free(strokes: Sequence[Stroke]) -> list[int]:
-    """The strokes with no end where they begin and end but their own, and those of other pieces of their row."""
+    """How many ends of each stroke have no end by them but their own, and those of other pieces of their row."""
     places = numpy.array(strokes, complex).ravel()
     ways = numpy.repeat([cmath.rect(1.0, cmath.phase(b - a)) for a, b in strokes], 2)
     ends = points(places.real, places.imag)
@@ -41,7 +43,8 @@ def _free(strokes: Sequence[Stroke]) -> list[int]:
         aside = abs(((places[other] - places[own]) * ways[own].conj()).imag)
         pieces = (turned < math.radians(PARALLEL_DEG)) & (aside < ROW_MM)
         joined[own[(own != other) & ~pieces]] = True
-    return numpy.flatnonzero(~joined.reshape(-1, 2).any(axis=1)).tolist()
+    free: list[int] = (~joined.reshape(-1, 2)).sum(axis=1).tolist()
+    return free
 
 
 def _parallel(strokes: Sequence[Stroke], held: Sequence[int]) -> list[list[int]]:
@@ -58,8 +61,8 @@ def _parallel(strokes: Sequence[Stroke], held: Sequence[int]) -> list[list[int]]
     return groups
 
 
-def _even_rows(strokes: Sequence[Stroke], held: Sequence[int]) -> Iterator[int]:
-    """Those of parallel strokes that lie in enough rows equally far apart."""
+def _even_rows(strokes: Sequence[Stroke], held: Sequence[int], loose: Set[int]) -> Iterator[int]:
+    """Those of parallel strokes that lie in rows equally far apart, enough of which begin and end freely."""
     if len(held) < FEWEST:
         return
     a, b = strokes[held[0]]
@@ -75,6 +78,14 @@ def _even_rows(strokes: Sequence[Stroke], held: Sequence[int]) -> Iterator[int]:
         gap = rows[start + 1][0] - rows[start][0] if start + 1 < len(rows) else 0.0
         if i < len(rows) and gap < WIDEST_MM and abs(rows[i][0] - rows[i - 1][0] - gap) < EVEN_MM:
             continue
-        if i - start >= FEWEST:
-            yield from (k for _, row in rows[start:i] for k in row)
+        if sum(not loose.isdisjoint(row) for _, row in rows[start:i]) >= FEWEST:
+            own = [k for _, row in rows[start:i] for k in row]
+            along = {k: sorted((z * across).real for z in strokes[k]) for k in own}
+            beside = [along[k] for k in own if k in loose]
+            yield from (k for k in own if k in loose or any(_beside(along[k], other) for other in beside))
         start = i - 1 if i - start > 1 else i
+
+
+def _beside(own: Sequence[float], other: Sequence[float]) -> bool:
+    """Whether half of a stroke lies beside another one, by where both begin and end along their direction."""
+    return min(own[1], other[1]) - max(own[0], other[0]) > (own[1] - own[0]) / 2

@@ -128,9 +128,7 @@ def _part(sketch: ReadDrawing, held: list[int], least_mm: float) -> ReadDrawing 
     rounds = [r for r, d in zip(sketch.rounds, far, strict=True) if d < NEAR_ROUND_MM]
     far = _distances([*strokes, *((z, z + r) for z, r in rounds)], [w.middle for w in sketch.words])
     words = [w for w, d in zip(sketch.words, far, strict=True) if d < NEAR_WORD_MM + w.width / 2]
-    far = _distances(strokes, sketch.passed)
-    passed = [z for z, d in zip(sketch.passed, far, strict=True) if d < TOUCH_MM]
-    return replace(part, words=words, rounds=rounds, passed=passed)
+    return replace(part, words=words, rounds=rounds)
 
 
 def _is_table(strokes: Sequence[Stroke], size: complex) -> bool:

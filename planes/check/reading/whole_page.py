@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, known_plans
-from planes.check.reading.chains import true_vectors
+from planes.check.reading.force_arrows import true_vectors
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import parts
 from planes.check.reading.strokes import ReadDrawing

@@ -22,7 +22,6 @@ class Words:
     height: float = 3.5
     width: float = 0.0
     along: complex = 1 + 0j
-    led: bool = False  # whether a line with a dot leads from it there
     ends: tuple[str, str] | None = None  # the numbers between which the vectors of its names run
 
     def listed(self) -> list[Words]:

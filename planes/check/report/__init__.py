@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from planes.check.grading.evidence import SURE
+from planes.check.grading.evidence import LIKELY, SURE
 from planes.check.grading.grading import empty
 from planes.check.grading.judging import WARN
 from planes.check.grading.remedies import Reader, told_to
@@ -24,7 +24,6 @@ from planes.words.names import kind_of, label_of
 from planes.words.records import Json
 from planes.words.units import mu_text, number
 
-LIKELY = 0.5  # a verdict no less likely than its opposite
 SIZES = ("read_mm", "read_error_mm", "deviation_mm", "tolerance_mm")
 
 
@@ -33,7 +32,7 @@ def mark_rows(out: Outcome) -> list[Json]:
     g = out.grading
     if g is None:
         return [_segment_row(s) for s in (out.segments.scored if out.segments else [])]
-    rows = []
+    rows, unseen = [], [] if out.wrong else out.unseen
     for mark, verdict in g.verdicts.items():
         own, miss = g.hand.taken.get(mark), g.judgement.missed(mark, verdict)
         row: Json = {"mark": label_of(mark), **dict.fromkeys(SIZES), "verdict": verdict}
@@ -45,7 +44,7 @@ def mark_rows(out: Outcome) -> list[Json]:
             keys = (*SIZES[1:], "own_deviation_mm", "own_tolerance_mm")
             row |= {k: round(mm, 3) if math.isfinite(mm) else None for k, mm in zip(keys, sizes, strict=True)}
             row |= _warned(verdict == "right" and WARN < miss.sigmas <= limit)
-        elif absent:
+        if label_of(mark) in unseen or (absent and row["read_mm"] is None):
             row["verdict"] = "unread"
         for sign in (one for one in out.paper.signs if label_of(mark) in one.marks):
             astray = ("deviation_mm", "own_deviation_mm") if sign.mistake == "vector_astray" else ()

@@ -1,0 +1,168 @@
+"""The lines of a file, asked as a sheet's ink is: where they end, their heads and texts are known, not felt."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+import numpy
+
+from planes.check.evidence.line_words import LineWords, words_of
+from planes.check.evidence.sheet_ink import PX_PER_MM, SheetInk
+from planes.check.reading.strokes import ReadDrawing, headed
+from planes.geometry.arrays import Array, Booleans, Complexes, Indices
+from planes.words.naming import Names
+
+RIM_MM = 30.0  # of paper about the lines
+FELT = (math.cos(0.25), 1.0), (math.cos(0.45), 0.5)  # turned so much (its cosine) from a way a line is felt so much
+ABOUT_MM = 1 / 3, 1 / 2, 5 / 6  # how far aside, as of ink that is felt just there, and one or two pixels about
+AT_ONCE, MOST_PIECES = 1_000_000, 20_000  # pairs of lines; pieces: of seven metres of lines, as long as a pixel
+FEWEST_PLACES, CROWD = 60, 0.03  # where lines end or cross, a mm apart; of more on a mm² any would do for a mark
+HEADLESS = 0.5  # how much a line without a head is a vector, where vectors have heads
+HEAD_RANGE = -2.5, 2.5  # what speaks against a head that is not there, and for one that is
+TIP_MM, ALONG = 1.2, 0.97  # a head is no farther from the end of its line, and points along it (the cosine)
+FEW, LEAST_TURN = 60, 0.1  # lines of which crossings are looked for; sine of their angle
+STRANGE_MM = 12.0  # a vector that is none of the plan's counts for no more: there may be others beside it
+WHOLE = 0.9  # the share of a vector that must be explained for all of it to be
+SHORT_MM = 1.5  # of a line whose head tells nothing
+
+
+class LineInk(SheetInk):
+    """The lines of a drawing."""
+
+    most_head = HEAD_RANGE[1]
+
+    def __init__(self, sketch: ReadDrawing, names: Names) -> None:
+        self.sketch, self.names, self.source = sketch, names, None
+        self.lines: Complexes = numpy.array(sketch.strokes, complex).reshape(-1, 2)
+        ends = self.lines.ravel()
+        self.reach_mm = abs(complex(numpy.ptp(ends.real), numpy.ptp(ends.imag))) + RIM_MM
+        v: Complexes = self.lines[:, 1] - self.lines[:, 0]
+        length: Array = numpy.abs(v)
+        self.u: Complexes = v / length
+        self.way = numpy.array([sketch.way(k) for k in range(len(v))])
+        self.headed = bool(headed(sketch))
+        self.plain = numpy.where((self.way == 0) & self.headed, HEADLESS, 1.0)
+        self.points, self.ways, self.mm = self._pieces(length)
+        free = self.lines if self.headed else self.lines.ravel()
+        back, ahead = self.way < 0, self.way > 0
+        self.tips: Complexes = numpy.r_[free[ahead, 1], free[back, 0]] if self.headed else free
+        self.tip_ways: Complexes = (
+            numpy.r_[self.u[ahead], -self.u[back]] if self.headed else numpy.stack([-self.u, self.u], axis=1).ravel()
+        )
+        if not self.headed and len(self.lines) < FEW:  # lines may run on past where vectors end
+            k, j = numpy.triu_indices(len(self.lines), 1)
+            met, crossed = crossings(self.lines[k], self.lines[j])
+            ways = numpy.stack([self.u[k], -self.u[k], self.u[j], -self.u[j]])[:, crossed]
+            self.tips = numpy.r_[self.tips, numpy.tile(met[crossed], 4)]
+            self.tip_ways = numpy.r_[self.tip_ways, ways.ravel()]
+        self.rounds: Complexes = numpy.array([z for z, _ in sketch.rounds], complex)
+        self.exact = self.headed or bool(self.rounds.size)
+        every = self.lines.ravel(), self.tips, self.rounds  # short vectors have no heads
+        self.ends = numpy.unique(numpy.concatenate(every).round(2))
+
+    @property
+    def crowded(self) -> int:
+        """At how many places lines end or cross, if these are so many that anything would match."""
+        k, j = numpy.triu_indices(len(self.lines), 1)
+        met, crossed = crossings(self.lines[k], self.lines[j])
+        count = len(numpy.unique(numpy.r_[self.lines.ravel(), met[crossed]].round(0)))
+        area = float(numpy.ptp(self.lines.real) * numpy.ptp(self.lines.imag))
+        return count if count > max(FEWEST_PLACES, CROWD * area) else 0
+
+    def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
+        """The share of each line from a to b that is drawn, as of a sheet's ink; of lines without heads, under the
+        vectors, less."""
+        ways, begun = (numpy.nan_to_num(z, posinf=0.0, neginf=0.0).ravel() for z in (b - a, a))
+        shares, step = numpy.zeros(len(ways)), max(AT_ONCE // len(self.lines), 1)
+        for k in range(0, len(ways), step):
+            shares[k : k + step] = self._drawn(begun[k : k + step], ways[k : k + step], ABOUT_MM[about])
+        return shares.reshape(a.shape)
+
+    def _drawn(self, a: Complexes, way: Complexes, aside: float) -> Array:
+        """The share of each way from a that has a line so far aside at the most."""
+        length = numpy.maximum(abs(way), 1e-9)
+        u = way / length
+        turned = abs(u.real[:, None] * self.u.real + u.imag[:, None] * self.u.imag)
+        asked, line = numpy.nonzero(turned > FELT[-1][0])
+        p, q = (
+            (self.lines[line, k] + on * aside * self.u[line] - a[asked]) * u[asked].conj()
+            for k, on in ((0, -1), (1, 1))
+        )
+        off = numpy.where(abs(q.imag - p.imag) < 1e-9, 1e-9, q.imag - p.imag)  # where on the line it is so far aside
+        one, two = (-aside - p.imag) / off, (aside - p.imag) / off
+        first, last = numpy.maximum(numpy.minimum(one, two), 0.0), numpy.minimum(numpy.maximum(one, two), 1.0)
+        s, t = (p.real + (q.real - p.real) * share for share in (first, last))
+        low, high = numpy.maximum(numpy.minimum(s, t), 0.0), numpy.minimum(numpy.maximum(s, t), length[asked])
+        kept = (first < last) & (low < high)
+        asked, low, high = asked[kept], low[kept], high[kept]
+        worth = numpy.where(turned[asked, line[kept]] > FELT[0][0], 1.0, FELT[-1][1]) * self.plain[line[kept]]
+        order, levels, drawn = numpy.lexsort((low, asked)), numpy.unique(worth), numpy.zeros(len(a))
+        asked, low, high, worth = asked[order], low[order], high[order], worth[order]
+        for less, level in zip([0.0, *levels], levels, strict=False):
+            drawn += (level - less) * _joined(asked, low, high, worth >= level, len(a))
+        share: Array = drawn / length
+        return share
+
+    def _pieces(self, length: Array) -> tuple[Complexes, Complexes, Array]:
+        """Pieces of the lines by their middles, with their ways and how long they are; of lines without heads, where
+        vectors have them, nothing is to be explained."""
+        fine = min(PX_PER_MM, MOST_PIECES / float(length.sum()))
+        counts = numpy.ceil(length * fine).astype(int).clip(1)
+        line_of = numpy.repeat(numpy.arange(len(length)), counts)
+        at = numpy.concatenate([(numpy.arange(n) + 0.5) / n for n in counts.tolist()])
+        mm = numpy.where(self.headed & (self.way == 0), 0.0, length / counts)
+        self.line_of = line_of
+        return self.lines[line_of, 0] + at * (length * self.u)[line_of], self.u[line_of], mm[line_of]
+
+    def _left(self, mm: Array, mine: Booleans, running: Booleans, kept: Booleans) -> float:
+        """A vector is explained from end to end or not at all."""
+        if not self.headed:
+            return super()._left(mm, mine, running, kept)
+        every, own = (numpy.bincount(self.line_of[kept], held, len(self.lines)) for held in (mm, mm * mine))
+        return float(every[own < WHOLE * every].clip(max=STRANGE_MM).sum())
+
+    def head(self, a: Complexes, b: Complexes) -> Array:
+        """How much speaks for a line's ending at b: a tip there or, where no line has a head, an end."""
+        length = abs(b - a)
+        u = (b - a) / numpy.maximum(length, 1e-9)
+        aside = (u[..., None] * self.tip_ways.conj()).real < ALONG
+        off = (abs(b[..., None] - self.tips) + TIP_MM * aside).min(axis=-1, initial=TIP_MM)
+        return numpy.where(length > SHORT_MM, _told(off), 0.0)
+
+    def point(self, z: Complexes) -> Array:
+        """How much speaks for a point's being at each place: a small circle there."""
+        if not self.rounds.size:
+            return super().point(z)
+        return _told(abs(z[..., None] - self.rounds).min(axis=-1))
+
+    def words(self, a: Complexes, b: Complexes, with_heads: bool, names: Iterable[str]) -> LineWords:
+        """The texts that are some names."""
+        return words_of(self.sketch, self.names, names)
+
+
+def _joined(asked: Indices, low: Array, high: Array, held: Booleans, count: int) -> Array:
+    """How much the pieces that are held cover together, of each line; they are in order."""
+    asked, low, high = asked[held], low[held], high[held]
+    if not asked.size:
+        return numpy.zeros(count)
+    apart = 1.0 + float(high.max())  # the pieces of one line after those of another
+    before = numpy.r_[-apart, numpy.maximum.accumulate(high + apart * asked)[:-1]] - apart * asked
+    return numpy.asarray(numpy.bincount(asked, (high - numpy.maximum(low, before)).clip(min=0.0), count), float)
+
+
+def crossings(one: Complexes, two: Complexes) -> tuple[Complexes, Booleans]:
+    """Where lines cross, row by row, and whether they do, well inside of both."""
+    v, u, off = one[:, 1] - one[:, 0], two[:, 1] - two[:, 0], two[:, 0] - one[:, 0]
+    turn = (v.conj() * u).imag
+    with numpy.errstate(all="ignore"):
+        s, t = (off.conj() * u).imag / turn, (off.conj() * v).imag / turn
+        crossed = (abs(turn) > LEAST_TURN * abs(v * u)) & (s > 0) & (s < 1) & (t > 0) & (t < 1)
+    return one[:, 0] + numpy.where(crossed, s, 0.0) * v, crossed
+
+
+def _told(off: Array) -> Array:
+    """How much a sign tells that is so far off."""
+    low, high = HEAD_RANGE
+    said: Array = high - (high - low) * numpy.minimum(off / TIP_MM, 1.0)
+    return said

@@ -1,0 +1,279 @@
+"""The vectors of a force plan in a file of lines, wherever on the plan they lie: every arrow is the vector it is like
+and whose name stands beside it, in the right plan or in a mistake's."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from statistics import median
+
+import numpy
+
+from planes.check.evidence.line_words import LineWord, words_of
+from planes.check.explaining import weights as w
+from planes.check.explaining.hypotheses import catalogue
+from planes.check.explaining.plan_lines import Hypothesis, PlanLines
+from planes.check.grading.paper import ReadMark, ReadPaper
+from planes.check.grading.polygons import loads_of, sides_of
+from planes.check.grading.prepared_plan import PreparedPlan
+from planes.check.grading.remedies import asking
+from planes.check.reading.parts import NEAR_WORD_MM
+from planes.check.reading.strokes import FEWEST_HEADS, ReadDrawing, headed
+from planes.check.reading.weighed import is_right, worth
+from planes.check.reading.written import Stroke
+from planes.geometry.arrays import Array
+from planes.words.names import POLE, end_of
+
+HEADLESS_MM = 2.0  # a shorter vector may have no head
+NAMELESS, AGAINST, BARE = 2.0, 4.0, 1.0  # what it costs: to have no name; numbers the other way; no head
+LEFT = 2.5, 9.0  # without heads and with them, that an arrow is no vector of the plan, at the most
+HEAD = 0.0, 4.0  # the least of it
+SHARE = 0.02  # of its length, by which a force reckoned from others may be off
+SOFT_MM, MIDDLE, TIP = 0.5, 0.15, 8.0  # of names of vectors there and back
+NARROW = 0.2  # how far apart, of their length, vectors there and back may be
+MEET_MM, LOOSE = 1.0, 0.7  # ends that meet; of how far they are apart, the error of each
+HIDDEN_MM = 0.7  # shorter vectors nobody draws
+SAME_MM = 0.3  # vectors that are one
+EXACT_MM = 0.05  # how exactly a program draws
+MOST = 120  # arrows
+LEAST, ALIKE, OTHER_SIZE = 0.2, 1.03, 3.0  # sizes of a plan whose scale was not told: the smallest; no two alike
+NEVER = 1e6
+Known = dict[str, complex]
+
+
+@dataclass
+class Reading:
+    """Which arrow is which vector, under a hypothesis, and what that costs."""
+
+    cost: float
+    hypothesis: Hypothesis
+    rows: dict[str, Stroke]
+    left: list[int]
+    off: list[float] = field(default_factory=list)
+
+
+@dataclass
+class ForceArrows:
+    """The arrows of a drawing, each with the ways it may go, and what names say of them."""
+
+    sketch: ReadDrawing
+    bench: PreparedPlan
+
+    def __post_init__(self) -> None:
+        sketch = self.sketch
+        many = len(sketch.strokes) > MOST and sum(map(bool, sketch.ways)) >= FEWEST_HEADS
+        self.headed = many or bool(headed(sketch))
+        self.plan = PlanLines(self.bench, to_fit=False)
+        self.written = self.needed = numpy.zeros(0, bool)  # names on the drawing; vectors that must be there
+        self.sides = sides_of(self.bench.plans, self.bench.asked.plan)
+        own, loads = {s.name for s in self.sides}, loads_of(self.bench.plans, self.bench.asked.plan)
+        segments = self.bench.plans.segments_of.get(self.bench.asked.plan, ())
+        self.ends = {end_of(s.name): (s.start, s.end) for s in segments if end_of(s.name) not in own}
+        self.ends |= {s.name: (s.start, s.end) for s in self.sides}
+        self.names = sorted(self.ends, key=lambda n: n not in own)
+        self.reactions = {s.name for s in self.sides if s.end not in loads}
+        self.own = numpy.array([n in own for n in self.names])
+        self.arrows: list[tuple[Stroke, ...]] = []
+        for k, s in enumerate(sketch.strokes):
+            if sketch.way(k):
+                self.arrows.append((s if sketch.way(k) > 0 else s[::-1],))
+            elif not self.headed or abs(s[1] - s[0]) < HEADLESS_MM:
+                self.arrows.append((s, s[::-1]))
+        self.flat = [(i, s) for i, one in enumerate(self.arrows) for s in one]
+        self.v = numpy.array([b - a for _, (a, b) in self.flat])
+        self.of = numpy.array([i for i, _ in self.flat])
+
+    def known(self, h: Hypothesis) -> Known | None:
+        """Every vector that may be drawn, by name."""
+        drawn = self.plan.draw(h, {}, 1)
+        if drawn is None or not numpy.isfinite(drawn).all():
+            return None
+        places = dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
+        return {n: places.get(b, 0j) - places.get(a, 0j) for n, (a, b) in self.ends.items()}
+
+    def beside(self) -> Array:
+        """What it costs each way of an arrow to have each name, by where that is written."""
+        words = words_of(self.sketch, self.bench.naming.names(self.names), self.names).words
+        words = [one for one in words if min(one.off(*s) for _, s in self.flat) < NEAR_WORD_MM]
+        written = {n for one in words for n in one.likely}
+        self.written = numpy.array([n in written for n in self.names])
+        cost = numpy.where(self.written, w.LETTERS * 9.0, NAMELESS) + numpy.zeros((len(self.flat), 1))
+        back = [next((k for k, (j, o) in enumerate(self.flat) if j != i and _back(s, o)), None) for i, s in self.flat]
+        for one in words:
+            off = [one.off(*s) for _, s in self.flat]
+            for k, (i, s) in enumerate(self.flat):
+                price = w.LETTERS * self._price(one, off, k, i, s, back[k])
+                for n in one.likely:
+                    cost[k, self.names.index(n)] = min(cost[k, self.names.index(n)], price)
+        return cost
+
+    def _price(self, one: LineWord, off: Sequence[float], k: int, i: int, s: Stroke, back: int | None) -> float:
+        """What it costs that a text names a vector, and no other one."""
+        pair = i if back is None else self.flat[back][0]
+        price = one.nearest(off[k], [mm for mm, (j, _) in zip(off, self.flat, strict=True) if j not in (i, pair)])
+        if back is not None:  # it is by its own tip, or nearer to its own
+            z = one.word.middle if one.led is None else one.led
+            ahead = ((z - s[0]) / (s[1] - s[0])).real - 0.5
+            by_tip = math.log(1 + math.exp(min(-2 * TIP * ahead, 40.0)))
+            price += by_tip if abs(ahead) > MIDDLE else one.nearest(off[k], [off[back]], SOFT_MM)
+        return price + AGAINST * (not one.word.runs(s, self.sketch.words))
+
+    def readings(self) -> Iterator[Reading]:
+        """Of the right plan and of every mistake's, the likeliest reading."""
+        right = self.known(Hypothesis())
+        if right is None:
+            return
+        beside, places = self.beside(), [right[n] for n in self.names]
+        twins = [
+            n in self.reactions and any(min(abs(v - u), abs(v + u)) < EXACT_MM for u in places[:k])
+            for k, (n, v) in enumerate(zip(self.names, places, strict=True))
+        ]
+        self.needed = self.own & ~numpy.array(twins)
+        size = min(self._sizes(right), key=lambda k: self.read(Hypothesis(), right, beside, k, w.HAND_MM).cost)
+        for h in (Hypothesis(), *catalogue(self.plan)):
+            if (known := self.known(h)) is not None:
+                yield min((self.read(h, known, beside, size, s) for s in (w.HAND_MM, EXACT_MM)), key=lambda r: r.cost)
+
+    def _sizes(self, known: Known) -> list[float]:
+        """Sizes of the plan, to what is stated: the drawer's choice unless it was told."""
+        sizes, lengths = [1.0], [abs(v) for v in known.values() if abs(v) > HEADLESS_MM]
+        for ratio in sorted(float(abs(v)) / t for v in self.v for t in lengths) if not self.bench.asked.mu else ():
+            if LEAST < ratio < 1 / LEAST and ratio > ALIKE * (sizes[-1] if len(sizes) > 1 else 0.0):
+                sizes.append(ratio)
+        return sizes
+
+    def read(self, h: Hypothesis, known: Known, beside: Array, size: float, sigma: float) -> Reading:
+        """The likeliest reading under a hypothesis."""
+        true = numpy.array([known[n] for n in self.names]) * size
+        off = abs(self.v[:, None] - true)
+        spread = sigma + (SHARE * abs(true) if sigma == w.HAND_MM else 0.0)
+        unlike = w.HAND * off**2 / (2 * spread**2)
+        missed = self.needed & (self.written | (abs(true) > HEADLESS_MM / 2))
+        cost = numpy.minimum(unlike, w.COSTS["anywhere"]) + beside - w.OMITTED * missed
+        cost = cost + BARE * numpy.array([[self.headed and len(self.arrows[i]) > 1] for i in self.of])
+        count = len(self.arrows)
+        table, ways = numpy.full((count, len(self.names) + count), NEVER), numpy.zeros((count, len(self.names)), int)
+        for i in range(count):
+            held = numpy.flatnonzero(self.of == i)
+            bare = self.headed and len(held) > 1
+            table[i, : len(self.names)] = cost[held].min(axis=0)
+            ways[i] = held[cost[held].argmin(axis=0)]
+            over = HEAD[self.headed] + w.STRANGE * float(abs(self.v[held[0]]))
+            table[i, len(self.names) + i] = 0.0 if bare else min(over, LEFT[self.headed])
+        columns = cheapest(table)
+        rows = {self.names[j]: self.flat[ways[i, j]][1] for i, j in enumerate(columns) if j < len(self.names)}
+        for n in (s.name for s in self.sides):  # a reaction and its only part, or two inner ones, may share an arrow
+            alike = [m for m in rows if abs(known[m] - known[n]) < SAME_MM]
+            same = [m for m in alike if n in self.reactions or not self.own[self.names.index(m)]]
+            if n not in rows and same:
+                rows[n] = rows[same[0]]
+        left = [i for i, j in enumerate(columns) if j >= len(self.names)]
+        offs = [float(off[ways[i, j], j]) for i, j in enumerate(columns) if j < len(self.names)]
+        total = float(table[range(count), columns].sum()) + h.cost + OTHER_SIZE * (size != 1.0)
+        total += 4 * w.HAND * len(offs) * math.log(sigma / w.HAND_MM)
+        return Reading(total, h, rows, left, offs)
+
+
+def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
+    """The vectors of a force plan, each a row from where it begins."""
+    paper, seen = ReadPaper(sketch.file, whole=False), ForceArrows(sketch, bench)
+    if not 0 < len(seen.arrows) <= MOST:
+        paper.reason = asking("check_force_unsure") if seen.arrows else None
+        return paper
+    readings = sorted(seen.readings(), key=lambda r: r.cost)
+    if not readings:
+        return paper
+    best = readings[0]
+    own = {s.name for s in seen.sides}
+    rows = {n: s for n, s in best.rows.items() if n in own}
+    rows |= dict(_between(rows, {n: v for n, v in (seen.known(best.hypothesis) or {}).items() if n in own}))
+    error = max(sketch.error_mm, LOOSE * _gap(rows))
+    paper.spots = [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE, name), s, strict=True)]
+    paper.whole = seen.headed and all(abs(seen.arrows[i][0][1] - seen.arrows[i][0][0]) < HEADLESS_MM for i in best.left)
+    true = seen.known(best.hypothesis) or {}
+    room = 2 * max(_gaps(rows), default=0.0)  # where all ends meet, no vector is hidden
+    paper.whole &= all(n in rows or not HIDDEN_MM < abs(true[n]) < min(room, HEADLESS_MM) for n in own)
+    if _vague(seen, rows, bench, paper):
+        paper.spots, paper.reason = [], asking("check_force_unsure")
+    return paper
+
+
+def _vague(seen: ForceArrows, rows: Mapping[str, Stroke], bench: PreparedPlan, paper: ReadPaper) -> bool:
+    """Whether it is only guessed what is which of a wrong polygon: its vectors have no names or, as none has a head,
+    it may as well have been drawn the other way round; or lines without heads do not lead one from another."""
+    if not seen.headed:
+        begun = [a for a, _ in rows.values()]
+        if sum(all(abs(b - a) > MEET_MM for a in begun) for _, b in rows.values()) > 1:
+            return True
+    if is_right(bench, paper):
+        return False
+    back = [replace(s, place=z) for s, z in zip(paper.spots, _turned(paper.spots), strict=True)]
+    turned = not seen.headed and worth(bench, replace(paper, spots=back)) >= worth(bench, paper)
+    return turned or not (seen.written & seen.own).any()
+
+
+def _gap(rows: Mapping[str, Stroke]) -> float:
+    """How far apart the ends of vectors and the beginnings of others are that should meet."""
+    return median([gap for gap in _gaps(rows) if gap < MEET_MM] or [0.0])
+
+
+def _gaps(rows: Mapping[str, Stroke]) -> list[float]:
+    """How far from the end of each vector another begins."""
+    return [min(abs(b - a) for a, _ in rows.values()) for _, b in rows.values()]
+
+
+def _turned(spots: Sequence[ReadMark]) -> Iterator[complex]:
+    """The places of vectors the other way round."""
+    for k in range(0, len(spots), 2):
+        yield from (spots[k + 1].place, spots[k].place)
+
+
+def _between(rows: Mapping[str, Stroke], known: Known) -> Iterator[tuple[str, Stroke]]:
+    """Short vectors nobody drew for themselves, between the end of one and the beginning of another."""
+    begun, ended = [a for a, _ in rows.values()], [b for _, b in rows.values()]
+    begun, ended = (
+        [z for z in one if all(abs(z - q) > EXACT_MM for q in other)] for one, other in ((begun, ended), (ended, begun))
+    )
+    short = [n for n, v in known.items() if n not in rows and EXACT_MM < abs(v) < HEADLESS_MM]
+    ways = [(abs(b - a - known[n]), n, (a, b)) for n in short for a in ended for b in begun]
+    used = set[object]()
+    for off, n, (a, b) in sorted(ways, key=lambda way: way[0]):
+        if off < SAME_MM and not used & {n, a, b}:
+            used |= {n, a, b}
+            yield n, (a, b)
+
+
+def _back(s: Stroke, o: Stroke) -> bool:
+    """Whether one vector leads back beside another."""
+    return abs(o[0] - s[1]) + abs(o[1] - s[0]) < NARROW * abs(s[1] - s[0])
+
+
+def cheapest(table: Array) -> list[int]:
+    """The column of each row, each once, so that all are cheapest together (Kuhn and Munkres)."""
+    rows, columns = table.shape
+    u, v, row_of = numpy.zeros(rows + 1), numpy.zeros(columns + 1), numpy.zeros(columns + 1, int)
+    for row in range(1, rows + 1):
+        row_of[0], here = row, 0
+        least, used = numpy.full(columns + 1, math.inf), numpy.zeros(columns + 1, bool)
+        way = numpy.zeros(columns + 1, int)
+        while row_of[here]:
+            used[here] = True
+            cost = numpy.r_[math.inf, table[row_of[here] - 1] - u[row_of[here]] - v[1:]]
+            better = ~used & (cost < least)
+            least[better], way[better] = cost[better], here
+            here = int(numpy.where(used, math.inf, least).argmin())
+            delta = least[here]
+            u[row_of[used]] += delta
+            v[used] -= delta
+            least[~used] -= delta
+        while here:
+            row_of[here], here = row_of[way[here]], int(way[here])
+    columns_of = {int(row_of[j]) - 1: j - 1 for j in range(1, columns + 1) if row_of[j]}
+    return [columns_of[row] for row in range(rows)]
+
+
+def true_vectors(bench: PreparedPlan) -> dict[str, complex]:
+    """Every vector of the right plan by name."""
+    places = {**bench.true_marks, POLE: 0j}
+    return {s.name: places[s.end] - places[s.start] for s in sides_of(bench.plans, bench.asked.plan)}
