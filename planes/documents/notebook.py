@@ -116,17 +116,17 @@ export default { render({ model, el }) {
 
 
 def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"), lang: Lang | None = None) -> AnyWidget:
-    """A crank to turn in a notebook: a slider for the drive, the views named redrawn at each place of it.
+    """A crank to turn in a notebook: a slider for the drive; the named views are redrawn at each of its positions.
 
-    ``value`` of what is returned is the drive's place (degrees; m of a sliding driver) and may be set or observed;
-    ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget.
+    ``value`` of the returned object is the drive's position (degrees; m for a sliding driver) and may be set or
+    observed; ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget.
     """
+    own = read(scene)
     try:
         import anywidget
         import traitlets
     except ImportError:
         raise PlanesError(Phrase("needs_anywidget")) from None
-    own = read(scene)
     plans, wanted = plans_of(own)
     if own.mechanism is None:
         raise SceneError(Phrase("vectors_alone"), own.file, own.where.get(("vectors",), 1))

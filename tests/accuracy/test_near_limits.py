@@ -85,7 +85,7 @@ def test_tables_by_arrays_and_compiled_leave_out_the_same(family: str) -> None:
 
 @pytest.mark.parametrize("value, warned", [(5.729577951308232e-05, True), (0.003, True), (1.0, False), (60.0, False)])
 def test_a_slotted_lever_near_its_pivot_says_what_it_does_not_know(value: float, warned: bool) -> None:
-    for lang, words in (("en", "epsilon_2, epsilon_3: rounding leaves"), ("ru", "меньше трёх верных цифр")):
+    for lang, words in (("en", "ε_2, ε_3: rounding leaves"), ("ru", "меньше трёх верных цифр")):
         said = solve(loads(SLOT), [value], None, lang).positions[0].results["warnings"]  # type: ignore[arg-type]
         assert any(words in w for w in said) == warned
 

@@ -494,6 +494,7 @@ def test_practices_and_drawings_are_one_table(course: Path, tmp_path: Path, caps
     assert main(["check", str(course), str(folder)]) == 1  # the drawing of another's numbers is wrong
 
 
+@pytest.mark.slow
 def test_work_that_is_right_for_another_student_is_said_to_be(course: Path, tmp_path: Path, capsys: Any) -> None:
     """Numbers and a plan of somebody else's variant; of numbers that are merely wrong nobody is named."""
     boris = load(course / "out" / "teacher" / BORIS / "scene.yaml")
