@@ -128,5 +128,5 @@ def names_of(step: Step) -> dict[str, Told]:
         if along in named and start in named:
             words[line] = line_in_words(named[along], named[start])
     if "mu" in named:
-        words["unit"] = Phrase(UNIT.get(named["mu"].removeprefix("mu_"), "units"))
+        words["unit"] = Phrase(UNIT.get(named["mu"][len("mu_") :], "units"))
     return words

@@ -115,7 +115,7 @@ def read_as(q: Quantity) -> list[Curve]:
     """The columns of a quantity as curves: of F_12 those of F_21, opposite."""
     if len(q.columns) == 1:
         return [Curve(q.name, q.columns[0].unit, "rate", _column(q.columns[0].name))]
-    parts = ((f"{q.name}_{c.name.rpartition('_')[2]}", c) for c in q.columns if c.part or not q.reversed)
+    parts = ((f"{q.name}_{c.name[len(q.name) + 1 :]}", c) for c in q.columns if c.part or not q.reversed)
     return [Curve(n, c.unit, "rate", _opposite(c.name) if q.reversed else _column(c.name)) for n, c in parts]
 
 

@@ -146,7 +146,7 @@ export const task = {
   /** @type {(name: string) => void} */
   sign(name) { // in place: a click on its way to the link must find the same one
     practice.name = name.slice(0, 80);
-    const code = handed(), save = $("save");
+    const code = handed(), save = /** @type {any} */ ($("save"));
     const kept = URL.createObjectURL(new Blob([code + "\n"], { type: "text/plain" }));
     URL.revokeObjectURL(save.href);
     Object.assign(save, { href: kept, download: `${practice.name.replace(/[\s.]+$/, "") || "practice"}.practice` });

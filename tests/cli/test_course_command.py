@@ -169,7 +169,8 @@ def test_there_must_be_numbers_for_everybody(
     course = "course: 1\ndocuments: [task]\nvariants: drawn\ndraw: {phi_1: [30, 60]}\n"
     at = folder(tmp_path / "course", course, 3)
     assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 1
-    assert capsys.readouterr().err == "Студент-3: there are not enough different sets of numbers; widen draw\n"
+    said = "there are not enough sets of numbers that give different plans; widen draw"
+    assert capsys.readouterr().err == f"Студент-3: {said}\n"
     rows = list(csv.DictReader((at / "out/teacher/summary.csv").read_text("utf-8-sig").splitlines()))
     assert sorted(r["phi_1 [°]"] for r in rows) == ["", "30", "60"]
 

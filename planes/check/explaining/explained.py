@@ -191,6 +191,17 @@ class Explanation:
     def faint(self) -> list[str]:
         """Lines of the likeliest drawing that are hardly there, and those whose heads seem to be at their starts, by
         the names of the vectors."""
+        return [self._name(k) for k in numpy.flatnonzero(self._faint).tolist()]
+
+    def unled(self) -> list[str]:
+        """Marks all of whose own lines are faint: their places are those of the plan, not of the drawing."""
+        plan, needed = self.plan, self.plan.needed
+        every = ((n, needed & ((plan.starts == k) | (plan.ends == k))) for k, n in enumerate(plan.names))
+        return [n for n, own in every if n in plan.labels and own.any() and self._faint[own].all()]
+
+    @cached_property
+    def _faint(self) -> Booleans:
+        """Which lines these are."""
         places = numpy.array([[self.best.places[n] for n in self.plan.names]])
         a, b = (z + self.pole for z in self.plan.laid(places, self.best.hypothesis.order))
         length, needed = abs(b - a)[0], self.plan.needed
@@ -205,7 +216,7 @@ class Explanation:
         turned = headed & (here < w.NO_HEAD) & (there - here > w.TURNED)
         if headed.sum() < w.FEWEST or numpy.median(here[headed]) < w.USUAL_HEAD:
             turned[:] = False
-        return [self._name(k) for k in numpy.flatnonzero(gone | turned).tolist()]
+        return numpy.asarray(gone | turned)
 
     def _name(self, k: int) -> str:
         line = self.plan.lines[k]

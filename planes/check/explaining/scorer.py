@@ -102,7 +102,8 @@ class Scorer:
             return False
         ends, scheme = self._lines(one.hypothesis, self._row(one)), self.plan.kind == "position"
         signs = len(self.plan.labels) if scheme else (to_be_seen(*ends) & self.plan.needed).sum()
-        short = w.HEAD * self.ink.most_head * signs - one.evidence
+        beside = scheme * w.STRANGE * float(self._beside(numpy.array(one.strange)))
+        short = w.HEAD * self.ink.most_head * signs - one.evidence - beside
         return bool(short - one.erred < w.TELLING and not (one.hypothesis.right and short > w.COSTS["length"]))
 
     def _rough(self, every: list[Hypothesis]) -> list[tuple[float, Hypothesis, Complexes]]:
@@ -208,8 +209,11 @@ class Scorer:
         a, b = (numpy.nan_to_num(numpy.hstack([z, more + self.pole])) for z, more in ((a, more_a), (b, more_b)))
         loose = w.LOOSE_MM if roughly else 0.0
         strange = self.ink.unexplained(a, b, self.box, self.pole, loose, signs + self.pole, reach)
-        priced = w.STRANGE * strange * (not self.ink.exact or self.plan.kind != "position")  # a scheme is never alone
-        return score - priced, cover, strange
+        return score - w.STRANGE * self._beside(strange), cover, strange
+
+    def _beside(self, strange: Array) -> Array:
+        """The unexplained ink that is weighed: of a scheme in a file not more than a view of one has."""
+        return strange.clip(max=w.BESIDE_SCHEME_MM) if self.ink.exact and self.plan.kind == "position" else strange
 
     def erred(self, moves: Moves) -> Array:
         """What it costs that a hand put marks so far from where steps lead."""

@@ -6,6 +6,7 @@ regression on 340 of these; they are not fitted to it, and the odds are not cali
 
 MISSING, GAINED = 0.55, 0.30  # of a millimetre of line that is not there; that is, where strange ink is not weighed
 STRANGE = 0.70  # of a millimetre of ink that no line explains
+BESIDE_SCHEME_MM = 100.0  # of it, beside a scheme: single views have 15, sheets with twelve positions 1400 to 1900
 HEAD = 1.2  # of a unit of what speaks for a head at a line's end
 HAND = 0.2  # of the square of a mark's way from where steps lead, in its σ
 HAND_MM, HAND_SHARE = 0.35, 0.004  # that σ: of any mark, and by how far it is from the pole

@@ -37,18 +37,21 @@ def mark_rows(out: Outcome) -> list[Json]:
         own, miss = g.hand.taken.get(mark), g.judgement.missed(mark, verdict)
         row: Json = {"mark": label_of(mark), **dict.fromkeys(SIZES), "verdict": verdict}
         absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
-        if own and miss and not (absent and verdict == "right"):
+        if label_of(mark) in unseen or (absent and (verdict == "right" or not (own and miss))):
+            row["verdict"] = "unread"
+        elif own and miss:
             free, limit = g.free[mark], g.judgement.limit
             sizes = own.error_mm, abs(free.off), free.reach(limit), abs(miss.off), miss.reach(limit)
             row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
             keys = (*SIZES[1:], "own_deviation_mm", "own_tolerance_mm")
             row |= {k: round(mm, 3) if math.isfinite(mm) else None for k, mm in zip(keys, sizes, strict=True)}
             row |= _warned(verdict == "right" and WARN < miss.sigmas <= limit)
-        if label_of(mark) in unseen or (absent and row["read_mm"] is None):
-            row["verdict"] = "unread"
         for sign in (one for one in out.paper.signs if label_of(mark) in one.marks):
-            astray = ("deviation_mm", "own_deviation_mm") if sign.mistake == "vector_astray" else ()
-            row |= {"verdict": "wrong", **dict.fromkeys(astray, round(sign.off, 3))}
+            row["verdict"] = "wrong"
+            if sign.mistake == "vector_astray":  # the vector is, not its mark: that has no tolerance here
+                row |= dict.fromkeys(("deviation_mm", "own_deviation_mm"), round(sign.off, 3)) | {
+                    "own_tolerance_mm": None
+                }
         if label_of(mark) == out.paper.scale_mark:
             row["unjudged"] = "length"  # the scale was taken from it
         rows.append(row)
@@ -71,7 +74,7 @@ def result_rows(out: Outcome) -> list[Json]:
     rows = []
     for s in out.results.scored if out.results else []:
         row = {"name": s.figure.name, "given": s.figure.given, "true": s.true, "verdict": s.verdict}
-        row |= {"mistake": s.slip and s.slip.key.removeprefix("mistake_")} if s.verdict == "wrong" else {}
+        row |= {"mistake": s.slip and s.slip.key[len("mistake_") :]} if s.verdict == "wrong" else {}
         rows.append(row | _warned(s.close))
     return rows
 

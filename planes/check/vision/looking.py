@@ -84,7 +84,7 @@ def looked(bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[st
         return look
     look.pole, paper = pole, look.paper
     paper.spots = resized_by(flat, pole, seen.share, measured_by(flat, pole, seen.spots(), bench))
-    paper.untold, paper.left, paper.named = seen.untold(), seen.faint(), seen.named()
+    paper.untold, paper.left, paper.named = [*seen.untold(), *seen.unled()], seen.faint(), seen.named()
     if seen.best.hypothesis.right and seen.best.strange > STRANGE_MM:
         flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.best.strange:.0f}")))
     motion = kind_of(bench.asked.plan) not in ("position", "force")
