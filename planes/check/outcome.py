@@ -116,8 +116,8 @@ class Outcome(Described):
         untold, polygon = () if self.wrong else self.paper.untold, self.grading.rebuilt
         closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
         hidden = (n for n in self.grading.unseen if n not in self.paper.named)
-        doubted = [self.grading.first_wrong or ""] if self._in_doubt and not self.wrong else []
-        return list(dict.fromkeys([*filter(None, doubted), *hidden, *untold, *closing, *far, *left]))
+        doubted = [self.grading.first_wrong] if self._in_doubt and not self.wrong else []
+        return list(dict.fromkeys(filter(None, [*doubted, *hidden, *untold, *closing, *far, *left])))
 
     def typed(self, text: str) -> str:
         """What is told of the work, in names as people type them."""

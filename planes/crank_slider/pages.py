@@ -28,8 +28,8 @@ from planes.solving.document import (
     PlottedLine,
     ShaftSketch,
 )
-from planes.words import Lang, say
-from planes.words.units import number, quantity
+from planes.words import Lang, decimal, say
+from planes.words.units import in_tex, number, quantity
 
 KN = 1e-3
 UNITS = ("m/s²", "m/s", "rad/s²", "rad/s", "MPa", "N·m", "N", "kgm2", "kg", "J", "m", "kW")
@@ -57,12 +57,7 @@ class ChapterWriter:
 
     def tex(self, value: float) -> str:
         """A number for a formula."""
-        text = quantity(float(value))
-        mantissa, times, power = text.partition("·10")
-        if times:
-            plain = power.translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
-            text = f"{mantissa}\\cdot10^{{{plain}}}"
-        return text.replace(".", "{,}") if say("decimal_sign", self.lang) == "," else text
+        return in_tex(decimal(quantity(float(value)), self.lang))
 
     def write(self, part: str, values: object) -> None:
         """A part of ``report.txt``: its headings, sentences and formulas, with ``values`` for their placeholders."""

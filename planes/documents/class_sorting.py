@@ -76,11 +76,9 @@ class Sorter:
         paper = replace(outcome.paper, signs=[], notes=[])
         if outcome.verdict not in ("wrong", "unreadable") or not (paper.results or paper.spots):
             return ""
-        theirs = [t for t in self.handed.tasks if t.scene == task.scene and t.student not in ("", task.student)]
-        owners = [
-            str(scene.sheet.get("student", t.student)) for t in theirs if _fits(paper, asked, scene := t.variant(None))
-        ]
-        return owners[0] if len(owners) == 1 else ""
+        others = (t for t in self.handed.tasks if t.scene == task.scene and t.student not in ("", task.student))
+        theirs = [t for t in others if _fits(paper, asked, t.variant(None))]
+        return str(theirs[0].variant(None).sheet.get("student", theirs[0].student)) if len(theirs) == 1 else ""
 
     def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
         task = self.handed.marked(mark) if mark else self.handed.named(sheet.file.stem)

@@ -24,7 +24,7 @@ from planes.check.report.class_rows import UNSURE, ClassRow, cells, columns, typ
 from planes.course.handed_out import Task, of_several
 from planes.course.ledger import Ledger, digest, fingerprint
 from planes.scene.files import keep
-from planes.words import Lang, Phrase, say
+from planes.words import Lang, Phrase, in_sentences, say
 from planes.words.errors import PlanesError
 from planes.words.records import as_csv
 from render.page import check_pages
@@ -65,7 +65,7 @@ class ClassWork:
         row = ClassRow.of(one, self.lang)
         if self.ledger and one.found:
             shown = report.page_data(one.found, self.lang, row.places)
-            shown["title"] = ". ".join(filter(None, (one.whose.removesuffix("."), shown["title"])))
+            shown["title"] = in_sentences([one.whose, shown["title"]])
             page = check_pages.report_page({**shown, "of_class": one.file, "command": self.command}, self.lang)
             self._keep(name, source, page.encode())
         self.add_row(row, source, task)

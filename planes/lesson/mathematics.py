@@ -7,11 +7,11 @@ from planes.lesson.formulas import fill, slot
 from planes.lesson.rows import Row, remark
 from planes.words import say
 from planes.words.naming import Naming
+from planes.words.units import RAISED, in_tex
 
 Read = Callable[[str], float]
-TOKEN = re.compile(r"⟨([^⟩]*)⟩|(·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)|([²³])|([^\W\d_]+)")
+TOKEN = re.compile(rf"⟨([^⟩]*)⟩|(−?\d[\d.,]*(?:·10[{RAISED}]+)?)|([²³])|([^\W\d_]+)")
 INDEX = re.compile(r"[^\W\d_]*[А-яЁёІіЎўЄєЇїҐґ][\w. ]*")
-SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 class Typesetter:
@@ -62,17 +62,16 @@ class Typesetter:
 
     def factor(self, text: str) -> str:
         """A name, a number, or an expression in brackets."""
-        signed = re.sub(r"−([\d,.]+)", r"{-\1}", text.replace("∣", "|")).replace(",", "{,}")
-        return TOKEN.sub(self.token, signed)
+        return TOKEN.sub(self.token, text.replace("∣", "|"))
 
     def token(self, match: re.Match[str]) -> str:
-        """What is not written as it stands: a name, a power, a word."""
-        name, exponent, power, word = match.groups()
+        """A name, a number (in braces with its sign), a power, or a word."""
+        name, number, power, word = match.groups()
         if name is not None:
             named = self.naming.named(name, self.plan).replace("−", "-").replace(",", "{,}")
             return INDEX.sub(lambda m: upright(m[0]), named)
-        if exponent:
-            return rf"\cdot 10^{{{exponent[3:].translate(SUPERSCRIPTS)}}}"
+        if number:
+            return in_tex(f"{{-{number[1:]}}}" if number[0] == "−" else number)
         return f"^{'²³'.index(power) + 2}" if power else rf"\ {upright(word)}"
 
 

@@ -98,7 +98,7 @@ def meant(plans: Plans, name: str) -> list[Curve]:
         return read_as(quantities[names.one(name, "no_quantity", lambda n: quantities[n].path)])
     curves = askable(plans)
     name = plans.naming.names(curves, poles=False).one(name, "no_quantity", lambda n: curves[n].name)
-    return [curves[name]]
+    return [replace(curves[name], name=name)]  # an analogue has two names
 
 
 def names_of(plans: Plans) -> list[str]:

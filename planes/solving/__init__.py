@@ -142,21 +142,20 @@ class CurveColumns(dict[str, Any]):
     """The columns that curves are read from, each measured when it is asked for; "q:" those of a unit drive."""
 
     def __init__(self, position: Position) -> None:
-        from planes.plans.curves import all_columns
-
         measured = (zip(f.quantity.columns, f.numbers, strict=True) for f in position.found)
         super().__init__({c.name: math.nan if n is None else n for pairs in measured for c, n in pairs})
-        self.position, self.all = position, all_columns(position.plans)
+        self.position = position
 
     def __missing__(self, name: str) -> float:
-        from planes.batch.cycle import Cycle
+        from planes.plans.curves import UNIT, all_columns
 
-        here, column = self.position, self.all[name.removeprefix("q:")]
-        if name not in self.all:
-            unit: dict[str, Any] = dict(zip(here.plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
-            (block,) = Cycle(here.plans, known=unit, columns=[column]).blocks([here.at])
-            return float(block.table[0, 0])
-        number = DrawingReader(here.plans, here.drawing, here.scales).column(column)
+        here, plans = self.position, self.position.plans
+        column, drawing = all_columns(plans)[name.removeprefix(UNIT)], here.drawing
+        if name.startswith(UNIT):
+            unit = dict(zip(plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
+            given = {**plans.given, **here.scales, **plans.at(here.at), **unit}
+            drawing = run(plans.program.sliced(column.needs), given)
+        number = DrawingReader(plans, drawing, here.scales).column(column)
         return math.nan if number is None else number
 
 

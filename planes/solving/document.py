@@ -26,10 +26,10 @@ class Cover:
 
     kind: str
     contents: str
-    of: str = ""
-    above: tuple[str, ...] = ()
-    people: tuple[str, ...] = ()
-    foot: str = ""
+    of: str
+    above: tuple[str, ...]
+    people: tuple[str, ...]
+    foot: str
 
     @property
     def text(self) -> str:

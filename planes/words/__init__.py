@@ -178,6 +178,12 @@ def say(key: str, lang: Lang = "en", **numbers: object) -> str:
     return Phrase(key, **numbers).told(lang)
 
 
+def in_sentences(texts: Iterable[str]) -> str:
+    """Texts one after another, with a full stop after each but the last unless it has its own."""
+    *before, last = [text for text in texts if text] or [""]
+    return " ".join([*(text if text[-1] in ".!?" else f"{text}." for text in before), last])
+
+
 def capital(text: str) -> str:
     """A text with the capital letter of a sentence or a title."""
     return text[:1].upper() + text[1:]

@@ -228,6 +228,16 @@ def unit_of_parameter(name: str) -> str:
     return _OF_LETTERS.get(letter_of(name), "")
 
 
+RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
+_POWER = re.compile(f"·10([{RAISED}]+)")
+
+
+def in_tex(number: str) -> str:
+    """A number as a language writes it, for a formula (mathtext): "2,5·10⁻³" has a comma without a space, a power."""
+    powers = str.maketrans(RAISED, "-0123456789")
+    return _POWER.sub(lambda m: rf"\cdot10^{{{m[1].translate(powers)}}}", number).replace(",", "{,}")
+
+
 def quantity(value: float, digits: int = 4) -> str:
     """A number for people: ``digits`` significant ones, no exponent for ordinary magnitudes."""
     if not math.isfinite(value):
@@ -239,6 +249,6 @@ def quantity(value: float, digits: int = 4) -> str:
     if -5 < power < 7:
         text = f"{value:.{max(digits - 1 - power, 0)}f}"
         return text.rstrip("0").rstrip(".") if "." in text else text
-    raised = str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    raised = str(power).translate(str.maketrans("-0123456789", RAISED))
     mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
     return f"{mantissa}·10{raised}"

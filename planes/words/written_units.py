@@ -1,6 +1,7 @@
 """Units as people write them beside a number, in any language."""
 
 import math
+from functools import cache
 
 from planes.words import langs, say
 
@@ -22,6 +23,7 @@ _PREFIXED |= {"кн": ("н", 1e3), "mn": ("n", 1e6), "kw": ("w", 1e3), "kg": ("k
 _SAME_UNIT = str.maketrans({"²": "2", "⁻": "-", "¹": "1", "−": "-"} | dict.fromkeys("^*·⋅. "))
 
 
+@cache
 def unit_in_si(unit: str, result: str = "") -> tuple[float, str] | None:
     """A unit as written in any language (mm/s, kN, rpm): how much of the unit of results it is, and the key of that,
     "" where it fits any value; None of a unit that is not known. Millimetres are those of a segment, unless the

@@ -36,15 +36,11 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     page.left_margin, page.right_margin, page.top_margin, page.bottom_margin = Mm(30), Mm(15), Mm(20), Mm(20)
     for name in ("Normal", "Title", "Heading 1", "Heading 2", "Heading 3", "Intense Quote"):
         set_type(paper.styles[name], name.startswith("Heading"))
-    writer = _Writer(paper, naming)
+    chapters = [one.text for one in blocks if isinstance(one, Heading) and one.level]
+    writer = _Writer(paper, naming, chapters)
     writer.field(page.footer.paragraphs[0], "PAGE").alignment = Side.CENTER
     for block in blocks:
         writer.put(block)
-        if isinstance(block, Cover) or (isinstance(block, Heading) and not block.level):
-            chapters = [one.text for one in blocks if isinstance(one, Heading) and one.level]
-            writer.field(writer.line(), r"TOC \o 1-2 \h \z", "\n".join(chapters))
-        if isinstance(block, Cover):
-            writer.next_page()
     paper.save(data := io.BytesIO())
     return data.getvalue()
 
@@ -65,8 +61,8 @@ def set_type(style: ParagraphStyle, heading: bool) -> None:
 
 
 class _Writer:
-    def __init__(self, paper: WordFile, naming: Naming) -> None:
-        self.paper, self.naming, self.studio = paper, naming, Studio(naming.lang)
+    def __init__(self, paper: WordFile, naming: Naming, chapters: Sequence[str]) -> None:
+        self.paper, self.naming, self.studio, self.chapters = paper, naming, Studio(naming.lang), chapters
 
     def put(self, block: Block) -> None:
         """One block at the end of the paper."""
@@ -76,6 +72,8 @@ class _Writer:
             case Heading(text, level):
                 title = self.paper.add_heading("" if level else text, level)
                 self.runs(title, text if level else "").alignment = Side.LEFT if level else Side.CENTER
+                if not level:
+                    self.contents()
             case Paragraph():
                 style = "Intense Quote" if block.mistake else None
                 count = f"{block.number}. " if block.number else ""
@@ -110,7 +108,13 @@ class _Writer:
         foot.alignment, foot.paragraph_format.space_before = Side.CENTER, Pt(120)
         self.next_page()
         self.line(cover.contents).runs[0].bold = True
+        self.contents()
+        self.next_page()
         self.paper.sections[0].different_first_page_header_footer = True
+
+    def contents(self) -> None:
+        """The list of chapters."""
+        self.field(self.line(), r"TOC \o 1-2 \h \z", "\n".join(self.chapters))
 
     def next_page(self) -> None:
         """What follows begins a page."""

@@ -254,7 +254,7 @@ def test_every_name_that_is_printed_can_be_asked_for(path: Path) -> None:
         assert np.isfinite(here.value(name)) or name.endswith("_arm"), name
     if printed:
         table = planes.cycle(scene, names, **{scene.drive.kind: here.at})  # type: ignore[union-attr]
-        for name in (n for n in names[:: 1 + len(names) // 40] if n in table):  # an analogue's is under its ratio
+        for name in names[:: 1 + len(names) // 40]:
             assert np.isnan(table[name][0]) or table[name][0] == pytest.approx(here.value(name), rel=1e-6, abs=1e-6)
 
 

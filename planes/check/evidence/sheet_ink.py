@@ -97,8 +97,8 @@ class SheetInk:
         drawn are not numbers, and nowhere."""
         x, y = (z.real - self.corner.real) * PX_PER_MM, (self.top - z.imag) * PX_PER_MM
         inside = (x > -1) & (y > -1) & (x < self.width) & (y < self.height)
-        with numpy.errstate(invalid="ignore"):
-            return numpy.where(inside, y.astype(numpy.int32) * self.width + x.astype(numpy.int32), 0), inside
+        column, row = (numpy.where(inside, part, 0.0).astype(numpy.int32) for part in (x, y))
+        return row * self.width + column, inside
 
     def _paper_own(self) -> Booleans:
         """Which points lie on a line that runs from edge to edge of the sheet, as folds and ruling do: found by its
@@ -117,12 +117,11 @@ class SheetInk:
                     own[near[abs(off - (line - bins // 2)) < BESIDE_MM]] = True
         return own
 
-    @numpy.errstate(invalid="ignore")  # of what cannot be drawn any way will do
     def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
         """The share of each line from a to b that is drawn, 0 to 1, felt at so many places of it, so many pixels
         (:data:`PX_PER_MM`) about."""
         way, share = b - a, (numpy.arange(samples) + 0.5) / samples
-        k = numpy.rint(-numpy.angle(way) / math.pi * WAYS).astype(numpy.int32) % WAYS
+        k = numpy.rint(-numpy.nan_to_num(numpy.angle(way)) / math.pi * WAYS).astype(numpy.int32) % WAYS
         at, inside = self._at(a[..., None] + way[..., None] * share)
         felt = self.shares[about][at + (k * (self.height * self.width))[..., None]]
         drawn: Array = numpy.where(inside, felt, 0).mean(axis=-1) / 255.0

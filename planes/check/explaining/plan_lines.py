@@ -149,6 +149,7 @@ class PlanLines:
             mark, where = self.held
             with numpy.errstate(all="ignore"):
                 places *= (where / places[:, self.labels.index(mark)])[:, None]
+        places = numpy.where(numpy.isfinite(places), places, complex(numpy.nan, numpy.nan))
         places = numpy.concatenate([places, numpy.stack(rest, axis=1)], axis=1)
         places[:, :-1] += places[:, -1:]  # the pole may lie aside, with all that is drawn from it
         return places

@@ -102,7 +102,7 @@ class Scorer:
             return False
         ends, scheme = self._lines(one.hypothesis, self._row(one)), self.plan.kind == "position"
         signs = len(self.plan.labels) if scheme else (to_be_seen(*ends) & self.plan.needed).sum()
-        beside = scheme * w.STRANGE * float(self._beside(numpy.array(one.strange)))
+        beside = w.STRANGE * min(one.strange, self._most_strange) if scheme else 0.0
         short = w.HEAD * self.ink.most_head * signs - one.evidence - beside
         return bool(short - one.erred < w.TELLING and not (one.hypothesis.right and short > w.COSTS["length"]))
 
@@ -209,11 +209,12 @@ class Scorer:
         a, b = (numpy.nan_to_num(numpy.hstack([z, more + self.pole])) for z, more in ((a, more_a), (b, more_b)))
         loose = w.LOOSE_MM if roughly else 0.0
         strange = self.ink.unexplained(a, b, self.box, self.pole, loose, signs + self.pole, reach)
-        return score - w.STRANGE * self._beside(strange), cover, strange
+        return score - w.STRANGE * numpy.minimum(strange, self._most_strange), cover, strange
 
-    def _beside(self, strange: Array) -> Array:
-        """The unexplained ink that is weighed: of a scheme in a file not more than a view of one has."""
-        return strange.clip(max=w.BESIDE_SCHEME_MM) if self.ink.exact and self.plan.kind == "position" else strange
+    @property
+    def _most_strange(self) -> float:
+        """How much unexplained ink is weighed at most, mm: of a scheme in a file no more than a view of one has."""
+        return w.BESIDE_SCHEME_MM if self.ink.exact and self.plan.kind == "position" else math.inf
 
     def erred(self, moves: Moves) -> Array:
         """What it costs that a hand put marks so far from where steps lead."""

@@ -18,7 +18,7 @@ from planes.words.units import number
 
 ROUNDED = 0.005  # of a number reckoned in three digits
 LEAST = 0.1  # of the true value: smaller numbers are not written more exactly
-SKILLS = 4  # so many numbers tell as much of a hand as is known before: a careful one has half of a pupil's errors
+PRIOR_NUMBERS = 4  # the weight of what is known before: a careful draughtsman has half of a pupil's errors
 LIKELY = -4.5  # the logarithm of how unlikely a number 3σ off is
 
 
@@ -33,7 +33,7 @@ class Scored:
     close: bool = False
     mine: float | None = None  # what the person's own drawing gives
     slip: Phrase | None = None  # the slip of reckoning that gives the number
-    hand: float = 1.0  # the errors of this person by those of a pupil
+    error_scale: float = 1.0  # the person's errors relative to a pupil's
 
     @property
     def error(self) -> float:
@@ -48,7 +48,7 @@ class Scored:
     @property
     def chance_wrong(self) -> float:
         """How likely it is that the number is wrong, and not only badly measured."""
-        return 1.0 if self.slip else chance_off(self.off, self.hand * self.error, abs(self.true))
+        return 1.0 if self.slip else chance_off(self.off, self.error_scale * self.error, abs(self.true))
 
 
 @dataclass
@@ -98,18 +98,18 @@ def account(
             s.slip = number_mistake(s.figure, s.true, s.sigma, free)
             if s.slip is None and own is not None and s.mine:  # a slip made with the person's own segments
                 s.slip = number_mistake(s.figure, s.mine, s.sigma, own)
-        s.hand = hand_of(own_account.scored)
+        s.error_scale = error_scale(own_account.scored)
     wrong = sum(s.verdict == "wrong" for s in own_account.scored)
     if own_account.first and own_account.first.slip is None and (own_account.lengths or len(own_account.scored) > 1):
         _name(own_account, free, variants, (True,) if own_account.lengths else (True, False) if wrong > 1 else (False,))
     return own_account
 
 
-def hand_of(scored: Iterable[Scored]) -> float:
-    """How large a person's errors are beside a pupil's, by the numbers that are right: who hits seven of them within a
-    hair does not miss the eighth by three tolerances."""
+def error_scale(scored: Iterable[Scored]) -> float:
+    """The person's errors relative to a pupil's, estimated from the right numbers of the table. A number far off among
+    exact ones is therefore wrong, rather than badly measured."""
     squares = [(s.off / s.error) ** 2 for s in scored if s.verdict == "right" and s.error]
-    return math.sqrt((SKILLS + sum(squares)) / (SKILLS + len(squares)))
+    return math.sqrt((PRIOR_NUMBERS + sum(squares)) / (PRIOR_NUMBERS + len(squares)))
 
 
 def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> Scored:

@@ -18,7 +18,7 @@ from planes.check.report.shown import shown_plans
 from planes.drafting.skill import HAND
 from planes.geometry.arithmetic import Real
 from planes.plans.measuring import lettering, title_of
-from planes.words import Lang, Phrase, decimal, langs, say
+from planes.words import Lang, Phrase, decimal, in_sentences, langs, say
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, label_of
 from planes.words.records import Json
@@ -134,8 +134,7 @@ class Checked:
         else:
             lost = [n for n in self.found.notes if n.key in ("check_marks_of_another", "check_anothers_work")]
             every = [self.found.sentence] * (self.verdict != "right") + lost
-        *sentences, last = [one.told(lang) for one in every] or [""]
-        return " ".join([*(s if s[-1] in ".!?" else f"{s}." for s in sentences), last])
+        return in_sentences(one.told(lang) for one in every)
 
     def as_json(self, lang: Lang) -> Json:
         """The object of the drawing, with its file and whose it is."""

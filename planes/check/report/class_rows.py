@@ -13,7 +13,7 @@ from planes.check.outcome import STATUS, Outcome
 from planes.check.report import Checked
 from planes.check.report.places import address, thumb, wrong_places
 from planes.plans.measuring import lettering, say_plan
-from planes.words import Lang, capital, say
+from planes.words import Lang, capital, in_sentences, say
 from planes.words.frozen import frozen
 from planes.words.names import kind_of
 from planes.words.naming import Naming
@@ -83,8 +83,7 @@ class ClassRow:
 
     def also(self, more: str) -> ClassRow:
         """The same row with something more said."""
-        stop = "." if self.said and self.said[-1] not in ".!?" else ""
-        return replace(self, said=f"{self.said}{stop} {more}".strip()) if more else self
+        return replace(self, said=in_sentences([self.said, more])) if more else self
 
     @classmethod
     def read(cls, data: Json) -> ClassRow:

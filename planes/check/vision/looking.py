@@ -3,8 +3,6 @@
 import math
 from dataclasses import dataclass, field
 
-import numpy
-
 from planes.check.blank import blank_pole
 from planes.check.evidence.sheet_ink import SheetInk
 from planes.check.explaining.explained import Explanation
@@ -69,7 +67,6 @@ def seen_best(bench: PreparedPlan, flat: Flat, pole: complex | None, held: tuple
     return max(looks, key=lambda look: (look.seen, look.cover * look.explained))
 
 
-@numpy.errstate(invalid="ignore")  # a mistake that cannot be drawn in this position has no places
 def looked(bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[str, complex] | None = None) -> Look:
     """What a flat picture shows of a plan, by drawing it again from its pole: about a place, or looked for."""
     ink = SheetInk.of_picture(flat)
