@@ -28,7 +28,7 @@ def test_a_line_as_mathematics_has_the_numbers_of_its_words(path, lang) -> None:
             parts = Typesetter(note.read, note.naming, frame.plan).line(row)
             words = fill(row.text(lang), note.read, lang)
             said = NUMBER.findall(re.sub(r"⟨[^⟩]*⟩|[²³]|·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", "", words))
-            powers = r"\\cdot 10\^\{[^{}]*\}|[_^]\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\^\d"
+            powers = r"\\cdot ?10\^\{[^{}]*\}|[_^]\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\^\d"
             tex = re.sub(powers, "", "".join(parts).replace("{,}", ","))
             assert NUMBER.findall(tex) == said, row
             assert math_line("".join(parts), 10).width > 0
