@@ -3,7 +3,6 @@
 from planes.plans import Plans, plans_of, sliced
 from planes.plans.other_leads import fitting
 from planes.plans.quantities import Quantity, asked
-from planes.plans.statements.stated import stated_plans
 from planes.scene import Scene
 
 
@@ -12,7 +11,12 @@ def scene_plans(scene: Scene) -> Plans:
     assert scene.mechanism or scene.statement
     kept = vars(scene.mechanism or scene.statement)
     if "plans" not in kept:
-        kept["plans"] = plans_of(scene.mechanism, scene.file) if scene.mechanism else stated_plans(scene)
+        if scene.mechanism:
+            kept["plans"] = plans_of(scene.mechanism, scene.file)
+        else:  # a mechanism needs neither statics nor stated equations: they take a tenth of a start
+            from planes.plans.statements.stated import stated_plans
+
+            kept["plans"] = stated_plans(scene)
     plans: Plans = kept["plans"]
     return plans
 
