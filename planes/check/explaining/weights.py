@@ -50,7 +50,8 @@ NEAR_MM, RIM_MM, FEW, PIXEL_MM = 0.6, 1.5, 10, 1.0  # of ink a line is fitted to
 POINT_MM = 0.3  # a shorter side is a point
 STRANGE_MM = 25.0  # more ink than this that is none of a plan's vectors is told of
 LONG_MM, TORN_MM = 8.0, 3.0  # of a line that must be seen; how much of it may be lost (of 335 on right pictures 1.0)
-NARROW = 0.42  # radians between lines of which one may look like the other's head
+NARROW = 0.42  # radians between lines of which one may look like the other's head, or feel it as its own
+HEADS_MM = 2.4  # ends nearer to each other feel one head: it is felt 1.6 to 4 mm from an end
 HEADED_MM, USUAL_HEAD, NO_HEAD, TURNED, FEWEST = 14.0, 1.0, 0.55, 0.9, 3  # of lines with plain heads; the evidence
 BESIDE_MM, LIKELY = 7.0, 0.5  # how far off its mark a name stands, at the most; how surely it is read
 # how likely two names together are by each other's marks, how much rather than by their own; how surely they were read

@@ -22,8 +22,8 @@ class DrawnVector(NamedTuple):
 @frozen
 class SignFault:
     """A sign that is wrong: the letters of ``mark`` and ``other`` are exchanged, or the vector from ``other`` to
-    ``mark`` has its head at the wrong end or none, or is ``off`` mm astray; or the whole plan, whose first is ``mark``,
-    is mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale ``other``."""
+    ``mark`` (a force by its name alone) has its head at the wrong end or none, or is ``off`` mm astray; or the whole
+    plan, whose first is ``mark``, is mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale ``other``."""
 
     mistake: Literal[
         "names_exchanged",
@@ -55,7 +55,8 @@ class SignFault:
     def fault(self) -> Phrase:
         """What it is, and how to mend it."""
         off = f"{self.off:.3g}" if self.mistake == "plan_scaled" else f"{self.off:.1f}"
-        return Phrase(f"mistake_{self.mistake}", mark=self.mark, other=self.other, off=Written(off))
+        vector = Phrase("vector_from_to", start=self.other, end=self.mark) if self.other else self.mark
+        return Phrase(f"mistake_{self.mistake}", mark=self.mark, other=self.other, vector=vector, off=Written(off))
 
 
 def arrow_faults(vectors: Mapping[Vector, DrawnVector]) -> Iterator[SignFault]:

@@ -19,7 +19,8 @@ def exchanged(bench: PreparedPlan, paper: ReadPaper, grading: Grading) -> tuple[
     mend it, or a mistake of the catalogue explains every mark."""
     judged = grading.judgement
     explained = judged.named is not None and judged.explained.keys() >= judged.misses.keys()
-    if not judged.wrong or explained or grading.rebuilt or kind_of(bench.asked.plan) == "force":
+    by_search = bool(paper.picture) and kind_of(bench.asked.plan) == "force"  # so its sides have their names
+    if not judged.wrong or explained or by_search:
         return None
     names = {s.name: n for s in paper.spots if (n := bench.names.find(s.name)) and n != POLE}
     wrong = {label_of(m) for m in judged.wrong}

@@ -4,9 +4,11 @@ and whose name stands beside it, in the right plan or in a mistake's."""
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import combinations, compress
 from statistics import median
+from typing import Literal
 
 import numpy
 
@@ -18,6 +20,7 @@ from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.polygons import loads_of, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.remedies import asking
+from planes.check.grading.sign_faults import DrawnVector, SignFault, arrow_faults
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import FEWEST_HEADS, ReadDrawing, headed
 from planes.check.reading.weighed import is_right, worth
@@ -44,11 +47,12 @@ Known = dict[str, complex]
 
 @dataclass
 class Reading:
-    """Which arrow is which vector, under a hypothesis, and what that costs."""
+    """Which arrow is which vector, under a hypothesis, and what that costs; what each vector should be, mm."""
 
     cost: float
     hypothesis: Hypothesis
-    rows: dict[str, Stroke]
+    known: Known
+    taken: dict[str, int]  # of all the ways that arrows may go, by its vector's name
     left: list[int]
     off: list[float] = field(default_factory=list)
 
@@ -66,6 +70,7 @@ class ForceArrows:
         self.headed = many or bool(headed(sketch))
         self.plan = PlanLines(self.bench, to_fit=False)
         self.written = self.needed = numpy.zeros(0, bool)  # names on the drawing; vectors that must be there
+        self.prices = numpy.zeros((0, 0))  # what it costs each way of an arrow to have each name
         self.sides = sides_of(self.bench.plans, self.bench.asked.plan)
         own, loads = {s.name for s in self.sides}, loads_of(self.bench.plans, self.bench.asked.plan)
         segments = self.bench.plans.segments_of.get(self.bench.asked.plan, ())
@@ -124,7 +129,8 @@ class ForceArrows:
         right = self.known(Hypothesis())
         if right is None:
             return
-        beside, places = self.beside(), [right[n] for n in self.names]
+        self.prices = beside = self.beside()
+        places = [right[n] for n in self.names]
         twins = [
             n in self.reactions and any(min(abs(v - u), abs(v + u)) < EXACT_MM for u in places[:k])
             for k, (n, v) in enumerate(zip(self.names, places, strict=True))
@@ -162,17 +168,12 @@ class ForceArrows:
             over = HEAD[self.headed] + w.STRANGE * float(abs(self.v[held[0]]))
             table[i, len(self.names) + i] = 0.0 if bare else min(over, LEFT[self.headed])
         columns = cheapest(table)
-        rows = {self.names[j]: self.flat[ways[i, j]][1] for i, j in enumerate(columns) if j < len(self.names)}
-        for n in (s.name for s in self.sides):  # a reaction and its only part, or two inner ones, may share an arrow
-            alike = [m for m in rows if abs(known[m] - known[n]) < SAME_MM]
-            same = [m for m in alike if n in self.reactions or not self.own[self.names.index(m)]]
-            if n not in rows and same:
-                rows[n] = rows[same[0]]
+        taken = {self.names[j]: int(ways[i, j]) for i, j in enumerate(columns) if j < len(self.names)}
         left = [i for i, j in enumerate(columns) if j >= len(self.names)]
         offs = [float(off[ways[i, j], j]) for i, j in enumerate(columns) if j < len(self.names)]
         total = float(table[range(count), columns].sum()) + h.cost + OTHER_SIZE * (size != 1.0)
         total += 4 * w.HAND * len(offs) * math.log(sigma / w.HAND_MM)
-        return Reading(total, h, rows, left, offs)
+        return Reading(total, h, dict(zip(self.names, true.tolist(), strict=True)), taken, left, offs)
 
 
 def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
@@ -186,17 +187,96 @@ def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         return paper
     best = readings[0]
     own = {s.name for s in seen.sides}
-    rows = {n: s for n, s in best.rows.items() if n in own}
-    rows |= dict(_between(rows, {n: v for n, v in (seen.known(best.hypothesis) or {}).items() if n in own}))
+    back = dict(_turned_round(seen, best))
+    rows = {n: s for n, s in (_shared(seen, best) | back).items() if n in own}
+    true = {n: v for n, v in best.known.items() if n in own}
+    bare = dict(_headless(seen, {n: v for n, v in best.known.items() if n not in {*best.taken, *rows}}, rows))
+    rows |= {n: s for n, s in bare.items() if n in own}
+    rows |= dict(_between(rows, true))
+    every = dict.fromkeys((*rows, *back, *bare))
+    paper.signs = [*_exchanged(seen, best), *arrow_faults({("", n): DrawnVector(_how(n, back, bare)) for n in every})]
+    paper.untold = [n for n in _named_elsewhere(seen, best) if n in own]
+    ring = {s.name for s in seen.plan.sides} & {*compress(seen.names, seen.needed)}  # what lies within need not be there
+    paper.left = [n for n in true if n in ring and n not in rows and abs(true[n]) > HEADLESS_MM]
     error = max(sketch.error_mm, LOOSE * _gap(rows))
     paper.spots = [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE, name), s, strict=True)]
     paper.whole = seen.headed and all(abs(seen.arrows[i][0][1] - seen.arrows[i][0][0]) < HEADLESS_MM for i in best.left)
-    true = seen.known(best.hypothesis) or {}
     room = 2 * max(_gaps(rows), default=0.0)  # where all ends meet, no vector is hidden
     paper.whole &= all(n in rows or not HIDDEN_MM < abs(true[n]) < min(room, HEADLESS_MM) for n in own)
     if _vague(seen, rows, bench, paper):
         paper.spots, paper.reason = [], asking("check_force_unsure")
     return paper
+
+
+def _shared(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
+    """The vectors with their arrows: a reaction and its only part, or two inner ones, may share one."""
+    rows, known = {n: seen.flat[k][1] for n, k in best.taken.items()}, best.known
+    for n in (s.name for s in seen.sides):
+        alike = [m for m in rows if abs(known[m] - known[n]) < SAME_MM]
+        same = [m for m in alike if n in seen.reactions or not seen.own[seen.names.index(m)]]
+        if n not in rows and same:
+            rows[n] = rows[same[0]]
+    return rows
+
+
+def _turned_round(seen: ForceArrows, best: Reading) -> Iterator[tuple[str, Stroke]]:
+    """Vectors without an arrow of their own, each where one lies that is it the other way round; and sums that do."""
+    left = [seen.arrows[i][0] for i in best.left if len(seen.arrows[i]) == 1]
+    for n, v in best.known.items():
+        sums = [seen.flat[best.taken[n]][1]] if n in best.taken and not seen.own[seen.names.index(n)] else []
+        back = [s for s in (sums if n in best.taken else left) if abs(s[1] - s[0] + v) < _near(v)]
+        if back and abs(v) > HEADLESS_MM:
+            left = [s for s in left if s != back[0]]
+            yield n, back[0][::-1]
+
+
+def _arrows(seen: ForceArrows, best: Reading) -> dict[str, int]:
+    """The way each vector's arrow goes, by name, those among them that are left only as their names stand elsewhere."""
+    left = [k for k, i in enumerate(seen.of) if i in best.left]
+    return {n: k for k in left for n, v in best.known.items() if abs(seen.v[k] - v) < SAME_MM} | best.taken
+
+
+def _exchanged(seen: ForceArrows, best: Reading) -> Iterator[SignFault]:
+    """Two names each by the other's arrow alone."""
+    arrows = _arrows(seen, best)
+    for one, two in combinations(arrows, 2):
+        ways, names = [arrows[one], arrows[two]], [seen.names.index(one), seen.names.index(two)]
+        own, other = (float(seen.prices[ways, k].sum()) / w.LETTERS for k in (names, names[::-1]))
+        sure = other < -2 * math.log(w.LIKELY) and own - other > math.log(w.RATHER)
+        if sure and seen.written[names].all() and abs(best.known[one] - best.known[two]) > MEET_MM:
+            yield SignFault("names_exchanged", one, two, w.EXCHANGED)
+
+
+def _named_elsewhere(seen: ForceArrows, best: Reading) -> Iterator[str]:
+    """Vectors whose names stand rather by another's arrow, as another's stands by theirs."""
+    arrows, prices = _arrows(seen, best), seen.prices / w.LETTERS
+    for n, k in ((n, k) for n, k in arrows.items() if n in best.taken):
+        others = {m: j for m, j in arrows.items() if abs(best.known[m] - best.known[n]) > MEET_MM}
+        there = min((prices[j, seen.names.index(n)] for j in others.values()), default=math.inf)
+        theirs = min((prices[k, seen.names.index(m)] for m in others), default=math.inf)
+        rather = prices[k, seen.names.index(n)] - there > math.log(w.RATHER)
+        if rather and max(there, theirs) < -math.log(w.LIKELY):
+            yield n
+
+
+def _headless(seen: ForceArrows, unread: Known, rows: Mapping[str, Stroke]) -> Iterator[tuple[str, Stroke]]:
+    """Vectors that are lines without heads from where one ends to where another begins, where others have heads."""
+    ends = [z for s in rows.values() for z in s]
+    lines = [s for k, s in enumerate(seen.sketch.strokes) if seen.headed and not seen.sketch.way(k)]
+    joined = [s for s in lines if all(min((abs(z - q) for q in ends), default=math.inf) < MEET_MM for z in s)]
+    for n, v in unread.items():
+        like = [s for one in joined for s in (one, one[::-1]) if abs(s[1] - s[0] - v) < _near(v)]
+        if like and abs(v) > HEADLESS_MM:
+            yield n, like[0]
+
+
+def _near(v: complex) -> float:
+    """How far a vector drawn may be off."""
+    return max(MEET_MM, SHARE * abs(v))
+
+
+def _how(name: str, back: Collection[str], bare: Collection[str]) -> Literal["start", "none", "end"]:
+    return "start" if name in back else "none" if name in bare else "end"
 
 
 def _vague(seen: ForceArrows, rows: Mapping[str, Stroke], bench: PreparedPlan, paper: ReadPaper) -> bool:
