@@ -455,7 +455,7 @@ def read_back(program: test_check.Writer, easel: confusion.Easel, mistake: Any, 
     return check(bench.asked, paper_of(sketch, bench))
 
 
-@pytest.mark.few(1)
+@pytest.mark.few(1, slow=2)
 @pytest.mark.parametrize("program", [line_drawings.inkscape, line_drawings.illustrator, line_drawings.dxf])
 def test_right_plans_as_files(tmp_path: Path, program: test_check.Writer) -> None:
     file = tmp_path / ("t.dxf" if program is line_drawings.dxf else "t.svg")

@@ -69,7 +69,7 @@ def test_right_schemes_are_right_and_their_points_where_they_were_put(
     assert errors[len(errors) // 2] < 0.3 and errors[int(0.95 * len(errors))] < 1.0
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize("first", range(3))
 @pytest.mark.parametrize("symbols", [0, 1])
 def test_a_scheme_without_its_signs(symbols: int, first: int, tmp_path: Path) -> None:

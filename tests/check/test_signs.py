@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from planes.check.explaining.plan_lines import PlanLines
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import read_paper
@@ -70,7 +71,7 @@ def changed(mark: Arrow, way: str) -> list[Arrow]:
     return [replace(mark, start=mark.start + off)] if way == "late" else []
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(2, slow=6)
 @pytest.mark.parametrize("way", ["missing", "short", "long", "aside", "late"])
 @pytest.mark.parametrize(("plan", "suffix"), [("velocity", ".svg"), ("acceleration", ".dxf"), ("velocity", ".pdf")])
 def test_a_vector_that_misses_its_marks_or_is_not_drawn(plan: str, way: str, suffix: str, tmp_path: Path) -> None:
@@ -90,6 +91,59 @@ def test_a_vector_that_misses_its_marks_or_is_not_drawn(plan: str, way: str, suf
         if found.mistake == "vector_astray":  # the row shows the miss it is wrong by
             row = next(row for row in mark_rows(found) if row["mark"] == found.first_wrong)
             assert row["own_deviation_mm"] > 1 and row["own_tolerance_mm"] is None
+
+
+@pytest.mark.few(2)
+@pytest.mark.parametrize("sample", ["six-link", "kind-1-rrr", "bntu-1"])
+@pytest.mark.parametrize("suffix", [".svg", ".dxf", ".pdf", ".png"])
+def test_a_force_turned_round_without_a_head_or_not_drawn(sample: str, suffix: str, tmp_path: Path) -> None:
+    """No side of a polygon may be so, whichever it is, and all the rest be right for sure; a sum need not be there."""
+    scene, position = drawn(sample)
+    page, asked, file = view(sample, "force:2-3", position), Asked(scene, "force:2-3"), tmp_path / f"plan{suffix}"
+    bench = prepare(asked)
+    places = {"p": 0j, **bench.true_marks}
+    sides = {s.name: places[s.end] - places[s.start] for s in PlanLines(bench).sides}
+    arrows = [m for m in page.marks if isinstance(m, Arrow) and abs(m.end - m.start) > 8]
+    named: set[str | None] = set()
+    for name, one in ((n, m) for n, v in sides.items() for m in arrows if abs(m.end - m.start - v) < 0.01):
+        if sum(abs(m.end - m.start - one.end + one.start) < 0.01 for m in arrows) > 1:
+            continue  # another arrow is the same
+        turned, bare = replace(one, start=one.end, end=one.start), Line((one.start, one.end), "thick", "plan")
+        for way, drawn_as in {"turned": [turned], "bare": [bare], "missing": []}.items():
+            marks = [x for m in page.marks for x in (drawn_as if m is one else [m])]
+            file.write_bytes(replace(page, marks=tuple(marks)).rendered(suffix))
+            found = check(asked, read_paper(str(file), asked, Known()))
+            assert found.verdict != "right" and (found.first_wrong or name in found.unseen), (name, way)
+            named.add(found.mistake)
+    assert named >= {"arrow_missing"}
+
+
+@pytest.mark.parametrize(("one", "two"), [("F_{24}", "G_{3}"), ("F_{21}^{t}", "Φ_{2}")])
+def test_names_of_forces_are_exchanged(one: str, two: str, tmp_path: Path) -> None:
+    page, asked = view(SAMPLE, "force:2-3", drawn(SAMPLE)[1]), Asked(drawn(SAMPLE)[0], "force:2-3")
+    other, file = {one: two, two: one}, tmp_path / "plan.svg"
+    marks = [replace(m, text=other.get(m.text, m.text)) if isinstance(m, Text) else m for m in page.marks]
+    file.write_bytes(replace(page, marks=tuple(marks)).rendered(".svg"))
+    assert check(asked, read_paper(str(file), asked, Known())).mistake == "names_exchanged"
+
+
+@pytest.mark.slow
+def test_a_force_turned_round_on_a_picture_is_seldom_right_for_sure(tmp_path: Path) -> None:
+    """One of three is: short sides begin and end about its tip, so that no head is told there."""
+    from tests import picture_corpus as corpus
+    from tests.confusion import easel
+    from tests.helpers.photographs import SCAN
+
+    one, file = easel("kind-1-rrr", "force:2-3"), tmp_path / "p.jpg"
+    whole = corpus.drawn(one, None, random.Random(1))
+    assert whole is not None
+    verdicts = []
+    for k, stroke in enumerate(whole.strokes):
+        if abs(stroke[1] - stroke[0]) > 40:
+            turned = replace(whole, strokes=[*whole.strokes[:k], stroke[::-1], *whole.strokes[k + 1 :]])
+            corpus.picture(turned, corpus.pole_of(one), SCAN, random.Random(1), file)
+            verdicts.append(corpus.looked_at(one, file)[0].verdict)
+    assert verdicts.count("right_as_seen") >= 2 and len(verdicts) == 3
 
 
 @pytest.mark.slow

@@ -152,7 +152,7 @@ def test_a_number_three_times_too_large_is_wrong_under_its_printed_name(sample: 
     assert blamed(sample, sheet, "en") > 15
 
 
-@pytest.mark.few(0, slow=8)
+@pytest.mark.few(0, slow=4)
 @pytest.mark.parametrize("sample", OTHERS)
 def test_every_sample_has_names_that_are_read(sample: str) -> None:
     for sheet in range(len(SHEETS)) if scene_of(sample, 0).mechanism else (0,):

@@ -17,7 +17,7 @@ PATHS = sorted(p for p in (ROOT / "samples").glob("**/*.yaml") if "course" not i
 NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(6, slow=40)
 @pytest.mark.parametrize("path", PATHS, ids=lambda p: p.stem)
 @pytest.mark.parametrize("lang", ["en", "ru"])
 def test_a_line_as_mathematics_has_the_numbers_of_its_words(path, lang) -> None:

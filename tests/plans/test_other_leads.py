@@ -54,7 +54,7 @@ def parallel_at(plans: Plans, low: float, high: float) -> float | None:
     return float(values[0])
 
 
-@pytest.mark.few(0, slow=2)
+@pytest.mark.few(0, slow=1)
 @pytest.mark.parametrize(("leads", "seed"), FOUND)
 def test_parallel_leads_are_passed_by_another_pair(leads: str, seed: int) -> None:
     case = make(random.Random(f"parallel {leads} {seed}"), [leads], sliding=False)

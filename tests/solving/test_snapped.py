@@ -18,7 +18,7 @@ def test_a_coincidence_has_a_right_number_or_a_sentence(family: int) -> None:
         assert not [*faults(one)], f"scene {seed} ({one.family}):\n{one.text}"
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=5)
 @pytest.mark.parametrize("part", range(10))
 def test_so_has_every_document_of_it(part: int, tmp_path: Path) -> None:
     for seed in range(part, ALL, 10):

@@ -196,7 +196,7 @@ def upon_others(a: Complexes, b: Complexes) -> Booleans:
 
 
 def behind_others(a: Complexes, b: Complexes, felt: Array) -> Booleans:
-    """Lines of each row that end where another one does along its way, whose head is felt more (or as much, earlier)."""
+    """Lines of each row that end where another one does along its way that feels more of a head, or as much before."""
     way = numpy.exp(1j * numpy.angle(numpy.nan_to_num(b - a)))
     along = (way[:, :, None].conj() * way[:, None, :]).real > math.cos(NARROW)
     together = along & (abs(b[:, :, None] - b[:, None, :]) < HEADS_MM)

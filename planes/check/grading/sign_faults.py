@@ -23,7 +23,8 @@ class DrawnVector(NamedTuple):
 class SignFault:
     """A sign that is wrong: the letters of ``mark`` and ``other`` are exchanged, or the vector from ``other`` to
     ``mark`` (a force by its name alone) has its head at the wrong end or none, or is ``off`` mm astray; or the whole
-    plan, whose first is ``mark``, is mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale ``other``."""
+    plan, whose first is ``mark``, is mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale
+    ``other``."""
 
     mistake: Literal[
         "names_exchanged",

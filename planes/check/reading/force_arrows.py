@@ -21,6 +21,7 @@ from planes.check.grading.polygons import loads_of, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.remedies import asking
 from planes.check.grading.sign_faults import DrawnVector, SignFault, arrow_faults
+from planes.check.reading.construction_lines import covered
 from planes.check.reading.parts import NEAR_WORD_MM
 from planes.check.reading.strokes import FEWEST_HEADS, ReadDrawing, headed
 from planes.check.reading.weighed import is_right, worth
@@ -38,6 +39,7 @@ NARROW = 0.2  # how far apart, of their length, vectors there and back may be
 MEET_MM, LOOSE = 1.0, 0.7  # ends that meet; of how far they are apart, the error of each
 HIDDEN_MM = 0.7  # shorter vectors nobody draws
 SAME_MM = 0.3  # vectors that are one
+UPON = 0.7  # the share of a vector that may lie within others' lines, so that its own is not missed
 EXACT_MM = 0.05  # how exactly a program draws
 MOST = 120  # arrows
 LEAST, ALIKE, OTHER_SIZE = 0.2, 1.03, 3.0  # sizes of a plan whose scale was not told: the smallest; no two alike
@@ -196,8 +198,9 @@ def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     every = dict.fromkeys((*rows, *back, *bare))
     paper.signs = [*_exchanged(seen, best), *arrow_faults({("", n): DrawnVector(_how(n, back, bare)) for n in every})]
     paper.untold = [n for n in _named_elsewhere(seen, best) if n in own]
-    ring = {s.name for s in seen.plan.sides} & {*compress(seen.names, seen.needed)}  # what lies within need not be there
-    paper.left = [n for n in true if n in ring and n not in rows and abs(true[n]) > HEADLESS_MM]
+    ring = {s.name for s in seen.plan.sides} & {*compress(seen.names, seen.needed)}  # what lies within need not be
+    unread = (n for n in true if n in ring and n not in rows and abs(true[n]) > HEADLESS_MM)
+    paper.left = [n for n in unread if not _into_a_head(seen, true[n], rows)]
     error = max(sketch.error_mm, LOOSE * _gap(rows))
     paper.spots = [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE, name), s, strict=True)]
     paper.whole = seen.headed and all(abs(seen.arrows[i][0][1] - seen.arrows[i][0][0]) < HEADLESS_MM for i in best.left)
@@ -222,6 +225,7 @@ def _shared(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
 def _turned_round(seen: ForceArrows, best: Reading) -> Iterator[tuple[str, Stroke]]:
     """Vectors without an arrow of their own, each where one lies that is it the other way round; and sums that do."""
     left = [seen.arrows[i][0] for i in best.left if len(seen.arrows[i]) == 1]
+    left = [(a, b) for a, b in left if all(abs(b - a - v) > _near(v) for v in best.known.values())]
     for n, v in best.known.items():
         sums = [seen.flat[best.taken[n]][1]] if n in best.taken and not seen.own[seen.names.index(n)] else []
         back = [s for s in (sums if n in best.taken else left) if abs(s[1] - s[0] + v) < _near(v)]
@@ -268,6 +272,17 @@ def _headless(seen: ForceArrows, unread: Known, rows: Mapping[str, Stroke]) -> I
         like = [s for one in joined for s in (one, one[::-1]) if abs(s[1] - s[0] - v) < _near(v)]
         if like and abs(v) > HEADLESS_MM:
             yield n, like[0]
+
+
+def _into_a_head(seen: ForceArrows, v: complex, rows: Mapping[str, Stroke]) -> bool:
+    """Whether a vector may end in the head of another that comes along its way, so that it has none of its own."""
+    along = [
+        (a, b)
+        for a, b in (one[0] for one in seen.arrows if len(one) == 1)
+        if ((b - a) / v).real > abs((b - a) / v) * math.cos(w.NARROW)
+    ]
+    ends = [b for _, b in rows.values()]
+    return any(abs(b - z - v) < _near(v) and covered(along, z, b) > UPON for _, b in along for z in ends)
 
 
 def _near(v: complex) -> float:
