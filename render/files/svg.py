@@ -38,7 +38,8 @@ def write(
 
 def number(value: float) -> str:
     """A coordinate in mm to the micrometre, without trailing zeros."""
-    return f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
+    text = f"{value:.3f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
 
 
 class _Sheet(Writer):

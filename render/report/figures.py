@@ -70,7 +70,7 @@ def raster(picture: Shown) -> bytes:
     from reportlab.pdfgen.canvas import Canvas
 
     data = io.BytesIO()
-    canvas = Canvas(data, (picture.width, picture.height), invariant=1)
+    canvas = Canvas(data, (picture.width, picture.height), invariant=1, pageCompression=0)
     picture.draw(canvas)
     canvas.save()
     return png_of(data.getvalue(), DPI)
