@@ -53,9 +53,8 @@ def write_pages(
     from reportlab.lib.utils import ImageReader
     from reportlab.pdfgen.canvas import Canvas
 
-    data = io.BytesIO()
     font = registered(FONT, dejavu()) if words else None
-    canvas = Canvas(data, invariant=1, pageCompression=int(words), lang=lang, initialFontName=font)
+    canvas = Canvas("", invariant=1, pageCompression=int(words), lang=lang, initialFontName=font)
     canvas.setTitle(title)
     canvas.setSubject(title)
     canvas.setCreator("planes")
@@ -69,8 +68,8 @@ def write_pages(
             canvas.drawImage(ImageReader(io.BytesIO(under.data)), x0, y0, x1 - x0, y1 - y0)
         draw_marks(canvas, held, words)
         canvas.showPage()
-    canvas.save()
-    return data.getvalue()
+    made: bytes = canvas.getpdfdata()
+    return made
 
 
 def draw_marks(canvas: Canvas, marks: Iterable[Mark], words: bool = True) -> None:
@@ -173,11 +172,7 @@ def png_of(data: bytes, dpi: float) -> bytes:
     import pypdfium2
 
     grey = not COLOURED.search(data)
-    document = pypdfium2.PdfDocument(data)
-    try:
-        page = document[0].render(scale=dpi / 72, grayscale=grey, rev_byteorder=True).to_numpy()
-    finally:
-        document.close()
+    page = pypdfium2.PdfDocument(data)[0].render(scale=dpi / 72, grayscale=grey, rev_byteorder=True).to_numpy()
     height, width = page.shape[:2]
     rows = np.diff(page, axis=0, prepend=np.uint8(0)).reshape(height, -1)
     head = struct.pack(">2I5B", width, height, 8, 0 if grey else 2, 0, 0, 0)
