@@ -10,6 +10,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+from charts_beside import by_hand
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
@@ -39,7 +40,7 @@ def approached() -> dict[str, Approach]:
     """The way to each failure, with whoever can go it."""
     found = {}
     for key, (scene, *_) in KINDS.items():
-        others = installed() if key != "three" else []  # none of them goes as far
+        others = [*by_hand(scene), *installed()] if key != "three" else []  # none of them goes as far
         way = approach(plans_of(load(str(ROOT / scene)).mechanism), others)
         assert way is not None, scene
         found[key] = way
