@@ -19,6 +19,7 @@ def run() -> int:
         if signal.getsignal(one) is not signal.SIG_IGN:  # as under nohup
             signal.signal(one, _ended)
     try:
+        gc.disable()  # while modules are imported, and for commands that are short
         gc.set_threshold(100_000)
         from planes.cli import main
 
@@ -26,6 +27,7 @@ def run() -> int:
     except KeyboardInterrupt:
         return 128 + signal.SIGINT
     finally:
+        gc.freeze()  # or the interpreter would search everything for cycles once more at its end
         for stream in (sys.stdout, sys.stderr):
             _emptied(stream)
 

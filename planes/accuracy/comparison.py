@@ -1,7 +1,7 @@
 """A mechanism prepared for comparing all methods at the same positions."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -67,15 +67,22 @@ class Comparison:
         beside = {name: v[k].item() for name, v in self.cycle.moved.items()}
         return run(self.cycle.program, {**self.cycle.given, **beside, self.plans.drive_given: value}, instrument)
 
-    def scalar(self, values: Array, instrument: Instrument | None = None) -> Array:
-        """The columns one position after another."""
-        rows = []
+    def drawings(self, values: Array, instrument: Instrument | None = None) -> Iterator[Drawing | None]:
+        """One position after another; None where it cannot be drawn."""
         for k, value in enumerate(values):
             try:
-                rows.append([float(x) for x in self.taken(self.drawn(float(value), instrument, k))])
+                yield self.drawn(float(value), instrument, k)
             except PlanFailure:
-                rows.append([math.nan] * len(self.letters))
-        return np.array(rows).T
+                yield None
+
+    def read(self, drawings: Iterable[Drawing | None]) -> Array:
+        """The columns of drawings."""
+        lost = [math.nan] * len(self.letters)
+        return np.array([[float(x) for x in self.taken(d)] if d else lost for d in drawings]).T
+
+    def scalar(self, values: Array, instrument: Instrument | None = None) -> Array:
+        """The columns one position after another."""
+        return self.read(self.drawings(values, instrument))
 
     def truth(self, values: Array) -> Array:
         """The columns at 50 digits, rounded only once."""

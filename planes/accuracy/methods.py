@@ -1,13 +1,13 @@
 """Speed and accuracy of all methods on a mechanism: measured here and now against 50 digits."""
 
-import math
 import os
 import platform
-import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
+from time import process_time
+from timeit import repeat
 
 import numpy as np
 
@@ -65,12 +65,7 @@ def clock(work: Callable[[], object], times: int = 3) -> float:
     """Seconds of the fastest of several runs, without the first one (which compiles); CPU time, so that other processes
     do not matter."""
     work()
-    best = math.inf
-    for _ in range(times):
-        start = time.process_time()
-        work()
-        best = min(best, time.process_time() - start)
-    return best
+    return min(repeat(work, timer=process_time, repeat=times, number=1))
 
 
 def measure(plans: Plans, others: Sequence[OtherProgram] = ()) -> list[Method]:

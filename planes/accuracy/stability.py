@@ -58,7 +58,7 @@ def _path(limit: Limit) -> tuple[Comparison, Array, Array]:
         moved = value if way.held is None else variants[-1].given[way.name]
         distances.append(float(abs((moved - x.value) / x.unit)))
     plans = limit.way.bench.plans
-    names = dict.fromkeys(name for x in variants for name in changed(plans, x))
+    names = dict.fromkeys(name for x in variants for name in changed(plans.given, x.given))
     known = {name: np.array([x.given[name] for x in variants]) for name in names}
     return Comparison(plans, known, variants, BEGINS), np.array(drive), np.array(distances)
 
@@ -102,7 +102,8 @@ def ways(bench: Comparison, others: Sequence[OtherProgram]) -> dict[str, Work]:
 def _measured(
     limit: Limit, others: Sequence[OtherProgram], bench: Comparison, values: Array, distances: Array
 ) -> Approach:
-    truth = bench.truth(values)
+    drawings = list(bench.drawings(values, Digits(50)))
+    truth = bench.read(drawings)
     works = np.isfinite(truth).all(axis=0) & (distances > 0)
     with np.errstate(all="ignore"):
         tables = {key: work(values) for key, work in ways(bench, others).items()}
@@ -111,10 +112,7 @@ def _measured(
         claims = np.max(Claims(bench.cycle).bounds(values)[known] / size, axis=0)
         errors = {key: np.max(np.abs(table - truth)[known] / size, axis=0) for key, table in tables.items()}
         errors = {key: np.where(np.isfinite(row), row, math.nan) for key, row in errors.items()}
-    sharp = np.full(len(values), math.nan)
-    for k in np.flatnonzero(works):
-        drawn = bench.drawn(float(values[k]), Digits(50), int(k))
-        sharp[k] = float(min(drawn.sharpness.values(), default=1.0))
+    sharp = np.array([float(min(d.sharpness.values(), default=1.0)) if d else math.nan for d in drawings])
     crowds = [k for k in np.arange(len(distances)).reshape(CROWD, -1).T if works[k].any()]
 
     def worst(row: Array, by: Callable[[Array], Array] = np.max) -> Array:

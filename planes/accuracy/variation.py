@@ -26,12 +26,8 @@ def _mechanism(plans: Plans, name: str, value: float) -> Mechanism:
     return replace(m, frame=link) if link.name == m.frame.name else replace(m, links={**m.links, link.name: link})
 
 
-def changed(one: Plans, two: Plans) -> list[str]:
+def changed(old: Mapping[str, Thing], new: Mapping[str, Thing]) -> list[str]:
     """The givens that differ between two mechanisms of the same structure."""
-    return _differing(one.given, two.given)
-
-
-def _differing(old: Mapping[str, Thing], new: Mapping[str, Thing]) -> list[str]:
     return [n for n, v in new.items() if n not in old or abs(v - old[n]) > 1e-12 * max(1.0, abs(v))]
 
 
@@ -45,7 +41,7 @@ def scheme_given(plans: Plans, mechanism: Mechanism) -> Mapping[str, Thing]:
 def lengthened(plans: Plans, name: str) -> dict[str, Thing]:
     """The growth of the scheme's givens while a length doubles: they are linear in it."""
     once, twice = (scheme_given(plans, _mechanism(plans, name, plans.given[name] * k)) for k in (1.0, 2.0))
-    return {n: twice[n] - once[n] for n in _differing(once, twice)}
+    return {n: twice[n] - once[n] for n in changed(once, twice)}
 
 
 def alterable(plans: Plans, names: Iterable[str]) -> list[str]:
@@ -56,7 +52,7 @@ def alterable(plans: Plans, names: Iterable[str]) -> list[str]:
     for name in (n for n in names if n in means):
         value = float(plans.given[name])
         other = _mechanism(plans, name, value * 1.01 if means[name].quantity == "length" else value + 1.0)
-        follow = _differing(own, scheme_given(plans, other))
+        follow = changed(own, scheme_given(plans, other))
         if name in follow and all(n in means for n in follow):
             free.append(name)
     return free

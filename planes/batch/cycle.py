@@ -14,7 +14,6 @@ import numpy as np
 
 from planes.batch import compiled as compiled_loop
 from planes.batch.error_bounds import Claims
-from planes.batch.filling import filled
 from planes.batch.loops import ArrayLoop, Loop
 from planes.batch.other_leads import OtherLeads
 from planes.batch.suspected import dependent, drawn
@@ -116,11 +115,6 @@ class Cycle(Ready):
         """Whether only the drive moves, and everything may move with it."""
         return not self.moved and not self.plans.laws
 
-    @property
-    def straight(self) -> bool:
-        """Whether only the drive moves, and positions are clear of rounding."""
-        return self._alone and not self._dim
-
     @cached_property
     def _dim(self) -> bool:
         """Whether no position is clear of rounding."""
@@ -195,7 +189,27 @@ class Cycle(Ready):
         of :meth:`blocks`. Several ``threads`` share the positions: machine code runs in parallel."""
         fast, values = pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
         out = np.empty((len(self.columns), len(values))) if out is None else out
-        return out, filled(self, values, fast, bare, out, threads if self._alone else 1)
+        codes: Indices = np.zeros(len(values), np.intp)
+        straight = fast and self._alone and not self._dim and out.strides[1] == values.itemsize
+
+        def fill(part: slice) -> None:
+            some, rows, start = values[part], out[:, part], part.start
+            if straight and len(some) and self.compiled.fill(some, rows):
+                return
+            for block in self.blocks(some, fast=fast, bare=bare, out=rows):
+                codes[start : start + len(block.codes)] = block.codes
+                start += len(block.codes)
+
+        if threads == 1 or not self._alone:
+            fill(slice(0, None))
+            return out, codes
+        from concurrent.futures import ThreadPoolExecutor
+
+        fill(slice(0, 1))  # what threads share is made before they begin
+        cuts = np.linspace(0, len(values), threads + 1, dtype=int)
+        with ThreadPoolExecutor(threads) as pool:
+            list(pool.map(fill, map(slice, cuts, cuts[1:])))
+        return out, codes
 
     def _run(
         self, loop: Loop, part: Array, at: Indices | slice, out: Array | None = None

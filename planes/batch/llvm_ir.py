@@ -3,6 +3,8 @@
 The code is branchless, so that the compiler computes several positions at once.
 """
 
+import re
+
 from planes.batch.llvm_functions import Lines, arctangent, cosine, gap, literal, sine
 from planes.batch.tape import TESTS, Tape
 
@@ -134,6 +136,14 @@ def module(
     return "\n".join([*_frame(), *head.lines, *OPEN, *text.lines.lines, *last])
 
 
+def past_caches(optimised: str) -> str:
+    """A module, optimised, whose full vectors are stored to memory past the caches; its rows must begin on whole cache
+    lines."""
+    widest = max(map(int, re.findall(r"store <(\d+) x double>", optimised)), default=1)
+    stores = rf"(store <{widest} x double> .*, align )8"
+    return re.sub(stores, rf"\g<1>{8 * widest}, !nontemporal !{{i32 1}}", optimised)
+
+
 def _begin(t: Lines, base: str, stride: str, k: int) -> str:
     return t(f"getelementptr inbounds double, ptr {base}, i64 {t(f'mul nuw nsw i64 {stride}, {k}')}")
 
@@ -160,7 +170,7 @@ CLOSE = (
     "  %next = add nuw nsw i64 %i, 1",
     "  %more = icmp slt i64 %next, %n",
     "  br i1 %more, label %loop, label %done, !llvm.loop !0",
-    "done:\n  ret i64 %failed\n}",
+    "done:\n  fence seq_cst\n  ret i64 %failed\n}",  # stores past the caches are over before another thread reads
     "!0 = distinct !{!0, !1, !3, !4}",
     "!2 = distinct !{}",
     '!3 = !{!"llvm.loop.parallel_accesses", !2}',

@@ -10,15 +10,20 @@ import zlib
 
 PNG = b"\x89PNG\r\n\x1a\n"
 _CHUNK, _PIXELS = b"plAN", b"IDAT"
+_PACKED = 4  # of 9: a twelfth more bytes than 9 in a quarter of the time
 _DIGEST = hashlib.sha256().digest_size
 
 
 def carrying(png: bytes, svg: bytes) -> bytes:
     """A PNG file with its drawing."""
     at = png.index(_PIXELS) - 4  # a chunk begins with its length
-    held = hashlib.sha256(png[at:]).digest() + zlib.compress(svg, 9)
-    checksum = struct.pack(">I", zlib.crc32(_CHUNK + held))
-    return png[:at] + struct.pack(">I", len(held)) + _CHUNK + held + checksum + png[at:]
+    held = hashlib.sha256(png[at:]).digest() + zlib.compress(svg, _PACKED)
+    return png[:at] + chunk(_CHUNK, held) + png[at:]
+
+
+def chunk(kind: bytes, held: bytes) -> bytes:
+    """A chunk of a PNG file: its length, its kind, what it holds, a checksum."""
+    return struct.pack(">I", len(held)) + kind + held + struct.pack(">I", zlib.crc32(kind + held))
 
 
 def carried(png: bytes, most: int) -> bytes | None:

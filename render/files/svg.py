@@ -10,6 +10,7 @@ only version used here. It checks every attribute it writes. To replace it, repl
 from __future__ import annotations
 
 import base64
+import cmath
 import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
@@ -38,7 +39,7 @@ def write(
 
 def number(value: float) -> str:
     """A coordinate in mm to the micrometre, without trailing zeros."""
-    return f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
+    return f"{value:z.3f}".rstrip("0").rstrip(".")
 
 
 class _Sheet(Writer):
@@ -50,11 +51,8 @@ class _Sheet(Writer):
         import svgwrite
 
         self.width, self.height = size_mm
-        self.svg: Drawing = svgwrite.Drawing(
-            size=(f"{number(self.width)}mm", f"{number(self.height)}mm"),
-            viewBox=f"0 0 {number(self.width)} {number(self.height)}",
-            debug=False,
-        )
+        wide, high = map(number, size_mm)
+        self.svg: Drawing = svgwrite.Drawing(size=(f"{wide}mm", f"{high}mm"), viewBox=f"0 0 {wide} {high}", debug=False)
         self.svg.set_desc(title)
         self.svg.attribs.update({"role": "img", "aria-label": title, "xml:lang": lang, "lang": lang})
 
@@ -97,11 +95,11 @@ class _Sheet(Writer):
     def arc(self, arc: Arc) -> None:
         """Two halves of a circle, or an arc."""
         start, half, end = (
-            arc.centre + arc.radius * complex(math.cos(math.radians(a)), math.sin(math.radians(a)))
+            arc.centre + cmath.rect(arc.radius, math.radians(a))
             for a in (arc.start_deg, (arc.start_deg + arc.end_deg) / 2, arc.end_deg)
         )
         r = number(arc.radius)
-        legs = (half, start) if is_circle(arc) else (half, end)
+        legs = half, start if is_circle(arc) else end
         path = f"M{self._xy(start)}" + "".join(f"A{r} {r} 0 0 0 {self._xy(z)}" for z in legs)
         element = self._stroke(path + ("Z" if is_circle(arc) else ""), arc.style, arc_dashes(arc))
         if arc.fill != "none":

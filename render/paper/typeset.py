@@ -87,6 +87,7 @@ def _turned(text: Text) -> tuple[complex, complex, float, float]:
     return text.place + shift * turn, turn, x0, x1
 
 
+@lru_cache(maxsize=1000)  # of a sheet: a PNG is drawn as strokes and as SVG
 def layout(text: Text) -> LaidText:
     """Strokes and runs of a text mark after its anchor and its rotation."""
     runs = _runs(text.text, text.height, text.face)

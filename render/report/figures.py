@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import re
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
@@ -69,11 +68,9 @@ def raster(picture: Shown) -> bytes:
     """A picture as a PNG file."""
     from reportlab.pdfgen.canvas import Canvas
 
-    data = io.BytesIO()
-    canvas = Canvas(data, (picture.width, picture.height), invariant=1)
+    canvas = Canvas("", (picture.width, picture.height), invariant=1, pageCompression=0)
     picture.draw(canvas)
-    canvas.save()
-    return png_of(data.getvalue(), DPI)
+    return png_of(canvas.getpdfdata(), DPI)
 
 
 @dataclass

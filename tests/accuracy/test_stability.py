@@ -8,10 +8,12 @@ import numpy as np
 import pytest
 
 from planes.accuracy.comparison import Comparison
+from planes.accuracy.digits import Digits
 from planes.accuracy.limits import find
-from planes.accuracy.stability import Approach, approach
+from planes.accuracy.stability import BINS, CROWD, Approach, approach
 from planes.accuracy.variation import altered, changed
 from planes.batch import compiled
+from planes.drafting.drawing import Drawing
 from planes.plans import Plans, plans_of
 from planes.scene import load, loads
 from tests.helpers import ROOT
@@ -114,7 +116,7 @@ def test_lengths_that_vary_bring_their_own_complex_numbers_along() -> None:
     """A group of class III is begun from numbers of its lengths that have two parts: rows of many lengths keep both."""
     plans = plans_of(load(str(ROOT / "samples/class-three/mixtures/rr-pr-rp.yaml")).mechanism)
     variants = [altered(plans, "l_OA", 0.08 * (1 + 0.01 * k)) for k in range(3)]
-    names = changed(plans, variants[-1])
+    names = changed(plans.given, variants[-1].given)
     known = {name: np.array([x.given[name] for x in variants]) for name in names}
     assert any(np.iscomplexobj(v) for v in known.values())
     bench, drive = Comparison(plans, known, variants), np.full(3, 30.0)
@@ -123,3 +125,17 @@ def test_lengths_that_vary_bring_their_own_complex_numbers_along() -> None:
         alone = Comparison(x).many(drive[:1], False)[:, 0]
         assert together[:, k] == pytest.approx(alone, rel=1e-12, abs=1e-12)
         assert bench.scalar(drive)[:, k] == pytest.approx(alone, rel=1e-11, abs=1e-12)
+
+
+def test_every_position_is_drawn_once_with_fifty_digits(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The same drawing gives the truth and the sharpness."""
+    digits: list[int] = []
+    drawn = Comparison.drawn
+
+    def counted(self: Comparison, value: float, instrument: Digits | None = None, k: int = 0) -> Drawing:
+        digits.extend([instrument.digits] if instrument else [])
+        return drawn(self, value, instrument, k)
+
+    monkeypatch.setattr(Comparison, "drawn", counted)
+    assert approach(plans("kind-2-rrp"))
+    assert digits.count(50) == digits.count(30) == CROWD * len(BINS)

@@ -12,6 +12,7 @@ import pytest
 
 from planes.batch import compiled
 from planes.batch.array_ops import read
+from planes.batch.llvm_ir import past_caches
 from planes.batch.loops import ArrayLoop, Loop
 from planes.batch.symbols import Num, Vec, number, place_of
 from planes.batch.tape import Tape
@@ -134,6 +135,36 @@ def test_a_table_is_its_blocks(name: str, threads: int) -> None:
 
 
 @needs_compiler
+@pytest.mark.parametrize("threads", [1, 2])
+def test_a_table_past_the_caches_is_its_blocks(threads: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Wherever in a cache line its rows begin; a table of odd length is not aligned, and is stored as others are."""
+    from planes.batch.cycle import Cycle
+    from planes.solving import plans_of
+
+    monkeypatch.setattr(compiled, "CACHES", 0)
+    monkeypatch.setattr(compiled, "PIECE", 512)
+    cycle = Cycle(plans_of(load(str(ROOT / "samples" / "six-link.yaml")))[0])
+    for skip, count in [*((k, 1008) for k in range(8)), (1, 8), (3, 2), (5, 1009)]:
+        values = cycle.plans.mechanism.drive.position + np.linspace(-5, 5, count)
+        (block,) = cycle.blocks(values, fast=True)
+        wide = count + -count % 8 if count < 1009 else count
+        memory = np.full(len(cycle.columns) * wide + 16, 7.0)
+        begin = -memory.ctypes.data // 8 % 8 + skip
+        rows = memory[begin : begin + len(cycle.columns) * wide].reshape(-1, wide)
+        table, codes = cycle.table(values, True, rows[:, :count], threads)
+        assert np.array_equal(table, block.table) and not codes.any()
+        assert (rows[:, count:] == 7).all() and (memory[:begin] == 7).all() and (memory[begin + rows.size :] == 7).all()
+
+
+def test_only_full_vectors_are_stored_past_the_caches() -> None:
+    single, half, full = (f"  store {kind} %1, ptr %2, align 8, !x !0\n" for kind in
+                          ("double", "<4 x double>", "<8 x double>"))  # fmt: skip
+    made = past_caches(single + half + full + full)
+    assert made.startswith(single + half) and made.count("align 64, !nontemporal !{i32 1}, !x !0\n") == 2
+    assert past_caches(single) == single
+
+
+@needs_compiler
 @pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="processors of this family")
 @pytest.mark.parametrize("cpu", ["haswell", "x86-64"])  # vectors of four and no more; of two, without fused operations
 def test_an_older_processor_reckons_the_same(cpu: str, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -150,5 +181,9 @@ def test_an_older_processor_reckons_the_same(cpu: str, monkeypatch: pytest.Monke
     there.compiled.__dict__["run"] = compiled._compiled.__wrapped__(there.compiled.text)
     (table, codes), (older, others) = (c.table(values, True) for c in (here, there))
     assert np.array_equal(codes, others) and not codes.any()
+    there.compiled.__dict__["run_past"] = compiled._compiled.__wrapped__(there.compiled.text, past=True)
+    monkeypatch.setattr(compiled, "CACHES", 0)
+    for out in (np.full((len(table), 3008), 7.0)[:, k : k + 3001] for k in range(8)):
+        assert there.compiled.fill(values, out) and np.array_equal(out, older)
     largest = np.abs(table).max(axis=1)
     assert (np.abs(older - table).max(axis=1) <= 1e-11 * largest + 1e-12).all()

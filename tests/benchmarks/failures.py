@@ -10,6 +10,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+from charts_beside import by_hand
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
@@ -39,11 +40,17 @@ def approached() -> dict[str, Approach]:
     """The way to each failure, with whoever can go it."""
     found = {}
     for key, (scene, *_) in KINDS.items():
-        others = installed() if key != "three" else []  # none of them goes as far
+        others = [*by_hand(scene), *installed()] if key != "three" else []  # none of them goes as far
         way = approach(plans_of(load(str(ROOT / scene)).mechanism), others)
         assert way is not None, scene
         found[key] = way
     return found
+
+
+def called(method: str, lang: Lang) -> str:
+    """A method's name; other programs have one in every language."""
+    by_hand_in_russian = lang == "ru" and method == "numba by hand"
+    return "формулы вручную (numba)" if by_hand_in_russian else method_name(method, DIGITS, lang)
 
 
 def chart(ways: dict[str, Approach], path: Path, lang: Lang) -> None:
@@ -51,7 +58,7 @@ def chart(ways: dict[str, Approach], path: Path, lang: Lang) -> None:
     with rc_context(OF_FILES):
         figure, lines = Figure(figsize=(12.6, 11.6), dpi=80, layout="constrained"), dict[str, Any]()
         for plot, (key, way) in zip(figure.subplots(2, 2).flat, ways.items(), strict=True):
-            names = {method: method_name(method, DIGITS, lang) for method in way.errors}
+            names = {method: called(method, lang) for method in way.errors}
             draw_approach(plot, way, axis(way.limit, lang), names, lang)
             plot.set_title(KINDS[key][1 if lang == "en" else 2], fontsize=10)
             handles, labels = plot.get_legend_handles_labels()
@@ -66,7 +73,7 @@ def table(ways: dict[str, Approach], lang: Lang) -> str:
     heads = [KINDS[key][1 if lang == "en" else 2] for key in ways]
     lines = [f"| {'at 10⁻⁷' if lang == 'en' else 'на 10⁻⁷'} | {' | '.join(heads)} |", "|---|" + "---|" * len(heads)]
     rows = {"claim": "claimed error" if lang == "en" else "заявленная погрешность"}
-    rows |= {m: method_name(m, DIGITS, lang) for way in ways.values() for m in way.errors}
+    rows |= {m: called(m, lang) for way in ways.values() for m in way.errors}
     for method, name in rows.items():
         cells = []
         for way in ways.values():

@@ -101,6 +101,27 @@ def slotted_lever(phis, out, r, dx, dy, omega, epsilon):
         out[0, i], out[1, i], out[2, i], out[3, i] = w, e, vr, ar
 
 
+TANGENT_NAMES = ["r_K", "v_K", "a_K", "r_B", "v_B", "a_B"]
+
+
+@njit(error_model="numpy")
+def tangent(phis, out, r, bent, gx, gy, ux, uy, omega, epsilon):
+    """A lever's rod through K, ``bent`` from the lever, crosses the guide through (gx, gy) along the unit (ux, uy)."""
+    for i in range(phis.shape[0]):
+        angle, rod = phis[i] * (math.pi / 180), (phis[i] + bent) * (math.pi / 180)
+        kx, ky, wx, wy = r * math.cos(angle), r * math.sin(angle), math.cos(rod), math.sin(rod)
+        vx, vy = -omega * ky, omega * kx
+        ax, ay = -epsilon * ky - omega * omega * kx, epsilon * kx - omega * omega * ky
+        over = 1 / (wx * uy - wy * ux)
+        along = ((gx - kx) * uy - (gy - ky) * ux) * over
+        v = (wx * vy - wy * vx + along * omega) * over
+        slide = (v * ux - vx) * wx + (v * uy - vy) * wy
+        a = (wx * ay - wy * ax + 2 * slide * omega + along * epsilon) * over
+        out[0, i], out[1, i], out[2, i], out[3, i], out[4, i], out[5, i] = kx, ky, vx, vy, ax, ay
+        out[6, i], out[7, i] = kx + along * wx, ky + along * wy
+        out[8, i], out[9, i], out[10, i], out[11, i] = v * ux, v * uy, a * ux, a * uy
+
+
 @njit(error_model="numpy")
 def six_link(phis, out, r, l2, l3, dx, dy, side, s2, x5, omega, epsilon, m1, j1, m2, j2, m3, j3, m5, load, g):
     for i in range(phis.shape[0]):

@@ -21,12 +21,14 @@ COLUMNS = {
     "slider-crank": kernels.SLIDER_CRANK_NAMES,
     "slotted lever": kernels.SLOTTED_NAMES,
     "six-link": kernels.SIX_LINK_NAMES,
+    "tangent": kernels.TANGENT_NAMES,
 }
 KERNELS = {
     "four-bar": kernels.four_bar,
     "slider-crank": kernels.slider_crank,
     "slotted lever": kernels.slotted_lever,
     "six-link": kernels.six_link,
+    "tangent": kernels.tangent,
 }
 Work = Callable[[], object]
 
@@ -38,9 +40,12 @@ def numbers(name: str, stated: Plans | None = None) -> list[float]:
     drive = [m.drive.velocity, m.drive.acceleration]
     if name == "slotted lever":
         return [given["l_AB"], given["place_C"].real, given["place_C"].imag, *drive]
-    if name == "slider-crank":
+    if name in ("slider-crank", "tangent"):
         foot, way = given["place_°q-q"], cmath.exp(1j * math.radians(given["angle_∥q-q"]))
-        return [given["l_AB"], given["l_BC"], foot.real, foot.imag, way.real, way.imag, 1.0, *drive]
+        guide = [foot.real, foot.imag, way.real, way.imag]
+        if name == "tangent":
+            return [given["l_AK"], given["angle_∥KB"], *guide, *drive]
+        return [given["l_AB"], given["l_BC"], *guide, 1.0, *drive]
     d = given["place_D"]
     lengths = [given["l_AB"], given["l_BC"], given["l_DC"], d.real, d.imag, given["side_C"]]
     if name == "four-bar":

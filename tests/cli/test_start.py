@@ -176,3 +176,19 @@ def test_every_command_says_which_file_it_wrote(tmp_path: Path, capsys: pytest.C
         size, told = -(-file.stat().st_size // 1000), capsys.readouterr()
         made = "[0-9]+ × [0-9]+ mm, " if words[0] == "sheet" else ""
         assert re.search(rf"(^|\n){file} written: {made}{size} kB\n$", told.err) and not told.out
+
+
+@pytest.mark.parametrize(("command", "searches"), [("sheet", False), ("lesson", True)])
+def test_a_short_command_is_never_searched_for_cycles(command: str, searches: bool, tmp_path: Path) -> None:
+    """Nor is any of its objects when the interpreter ends."""
+    out = tmp_path / {"sheet": "made.svg", "lesson": "made.html"}[command]
+    code = (
+        "import gc, sys; from planes.__main__ import run; began = [];"
+        "gc.callbacks.append(lambda phase, _: began.append(phase));"
+        f"sys.argv = ['planes', {command!r}, {str(TWELVE)!r}, '-o', {str(out)!r}];"
+        "status = run(); print(status, len(began), gc.isenabled(), gc.get_freeze_count() > 50_000)"
+    )
+    made = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    status, began, enabled, frozen = made.stdout.split()
+    assert (status, enabled, frozen) == ("0", str(searches), "True")
+    assert searches or began == "0"

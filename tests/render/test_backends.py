@@ -186,6 +186,22 @@ def test_png_knows_its_size() -> None:
     assert picture.info["dpi"] == pytest.approx((100, 100), abs=0.1)
 
 
+@pytest.mark.parametrize("style_name", ["thick", "vector #0072B2"])
+def test_a_png_has_the_pixels_of_its_page(style_name: str) -> None:
+    """In grey where the page has no colour, else in colour; as the page is drawn in colours by pdfium."""
+    marks: tuple[Mark, ...] = (*SHEET, Arrow(30 + 120j, 90 + 140j, style_name))
+    page = pypdfium2.PdfDocument(pdf.write_pages([(marks, SIZE)], "x", words=False))[0]
+    colours = page.render(scale=100 / 72, rev_byteorder=True).to_numpy()
+    picture = Image.open(io.BytesIO(pdf.write_png(marks, SIZE, "x", dpi=100)))
+    assert picture.mode == ("L" if style_name == "thick" else "RGB")
+    assert np.array_equal(np.asarray(picture.convert("RGB")), colours)
+
+
+def test_a_coordinate_is_the_rounded_number_without_zeros() -> None:
+    for value in (0.0, -0.0, -0.0004, 0.0005, 2.5, -1.0005, 100.0, 1e5, 123.4567, -7e-9, *np.linspace(-3, 3, 997)):
+        assert svg.number(value) == f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
+
+
 @pytest.mark.parametrize("length", [11, 12, 14, 25, 40, 77.3, 300])
 def test_chain_lines_end_with_dashes(length: float) -> None:
     dash, *rest = style.fitted(style.pen("axis").pattern, length) or (length,)
