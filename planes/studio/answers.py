@@ -103,6 +103,11 @@ def _edited(edited: Edited) -> Json:
     return {"text": edited.text, "lines": edited.lines}
 
 
+def _drawn(edited: Edited) -> Json:
+    """A text for a changed sketch, and the sketch with the numbers that were written."""
+    return {**_edited(edited), "sketch": sketch_of(loads(edited.text, FILE))}
+
+
 def _path(message: Json) -> tuple[str, ...]:
     return tuple(map(str, message["path"]))
 
@@ -111,7 +116,7 @@ ACTS: dict[str, Callable[[str, Json], dict[str, Any]]] = {
     "lesson": _lesson,
     "numbers": lambda text, m: _edited(with_numbers(text, {str(n): float(v) for n, v in m["numbers"].items()})),
     "sketch": lambda text, _: {"sketch": sketch_of(loads(text, FILE))},
-    "drawn": lambda text, m: _edited(drawn(text, m["sketch"])),
+    "drawn": lambda text, m: _drawn(drawn(text, m["sketch"], m.get("was"))),
     "put": lambda text, m: _edited(Edited(text).put(_path(m), str(m["value"]))),
     "append": lambda text, m: _edited(Edited(text).appended(_path(m), str(m["value"]))),
     "leave out": lambda text, m: _edited(Edited(text).without(_path(m))),

@@ -64,7 +64,9 @@ def _sketch(x: Any) -> bool:
         own = one.get("points") if isinstance(one, dict) else None
         if not isinstance(own, list) or not own or not all(map(point, own)):
             return False
-        slides = one.get("slides")
+        slides, centre = one.get("slides"), one.get("centre")
+        if centre is not None and not point(centre):
+            return False
         return slides is None or (isinstance(slides, str) and isinstance(guides, dict) and slides in guides)
 
     sound = all(map(point, x["fixed"])) and _table(guides, _name, guide) and _table(links, _name, link)
@@ -76,20 +78,21 @@ def _drive(drive: Any, sketch: Json) -> bool:
         return True
     if not isinstance(drive, dict) or not isinstance(name := drive.get("link"), str) or name not in sketch["links"]:
         return False
-    slides = sketch["links"][name].get("slides")
-    moved = drive.get("kind") == "phi" or (drive.get("kind") == "s" and (slides or drive.get("kept")))
-    return bool(moved) and _number(drive.get("rate"))
+    slides, on = sketch["links"][name].get("slides"), drive.get("on", "0")
+    moved = drive.get("kind") == "phi" or (drive.get("kind") == "s" and slides)
+    return bool(moved) and _number(drive.get("rate")) and isinstance(on, str) and on in ("0", *sketch["links"])
 
 
 SHAPES: dict[str, Callable[[Any], bool]] = {
     "sketch": _sketch,
+    "was": lambda x: x is None or _sketch(x),
     "numbers": lambda x: _table(x, lambda name: isinstance(name, str) and len(name) < 100, _number),
     "path": _path,
     "value": _text,
 }
 PARTS = {
     "numbers": ("numbers",),
-    "drawn": ("sketch",),
+    "drawn": ("sketch", "was"),
     "put": ("path", "value"),
     "append": ("path", "value"),
     "leave out": ("path",),

@@ -1,16 +1,21 @@
 // The studio: one text, shown as a lesson, drawn on a canvas, shared as a link; every change asks the engine again.
 import { bench, say, words } from "./bench.js";
-import { canvas, fit, listen, NOTHING, paint, show, sized, TOOLS } from "./canvas.js";
+import { canvas, dropped, fit, listen, NOTHING, paint, show, sized, TOOLS } from "./canvas.js";
 import { ask, engine, wake, way } from "./carrier.js";
+import { chosenShown } from "./chosen.js";
 import { $, on, worded } from "./dom.js";
 import { gallery, shelf } from "./gallery.js";
 import { problems, touched } from "./problems.js";
 import { asked, keep, pressed, unpressed } from "./share.js";
+import { holders } from "./sketch.js";
+import { STAMPS } from "./stamps.js";
 import { offered } from "./take.js";
+import { typed } from "./typed.js";
 
 const REST_MS = 250;
-const past = /** @type {string[]} */ ([]), future = /** @type {string[]} */ ([]);
-let typing = 0;
+/** A text, and the sketch of it where that is known. @typedef {{ text: string, sketch: Sketch | null }} Moment */
+const past = /** @type {Moment[]} */ ([]), future = /** @type {Moment[]} */ ([]);
+let typing = 0, drawn = /** @type {Sketch | null} */ (null);
 const frame = /** @type {any} */ ($("lesson"));
 let shown = /** @type {any} */ (null), shownShape = "";
 
@@ -27,8 +32,10 @@ function turnTo(view) {
 }
 /** Open a text, with its origin, and update everything. @type {(text: string, from?: string) => Promise<void>} */
 async function take(text, from = "") {
-  if (text !== bench.text && bench.text) { past.push(bench.text); future.length = 0; }
+  if (text !== bench.text && bench.text) { past.push({ text: bench.text, sketch: drawn }); future.length = 0; }
   bench.text = text;
+  if (["canvas", "named"].includes(from)) drawn = structuredClone(canvas.sketch);
+  else if (from === "scene") drawn = null;
   if (from !== "scene") $("scene").value = text;
   touched([]);
   await renewal(from);
@@ -57,7 +64,9 @@ async function renewal(from) {
 }
 async function sketched() { // the sketch of a text for the canvas
   const answer = await ask({ ask: "sketch", text: bench.text, lang: bench.lang });
-  if (answer) show(answer.sketch ?? null);
+  if (!answer) return;
+  if (answer.sketch) drawn = structuredClone(answer.sketch);
+  if (drawn) show(drawn);
 }
 async function prepared() { // a prepared lesson of the gallery, while the engine loads or is missing
   if (!bench.name) return;
@@ -105,15 +114,16 @@ on(frame, "load", () => { // numbers changed in the lesson are written back
 async function address() { // the scene in the address
   history.replaceState(null, "", `#s=${await pressed(bench.text)}&lang=${bench.lang}`);
 }
-/** @type {(from: string[], to: string[]) => void} */
+/** @type {(from: Moment[], to: Moment[]) => void} */
 function back(from, to) {
   if (!from.length) return;
-  to.push(bench.text);
-  bench.text = from.pop();
+  to.push({ text: bench.text, sketch: drawn });
+  ({ text: bench.text, sketch: drawn } = from.pop());
   $("scene").value = bench.text;
+  if (drawn) show(drawn);
   void renewal("undo");
 }
-const metres = () => +$("width").value.replace(",", "."); // while typing; NaN for anything but a number
+const metres = () => typed($("width").value); // NaN for anything but a number
 function labelled() { // the meaning of the number beside the picture beneath: a length drawn on it, or its whole width
   document.querySelector("[data-word=underlay_width]").textContent =
     say(canvas.ruled ? "underlay_length" : "underlay_width");
@@ -125,26 +135,46 @@ canvas.changed = async (what, more) => {
     $("width").focus();
     return;
   }
-  const { text, lang } = bench;
-  const load = more?.load && `{link: ${linkOf(more.load)}, point: ${more.load}, force: 100, against: motion}`;
-  if (!Object.keys(canvas.sketch.links).length) return; // nothing to report yet
-  const answer = await ask(load ? { ask: "append", text, lang, path: ["loads"], value: load } :
-    more?.mass ? { ask: "put", text, lang, path: ["links", more.mass, "mass"], value: "1" } :
-      { ask: "drawn", text, lang, sketch: canvas.sketch });
+  const { text, lang } = bench, sketch = structuredClone(canvas.sketch);
+  if (!Object.keys(sketch.links).length) return; // nothing to report yet
+  if (more?.load || more?.mass) {
+    const edited = await (more.load ? loaded(more.load) : weighed(more.mass, more.centre));
+    if (edited.text !== text) { await take(edited.text); touched(edited.lines); }
+    return;
+  }
+  const answer = await ask({ ask: "drawn", text, lang, sketch, was: drawn });
   if (!answer) return;
+  const still = JSON.stringify(sketch) === JSON.stringify(canvas.sketch) && !canvas.from;
+  if (answer.sketch && still) { canvas.sketch = answer.sketch; paint(); }
   if (answer.text !== undefined && answer.text !== text) {
-    await take(answer.text, load || more?.mass ? "" : "canvas");
+    await take(answer.text, "canvas");
     touched(answer.lines ?? []);
   }
   if (answer.problems.length) problems(answer.problems);
 };
-/** @type {(point: string) => string} */
-const linkOf = point => Object.keys(canvas.sketch.links).reverse().find(n =>
-  canvas.sketch.links[n].points.includes(point)) ?? "1";
-
+/** @typedef {{ text: string, lines: number[] }} Edited */
+/** @type {(point: string) => Promise<Edited>} */
+async function loaded(point) {
+  const link = holders(canvas.sketch, point).pop() ?? "1", { text, lang } = bench;
+  const value = `{link: ${link}, point: ${point}, force: 100, against: motion}`;
+  return await ask({ ask: "append", text, lang, path: ["loads"], value }) ?? { text, lines: [] };
+}
+/** Mass and moment of inertia of a link that has none; its centre, where a point was pressed.
+ * @type {(link: string, centre: string) => Promise<Edited>} */
+async function weighed(link, centre) {
+  const { lang } = bench, { heavy, slides } = canvas.sketch.links[link];
+  const own = { ...heavy ? {} : { mass: "1", ...slides ? {} : { inertia: "0.01" } }, ...centre ? { centre } : {} };
+  let { text } = bench, lines = /** @type {number[]} */ ([]);
+  for (const [key, value] of Object.entries(own)) {
+    const edited = await ask({ ask: "put", text, lang, path: ["links", link, key], value });
+    if (edited?.text) [text, lines] = [edited.text, [...lines, ...edited.lines]];
+  }
+  return { text, lines };
+}
 /** @type {(tool: string) => void} */
 function tool(name) {
   canvas.tool = name;
+  dropped();
   held("#tools button", b => b.dataset.tool === name);
   $("hint").textContent = say(`hint_${name}`);
 }
@@ -152,8 +182,10 @@ function spoken() {
   document.documentElement.lang = bench.lang;
   worded(say);
   labelled();
-  $("tools").innerHTML = TOOLS.map(t =>
+  /** @type {(names: string[]) => string} */
+  const buttons = names => names.map(t =>
     `<button type="button" data-tool="${t}">${say(`tool_${t}`)}</button>`).join("");
+  $("tools").innerHTML = `${buttons(TOOLS)}<span class="group">${say("stamps")}</span>${buttons(STAMPS)}`;
   tool(canvas.tool);
   $("lang").innerHTML = Object.keys(words).map(l => `<option value="${l}"${l === bench.lang ? " selected" : ""}>${
     words[l].language}</option>`).join("");
@@ -169,6 +201,7 @@ function open(text, name) {
   frame.removeAttribute("src");
   frame.hidden = true;
   $("title").textContent = say("fresh");
+  drawn = null;
   $("scene").value = "";
   $("nothing").hidden = false;
   $("nothing").textContent = say("nothing");
@@ -190,7 +223,7 @@ engine.said = step => {
   if (step === "ready" && bench.text) void renewal("");
 };
 on($("views"), "click", e => { if (e.target.dataset.view) turnTo(e.target.dataset.view); });
-on($("tools"), "click", e => { if (TOOLS.includes(e.target.dataset.tool)) tool(e.target.dataset.tool); });
+on($("tools"), "click", e => { if (e.target.dataset.tool) tool(e.target.dataset.tool); });
 on($("scene"), "input", () => {
   clearTimeout(typing);
   typing = setTimeout(() => take($("scene").value, "scene"), REST_MS);
@@ -226,6 +259,7 @@ on($("underlay"), "change", () => {
   picture.src = URL.createObjectURL(file);
 });
 on($("width"), "change", () => { // of the picture, or of the length drawn on it
+  $("width").setAttribute("aria-invalid", String(!(metres() > 0)));
   if (canvas.ruled) sized(metres());
   else if (canvas.under) canvas.under.width = metres() || 0.6;
   paint();
@@ -246,5 +280,6 @@ on($("files-in"), "change", async () => { // scenes of a folder: the first is op
 on(window, "hashchange", () => { if (asked().has("scene")) void started(); });
 Object.assign(bench, { take, open, act: (/** @type {string} */ name) => { turnTo("draw"); tool(name); } });
 globalThis.planes = { lesson: null, bench, canvas, ask, engine, tool };
+canvas.seen = chosenShown;
 listen();
 void started();
