@@ -1,8 +1,8 @@
 """The one message of the studio, and its answers: a carrier delivers plain data and takes back plain data.
 
 ``{id, ask, text, lang, …}`` → ``{id, …, problems}``: ``ask`` is "lesson" (frames, tape, scheme), "numbers" (some were
-changed by hand), "sketch" (a mechanism as drawn), "drawn" (a sketch has changed), "put", "append", "leave out" (a part
-of the text).
+changed by hand), "sketch" (a mechanism as drawn), "drawn" (a sketch has changed), "rename" (a point or a link), "put", "append",
+"leave out" (a part of the text).
 """
 
 from collections.abc import Callable
@@ -13,6 +13,7 @@ from planes.lesson.data import lesson_data
 from planes.scene import loads
 from planes.studio.message_shapes import checked
 from planes.studio.numbers_back import with_numbers
+from planes.studio.renaming import renamed
 from planes.studio.sketch_texts import Unfinished, drawn, offers_of
 from planes.studio.sketches import sketch_of
 from planes.studio.text_edits import FILE, Edited
@@ -117,6 +118,7 @@ ACTS: dict[str, Callable[[str, Json], dict[str, Any]]] = {
     "numbers": lambda text, m: _edited(with_numbers(text, {str(n): float(v) for n, v in m["numbers"].items()})),
     "sketch": lambda text, _: {"sketch": sketch_of(loads(text, FILE))},
     "drawn": lambda text, m: _drawn(drawn(text, m["sketch"], m.get("was"))),
+    "rename": lambda text, m: _edited(renamed(text, *_path(m), str(m["value"]))),
     "put": lambda text, m: _edited(Edited(text).put(_path(m), str(m["value"]))),
     "append": lambda text, m: _edited(Edited(text).appended(_path(m), str(m["value"]))),
     "leave out": lambda text, m: _edited(Edited(text).without(_path(m))),

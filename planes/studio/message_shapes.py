@@ -16,7 +16,7 @@ MOST = 200  # limits: points, links, guides of a sketch; keys of a path; numbers
 def checked(message: Json) -> Json:
     """The message itself; :class:`PlanesError` where a part that its ``ask`` reads has another shape."""
     for part in PARTS.get(str(message.get("ask")), ()):
-        if not SHAPES[part](message.get(part)):
+        if not SHAPES[part](message.get("path" if part == "renamed" else part)):
             raise PlanesError(Phrase("studio_bad_message"))
     return message
 
@@ -88,11 +88,13 @@ SHAPES: dict[str, Callable[[Any], bool]] = {
     "was": lambda x: x is None or _sketch(x),
     "numbers": lambda x: _table(x, lambda name: isinstance(name, str) and len(name) < 100, _number),
     "path": _path,
+    "renamed": lambda x: _path(x) and len(x) == 2 and x[0] in ("point", "link"),
     "value": _text,
 }
 PARTS = {
     "numbers": ("numbers",),
     "drawn": ("sketch", "was"),
+    "rename": ("renamed", "value"),
     "put": ("path", "value"),
     "append": ("path", "value"),
     "leave out": ("path",),
