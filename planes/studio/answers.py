@@ -1,8 +1,8 @@
 """The one message of the studio, and its answers: a carrier delivers plain data and takes back plain data.
 
 ``{id, ask, text, lang, …}`` → ``{id, …, problems}``: ``ask`` is "lesson" (frames, tape, scheme), "numbers" (some were
-changed by hand), "sketch" (a mechanism as drawn), "drawn" (a sketch has changed), "rename" (a point or a link), "put", "append",
-"leave out" (a part of the text).
+changed by hand), "sketch" (a mechanism as drawn), "drawn" (a sketch has changed), "rename" (a point or a link),
+"put", "append", "leave out" (a part of the text).
 """
 
 from collections.abc import Callable
@@ -109,13 +109,17 @@ def _drawn(edited: Edited) -> Json:
     return {**_edited(edited), "sketch": sketch_of(loads(edited.text, FILE))}
 
 
+def _numbers(message: Json) -> dict[str, float]:
+    return {str(name): float(value) for name, value in message["numbers"].items()}
+
+
 def _path(message: Json) -> tuple[str, ...]:
     return tuple(map(str, message["path"]))
 
 
 ACTS: dict[str, Callable[[str, Json], dict[str, Any]]] = {
     "lesson": _lesson,
-    "numbers": lambda text, m: _edited(with_numbers(text, {str(n): float(v) for n, v in m["numbers"].items()})),
+    "numbers": lambda text, m: _edited(with_numbers(text, _numbers(m), m.get("said") or {})),
     "sketch": lambda text, _: {"sketch": sketch_of(loads(text, FILE))},
     "drawn": lambda text, m: _drawn(drawn(text, m["sketch"], m.get("was"))),
     "rename": lambda text, m: _edited(renamed(text, *_path(m), str(m["value"]))),

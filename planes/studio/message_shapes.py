@@ -10,6 +10,7 @@ from planes.words.errors import PlanesError
 from planes.words.records import Json
 
 NAME = re.compile(r"[^\W_][\w'′.-]{0,19}")
+SUM = re.compile(r"[-+*/().\deE]{1,60}(?:\*pi/\d+)?")
 MOST = 200  # limits: points, links, guides of a sketch; keys of a path; numbers
 
 
@@ -87,12 +88,13 @@ SHAPES: dict[str, Callable[[Any], bool]] = {
     "sketch": _sketch,
     "was": lambda x: x is None or _sketch(x),
     "numbers": lambda x: _table(x, lambda name: isinstance(name, str) and len(name) < 100, _number),
+    "said": lambda x: x is None or _table(x, lambda name: isinstance(name, str), lambda t: bool(SUM.fullmatch(str(t)))),
     "path": _path,
     "renamed": lambda x: _path(x) and len(x) == 2 and x[0] in ("point", "link"),
     "value": _text,
 }
 PARTS = {
-    "numbers": ("numbers",),
+    "numbers": ("numbers", "said"),
     "drawn": ("sketch", "was"),
     "rename": ("renamed", "value"),
     "put": ("path", "value"),

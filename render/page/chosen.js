@@ -5,7 +5,7 @@ import { ask } from "./carrier.js";
 import { $, on } from "./dom.js";
 import { problems, touched } from "./problems.js";
 import { copied, heading, along, renamed, shifted } from "./sketch.js";
-import { typed } from "./typed.js";
+import { asTyped, typed } from "./typed.js";
 
 const BESIDE = 3; // steps of the grid from a part to its copy
 /** @type {() => string} */
@@ -53,40 +53,47 @@ function copy() {
   paint();
   canvas.changed("copy", true);
 }
-/** @type {(axis: number, value: number) => void} */
-function placed(axis, value) {
+/** Numbers of the mechanism as they were typed; whether its text has them.
+ * @type {(names: string[], value: number, typedAs: string) => Promise<boolean>} */
+async function putAsTyped(names, value, typedAs) {
+  const { text, lang } = bench;
+  /** @type {<T>(one: T) => Record<string, T>} */
+  const each = one => Object.fromEntries(names.map(n => [n, one]));
+  const answer = text && await ask({ ask: "numbers", text, lang, numbers: each(value), said: each(typedAs) });
+  if (!answer?.text || answer.text === text) return false;
+  await bench.take(answer.text);
+  touched(answer.lines);
+  return true;
+}
+/** @type {(axis: number, value: number, text: string) => Promise<void>} */
+async function placed(axis, value, text) {
+  if (await putAsTyped([`place_${canvas.chosen}.${"xy"[axis]}`], value, text)) return;
   const to = canvas.sketch.points[canvas.chosen].map((v, k) => k === axis ? value : v);
   shifted(canvas.sketch, canvas.chosen, to);
   paint();
   canvas.changed("move", true);
 }
 /** The length of a link: that of the mechanism, or of the drawing where there is none yet.
- * @type {(value: number) => Promise<void>} */
-async function stretched(value) {
-  const [a, b] = ends(), { text, lang } = bench, { sketch } = canvas;
-  const numbers = { [`l_${a}${b}`]: value, [`l_${b}${a}`]: value };
-  const answer = text ? await ask({ ask: "numbers", text, lang, numbers }) : null;
-  if (answer?.text && answer.text !== text) {
-    await bench.take(answer.text);
-    touched(answer.lines);
-    return;
-  }
+ * @type {(value: number, text: string) => Promise<void>} */
+async function stretched(value, text) {
+  const [a, b] = ends(), { sketch } = canvas;
+  if (await putAsTyped([`l_${a}${b}`, `l_${b}${a}`], value, text)) return;
   const [still, far] = sketch.fixed.includes(b) ? [b, a] : [a, b];
   shifted(sketch, far, along(sketch.points[still], value, heading(sketch.points[still], sketch.points[far])));
   paint();
   canvas.changed("move", true);
 }
-/** @type {(id: string, act: (value: number) => void, least?: number) => void} */
+/** @type {(id: string, act: (value: number, text: string) => Promise<void>, least?: number) => void} */
 function sizeField(id, act, least = -Infinity) {
   on($(id), "change", () => {
     const value = typed($(id).value), sound = Number.isFinite(value) && value > least && chosenKind() !== "";
     $(id).setAttribute("aria-invalid", String(!sound));
-    if (sound) act(value);
+    if (sound) void act(value, asTyped($(id).value));
   });
 }
-sizeField("x", v => placed(0, v));
-sizeField("y", v => placed(1, v));
-sizeField("long", v => { void stretched(v); }, 0);
+sizeField("x", (v, text) => placed(0, v, text));
+sizeField("y", (v, text) => placed(1, v, text));
+sizeField("long", stretched, 0);
 on($("name"), "change", rename);
 on($("chosen"), "submit", e => { e.preventDefault(); });
 $("copy").onclick = copy;

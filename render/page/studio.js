@@ -103,10 +103,10 @@ on(frame, "load", () => { // numbers changed in the lesson are written back
   const inner = frame.contentWindow;
   if (!inner) return;
   on(inner, "rested", async e => {
-    const { given } = shown.data.drive, numbers = { ...e.detail };
+    const { given } = shown.data.drive, numbers = { ...e.detail.numbers }, { said } = e.detail;
     delete numbers[given];
     if (!Object.keys(numbers).length) return;
-    const answer = await ask({ ask: "numbers", text: bench.text, lang: bench.lang, numbers });
+    const answer = await ask({ ask: "numbers", text: bench.text, lang: bench.lang, numbers, said });
     if (answer?.text) { await take(answer.text, "lesson"); touched(answer.lines); }
     else if (answer) problems(answer.problems);
   });

@@ -94,7 +94,7 @@ def test_sizes_are_typed_for_what_is_chosen(page: Any) -> None:
     until(page, "/b_1: 0.36/.test(bench.text)")
     page.evaluate("(() => { canvas.chosen = '2'; canvas.seen(); return 1; })()")
     typed(page, "#long", "310 mm")
-    until(page, "/l_BC: 0.31,/.test(bench.text)")
+    until(page, "bench.text.includes('l_BC: 310*0.001,')")
     assert loads(page.evaluate("bench.text")).mechanism
 
 
@@ -117,3 +117,25 @@ def test_a_picture_is_sized_by_two_clicks(page: Any) -> None:
     assert math.hypot(u - x, v - y) == pytest.approx(0.5)
     assert page.evaluate("document.querySelector('#canvas .ruled').getAttribute('d').split('M').length") == 4
     page.evaluate("(() => { canvas.under = canvas.ruled = null; return 1; })()")
+
+
+def test_a_number_typed_in_a_unit_is_in_the_text_as_it_was_typed(page: Any) -> None:
+    """In a field of the lesson, and of what is chosen on the canvas."""
+    opened(page, SIX)
+    inner = "document.getElementById('lesson').contentWindow"
+    for name, text, line in (
+        ("l_AB", "120 mm", "l_AB: 120*0.001,"),
+        ("omega_1", "-180 rpm", "omega: -180*pi/30,"),
+        ("l_BC", "2*(0,1+0,06)", "l_BC: 2*(0.1+0.06),"),
+    ):
+        field = f"{inner}.document.querySelector('#knobs input[type=text][data-given={name}]')"
+        page.evaluate(
+            f"(() => {{ const f = {field}; f.value = '{text}'; f.dispatchEvent(new Event('input', "
+            "{ bubbles: true })); f.dispatchEvent(new Event('change', { bubbles: true })); return 1; })()"
+        )
+        until(page, f"bench.text.includes('{line}')")
+    hand = Hand(page)
+    hand.rest()
+    page.evaluate("(() => { canvas.chosen = '3'; canvas.seen(); return 1; })()")
+    typed(page, "#long", "160 mm")
+    until(page, "bench.text.includes('l_CD: 160*0.001,')")

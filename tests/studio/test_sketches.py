@@ -136,3 +136,22 @@ def test_a_mechanism_goes_through_a_state_that_is_none() -> None:
     again["links"]["5"] = full["links"]["5"]
     told = answer({"ask": "drawn", "text": told["text"], "sketch": again, "was": less})
     assert not told["problems"] and "C: l_BC" in told["text"] and "phi: phi_1, omega: -20" in told["text"]
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "typed", "line"),
+    [
+        ("l_AB", 0.31, "310*0.001", "l_AB: 310*0.001,"),
+        ("omega_1", -120 * math.pi / 30, "-120*pi/30", "omega: -120*pi/30,"),
+        ("l_AB", 0.3, "2*(0.1+0.05)", "l_AB: 2*(0.1+0.05),"),
+        ("place_D.x", -0.24, "-24*0.01", "x_D: -24*0.01,"),
+        ("l_AB", 0.31, "320*0.001", "l_AB: 0.31,"),
+    ],
+)
+def test_a_number_is_written_in_the_figures_that_were_typed(name: str, value: float, typed: str, line: str) -> None:
+    """Where they are that number; a later change by hand keeps the unit."""
+    text = (SAMPLES / "kind-1-rrr.yaml").read_text("utf-8").replace("x_D: -0.24", "x_D: -0.25")
+    now = answer({"ask": "numbers", "text": text, "numbers": {name: value}, "said": {name: typed}})["text"]
+    assert line in now and home_of(now)[name] == pytest.approx(value, rel=1e-4)
+    if line.endswith("*0.001,"):
+        assert "l_AB: 315*0.001," in with_numbers(now, {"l_AB": 0.315}).text
