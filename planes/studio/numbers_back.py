@@ -13,6 +13,7 @@ from types import MappingProxyType
 from planes.drafting.steps.settling import eliminated
 from planes.lesson.knobs import Knobs
 from planes.scene import loads
+from planes.scene.mechanism import RATES
 from planes.scene.source import SourceScalar, parse, walk
 from planes.solving import plans_of
 from planes.studio.text_edits import Edited
@@ -62,7 +63,15 @@ def with_numbers(text: str, wanted: Mapping[str, float], said: Mapping[str, str]
             plan = plan_of_scale(name)
             edited = edited.put(("plans", plan, "mu"), mu_text(value, plan))
     rest = {name: value for name, value in wanted.items() if not is_scale(name)}
-    return _solved(edited, rest, said) if rest else edited
+    return _solved(_accelerated(edited, rest), rest, said) if rest else edited
+
+
+def _accelerated(edited: Edited, wanted: Mapping[str, float]) -> Edited:
+    """The text with the acceleration of its drive, which may be left out where it is zero."""
+    m = loads(edited.text).mechanism
+    if not m or m.drive.letters[2] not in wanted or (key := RATES[m.drive.kind][1]) in edited.keys(("drive",)):
+        return edited
+    return edited.put(("drive", key), NumberInText((), 0.0).written(wanted[m.drive.letters[2]]))
 
 
 def _figures(text: str) -> list[NumberInText]:

@@ -113,7 +113,8 @@ function meant(found, from) {
     const turn = way * Math.PI / 180, long = (x - a[0]) * Math.cos(turn) + (y - a[1]) * Math.sin(turn);
     return { ...found, at: along(a, Math.round(long / by) * by, way) };
   }
-  if (STAMPS.includes(tool) && found.guide) return { ...found, at: onGuide(sketch.guides[found.guide], found.at) };
+  const rail = GROUPS.includes(tool) && !found.link ? found.guide || nearGuide(found.at) : "";
+  if (rail) return { ...found, guide: rail, at: onGuide(sketch.guides[rail], found.at) };
   if (from && tool !== "move" && !GROUPS.includes(tool)) {
     const way = heading(from.at, found.at), far = Math.hypot(...found.at.map((/** @type {number} */ v,
       /** @type {number} */ k) => v - from.at[k]));
@@ -179,10 +180,9 @@ const ACTS = /** @type {Record<string, (found: any, from: any) => any>} */ ({
   },
   load(found) { return found.point ? { load: found.point } : false; },
   mass(found) {
-    const { sketch } = canvas, held = holders(sketch, found.point);
-    const link = found.link && !held.includes(found.link) ? found.link : held[0] ?? found.link;
-    return link ? { mass: link, centre: held.length === 1 && !sketch.fixed.includes(found.point) ? found.point : "" } :
-      false;
+    const { sketch } = canvas, held = holders(sketch, found.point), link = found.link || held[0];
+    const own = held.length === 1 && held[0] === link && !sketch.fixed.includes(found.point);
+    return link ? { mass: link, centre: own ? found.point : "" } : false;
   },
   remove(found) {
     const { sketch } = canvas;

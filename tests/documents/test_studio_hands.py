@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from planes.scene import loads
+from planes.solving.of_scene import solve
 from tests.helpers import ROOT
 from tests.helpers.browser import chromium, until
 from tests.helpers.studios import SEEN, Hand, served
@@ -43,6 +44,36 @@ def typed(page: Any, field: str, text: str) -> None:
     until(page, "engine.idle()")
 
 
+def chosen(page: Any, name: str) -> None:
+    page.evaluate(f"(() => {{ canvas.chosen = '{name}'; canvas.seen(); return 1; }})()")
+
+
+def place(hand: Hand, name: str) -> tuple[float, float]:
+    x, y = hand.points()[name]
+    return x, y
+
+
+def along(rail: Any, way: complex, far: float) -> tuple[float, float]:
+    """A place on a guide, so far from where it begins."""
+    z = complex(*rail[1]) + way * far
+    return z.real, z.imag
+
+
+def typed_in_the_lesson(page: Any, numbers: dict[str, str]) -> None:
+    """Numbers typed in the fields of the lesson, until the text has them."""
+    inner = "document.getElementById('lesson').contentWindow"
+    for name, text in numbers.items():
+        until(page, f"engine.idle() && {SEEN}")
+        before = page.evaluate("bench.text")
+        field = f"{inner}.document.querySelector('#knobs input[type=text][data-given={name}]')"
+        until(page, f"!!{field}")
+        page.evaluate(
+            f"(() => {{ const f = {field}; f.value = '{text}'; f.dispatchEvent(new Event('input', "
+            "{ bubbles: true })); f.dispatchEvent(new Event('change', { bubbles: true })); return 1; })()"
+        )
+        until(page, f"bench.text !== {before!r}")
+
+
 def test_a_point_and_a_link_are_renamed_on_the_canvas(page: Any) -> None:
     """By a click and a field, or by keys; the text follows everywhere, and undo takes it back."""
     hand = opened(page, SIX)
@@ -69,7 +100,7 @@ def test_a_link_is_duplicated_and_its_copy_is_hung_up(page: Any) -> None:
     hand = opened(page, (ROOT / "planes" / "templates" / "four-bar.yaml").read_text("utf-8"))
     links = page.evaluate("Object.keys(canvas.sketch.links)")
     before = page.evaluate("bench.text")
-    page.evaluate("(() => { canvas.chosen = '3'; canvas.seen(); return 1; })()")
+    chosen(page, "3")
     page.locator("#copy").click()
     until(page, f"Object.keys(canvas.sketch.links).length === {len(links) + 1}")
     hand.rest()
@@ -92,7 +123,7 @@ def test_sizes_are_typed_for_what_is_chosen(page: Any) -> None:
     hand.press(*hand.points()["D"])
     typed(page, "#x", "-36 cm")
     until(page, "/b_1: 0.36/.test(bench.text)")
-    page.evaluate("(() => { canvas.chosen = '2'; canvas.seen(); return 1; })()")
+    chosen(page, "2")
     typed(page, "#long", "310 mm")
     until(page, "bench.text.includes('l_BC: 310*0.001,')")
     assert loads(page.evaluate("bench.text")).mechanism
@@ -122,20 +153,76 @@ def test_a_picture_is_sized_by_two_clicks(page: Any) -> None:
 def test_a_number_typed_in_a_unit_is_in_the_text_as_it_was_typed(page: Any) -> None:
     """In a field of the lesson, and of what is chosen on the canvas."""
     opened(page, SIX)
-    inner = "document.getElementById('lesson').contentWindow"
-    for name, text, line in (
-        ("l_AB", "120 mm", "l_AB: 120*0.001,"),
-        ("omega_1", "-180 rpm", "omega: -180*pi/30,"),
-        ("l_BC", "2*(0,1+0,06)", "l_BC: 2*(0.1+0.06),"),
-    ):
-        field = f"{inner}.document.querySelector('#knobs input[type=text][data-given={name}]')"
-        page.evaluate(
-            f"(() => {{ const f = {field}; f.value = '{text}'; f.dispatchEvent(new Event('input', "
-            "{ bubbles: true })); f.dispatchEvent(new Event('change', { bubbles: true })); return 1; })()"
-        )
-        until(page, f"bench.text.includes('{line}')")
+    typed_in_the_lesson(page, {"l_AB": "120 mm", "omega_1": "-180 rpm", "l_BC": "2*(0,1+0,06)"})
+    for line in ("l_AB: 120*0.001,", "omega: -180*pi/30,", "l_BC: 2*(0.1+0.06),"):
+        assert line in page.evaluate("bench.text")
     hand = Hand(page)
     hand.rest()
-    page.evaluate("(() => { canvas.chosen = '3'; canvas.seen(); return 1; })()")
+    chosen(page, "3")
     typed(page, "#long", "160 mm")
     until(page, "bench.text.includes('l_CD: 160*0.001,')")
+
+
+@pytest.mark.slow
+def test_the_six_link_is_drawn_from_nothing_by_mouse(page: Any) -> None:
+    """Snapping places hinges and guides, typed sizes do the rest: every number is that of the sample."""
+    page.locator("#views [data-view=gallery]").click()
+    page.locator("#fresh").click()
+    page.evaluate("(() => { canvas.chosen = ''; return 1; })()")
+    hand = Hand(page)
+    hand.tool("fix")
+    hand.press(0.0, 0.0)
+    hand.press(-0.3, -0.2)
+    hand.tool("move")
+    hand.press(*hand.points()["B"])
+    for field, text in (("#x", "-350 mm"), ("#y", "-270 mm")):
+        typed(page, field, text)
+    hand.tool("link")
+    hand.drag((0.0, 0.0), (-0.0866, 0.05))  # AC, 0.1 m at 150°
+    hand.drag(place(hand, "C"), (-0.3, -0.1))
+    hand.drag(place(hand, "B"), place(hand, "D"))
+    for link, text in (("2", "300 mm"), ("3", "150 mm")):
+        chosen(page, link)
+        typed(page, "#long", text)
+    renamed = {"D": "T", "B": "D", "C": "B", "T": "C"}
+    for was, now in renamed.items():
+        chosen(page, was)
+        typed(page, "#name", now)
+    hand.tool("guide")
+    hand.drag((-0.42, -0.2), (-0.42, 0.1))
+    x, y = place(hand, "C")
+    hand.drag((x, y), (x - 0.057, y + 0.082))  # nearly across BC
+    hand.tool("PRP")
+    text = page.evaluate("bench.text")
+    rails = page.evaluate("Object.entries(canvas.sketch.guides).map(([n, g]) => [n, g.at, g.angle])")
+    ways = [complex(math.cos(math.radians(a)), math.sin(math.radians(a))) for _, _, a in rails]
+    upright, across = (next(k for k, w in enumerate(ways) if (abs(w.real) < 1e-6) is there) for there in (True, False))
+    hand.drag(along(rails[across], ways[across], 0.06), along(rails[upright], ways[upright], 0.05))
+    hand.rest()
+    typed_in_the_lesson(page, {"omega_1": "-20", "epsilon_1": "80"})
+    hand.tool("plate")
+    start, end = complex(*place(hand, "B")), complex(*place(hand, "C"))
+    at = start + (end - start) / 0.3 * 0.2
+    hand.press(at.real, at.imag)
+    hand.tool("mass")
+    hand.press(*place(hand, "F"))
+    for link in ("1", "3"):
+        middle = page.evaluate(f"canvas.sketch.links['{link}'].points.map(p => canvas.sketch.points[p])")
+        hand.press(*(sum(p[k] for p in middle[:2]) / 2 for k in (0, 1)))
+    hand.press(*place(hand, "E"))
+    hand.tool("load")
+    hand.press(*place(hand, "E"))
+    masses = {"m_1": "60", "J_1": "5", "m_2": "40", "J_2": "2", "m_3": "70", "J_3": "0.5", "m_5": "50", "P_5_given": "6 kN"}
+    typed_in_the_lesson(page, masses)
+    text = page.evaluate("bench.text")
+    own, sample = loads(text), loads(SIX)
+    assert own.mechanism and sample.mechanism
+
+    ours, theirs = solve(own), solve(sample)
+    for p in "ABCD":
+        assert ours.r[p] == pytest.approx(theirs.r[p], abs=2e-5) and ours.v[p] == pytest.approx(theirs.v[p], abs=2e-3)
+    for link, omega in theirs.omega.items():
+        assert ours.omega[link] == pytest.approx(omega, rel=2e-4, abs=1e-3), link
+        assert ours.epsilon[link] == pytest.approx(theirs.epsilon[link], rel=2e-4, abs=1e-2), link
+    for name in ("F_50", "F_32", "M_1"):
+        assert abs(ours.value(name)) == pytest.approx(abs(theirs.value(name)), rel=1e-3), name
