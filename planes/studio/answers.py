@@ -1,7 +1,8 @@
 """The one message of the studio, and its answers: a carrier delivers plain data and takes back plain data.
 
-``{id, ask, text, lang, …}`` → ``{id, …, problems}``: ``ask`` is "lesson" (frames, tape, scheme), "numbers" (some were
-changed by hand), "sketch" (a mechanism as drawn), "drawn" (a sketch has changed), "rename" (a point or a link),
+``{id, ask, text, lang, …}`` → ``{id, …, problems}``: ``ask`` is "lesson" (frames, tape, scheme; ``all``: its practice
+too), "practice" (the slow part of a lesson: the catalogue of mistakes, and a tape with their places), "numbers" (some
+were changed by hand), "sketch" (a mechanism as drawn), "drawn" (a sketch has changed), "rename" (a point or a link),
 "put", "append", "leave out" (a part of the text).
 """
 
@@ -9,7 +10,7 @@ from collections.abc import Callable
 from difflib import SequenceMatcher
 from typing import Any
 
-from planes.lesson.data import lesson_data
+from planes.lesson.data import lesson_data, practice_data
 from planes.scene import loads
 from planes.studio.message_shapes import checked
 from planes.studio.numbers_back import with_numbers
@@ -97,7 +98,7 @@ def _lesson(text: str, message: Json) -> Json:
     lang = lang_of(message)
     plain: Json = {"column": 1, "help": [], "doubt": True}
     doubts = [{**plain, "line": d.line, "said": d.phrase.told(lang)} for d in scene.doubts]
-    return {"data": lesson_data(scene), "problems": doubts}
+    return {"data": lesson_data(scene, practice=bool(message.get("all"))), "problems": doubts}
 
 
 def _edited(edited: Edited) -> Json:
@@ -120,6 +121,7 @@ def _path(message: Json) -> tuple[str, ...]:
 ACTS: dict[str, Callable[[str, Json], dict[str, Any]]] = {
     "lesson": _lesson,
     "numbers": lambda text, m: _edited(with_numbers(text, _numbers(m), m.get("said") or {})),
+    "practice": lambda text, _: {"data": practice_data(loads(text, FILE))},
     "sketch": lambda text, _: {"sketch": sketch_of(loads(text, FILE))},
     "drawn": lambda text, m: _drawn(drawn(text, m["sketch"], m.get("was"))),
     "rename": lambda text, m: _edited(renamed(text, *_path(m), str(m["value"]))),

@@ -12,10 +12,10 @@ import { STAMPS } from "./stamps.js";
 import { offered } from "./take.js";
 import { typed } from "./typed.js";
 
-const REST_MS = 250;
+const REST_MS = 250, APART_MS = 400; // until a text at rest is shown, and its practice asked for
 /** A text, and the sketch of it where that is known. @typedef {{ text: string, sketch: Sketch | null }} Moment */
 const past = /** @type {Moment[]} */ ([]), future = /** @type {Moment[]} */ ([]);
-let typing = 0, drawn = /** @type {Sketch | null} */ (null);
+let typing = 0, resting = 0, drawn = /** @type {Sketch | null} */ (null);
 const frame = /** @type {any} */ ($("lesson"));
 let shown = /** @type {any} */ (null), shownShape = "";
 
@@ -53,6 +53,7 @@ async function renewal(from) {
   problems(answer.problems);
   if (answer.data) {
     seen(answer);
+    completing(shown, text);
     keep(titleOf(answer.data), text);
     offered(answer.data);
     if (from !== "canvas") sketched();
@@ -77,6 +78,18 @@ async function prepared() { // a prepared lesson of the gallery, while the engin
 /** @type {(data: LessonData) => string} */
 const titleOf = data => data.title[bench.lang] || data.title.en || data.title.ru || "planes";
 
+/** The slow part of a lesson, once its text is at rest. @type {(lesson: any, text: string) => void} */
+function completing(lesson, text) {
+  clearTimeout(resting);
+  if (!lesson.data.pending) return;
+  resting = setTimeout(async () => {
+    const more = text === bench.text && await ask({ ask: "practice", text, lang: bench.lang });
+    if (!more?.data || text !== bench.text || shown !== lesson) return; // it came too late
+    for (const [tongue, letters] of Object.entries(more.letters)) Object.assign(lesson.letters[tongue], letters);
+    const inner = frame.contentWindow?.planes;
+    if (inner?.data === lesson.data) inner.completed(more.data); else Object.assign(lesson.data, more.data);
+  }, APART_MS);
+}
 /** @type {(answer: any) => void} */
 function seen(answer) {
   const { tape, home, frames } = answer.data, shape = JSON.stringify([tape.ops, tape.names, Object.keys(home), frames]);
@@ -84,9 +97,9 @@ function seen(answer) {
   $("title").textContent = document.title = titleOf(answer.data);
   $("nothing").hidden = true;
   frame.hidden = false;
-  shown = answer;
+  if (!same) shown = answer;
   shownShape = shape;
-  globalThis.planes.lesson = answer;
+  globalThis.planes.lesson = shown;
   if (same) { // the existing tape, with other numbers
     Object.assign(own.data.home, answer.data.home);
     own.data.knobs.forEach((/** @type {Knob} */ k, /** @type {number} */ n) => { k.at = answer.data.knobs[n].at; });

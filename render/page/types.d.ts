@@ -70,6 +70,7 @@ interface LessonData {
   judging: Numbers; practice: Question[]; mistakes: Record<string, { said: Said; parts: string[] }>; tape: TapeData;
   blunt: Record<string, Said>; centres: Record<string, string[][]>;
   noted: Record<string, Said>;
+  pending?: boolean; // its practice is still to come
   number: number; titles: Said[]; paragraphs: { frame: number; view: string; knobs: string[]; said: Said }[]; // an essay's
 }
 

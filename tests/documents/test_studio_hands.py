@@ -12,7 +12,7 @@ from planes.scene import loads
 from planes.solving.of_scene import solve
 from tests.helpers import ROOT
 from tests.helpers.browser import chromium, until
-from tests.helpers.studios import SEEN, Hand, served
+from tests.helpers.studios import INNER, SEEN, Hand, served
 
 SIX = (ROOT / "samples" / "six-link.yaml").read_text("utf-8")
 
@@ -212,7 +212,16 @@ def test_the_six_link_is_drawn_from_nothing_by_mouse(page: Any) -> None:
     hand.press(*place(hand, "E"))
     hand.tool("load")
     hand.press(*place(hand, "E"))
-    masses = {"m_1": "60", "J_1": "5", "m_2": "40", "J_2": "2", "m_3": "70", "J_3": "0.5", "m_5": "50", "P_5_given": "6 kN"}
+    masses = {
+        "m_1": "60",
+        "J_1": "5",
+        "m_2": "40",
+        "J_2": "2",
+        "m_3": "70",
+        "J_3": "0.5",
+        "m_5": "50",
+        "P_5_given": "6 kN",
+    }
     typed_in_the_lesson(page, masses)
     text = page.evaluate("bench.text")
     own, sample = loads(text), loads(SIX)
@@ -226,3 +235,17 @@ def test_the_six_link_is_drawn_from_nothing_by_mouse(page: Any) -> None:
         assert ours.epsilon[link] == pytest.approx(theirs.epsilon[link], rel=2e-4, abs=1e-2), link
     for name in ("F_50", "F_32", "M_1"):
         assert abs(ours.value(name)) == pytest.approx(abs(theirs.value(name)), rel=1e-3), name
+
+
+def test_the_practice_is_asked_for_apart(page: Any) -> None:
+    """Frames and tape come first; then the mistakes, with the tape that has their places. A late answer is dropped."""
+    page.evaluate(f"bench.open({SIX!r}, 'own')")
+    ready = f"({SEEN}) && {INNER}.data.pending === false && {INNER}.data.practice.length > 50"
+    until(page, f"engine.idle() && {ready} && Math.abs({INNER}.live.value('omega_2') - 8.122472) < 1e-5")
+    places = page.evaluate(f"{INNER}.data.slips.map(s => {INNER}.live.pair(s.place)).flat().every(Number.isFinite)")
+    assert places
+    page.evaluate(f"{INNER}.practice.toggle()")
+    assert page.evaluate(f"{INNER}.practice.on && {INNER}.practice.items.length > 50")
+    other = SIX.replace("phi_1: 150", "phi_1: 152").replace("C: right", "C: left")
+    page.evaluate(f"(() => {{ bench.open({SIX!r}, 'own'); bench.open({other!r}, 'own'); return 1; }})()")
+    until(page, f"engine.idle() && ({SEEN}) && {INNER}.data.home.angle_x_1 === 152 && {INNER}.data.pending === false")

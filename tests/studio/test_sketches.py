@@ -24,6 +24,7 @@ SCENES = [
 ]
 QUICK = [p for p in SCENES if not p.parent.name.startswith(("class", "mixtures"))]
 NEW = 3e-4  # m: as fine as a sketch is written, through the links of a group
+APART: list[tuple[str, dict[str, bool]]] = [("lesson", {}), ("practice", {}), ("lesson", {"all": True})]
 HARD = ("three-basic-links", "two-basic-links", "truss")  # whose assemblies move far with little
 
 
@@ -155,3 +156,11 @@ def test_a_number_is_written_in_the_figures_that_were_typed(name: str, value: fl
     assert line in now and home_of(now)[name] == pytest.approx(value, rel=1e-4)
     if line.endswith("*0.001,"):
         assert "l_AB: 315*0.001," in with_numbers(now, {"l_AB": 0.315}).text
+
+
+def test_a_lesson_with_its_practice_apart_is_the_whole_lesson() -> None:
+    """What comes apart, laid over the lesson without it, is what a page of its own has."""
+    text = (SAMPLES / "kind-2-rrp.yaml").read_text("utf-8")
+    first, more, full = (answer({"ask": ask, "text": text, **kind})["data"] for ask, kind in APART)
+    assert first["pending"] and not first["slips"] and not first["practice"] and len(str(first)) < len(str(full))
+    assert {k: v for k, v in {**first, **more}.items() if k != "pending"} == full
