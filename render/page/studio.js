@@ -206,6 +206,7 @@ function spoken() {
 /** A scene of the gallery, or another one. @type {(text: string, name: string) => void} */
 function open(text, name) {
   bench.name = name;
+  canvas.chosen = ""; // a field that is left now belongs to the scene before
   past.length = future.length = 0;
   bench.text = "";
   turnTo(name ? "see" : "draw");
