@@ -1,4 +1,5 @@
 // The studio: one text, shown as a lesson, drawn on a canvas, shared as a link; every change asks the engine again.
+import { scenesIn } from "./archive.js";
 import { bench, say, words } from "./bench.js";
 import { canvas, dropped, fit, listen, NOTHING, paint, show, sized, TOOLS } from "./canvas.js";
 import { ask, engine, wake, way } from "./carrier.js";
@@ -284,12 +285,23 @@ on(window, "keydown", e => {
   e.preventDefault();
   if (key === "KeyY" || e.shiftKey) back(future, past); else back(past, future);
 });
-on($("files-in"), "change", async () => { // scenes of a folder: the first is opened, all are kept
-  const files = [...$("files-in").files ?? []].filter(f => /\.ya?ml$/i.test(f.name));
-  const texts = await Promise.all(files.map(f => f.text()));
-  texts.forEach((text, k) => keep(files[k].name.replace(/\.ya?ml$/i, ""), text));
-  if (texts[0]) open(texts[0], "own");
-  $("files-in").value = "";
+/** Scenes of a folder, or of an archive: the first is opened, all are kept.
+ * @type {(files: FileList | null) => Promise<void>} */
+async function brought(files) {
+  const scenes = await scenesIn([...files ?? []]);
+  for (const { name, text } of [...scenes].reverse()) keep(name, text);
+  if (scenes[0]) open(scenes[0].text, "own");
+  else $("state").textContent = say("files_none");
+  void gallery();
+}
+for (const id of ["files-in", "folder-in"]) on($(id), "change", async () => {
+  await brought($(id).files);
+  $(id).value = "";
+});
+on(document, "dragover", e => { e.preventDefault(); });
+on(document, "drop", e => {
+  e.preventDefault();
+  if (e.dataTransfer.files.length) void brought(e.dataTransfer.files);
 });
 on(window, "hashchange", () => { if (asked().has("scene")) void started(); });
 Object.assign(bench, { take, open, act: (/** @type {string} */ name) => { turnTo("draw"); tool(name); } });

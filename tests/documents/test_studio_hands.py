@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import zipfile
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,6 +16,7 @@ from tests.helpers import ROOT
 from tests.helpers.browser import chromium, until
 from tests.helpers.studios import INNER, SEEN, Hand, served
 
+KEPT = "JSON.parse(localStorage.getItem('planes.scenes') ?? '[]')"
 SIX = (ROOT / "samples" / "six-link.yaml").read_text("utf-8")
 
 
@@ -249,3 +252,34 @@ def test_the_practice_is_asked_for_apart(page: Any) -> None:
     other = SIX.replace("phi_1: 150", "phi_1: 152").replace("C: right", "C: left")
     page.evaluate(f"(() => {{ bench.open({SIX!r}, 'own'); bench.open({other!r}, 'own'); return 1; }})()")
     until(page, f"engine.idle() && ({SEEN}) && {INNER}.data.home.angle_x_1 === 152 && {INNER}.data.pending === false")
+
+
+def test_scenes_leave_and_come_back_as_an_archive(page: Any, tmp_path: Path) -> None:
+    """Python's own archive of a folder is read, packed or stored; what is saved, Python reads; the last scenes stay."""
+    page.evaluate("localStorage.removeItem('planes.scenes')")
+    page.evaluate(f"bench.open({SIX!r}, 'own')")
+    until(page, f"{KEPT}.length === 1")
+    names = ["four-bar", "crank-slider"]
+    texts = {f"курс/{n}.yaml": (ROOT / "planes" / "templates" / f"{n}.yaml").read_text("utf-8") for n in names}
+    with zipfile.ZipFile(tmp_path / "mine.zip", "w", zipfile.ZIP_DEFLATED) as made:
+        for name, text in texts.items():
+            made.writestr(name, text)
+        made.writestr("курс/notes.txt", "no scene")
+    page.locator("#views [data-view=gallery]").click()
+    page.set_input_files("#files-in", str(tmp_path / "mine.zip"))
+    until(page, f"engine.idle() && {KEPT}.length >= 3")
+    assert page.evaluate(f"{KEPT}.map(k => k.text)").count(SIX) == 1
+    page.locator("#views [data-view=gallery]").click()
+    with page.expect_download() as saving:
+        page.locator("#files-out").click()
+    saving.value.save_as(str(tmp_path / "out.zip"))
+    with zipfile.ZipFile(tmp_path / "out.zip") as saved:
+        assert saved.testzip() is None
+        out = {saved.read(name).decode() for name in saved.namelist()}
+        assert all(name.startswith("scenes/") and name.endswith(".yaml") for name in saved.namelist())
+    assert out == {SIX, *texts.values()}
+    (tmp_path / "broken.zip").write_bytes(b"PK\5\6" + b"\xff" * 40)
+    before = page.evaluate(f"{KEPT}.length")
+    page.set_input_files("#files-in", str(tmp_path / "broken.zip"))
+    until(page, "document.getElementById('state').textContent.length > 10")
+    assert page.evaluate(f"{KEPT}.length") == before
