@@ -20,12 +20,16 @@ function typedIn(id, value) {
 const inMetres = v => String(+v.toFixed(5));
 export function chosenShown() {
   const own = chosenKind(), [a, b] = ends().map(p => canvas.sketch.points[p]);
-  $("chosen").classList.toggle("none", !own);
-  $("chosen").inert = !own;
+  const none = !own && !bench.text;
+  $("chosen").classList.toggle("none", none);
+  $("chosen").inert = none;
+  $("called").parentElement?.toggleAttribute("hidden", !!own); // of nothing chosen, the title of all
+  $("name").parentElement?.toggleAttribute("hidden", !own);
+  for (const id of ["copy", "bin"]) $(id).hidden = !own;
   $("x").parentElement?.toggleAttribute("hidden", own !== "point");
   $("y").parentElement?.toggleAttribute("hidden", own !== "point");
   $("long").parentElement?.toggleAttribute("hidden", own !== "link" || !b);
-  if (!own) return;
+  if (!own) { typedIn("called", $("title").textContent ?? ""); return; }
   typedIn("name", canvas.chosen);
   if (own === "point") [typedIn("x", inMetres(a[0])), typedIn("y", inMetres(a[1]))];
   else if (b) typedIn("long", inMetres(Math.hypot(b[0] - a[0], b[1] - a[1])));
@@ -95,6 +99,13 @@ sizeField("x", (v, text) => placed(0, v, text));
 sizeField("y", (v, text) => placed(1, v, text));
 sizeField("long", stretched, 0);
 on($("name"), "change", rename);
+on($("called"), "change", async () => {
+  const { text, lang } = bench, value = JSON.stringify($("called").value.trim());
+  const answer = await ask({ ask: "put", text, lang, path: ["title"], value });
+  if (!answer?.text) return;
+  await bench.take(answer.text, "named");
+  touched(answer.lines);
+});
 on($("chosen"), "submit", e => { e.preventDefault(); });
 $("copy").onclick = copy;
 $("bin").onclick = () => {

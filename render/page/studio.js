@@ -7,7 +7,7 @@ import { chosenShown } from "./chosen.js";
 import { $, on, worded } from "./dom.js";
 import { gallery, shelf } from "./gallery.js";
 import { problems, touched } from "./problems.js";
-import { asked, keep, pressed, unpressed } from "./share.js";
+import { asked, keep, kept, pressed, unpressed } from "./share.js";
 import { holders } from "./sketch.js";
 import { STAMPS } from "./stamps.js";
 import { offered } from "./take.js";
@@ -96,6 +96,7 @@ function seen(answer) {
   const { tape, home, frames } = answer.data, shape = JSON.stringify([tape.ops, tape.names, Object.keys(home), frames]);
   const own = frame.contentWindow?.planes, same = shown && own?.live && shape === shownShape;
   $("title").textContent = document.title = titleOf(answer.data);
+  chosenShown();
   $("nothing").hidden = true;
   frame.hidden = false;
   if (!same) shown = answer;
@@ -215,12 +216,14 @@ function open(text, name) {
   shown = null;
   frame.removeAttribute("src");
   frame.hidden = true;
-  $("title").textContent = say("fresh");
+  const names = kept().map(one => one.title), fresh = say("fresh"); // each under a title of its own
+  const title = [fresh, ...names.map((_, k) => `${fresh} ${k + 2}`)].find(t => !names.includes(t));
+  $("title").textContent = title;
   drawn = null;
   $("scene").value = "";
   $("nothing").hidden = false;
   $("nothing").textContent = say("nothing");
-  show({ ...NOTHING, title: say("fresh") });
+  show({ ...NOTHING, title });
   problems([]);
   tool("fix");
 }
@@ -250,8 +253,9 @@ $("redo").onclick = () => back(future, past);
 $("fresh").onclick = () => open("", "");
 $("share").onclick = async () => {
   await address();
-  await navigator.clipboard?.writeText(location.href).catch(() => {});
-  $("state").textContent = say("shared");
+  const [, web] = bench.text.match(/\bstudio:\s*["']?(https?:\/\/[^\s"',}]+)/) ?? [];
+  await navigator.clipboard?.writeText(web ? web + location.hash : location.href).catch(() => {});
+  $("state").textContent = say(web || way.kind !== "server" ? "shared" : "shared_here").replace(/([{}])\1/g, "$1");
 };
 $("lang").onchange = () => {
   bench.lang = $("lang").value;

@@ -283,3 +283,23 @@ def test_scenes_leave_and_come_back_as_an_archive(page: Any, tmp_path: Path) -> 
     page.set_input_files("#files-in", str(tmp_path / "broken.zip"))
     until(page, "document.getElementById('state').textContent.length > 10")
     assert page.evaluate(f"{KEPT}.length") == before
+
+
+def test_a_new_mechanism_has_a_title_and_a_link_says_where_it_opens(page: Any) -> None:
+    """Two new mechanisms are two in the history; a link of this computer is not taken for one to be sent."""
+    page.evaluate("localStorage.removeItem('planes.scenes')")
+    hand = Hand(page)
+    for _ in range(2):
+        page.locator("#views [data-view=gallery]").click()
+        page.locator("#fresh").click()
+        hand.tool("motor")
+        hand.drag((-0.2, 0.0), (-0.15, 0.0866))
+    until(page, f"{KEPT}.length === 2")
+    page.evaluate("(() => { canvas.chosen = ''; canvas.seen(); return 1; })()")
+    typed(page, "#called", 'My "own" four-bar')
+    until(page, "document.getElementById('title').textContent === 'My \"own\" four-bar'")
+    page.locator("#share").click()
+    until(page, "/this computer only/.test(document.getElementById('state').textContent)")
+    page.evaluate("bench.take(bench.text + 'sheet: {studio: https://planes.example/studio/}\\n')")
+    page.locator("#share").click()
+    until(page, "/holds the whole/.test(document.getElementById('state').textContent)")
