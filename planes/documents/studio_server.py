@@ -179,7 +179,10 @@ class StudioServer:
         """The output of a command for the message's scene, in a separate process; or why it failed."""
         lang = str(message.get("lang", ""))
         with tempfile.TemporaryDirectory() as folder:
-            for name, data in {"scene.yaml": str(message.get("text", "")).encode(errors="replace"), **(beside or {})}.items():
+            for name, data in {
+                "scene.yaml": str(message.get("text", "")).encode(errors="replace"),
+                **(beside or {}),
+            }.items():
                 keep(data, Path(folder) / name)
             argv = [sys.executable, "-m", "planes", *line, "--lang", lang if lang in langs() else self.lang]
             async with self.busy:

@@ -33,14 +33,18 @@ def answer(message: Json) -> Json:
     act = ACTS.get(str(message.get("ask")))
     own: Json = {"id": message.get("id"), "ask": message.get("ask"), "problems": []}
     if act is None:
-        return {**own, "problems": [{"line": 1, "said": say("studio_unknown", lang), "help": []}]}
+        return {**own, "problems": [_plain("studio_unknown", lang)]}
     try:
         return {**own, **act(text, checked(message))}
     except PlanesError as error:
         more = {"text": error.text} if isinstance(error, Unfinished) else {}
         return {**own, **more, "problems": [problem(error, more.get("text", text), lang)]}
     except ImportError as error:
-        return {**own, "problems": [{"line": 1, "said": say("studio_needs", lang, name=error.name), "help": []}]}
+        return {**own, "problems": [_plain("studio_needs", lang, name=error.name)]}
+
+
+def _plain(key: str, lang: Lang, **parts: object) -> Json:
+    return {"line": 1, "said": say(key, lang, **parts), "help": []}
 
 
 def lang_of(message: Json) -> Lang:
@@ -55,12 +59,12 @@ def problem(error: PlanesError, text: str, lang: Lang) -> Json:
     said = error.phrase.told(lang) if isinstance(error.phrase, Phrase) else str(error.phrase)
     report: Json = {"line": line, "column": 1, "said": said, "help": []}
     parts = error.parts
-    row = (text.splitlines() or [""])[min(line, text.count("\n") + 1) - 1 : line]
+    row = "".join(text.splitlines()[line - 1 : line])
     valid = _valid(parts)
-    quoted = [str(part) for part in parts.values() if isinstance(part, str) and part and row and part in row[0]]
+    quoted = [str(part) for part in parts.values() if isinstance(part, str) and part and part in row]
     if quoted:
         meant = max(quoted, key=lambda part: max((alike(part, name) for name in valid), default=0.0))
-        report["column"] = row[0].rindex(meant) + 1
+        report["column"] = row.rindex(meant) + 1
         report["help"] = [{"label": name, "from": meant, "to": name} for name in valid]
     if isinstance(error.phrase, Phrase) and error.phrase.key in LACKS and (act := TOOLS.get(str(parts.get("key", "")))):
         report["help"].append({"label": say(f"studio_add_{act}", lang), "act": act})
@@ -78,10 +82,9 @@ def _valid(parts: dict[str, object]) -> list[str]:
     """The valid names, the nearest first."""
     valid = parts.get("valid")
     offered = valid.parts if isinstance(valid, Phrase) else {}
-    names = offered.get("names", ())
-    near = offered.get("near")
-    first = [str(near.parts["name"])] if isinstance(near, Phrase) and "name" in near.parts else []
-    return [*first, *(n for n in map(str, names if isinstance(names, tuple) else ()) if n not in first)][:6]
+    names, near = offered.get("names"), offered.get("near")
+    first = [near.parts["name"]] if isinstance(near, Phrase) and "name" in near.parts else []
+    return [*dict.fromkeys(map(str, (*first, *(names if isinstance(names, tuple) else ()))))][:6]
 
 
 def _offer(text: str, path: tuple[str, ...], value: str) -> Json:
@@ -110,21 +113,17 @@ def _drawn(edited: Edited) -> Json:
     return {**_edited(edited), "sketch": sketch_of(loads(edited.text, FILE))}
 
 
-def _numbers(message: Json) -> dict[str, float]:
-    return {str(name): float(value) for name, value in message["numbers"].items()}
-
-
 def _path(message: Json) -> tuple[str, ...]:
     return tuple(map(str, message["path"]))
 
 
 ACTS: dict[str, Callable[[str, Json], dict[str, Any]]] = {
     "lesson": _lesson,
-    "numbers": lambda text, m: _edited(with_numbers(text, _numbers(m), m.get("said") or {})),
+    "numbers": lambda text, m: _edited(with_numbers(text, m["numbers"], m.get("said") or {})),
     "practice": lambda text, _: {"data": practice_data(loads(text, FILE))},
     "sketch": lambda text, _: {"sketch": sketch_of(loads(text, FILE))},
     "drawn": lambda text, m: _drawn(drawn(text, m["sketch"], m.get("was"))),
-    "rename": lambda text, m: _edited(renamed(text, *_path(m), str(m["value"]))),
+    "rename": lambda text, m: _edited(renamed(text, m["path"][0], m["path"][-1], m["value"])),
     "put": lambda text, m: _edited(Edited(text).put(_path(m), str(m["value"]))),
     "append": lambda text, m: _edited(Edited(text).appended(_path(m), str(m["value"]))),
     "leave out": lambda text, m: _edited(Edited(text).without(_path(m))),

@@ -13,7 +13,6 @@ from types import MappingProxyType
 from planes.drafting.steps.settling import eliminated
 from planes.lesson.knobs import Knobs
 from planes.scene import loads
-from planes.scene.mechanism import RATES
 from planes.scene.source import SourceScalar, parse, walk
 from planes.solving import plans_of
 from planes.studio.text_edits import Edited
@@ -28,6 +27,7 @@ ROUNDS, CLOSE = 8, 1e-9
 WRITTEN = 1e-4  # relative: closer than this two numbers are the same as written
 DIGITS = 5  # digits written for a number set by hand
 NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(\s*[^\d\s].*)?")
+LEFT_OUT = (("drive", "epsilon"), ("drive", "acceleration"))  # where they are zero
 PARAMETER = re.compile(r"(?!pi\b)\b[^\W\d]")
 PARTS = ("parameters", "frame", "links", "drive", "loads", "gravity", "vectors", "friction")
 
@@ -63,24 +63,17 @@ def with_numbers(text: str, wanted: Mapping[str, float], said: Mapping[str, str]
             plan = plan_of_scale(name)
             edited = edited.put(("plans", plan, "mu"), mu_text(value, plan))
     rest = {name: value for name, value in wanted.items() if not is_scale(name)}
-    return _solved(_accelerated(edited, rest), rest, said) if rest else edited
-
-
-def _accelerated(edited: Edited, wanted: Mapping[str, float]) -> Edited:
-    """The text with the acceleration of its drive, which may be left out where it is zero."""
-    m = loads(edited.text).mechanism
-    if not m or m.drive.letters[2] not in wanted or (key := RATES[m.drive.kind][1]) in edited.keys(("drive",)):
-        return edited
-    return edited.put(("drive", key), NumberInText((), 0.0).written(wanted[m.drive.letters[2]]))
+    return _solved(edited, rest, said) if rest else edited
 
 
 def _figures(text: str) -> list[NumberInText]:
-    """The numbers of the text that a mechanism depends on, in the order of the text."""
+    """The numbers of the text that a mechanism depends on, in its order; then those that it may leave out."""
     numbers = []
     for path, node, _ in walk(parse(text, "")):
         if path and path[0] in PARTS and isinstance(node, SourceScalar) and (digits := NUMBER.fullmatch(node.text)):
             numbers.append(NumberInText(path, float(digits[1]), digits[2] or ""))
-    return numbers
+    there = {figure.path for figure in numbers}
+    return numbers + [NumberInText(path, 0.0) for path in LEFT_OUT if path not in there]
 
 
 Slopes = Mapping[NumberInText, Mapping[str, float]]
@@ -110,8 +103,7 @@ def _solved(edited: Edited, wanted: Mapping[str, float], said: Mapping[str, str]
     for name, figure in chosen.items():
         typed = solved.put(figure.path, said[name]) if name in said and not PARAMETER.search(figure.unit) else solved
         with suppress(PlanesError):
-            home = home_of(typed.text)
-            solved = typed if all(_off(home[n], wanted[n]) <= WRITTEN for n in chosen) else solved
+            solved = typed if _off(home_of(typed.text)[name], wanted[name]) <= WRITTEN else solved
     return solved
 
 

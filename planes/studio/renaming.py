@@ -1,16 +1,15 @@
 """A point or a link under another name: every mention of it in a scene's text, and nothing else."""
 
 import re
-from collections.abc import Callable, Iterable, Iterator
-
-import yaml
+from collections.abc import Callable
 
 from planes.plans import Plans
 from planes.plans.quantities import catalogue
 from planes.scene import loads
+from planes.scene.source import SourceScalar, parse, walk
 from planes.solving import plans_of
 from planes.studio.message_shapes import NAME
-from planes.studio.text_edits import FILE, Edited, tree_of
+from planes.studio.text_edits import FILE, Edited
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
@@ -18,26 +17,36 @@ NAMED = {"point": ("centre", "through", "point"), "link": ("link", "on", "slider
 """Keys whose values are names."""
 IN_LAWS = {"point": "x|y|v|a", "link": "phi|omega|epsilon|s|v|a"}
 """The letters of the motion in laws of loads."""
+PART = "part"
+KEYS = {
+    "point": "(frame|links/[^/]+)/points/[^/]+|(assembly|friction)/[^/]+",
+    "link": "links/[^/]+",
+    PART: "(frame|links/[^/]+)/(points|guides)/[^/]+|links/[^/]+",
+}
+"""The places of keys that are names."""
 VECTOR = re.compile(r"[^\W\d]\w*(?:\^\w+)?")
-Scalar = tuple[tuple[str, ...], yaml.ScalarNode, bool]
+Path = tuple[str, ...]
 
 
 def renamed(text: str, kind: str, name: str, to: str) -> Edited:
     """The text with a point or a link under another name. :class:`PlanesError` where that name is taken, or is none, or
     the mechanism cannot have it."""
-    scalars = [*_scalars(tree_of(text))]
-    names = {node.value for path, node, key in scalars if key and _names_a_part(path)} | {"0"}
-    wrong = {"wrong": not NAME.fullmatch(to), "taken": to in names, "none": name not in names}
-    for key in (k for k, holds in wrong.items() if holds):
+    paths = [path for path, _, _ in walk(parse(text, FILE))]
+    names = {path[-1] for path in paths if _names_a(PART, path)}
+    key = "none" if name not in names else "taken" if to in (*names, "0") else "" if NAME.fullmatch(to) else "wrong"
+    if key:
         raise PlanesError(Phrase(f"studio_name_{key}", name=name if key == "none" else to))
-    law = re.compile(rf"(?<!\w)({IN_LAWS[kind]})_{re.escape(name)}(?!\w)")
+    law = re.compile(rf"(?<!\w)({IN_LAWS.get(kind)})_{re.escape(name)}(?!\w)")
 
-    def other(path: tuple[str, ...], value: str, key: bool) -> str:
-        if value == name and (_names_a_part(path, kind) if key else path[-1] in NAMED[kind]):
+    def other(path: Path, value: str) -> str:
+        if value == name and path[-1] in NAMED.get(kind, ()):
             return to
-        return value if key or path[0] != "loads" else law.sub(rf"\1_{to}", value)
+        return law.sub(rf"\1_{to}", value) if path[0] == "loads" else value
 
-    edited = _changed(text, scalars, other)
+    edited = _changed(Edited(text), other)
+    for path in paths:
+        if path[-1:] == (name,) and _names_a(kind, path):
+            edited = edited.rekeyed(path, to)
     try:
         before = _plans(text)
     except PlanesError:
@@ -52,55 +61,22 @@ def _plans(text: str) -> Plans:
 
 def _asked(edited: Edited, before: Plans, after: Plans) -> Edited:
     """The text with other names of the quantities asked for, and of the vectors in equations."""
-    known = catalogue(before)
-    others = dict(zip(known, catalogue(after), strict=True))
-    letters = before.naming.names(known, poles=False)
-
-    def other(path: tuple[str, ...], value: str, key: bool) -> str:
-        if path[0] == "find" and not key:
-            own = letters.one(value, "no_quantity", lambda n: known[n].path)
-            return value if others[own] == own else after.naming.typed(others[own])
-        return VECTOR.sub(lambda hit: others.get(hit[0], hit[0]), value) if path[0] == "equations" else value
-
-    return _changed(edited.text, _scalars(tree_of(edited.text)), other, edited.lines)
+    pairs = [*zip(catalogue(before), catalogue(after), strict=True)]
+    others = dict(pairs) | {before.naming.typed(was): after.naming.typed(now) for was, now in pairs}
+    names = ("find", "equations")
+    return _changed(
+        edited, lambda path, value: VECTOR.sub(lambda v: others.get(v[0], v[0]), value) if path[0] in names else value
+    )
 
 
-def _names_a_part(path: tuple[str, ...], kind: str = "") -> bool:
-    """Whether a key is the name of a point or a link."""
-    match path:
-        case ("links", _):
-            return kind != "point"
-        case ("frame", "points", _) | ("links", _, "points", _):
-            return kind != "link"
-        case ("assembly" | "friction", _):
-            return kind == "point"
-    return not kind and path[-2:-1] == ("guides",)
+def _names_a(kind: str, path: Path) -> bool:
+    """Whether the last key of a path is the name of a part of this kind."""
+    return bool(re.fullmatch(KEYS.get(kind, ""), "/".join(path)))
 
 
-def _scalars(node: yaml.Node, path: tuple[str, ...] = ()) -> Iterator[Scalar]:
-    """The scalars of a tree with their paths; whether one is a key."""
-    if isinstance(node, yaml.ScalarNode):
-        yield path, node, False
-    elif isinstance(node, yaml.MappingNode):
-        for key, value in node.value:
-            yield (*path, key.value), key, True
-            yield from _scalars(value, (*path, key.value))
-    elif isinstance(node, yaml.SequenceNode):
-        for k, item in enumerate(node.value):
-            yield from _scalars(item, (*path, str(k)))
-
-
-def _changed(
-    text: str,
-    scalars: Iterable[Scalar],
-    other: Callable[[tuple[str, ...], str, bool], str],
-    lines: tuple[int, ...] = (),
-) -> Edited:
-    """The text with other scalars, from the last to the first; their quotes stay."""
-    for path, node, key in reversed([*scalars]):
-        value = other(path, node.value, key)
-        if value != node.value:
-            start, end = node.start_mark.index, node.end_mark.index
-            text = text[:start] + text[start:end].replace(node.value, value) + text[end:]
-            lines = (*lines, node.start_mark.line + 1)
-    return Edited(text, tuple(sorted({*lines})))
+def _changed(edited: Edited, other: Callable[[Path, str], str]) -> Edited:
+    """The text with other values where they differ; a quoted one stays quoted."""
+    for path, node, _ in walk(parse(edited.text, FILE)):
+        if isinstance(node, SourceScalar) and (value := other(path, node.text)) != node.text:
+            edited = edited.put(path, value if node.plain else f'"{value}"')
+    return edited

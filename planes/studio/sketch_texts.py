@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from planes.scene import loads
 from planes.scene.mechanism import FRAME, RATES
+from planes.scene.source import parse, walk
 from planes.studio.numbers_back import home_of, with_numbers
 from planes.studio.sketches import NEAR_M, sketch_of
 from planes.studio.text_edits import Edited
@@ -62,11 +63,10 @@ def _alike(old: Json, sketch: Json) -> bool:
 def _parts(edited: Edited, sketch: Json, was: Json | None) -> Edited:
     """Frame, links and drive as drawn; what has not changed stays as written."""
     old, new = dict(_said(was)) if was else {}, dict(_said(sketch))
-    tables = {path[:-1] for path in new} | {path[:-1] for path in old} | {("links",)}
-    for table in sorted(tables):
-        for key in edited.keys(table) if table[-1:] in (("points",), ("guides",), ("links",)) else ():
-            if not any(path[: len(table) + 1] == (*table, key) for path in new):
-                edited = edited.without((*table, key))
+    for path, _, _ in walk(parse(edited.text, "")):
+        part = path[:1] in (("frame",), ("links",)) and path[-2:-1] in (("points",), ("guides",), ("links",))
+        if part and not any(p[: len(path)] == path for p in new):
+            edited = edited.without(path)
     for path, value in new.items():
         if old.get(path) != value:
             edited = edited.put(path, value) if value else edited.without(path)
@@ -146,15 +146,15 @@ def _on_link(g: Json, local: dict[str, complex], origin: complex, axis: complex)
 def _drive(drive: Json, sketch: Json, points: dict[str, complex]) -> str:
     """The drive at the position in which its link is drawn."""
     kind, name = drive["kind"], drive["link"]
-    on = drive.get("on", FRAME)
+    on = drive.get("on")
     if kind == "phi":
-        turned = axis_of(name, sketch, points) * (axis_of(on, sketch, points) if on != FRAME else 1).conjugate()
-        place = math.degrees(cmath.phase(turned)) % 360
+        base = axis_of(on, sketch, points) if on else 1 + 0j
+        place = math.degrees(cmath.phase(axis_of(name, sketch, points) / base)) % 360
     else:
         link = sketch["links"][name]
         guide = sketch["guides"][link["slides"]]
         place = _on_guide(points[link["points"][0]], guide).real
-    against = f" on: {on}," if on != FRAME else ""
+    against = f" on: {on}," if on else ""
     return f"{{link: {name},{against} {kind}: {number(place)}, {RATES[kind][0]}: {number(drive['rate'])}}}"
 
 
@@ -191,14 +191,13 @@ def _assembled(edited: Edited, sketch: Json) -> Edited:
 
 def offers_of(error: SceneError) -> list[tuple[tuple[str, ...], str]]:
     """The possible choices of assembly, where a scene leaves it open: paths of keys, and their values."""
-    offers_made: list[tuple[tuple[str, ...], str]] = []
-    offers = error.parts.get("offers", ())
-    for offer in offers if isinstance(offers, tuple) else ():
-        details = offer.parts if isinstance(offer, Phrase) else {}
-        if "key" in details and ("word" in details or "place" in details):
-            near = f"{{near: {details.get('place')}}}"
-            offers_made.append((("assembly", str(details["key"])), str(details.get("word", near))))
-    return offers_made
+    offers = error.parts.get("offers")
+    open_groups = [o.parts for o in offers if isinstance(o, Phrase)] if isinstance(offers, tuple) else []
+    return [
+        (("assembly", str(d["key"])), str(d.get("word", f"{{near: {d.get('place')}}}")))
+        for d in open_groups
+        if "key" in d and d.keys() & {"word", "place"}
+    ]
 
 
 def _apart(edited: Edited, sketch: Json, depth: int = CHOICES) -> float:

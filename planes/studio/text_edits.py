@@ -21,7 +21,7 @@ class Edited:
 
     def put(self, path: Path, value: str) -> "Edited":
         """The text with a value at a path of keys (numbers in lists); missing keys are added."""
-        node, depth = _reached(tree_of(self.text), path)
+        node, depth = _reached(_tree(self.text), path)
         if depth == len(path):
             start = node.start_mark
             return self._with(start.index, _end(node).index, value, start.line)
@@ -29,7 +29,7 @@ class Edited:
 
     def appended(self, path: Path, value: str) -> "Edited":
         """The text with one more item in the list at a path, which is created if it is missing."""
-        node, depth = _reached(tree_of(self.text), path)
+        node, depth = _reached(_tree(self.text), path)
         if depth < len(path):
             return self.put(path, f"[{value}]")
         if isinstance(node, yaml.SequenceNode) and node.flow_style is False and node.value:
@@ -41,7 +41,7 @@ class Edited:
 
     def without(self, path: Path) -> "Edited":
         """The text without a key and its value, or an item of a list; unchanged if it is missing."""
-        parent, depth = _reached(tree_of(self.text), path[:-1])
+        parent, depth = _reached(_tree(self.text), path[:-1])
         if depth < len(path) - 1 or not isinstance(parent, yaml.CollectionNode):
             return self
         parts = [(p[0], p[1]) if isinstance(p, tuple) else (p, p) for p in parent.value]
@@ -61,9 +61,15 @@ class Edited:
             return self._with(start.index, parts[k + 1][0].start_mark.index, "", start.line)
         return self._with(parts[k - 1][1].end_mark.index, end.index, "", start.line)
 
+    def rekeyed(self, path: Path, name: str) -> "Edited":
+        """The text with another name of the last key of a path, which is there."""
+        node, _ = _reached(_tree(self.text), path[:-1])
+        key = next(k for k, _ in node.value if k.value == path[-1])
+        return self._with(key.start_mark.index, key.end_mark.index, name, key.start_mark.line)
+
     def keys(self, path: Path) -> list[str]:
         """The keys of the mapping at a path; empty where there is none."""
-        node, depth = _reached(tree_of(self.text), path)
+        node, depth = _reached(_tree(self.text), path)
         there = depth == len(path) and isinstance(node, yaml.MappingNode)
         return [key.value for key, _ in node.value] if there else []
 
@@ -95,7 +101,7 @@ class Edited:
 
 
 @lru_cache(maxsize=2)  # many changes are tried on one text
-def tree_of(text: str) -> yaml.Node:
+def _tree(text: str) -> yaml.Node:
     """The text as nodes with positions; an empty text is an empty mapping."""
     if text.strip():
         parse(text, FILE)  # refuses in words a file that is not a plain document

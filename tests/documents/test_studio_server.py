@@ -258,6 +258,7 @@ def test_a_strange_token_is_a_wrong_one(door: Door, token: str) -> None:
 @pytest.mark.parametrize("path", ["/ask", "/file", "/check"])
 def test_half_a_letter_is_refused_in_words(door: Door, path: str) -> None:
     """A surrogate without its other half is JSON, but no text."""
-    body = rb'{"ask": "lesson", "text": "title: \ud800", "file": "plan.tex", "drawing": "AAAA", "name": "\ud800.svg", "plan": "a\u0000"}'
+    body = rb'{"ask": "lesson", "text": "title: \ud800", "file": "plan.tex", "drawing": "AAAA", "name": "\ud800.svg", '
+    body += rb'"plan": "a\u0000"}'
     status, _, said = door.ask("POST", path, body)
     assert status in (200, 400, 422) and said and b"Traceback" not in said and b"Internal" not in said
