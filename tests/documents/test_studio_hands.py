@@ -75,6 +75,7 @@ def typed_in_the_lesson(page: Any, numbers: dict[str, str]) -> None:
             "{ bubbles: true })); f.dispatchEvent(new Event('change', { bubbles: true })); return 1; })()"
         )
         until(page, f"bench.text !== {before!r}")
+        Hand(page).rest()
 
 
 def test_a_point_and_a_link_are_renamed_on_the_canvas(page: Any) -> None:
