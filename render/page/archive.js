@@ -34,8 +34,8 @@ export function zipped(files) {
 }
 /** @type {(bytes: Uint8Array) => Promise<string>} */
 async function inflated(bytes) { // up to the size that a scene may have
-  const stream = new Blob([/** @type {BlobPart} */ (bytes)]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
-  const reader = stream.getReader(), decoder = new TextDecoder();
+  const packed = new Blob([/** @type {BlobPart} */ (bytes)]).stream();
+  const reader = packed.pipeThrough(new DecompressionStream("deflate-raw")).getReader(), decoder = new TextDecoder();
   let text = "", size = 0;
   for (let part = await reader.read(); !part.done && size < MOST_BYTES; part = await reader.read()) {
     size += part.value.length;
@@ -53,7 +53,8 @@ async function unzipped(data) {
   let at = view.getUint32(end + 16, true);
   for (let k = Math.min(view.getUint16(end + 10, true), MOST_FILES); k > 0; k--) {
     if (at + 46 > data.byteLength || view.getUint32(at, true) !== CENTRAL) break;
-    const [named, extra, note] = [28, 30, 32].map(n => view.getUint16(at + n, true)), from = view.getUint32(at + 42, true);
+    const [named, extra, note] = [28, 30, 32].map(n => view.getUint16(at + n, true));
+    const from = view.getUint32(at + 42, true);
     const name = new TextDecoder().decode(bytes.subarray(at + 46, at + 46 + named));
     const start = from + 30 + view.getUint16(from + 26, true) + view.getUint16(from + 28, true);
     const own = bytes.subarray(start, start + view.getUint32(at + 20, true)), stored = !view.getUint16(at + 10, true);
@@ -64,10 +65,12 @@ async function unzipped(data) {
   }
   return files;
 }
-/** The scenes among files and archives; a file's name without its folder. @type {(files: File[]) => Promise<Filed[]>} */
+/** The scenes among files and archives; a file's name without its folder.
+ * @type {(files: File[]) => Promise<Filed[]>} */
 export async function scenesIn(files) {
   const all = await Promise.all(files.slice(0, MOST_FILES).map(async f =>
     SCENE.test(f.name) && f.size < MOST_BYTES ? [{ name: f.name, text: await f.text() }] :
       /\.zip$/i.test(f.name) ? await f.arrayBuffer().then(unzipped).catch(() => []) : []));
-  return all.flat().filter(f => f.text.trim()).map(f => ({ ...f, name: f.name.replace(/^.*\//, "").replace(SCENE, "") }));
+  const bare = (/** @type {string} */ name) => name.replace(/^.*\//, "").replace(SCENE, "");
+  return all.flat().filter(f => f.text.trim()).map(f => ({ ...f, name: bare(f.name) }));
 }

@@ -95,7 +95,8 @@ function under(e, but = "") {
   const box = node().getBoundingClientRect(), px = [e.clientX - box.left, e.clientY - box.top];
   const reach = e.pointerType === "touch" ? TOUCH_PX : GRIP_PX, { sketch, view } = canvas;
   const near = Object.keys(sketch.points).filter(p => p !== but).map(p => ({ p, d: Math.hypot(
-    ...view.px(sketch.points[p]).map((v, k) => v - px[k])) })).filter(one => one.d < reach).sort((a, b) => a.d - b.d)[0];
+    ...view.px(sketch.points[p]).map((v, k) => v - px[k])) }))
+    .filter(one => one.d < reach).sort((a, b) => a.d - b.d)[0];
   const own = /** @type {any} */ (e.target);
   const hit = document.elementsFromPoint(e.clientX, e.clientY).map((/** @type {any} */ one) => one.dataset);
   const link = own.dataset?.link ?? hit.find(d => d?.link)?.link, guide = hit.find(d => d?.guide)?.guide;

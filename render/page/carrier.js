@@ -36,7 +36,7 @@ async function carried(message) {
     worker.postMessage(JSON.stringify({ runtime: way.address }));
   }
   if (!message.id) return null;
-  const sent = line.then(() => latest[message.ask] === message.id ? posted(message) : null); // an outdated one is not sent
+  const sent = line.then(() => latest[message.ask] === message.id ? posted(message) : null); // not an outdated one
   line = sent;
   return sent;
 }

@@ -9,9 +9,13 @@ import { asTyped, typed } from "./typed.js";
 
 const BESIDE = 3; // steps of the grid from a part to its copy
 /** @type {() => string} */
-const chosenKind = () => canvas.chosen in canvas.sketch.points ? "point" : canvas.chosen in canvas.sketch.links ? "link" : "";
+function chosenKind() {
+  const { chosen, sketch } = canvas;
+  return chosen in sketch.points ? "point" : chosen in sketch.links ? "link" : "";
+}
 /** The places that sizes are typed for: of a point, itself; of a link, its first two. @type {() => string[]} */
-const ends = () => chosenKind() === "point" ? [canvas.chosen] : canvas.sketch.links[canvas.chosen]?.points.slice(0, 2) ?? [];
+const ends = () => chosenKind() === "point" ? [canvas.chosen] :
+  canvas.sketch.links[canvas.chosen]?.points.slice(0, 2) ?? [];
 /** @type {(id: string, value: string) => void} */
 function typedIn(id, value) {
   if (document.activeElement !== $(id)) $(id).value = value;

@@ -33,7 +33,8 @@ const MADE = {
   },
   RRP(sketch, from, to, by) { // a rod of whole length
     const way = heading(from.at, to.at), { name, guide, own } = rail(sketch, to, way), a = hinge(sketch, from);
-    const beyond = own ? BEYOND * distant(from.at, to.at) : 0, meant = along(onGuide(guide, to.at), beyond, guide.angle);
+    const beyond = own ? BEYOND * distant(from.at, to.at) : 0;
+    const meant = along(onGuide(guide, to.at), beyond, guide.angle);
     const foot = onGuide(guide, from.at), high = distant(foot, from.at);
     const long = Math.round(distant(from.at, meant) / by) * by, far = Math.sqrt(long ** 2 - high ** 2);
     const inner = pointAt(sketch, far > by ? along(foot, far, heading(foot, meant)) : meant);
@@ -79,8 +80,8 @@ const MADE = {
     return true;
   },
 };
-/** A stamp between two ends; of a motor that was not dragged, the crank's length. ``by``: the step of lengths; null where it
- * cannot be. @type {(sketch: Sketch, stamp: string, from: End, to: End, by: number) => Sketch | null} */
+/** A stamp between two ends; a motor that was not dragged has a crank of ten steps. ``by``: the step of lengths; null
+ * where it cannot be. @type {(sketch: Sketch, stamp: string, from: End, to: End, by: number) => Sketch | null} */
 export function stamped(sketch, stamp, from, to, by) {
   const made = structuredClone(sketch), short = distant(from.at, to.at) < by / 2;
   if (short && stamp !== "motor") return null;

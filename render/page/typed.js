@@ -1,7 +1,7 @@
 // Numbers as people type them: sums, decimal commas, units.
-const UNITS = /** @type {Record<string, string>} */ ({ mm: "0.001", "мм": "0.001", cm: "0.01", "см": "0.01", in: "0.0254",
-  ft: "0.3048", kn: "1000", "кн": "1000", g: "0.001", "г": "0.001", rpm: "pi/30", "об/мин": "pi/30", "об/хв": "pi/30",
-  "аб/хв": "pi/30", "°/s": "pi/180", "°/с": "pi/180" });
+const UNITS = /** @type {Record<string, string>} */ ({ mm: "0.001", "мм": "0.001", cm: "0.01", "см": "0.01",
+  in: "0.0254", ft: "0.3048", kn: "1000", "кн": "1000", g: "0.001", "г": "0.001", rpm: "pi/30",
+  "об/мин": "pi/30", "об/хв": "pi/30", "аб/хв": "pi/30", "°/s": "pi/180", "°/с": "pi/180" });
 const OF_SI = /^(|m|м|rad\/s|рад\/с|n|н|kg|кг|°)$/i;
 /** A sum as people type it, without spaces, and the factor of its unit. @type {(text: string) => string[]} */
 function parted(text) {
