@@ -16,6 +16,7 @@ from planes.words.errors import PlanesError, SceneError
 from planes.words.records import Json
 
 EMPTY = "planes: 1\ntitle: {title}\nframe:\n  points: {{}}\nlinks: {{}}\ngravity: 9.81\n"
+ON = (("link",), ("point",))  # what a load acts on
 RIGHT_M = 1e-3  # all points of a sketch together: closer than this to where a text has them, the text is right
 CHOICES = 12  # groups of a sketch for which an assembly is requested
 
@@ -67,6 +68,13 @@ def _parts(edited: Edited, sketch: Json, was: Json | None) -> Edited:
         part = path[:1] in (("frame",), ("links",)) and path[-2:-1] in (("points",), ("guides",), ("links",))
         if part and not any(p[: len(path)] == path for p in new):
             edited = edited.without(path)
+    unheld = {
+        path[1]
+        for path, node, _ in walk(parse(edited.text, ""))
+        if path[:1] == ("loads",) and path[2:] in ON and getattr(node, "text", "") not in sketch[f"{path[2]}s"]
+    }
+    for k in sorted(unheld, key=int, reverse=True):
+        edited = edited.without(("loads", k))
     for path, value in new.items():
         if old.get(path) != value:
             edited = edited.put(path, value) if value else edited.without(path)

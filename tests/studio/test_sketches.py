@@ -164,3 +164,14 @@ def test_a_lesson_with_its_practice_apart_is_the_whole_lesson() -> None:
     first, more, full = (answer({"ask": ask, "text": text, **kind})["data"] for ask, kind in APART)
     assert first["pending"] and not first["slips"] and not first["practice"] and len(str(first)) < len(str(full))
     assert {k: v for k, v in {**first, **more}.items() if k != "pending"} == full
+
+
+def test_a_load_goes_with_the_part_it_acts_on() -> None:
+    """Of four loads those stay that still have their link and their point."""
+    text = (SAMPLES / "kind-1-rrr.yaml").read_text("utf-8")
+    sketch = sketch_of(loads(text))
+    del sketch["links"]["3"]
+    sketch["links"]["2"]["points"].remove("E")
+    del sketch["points"]["E"]
+    told = answer({"ask": "drawn", "text": text, "sketch": sketch})
+    assert told["problems"] and "moment: 12" not in told["text"] and "point: E" not in told["text"]
