@@ -302,10 +302,11 @@ for (const id of ["files-in", "folder-in"]) on($(id), "change", async () => {
   await brought($(id).files);
   $(id).value = "";
 });
-on(document, "dragover", e => { e.preventDefault(); });
-on(document, "drop", e => {
+on(document, "dragover", e => { if (e.dataTransfer.types.includes("Files")) e.preventDefault(); });
+on(document, "drop", e => { // files; a text that is dragged stays with its field
+  if (!e.dataTransfer.files.length) return;
   e.preventDefault();
-  if (e.dataTransfer.files.length) void brought(e.dataTransfer.files);
+  void brought(e.dataTransfer.files);
 });
 on(window, "hashchange", () => { if (asked().has("scene")) void started(); });
 Object.assign(bench, { take, open, act: (/** @type {string} */ name) => { turnTo("draw"); tool(name); } });
