@@ -37,7 +37,7 @@ def write_studio(folder: str, lang: Lang, runtime: str = "", scenes: Iterable[st
     gallery = shelf(scenes)
     parts = files_of(lang, way, first) | {"gallery.json": _json(gallery)}
     for one in gallery:
-        answer = answered({"ask": "lesson", "text": one["text"], "lang": lang})
+        answer = answered({"ask": "lesson", "all": True, "text": one["text"], "lang": lang})
         if "data" in answer:
             parts[f"lessons/{one['name']}.txt"] = pressed(compact_json(answer)).encode()
     if runtime:

@@ -6,8 +6,8 @@ can send it a request. Long work, or work on a foreign file, runs in a separate 
 
 import asyncio
 import base64
-import binascii
 import json
+import re
 import secrets
 import sys
 import tempfile
@@ -41,6 +41,7 @@ MADE = {
     "ggb": "application/vnd.geogebra.file",
     "tex": "application/x-tex",
 }
+PLAN = re.compile(r"[\w:-]{1,40}")
 KINDS = {"html": "text/html", "js": "text/javascript", "json": "application/json"}
 SAFE = {
     "X-Content-Type-Options": "nosniff",
@@ -78,6 +79,10 @@ class StudioServer:
             ]
         )
 
+    def knows(self, token: str) -> bool:
+        """Whether it is the server's token; a comparison takes letters of ASCII only."""
+        return token.isascii() and secrets.compare_digest(token, self.token)
+
     def guarded(self, act: Callable[[Request], Awaitable[Response]]) -> Callable[[Request], Awaitable[Response]]:
         """A route for the browser with the token, addressed by this name of the machine and from this page."""
 
@@ -86,10 +91,10 @@ class StudioServer:
             origin = request.headers.get("origin")
             if request.headers.get("host") not in here or origin not in (None, *(f"http://{one}" for one in here)):
                 return self.refused("studio_not_here", 421)
-            if secrets.compare_digest(request.query_params.get("token", ""), self.token):
+            if self.knows(request.query_params.get("token", "")):
                 response: Response = RedirectResponse("/", 303)
                 response.set_cookie(COOKIE, self.token, httponly=True, samesite="strict")
-            elif secrets.compare_digest(request.cookies.get(COOKIE, ""), self.token):
+            elif self.knows(request.cookies.get(COOKIE, "")):
                 response = await act(request)
             else:
                 response = self.refused("studio_no_token", 403)
@@ -150,11 +155,11 @@ class StudioServer:
         message = await self.body(request, MOST_DRAWING)
         try:
             drawing = base64.b64decode(str((message or {})["drawing"]), validate=True)
-        except (KeyError, binascii.Error):
+        except (KeyError, ValueError):
             return self.refused("studio_bad_message", 400)
         assert message is not None
         suffix = "".join(c for c in Path(str(message.get("name", ""))).suffix if c.isalnum() or c == ".")[:6]
-        plan = ("--plan", str(message.get("plan", ""))) if message.get("plan") else ()
+        plan = ("--plan", asked) if PLAN.fullmatch(asked := str(message.get("plan", ""))) else ()
         line = ["check", "scene.yaml", f"drawing{suffix}", *plan, "-o", "report.html"]
         made = await self.made(message, line, "report.html", {f"drawing{suffix}": drawing})
         if isinstance(made, Response):
@@ -174,7 +179,10 @@ class StudioServer:
         """The output of a command for the message's scene, in a separate process; or why it failed."""
         lang = str(message.get("lang", ""))
         with tempfile.TemporaryDirectory() as folder:
-            for name, data in {"scene.yaml": str(message.get("text", "")).encode(), **(beside or {})}.items():
+            for name, data in {
+                "scene.yaml": str(message.get("text", "")).encode(errors="replace"),
+                **(beside or {}),
+            }.items():
                 keep(data, Path(folder) / name)
             argv = [sys.executable, "-m", "planes", *line, "--lang", lang if lang in langs() else self.lang]
             async with self.busy:

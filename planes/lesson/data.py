@@ -32,9 +32,9 @@ from planes.words.units import Convention
 Progress = Callable[[int, int], None]
 
 
-def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = False) -> Json:
+def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = False, practice: bool = True) -> Json:
     """The lesson of a scene, with its instantaneous ``centres`` if requested; ``progress`` is called while the
-    catalogue of mistakes is drawn. Errors as for :class:`Told`."""
+    catalogue of mistakes is drawn. Without its ``practice`` it is ``pending``. Errors as for :class:`Told`."""
     lesson = Told.of(scene, centres)
     plans, drawing, knobs, frames = lesson.plans, lesson.drawing, lesson.knobs, lesson.frames
     kit, more = Kit(plans, drawing), lesson.leaning or {}
@@ -64,8 +64,16 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "reckoned": templates(row for f in [*frames, *more.values()] for row in f.rows),
         "results": (results := _results(plans)),
         "units": {n: in_both(partial(unit, n)) for n in needed([*frames, *more.values()]) if unit(n, "en")},
-        **_live(lesson, [r["value"] for r in results], progress),
+        **_live(lesson, [r["value"] for r in results], progress, practice),
+        **({} if practice else {"pending": True}),
     }
+
+
+def practice_data(scene: Scene) -> Json:
+    """What a lesson lacks without its practice: the mistakes, and the tape with their places."""
+    lesson = Told.of(scene)
+    live = _live(lesson, [r["value"] for r in _results(lesson.plans)], None, True)
+    return {**live, "lettering": lettering(scene, lesson.plans), "pending": False}
 
 
 def _shown(frame: Frame, kit: Kit) -> Json:
@@ -75,7 +83,7 @@ def _shown(frame: Frame, kit: Kit) -> Json:
     return {**own, "values": told_values(frame), "tells": tells, "tools": kit.of_frame(frame)}
 
 
-def _live(lesson: Told, results: list[str], progress: Progress | None) -> Json:
+def _live(lesson: Told, results: list[str], progress: Progress | None, practice: bool) -> Json:
     """The tape, and the places on it of every mark, direction, value, sharpness and mistake; with the practice."""
     plans, frames = lesson.plans, lesson.frames
     live = Live(lesson.knobs.free)
@@ -93,7 +101,7 @@ def _live(lesson: Told, results: list[str], progress: Progress | None) -> Json:
     sharp = {n: z for n, z in drawn.sharpness.items() if n not in plans.program.trials and plan_of(n) != "motion"}
     told_in = needed([*frames, *(lesson.leaning or {}).values()])
     names = dict.fromkeys([*told_in, *results, *sizes, *map(mu_of, plans.drawn), plans.drive_given])
-    slips, wrong = lesson.practice.slips(live, progress)
+    slips, wrong = lesson.practice.slips(live, progress) if practice else ([], {})
     lines = lesson.practice.lines()
     tape, places = live.exported(
         {
@@ -116,9 +124,9 @@ def _live(lesson: Told, results: list[str], progress: Progress | None) -> Json:
     places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(slips)]
     asked: Json = {
         "judging": JUDGING,
-        "practice": lesson.practice.items(),
+        "practice": lesson.practice.items() if practice else [],
         "lines": lines,
-        "mistakes": sentences(slips),
+        "mistakes": sentences(slips) if practice else {},
         "id": lesson.practice.id,
     }
     return {**places, **asked, "tape": tape, "holds": holds, "blunt": blunt, "helpers": helpers}

@@ -1,18 +1,20 @@
 """The one message of the studio, and its answers: a carrier delivers plain data and takes back plain data.
 
-``{id, ask, text, lang, …}`` → ``{id, …, problems}``: ``ask`` is "lesson" (frames, tape, scheme), "numbers" (some were
-changed by hand), "sketch" (a mechanism as drawn), "drawn" (a sketch has changed), "put", "append", "leave out" (a part
-of the text).
+``{id, ask, text, lang, …}`` → ``{id, …, problems}``: ``ask`` is "lesson" (frames, tape, scheme; ``all``: its practice
+too), "practice" (the slow part of a lesson: the catalogue of mistakes, and a tape with their places), "numbers" (some
+were changed by hand), "sketch" (a mechanism as drawn), "drawn" (a sketch has changed), "rename" (a point or a link),
+"put", "append", "leave out" (a part of the text).
 """
 
 from collections.abc import Callable
 from difflib import SequenceMatcher
 from typing import Any
 
-from planes.lesson.data import lesson_data
+from planes.lesson.data import lesson_data, practice_data
 from planes.scene import loads
 from planes.studio.message_shapes import checked
 from planes.studio.numbers_back import with_numbers
+from planes.studio.renaming import renamed
 from planes.studio.sketch_texts import Unfinished, drawn, offers_of
 from planes.studio.sketches import sketch_of
 from planes.studio.text_edits import FILE, Edited
@@ -31,14 +33,18 @@ def answer(message: Json) -> Json:
     act = ACTS.get(str(message.get("ask")))
     own: Json = {"id": message.get("id"), "ask": message.get("ask"), "problems": []}
     if act is None:
-        return {**own, "problems": [{"line": 1, "said": say("studio_unknown", lang), "help": []}]}
+        return {**own, "problems": [_plain("studio_unknown", lang)]}
     try:
         return {**own, **act(text, checked(message))}
     except PlanesError as error:
         more = {"text": error.text} if isinstance(error, Unfinished) else {}
         return {**own, **more, "problems": [problem(error, more.get("text", text), lang)]}
     except ImportError as error:
-        return {**own, "problems": [{"line": 1, "said": say("studio_needs", lang, name=error.name), "help": []}]}
+        return {**own, "problems": [_plain("studio_needs", lang, name=error.name)]}
+
+
+def _plain(key: str, lang: Lang, **parts: object) -> Json:
+    return {"line": 1, "said": say(key, lang, **parts), "help": []}
 
 
 def lang_of(message: Json) -> Lang:
@@ -53,12 +59,12 @@ def problem(error: PlanesError, text: str, lang: Lang) -> Json:
     said = error.phrase.told(lang) if isinstance(error.phrase, Phrase) else str(error.phrase)
     report: Json = {"line": line, "column": 1, "said": said, "help": []}
     parts = error.parts
-    row = (text.splitlines() or [""])[min(line, text.count("\n") + 1) - 1 : line]
+    row = "".join(text.splitlines()[line - 1 : line])
     valid = _valid(parts)
-    quoted = [str(part) for part in parts.values() if isinstance(part, str) and part and row and part in row[0]]
+    quoted = [str(part) for part in parts.values() if isinstance(part, str) and part and part in row]
     if quoted:
         meant = max(quoted, key=lambda part: max((alike(part, name) for name in valid), default=0.0))
-        report["column"] = row[0].rindex(meant) + 1
+        report["column"] = row.rindex(meant) + 1
         report["help"] = [{"label": name, "from": meant, "to": name} for name in valid]
     if isinstance(error.phrase, Phrase) and error.phrase.key in LACKS and (act := TOOLS.get(str(parts.get("key", "")))):
         report["help"].append({"label": say(f"studio_add_{act}", lang), "act": act})
@@ -76,10 +82,9 @@ def _valid(parts: dict[str, object]) -> list[str]:
     """The valid names, the nearest first."""
     valid = parts.get("valid")
     offered = valid.parts if isinstance(valid, Phrase) else {}
-    names = offered.get("names", ())
-    near = offered.get("near")
-    first = [str(near.parts["name"])] if isinstance(near, Phrase) and "name" in near.parts else []
-    return [*first, *(n for n in map(str, names if isinstance(names, tuple) else ()) if n not in first)][:6]
+    names, near = offered.get("names"), offered.get("near")
+    first = [near.parts["name"]] if isinstance(near, Phrase) and "name" in near.parts else []
+    return [*dict.fromkeys(map(str, (*first, *(names if isinstance(names, tuple) else ()))))][:6]
 
 
 def _offer(text: str, path: tuple[str, ...], value: str) -> Json:
@@ -96,11 +101,16 @@ def _lesson(text: str, message: Json) -> Json:
     lang = lang_of(message)
     plain: Json = {"column": 1, "help": [], "doubt": True}
     doubts = [{**plain, "line": d.line, "said": d.phrase.told(lang)} for d in scene.doubts]
-    return {"data": lesson_data(scene), "problems": doubts}
+    return {"data": lesson_data(scene, practice=bool(message.get("all"))), "problems": doubts}
 
 
 def _edited(edited: Edited) -> Json:
     return {"text": edited.text, "lines": edited.lines}
+
+
+def _drawn(edited: Edited) -> Json:
+    """A text for a changed sketch, and the sketch with the numbers that were written."""
+    return {**_edited(edited), "sketch": sketch_of(loads(edited.text, FILE))}
 
 
 def _path(message: Json) -> tuple[str, ...]:
@@ -109,9 +119,11 @@ def _path(message: Json) -> tuple[str, ...]:
 
 ACTS: dict[str, Callable[[str, Json], dict[str, Any]]] = {
     "lesson": _lesson,
-    "numbers": lambda text, m: _edited(with_numbers(text, {str(n): float(v) for n, v in m["numbers"].items()})),
+    "numbers": lambda text, m: _edited(with_numbers(text, m["numbers"], m.get("said") or {})),
+    "practice": lambda text, _: {"data": practice_data(loads(text, FILE))},
     "sketch": lambda text, _: {"sketch": sketch_of(loads(text, FILE))},
-    "drawn": lambda text, m: _edited(drawn(text, m["sketch"])),
+    "drawn": lambda text, m: _drawn(drawn(text, m["sketch"], m.get("was"))),
+    "rename": lambda text, m: _edited(renamed(text, m["path"][0], m["path"][-1], m["value"])),
     "put": lambda text, m: _edited(Edited(text).put(_path(m), str(m["value"]))),
     "append": lambda text, m: _edited(Edited(text).appended(_path(m), str(m["value"]))),
     "leave out": lambda text, m: _edited(Edited(text).without(_path(m))),

@@ -10,6 +10,7 @@ from planes.words.errors import PlanesError
 from planes.words.records import Json
 
 NAME = re.compile(r"[^\W_][\w'′.-]{0,19}")
+SUM = re.compile(r"[-+*/().\deE]{1,60}(?:\*pi/\d+)?")
 MOST = 200  # limits: points, links, guides of a sketch; keys of a path; numbers
 
 
@@ -45,51 +46,52 @@ def _path(x: Any) -> bool:
     return isinstance(x, list | tuple) and 0 < len(x) <= MOST and all(isinstance(k, str) and k.strip() for k in x)
 
 
+def _among(x: Any, table: Any) -> bool:
+    return isinstance(x, str) and x in table
+
+
 def _sketch(x: Any) -> bool:
     """A sketch: points with places, links of those points, guides with places; every name used must be defined."""
-    if not isinstance(x, dict) or not {"points", "fixed", "guides", "links"} <= x.keys():
+    if not isinstance(x, dict) or not all(isinstance(x.get(k), dict) for k in ("points", "guides", "links")):
         return False
     points, guides, links = x["points"], x["guides"], x["links"]
-    if not _table(points, _name, _place) or not isinstance(x["fixed"], list) or not isinstance(links, dict):
-        return False
 
-    def point(p: Any) -> bool:
-        return isinstance(p, str) and p in points
+    def named(some: Any) -> bool:
+        return isinstance(some, list) and all(_among(p, points) for p in some)
 
     def guide(g: Any) -> bool:
-        owned = isinstance(g, dict) and isinstance(g.get("link"), str) and (g["link"] == "0" or g["link"] in links)
+        owned = isinstance(g, dict) and _among(g.get("link"), ("0", *links))
         return owned and _place(g.get("at")) and _number(g.get("angle"))
 
     def link(one: Any) -> bool:
-        own = one.get("points") if isinstance(one, dict) else None
-        if not isinstance(own, list) or not own or not all(map(point, own)):
+        if not isinstance(one, dict) or not (own := one.get("points")) or not named(own):
             return False
         slides = one.get("slides")
-        return slides is None or (isinstance(slides, str) and isinstance(guides, dict) and slides in guides)
+        return _among(one.get("centre") or own[0], points) and (slides is None or _among(slides, guides))
 
-    sound = all(map(point, x["fixed"])) and _table(guides, _name, guide) and _table(links, _name, link)
-    return sound and _drive(x.get("drive"), x)
+    tables = _table(points, _name, _place) and _table(guides, _name, guide) and _table(links, _name, link)
+    return tables and named(x.get("fixed")) and _drive(x.get("drive"), links)
 
 
-def _drive(drive: Any, sketch: Json) -> bool:
-    if drive is None:
-        return True
-    if not isinstance(drive, dict) or not isinstance(name := drive.get("link"), str) or name not in sketch["links"]:
-        return False
-    slides = sketch["links"][name].get("slides")
-    moved = drive.get("kind") == "phi" or (drive.get("kind") == "s" and (slides or drive.get("kept")))
-    return bool(moved) and _number(drive.get("rate"))
+def _drive(drive: Any, links: Json) -> bool:
+    if not isinstance(drive, dict) or not _among(drive.get("link"), links):
+        return drive is None
+    moved = drive.get("kind") == "phi" or (drive.get("kind") == "s" and links[drive["link"]].get("slides"))
+    return bool(moved) and _number(drive.get("rate")) and _among(drive.get("on", "0"), ("0", *links))
 
 
 SHAPES: dict[str, Callable[[Any], bool]] = {
     "sketch": _sketch,
+    "was": lambda x: x is None or _sketch(x),
     "numbers": lambda x: _table(x, lambda name: isinstance(name, str) and len(name) < 100, _number),
+    "said": lambda x: x is None or _table(x, lambda name: isinstance(name, str), lambda t: bool(SUM.fullmatch(str(t)))),
     "path": _path,
     "value": _text,
 }
 PARTS = {
-    "numbers": ("numbers",),
-    "drawn": ("sketch",),
+    "numbers": ("numbers", "said"),
+    "drawn": ("sketch", "was"),
+    "rename": ("path", "value"),
     "put": ("path", "value"),
     "append": ("path", "value"),
     "leave out": ("path",),

@@ -7,6 +7,8 @@ again. So a length given by an expression is reached through its parameters.
 import math
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from types import MappingProxyType
 
 from planes.drafting.steps.settling import eliminated
 from planes.lesson.knobs import Knobs
@@ -25,6 +27,8 @@ ROUNDS, CLOSE = 8, 1e-9
 WRITTEN = 1e-4  # relative: closer than this two numbers are the same as written
 DIGITS = 5  # digits written for a number set by hand
 NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(\s*[^\d\s].*)?")
+LEFT_OUT = (("drive", "epsilon"), ("drive", "acceleration"))  # where they are zero
+PARAMETER = re.compile(r"(?!pi\b)\b[^\W\d]")
 PARTS = ("parameters", "frame", "links", "drive", "loads", "gravity", "vectors", "friction")
 
 
@@ -50,31 +54,32 @@ def home_of(text: str) -> dict[str, float]:
     return {name: value for name, value in knobs.free.home.items() if name in names}
 
 
-def with_numbers(text: str, wanted: Mapping[str, float]) -> Edited:
-    """The text with the mechanism's numbers as wanted; :class:`PlanesError` where no number of the text can achieve
-    that."""
+def with_numbers(text: str, wanted: Mapping[str, float], said: Mapping[str, str] = MappingProxyType({})) -> Edited:
+    """The text with the mechanism's numbers as wanted, in the figures of a hand where it ``said`` them (310*0.001);
+    :class:`PlanesError` where no number of the text can achieve that."""
     edited = Edited(text)
     for name, value in wanted.items():
         if is_scale(name):
             plan = plan_of_scale(name)
             edited = edited.put(("plans", plan, "mu"), mu_text(value, plan))
     rest = {name: value for name, value in wanted.items() if not is_scale(name)}
-    return _solved(edited, rest) if rest else edited
+    return _solved(edited, rest, said) if rest else edited
 
 
 def _figures(text: str) -> list[NumberInText]:
-    """The numbers of the text that a mechanism depends on, in the order of the text."""
+    """The numbers of the text that a mechanism depends on, in its order; then those that it may leave out."""
     numbers = []
     for path, node, _ in walk(parse(text, "")):
         if path and path[0] in PARTS and isinstance(node, SourceScalar) and (digits := NUMBER.fullmatch(node.text)):
             numbers.append(NumberInText(path, float(digits[1]), digits[2] or ""))
-    return numbers
+    there = {figure.path for figure in numbers}
+    return numbers + [NumberInText(path, 0.0) for path in LEFT_OUT if path not in there]
 
 
 Slopes = Mapping[NumberInText, Mapping[str, float]]
 
 
-def _solved(edited: Edited, wanted: Mapping[str, float]) -> Edited:
+def _solved(edited: Edited, wanted: Mapping[str, float], said: Mapping[str, str]) -> Edited:
     """One number after another, by Newton's steps in the numbers of the text that change it; some are already right
     through an expression."""
     home = home_of(edited.text)
@@ -95,6 +100,10 @@ def _solved(edited: Edited, wanted: Mapping[str, float]) -> Edited:
             raise PlanesError(Phrase("studio_no_number", names=said_of_given(name)))
         chosen[name] = min(able, key=lambda f: _rank(f, slopes[f], wanted))
         solved = _reached(edited, [*chosen.values()], {n: wanted[n] for n in chosen})
+    for name, figure in chosen.items():
+        typed = solved.put(figure.path, said[name]) if name in said and not PARAMETER.search(figure.unit) else solved
+        with suppress(PlanesError):
+            solved = typed if _off(home_of(typed.text)[name], wanted[name]) <= WRITTEN else solved
     return solved
 
 

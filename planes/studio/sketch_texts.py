@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from planes.scene import loads
 from planes.scene.mechanism import FRAME, RATES
+from planes.scene.source import parse, walk
 from planes.studio.numbers_back import home_of, with_numbers
 from planes.studio.sketches import NEAR_M, sketch_of
 from planes.studio.text_edits import Edited
@@ -15,6 +16,8 @@ from planes.words.errors import PlanesError, SceneError
 from planes.words.records import Json
 
 EMPTY = "planes: 1\ntitle: {title}\nframe:\n  points: {{}}\nlinks: {{}}\ngravity: 9.81\n"
+ON = (("link",), ("point",))  # what a load acts on
+RIGHT_M = 1e-3  # all points of a sketch together: closer than this to where a text has them, the text is right
 CHOICES = 12  # groups of a sketch for which an assembly is requested
 
 
@@ -26,29 +29,30 @@ class Unfinished(SceneError):
         self.text = text
 
 
-def drawn(text: str, sketch: Json) -> Edited:
+def drawn(text: str, sketch: Json, was: Json | None = None) -> Edited:
     """The text of a scene after its sketch was changed. Where only places have changed, their numbers are written back
-    into the text's own; otherwise new or changed links and guides are written anew.
+    into the text's own; otherwise only new or changed points, links and guides are written. ``was`` is the sketch
+    before, for a text that is no mechanism yet.
 
     :class:`Unfinished` says what the mechanism still lacks.
     """
     if not text.strip():
         return _whole(EMPTY.format(title=json.dumps(sketch.get("title", ""), ensure_ascii=False)), sketch)
     try:
-        old = sketch_of(loads(text))
-        if _alike(old, sketch):
-            was, now = (home_of(_whole(text, one).text) for one in (old, sketch))
-            moved = {n: v - was[n] for n, v in now.items() if n in was and v != was[n]}
+        was = sketch_of(loads(text))
+        if _alike(was, sketch):
+            before, now = (home_of(_whole(text, one).text) for one in (was, sketch))
+            moved = {n: v - before[n] for n, v in now.items() if n in before and v != before[n]}
             home = home_of(text)
             return with_numbers(text, {n: home[n] + by for n, by in moved.items() if n in home})
     except PlanesError:
         pass
-    return _whole(text, sketch)
+    return _whole(text, sketch, was)
 
 
-def _whole(text: str, sketch: Json) -> Edited:
-    """The text with all parts of the sketch written anew."""
-    return _assembled(_parts(Edited(text), sketch), sketch)
+def _whole(text: str, sketch: Json, was: Json | None = None) -> Edited:
+    """The text with the parts of the sketch that differ from what it ``was``; all of them where that is unknown."""
+    return _assembled(_parts(Edited(text), sketch, was), sketch)
 
 
 def _alike(old: Json, sketch: Json) -> bool:
@@ -57,41 +61,52 @@ def _alike(old: Json, sketch: Json) -> bool:
     return same and all(old[k].keys() == sketch[k].keys() for k in ("points", "guides"))
 
 
-def _parts(edited: Edited, sketch: Json) -> Edited:
-    """Frame, links and drive as drawn."""
+def _parts(edited: Edited, sketch: Json, was: Json | None) -> Edited:
+    """Frame, links and drive as drawn; what has not changed stays as written."""
+    old, new = dict(_said(was)) if was else {}, dict(_said(sketch))
+    for path, _, _ in walk(parse(edited.text, "")):
+        part = path[:1] in (("frame",), ("links",)) and path[-2:-1] in (("points",), ("guides",), ("links",))
+        if part and not any(p[: len(path)] == path for p in new):
+            edited = edited.without(path)
+    unheld = {
+        path[1]
+        for path, node, _ in walk(parse(edited.text, ""))
+        if path[:1] == ("loads",) and path[2:] in ON and getattr(node, "text", "") not in sketch[f"{path[2]}s"]
+    }
+    for k in sorted(unheld, key=int, reverse=True):
+        edited = edited.without(("loads", k))
+    for path, value in new.items():
+        if old.get(path) != value:
+            edited = edited.put(path, value) if value else edited.without(path)
+    return edited
+
+
+def _said(sketch: Json) -> Iterator[tuple[tuple[str, ...], str]]:
+    """The parts of a text that a sketch states, by their paths: points, guides and slides in the axes of their link,
+    the drive; "" for a part that it has not."""
     points = {p: complex(*z) for p, z in sketch["points"].items()}
-    fixed = ", ".join(f"{p}: {_pair(points[p])}" for p in sketch["fixed"])
-    edited = edited.put(("frame", "points"), f"{{{fixed}}}")
-    of_frame = [g for g in sketch["guides"] if sketch["guides"][g]["link"] == FRAME]
-    guides = ", ".join(f"{name}: {_on_frame(sketch['guides'][name])}" for name in of_frame)
-    edited = edited.put(("frame", "guides"), f"{{{guides}}}") if guides else edited.without(("frame", "guides"))
-    for name in edited.keys(("links",)):
-        edited = edited if name in sketch["links"] else edited.without(("links", name))
+    for p in sketch["fixed"]:
+        yield ("frame", "points", p), _pair(points[p])
+    for name, g in sketch["guides"].items():
+        if g["link"] == FRAME:
+            yield ("frame", "guides", name), _on_frame(g)
     for name, link in sketch["links"].items():
-        for key, value in _said(name, link, sketch, points):
-            edited = edited.put(("links", name, key), value) if value else edited.without(("links", name, key))
-    drive = sketch.get("drive")
-    if drive and drive.get("kept"):
-        return edited
-    return edited.put(("drive",), _drive(drive, sketch, points)) if drive else edited.without(("drive",))
+        first, axis = link["points"][0], axis_of(name, sketch, points)
+        local = {p: (points[p] - points[first]) * axis.conjugate() for p in link["points"]}
+        for p, z in local.items():
+            yield ("links", name, "points", p), _place(z)
+        for guide, g in sketch["guides"].items():
+            if g["link"] == name:
+                yield ("links", name, "guides", guide), _on_link(g, local, points[first], axis)
+        yield ("links", name, "slides"), _slide(link["slides"], points[first], sketch)
+        yield ("links", name, "centre"), link.get("centre") or ""
+    yield ("drive",), _drive(sketch["drive"], sketch, points) if sketch.get("drive") else ""
 
 
-def _said(name: str, link: Json, sketch: Json, points: dict[str, complex]) -> Iterator[tuple[str, str]]:
-    """Points, guides and slide of a link, in its own axes."""
-    first, axis = link["points"][0], axis_of(name, sketch, points)
-    local = {p: (points[p] - points[first]) * axis.conjugate() for p in link["points"]}
-    yield "points", f"{{{', '.join(f'{p}: {_place(z)}' for p, z in local.items())}}}"
-    own = {n: g for n, g in sketch["guides"].items() if g["link"] == name}
-    yield (
-        "guides",
-        f"{{{', '.join(f'{n}: {_on_link(g, local, points[first], axis)}' for n, g in own.items())}}}" if own else "",
-    )
-    if not link["slides"]:
-        yield "slides", ""
-        return
-    guide = sketch["guides"][link["slides"]]
-    aside = _on_guide(points[first], guide).imag
-    yield "slides", link["slides"] if abs(aside) < NEAR_M else f"{{guide: {link['slides']}, offset: {number(aside)}}}"
+def _slide(guide: str | None, first: complex, sketch: Json) -> str:
+    """What a link slides on, with the distance of its first point from there."""
+    aside = _on_guide(first, sketch["guides"][guide]).imag if guide else 0.0
+    return guide or "" if abs(aside) < NEAR_M else f"{{guide: {guide}, offset: {number(aside)}}}"
 
 
 def axis_of(name: str, sketch: Json, points: dict[str, complex]) -> complex:
@@ -139,13 +154,16 @@ def _on_link(g: Json, local: dict[str, complex], origin: complex, axis: complex)
 def _drive(drive: Json, sketch: Json, points: dict[str, complex]) -> str:
     """The drive at the position in which its link is drawn."""
     kind, name = drive["kind"], drive["link"]
+    on = drive.get("on")
     if kind == "phi":
-        place = math.degrees(cmath.phase(axis_of(name, sketch, points))) % 360
+        base = axis_of(on, sketch, points) if on else 1 + 0j
+        place = math.degrees(cmath.phase(axis_of(name, sketch, points) / base)) % 360
     else:
         link = sketch["links"][name]
         guide = sketch["guides"][link["slides"]]
         place = _on_guide(points[link["points"][0]], guide).real
-    return f"{{link: {name}, {kind}: {number(place)}, {RATES[kind][0]}: {number(drive['rate'])}}}"
+    against = f" on: {on}," if on else ""
+    return f"{{link: {name},{against} {kind}: {number(place)}, {RATES[kind][0]}: {number(drive['rate'])}}}"
 
 
 def _place(z: complex) -> str:
@@ -163,7 +181,9 @@ def number(value: float) -> str:
 
 
 def _assembled(edited: Edited, sketch: Json) -> Edited:
-    """The text with the assembly of every group as drawn."""
+    """The text with the assembly of every group as drawn; one that is right stays as written."""
+    if _apart(edited, sketch, 0) < RIGHT_M:
+        return edited
     text = edited.without(("assembly",))
     for _ in range(CHOICES):
         try:
@@ -179,14 +199,13 @@ def _assembled(edited: Edited, sketch: Json) -> Edited:
 
 def offers_of(error: SceneError) -> list[tuple[tuple[str, ...], str]]:
     """The possible choices of assembly, where a scene leaves it open: paths of keys, and their values."""
-    offers_made: list[tuple[tuple[str, ...], str]] = []
-    offers = error.parts.get("offers", ())
-    for offer in offers if isinstance(offers, tuple) else ():
-        details = offer.parts if isinstance(offer, Phrase) else {}
-        if "key" in details and ("word" in details or "place" in details):
-            near = f"{{near: {details.get('place')}}}"
-            offers_made.append((("assembly", str(details["key"])), str(details.get("word", near))))
-    return offers_made
+    offers = error.parts.get("offers")
+    open_groups = [o.parts for o in offers if isinstance(o, Phrase)] if isinstance(offers, tuple) else []
+    return [
+        (("assembly", str(d["key"])), str(d.get("word", f"{{near: {d.get('place')}}}")))
+        for d in open_groups
+        if "key" in d and d.keys() & {"word", "place"}
+    ]
 
 
 def _apart(edited: Edited, sketch: Json, depth: int = CHOICES) -> float:

@@ -54,15 +54,14 @@ def marks_of(plans: Plans) -> tuple[dict[str, str], Program]:
 
 
 def _drive_of(m: Mechanism) -> Json:
-    """The drive; one between moving links stays as written."""
-    link = m.links[m.drive.link]
-    between = m.drive.on != FRAME or (link.slides is not None and m.owner(link.slides.guide) != FRAME)
+    """The drive; a motor between moving links names the link it is ``on``."""
     own: Json = {"link": m.drive.link, "kind": m.drive.kind, "rate": m.drive.velocity}
-    return own | ({"kept": True} if between else {})
+    return own | ({"on": m.drive.on} if m.drive.kind == "phi" and m.drive.on != FRAME else {})
 
 
 def _link(x: Link) -> Json:
-    return {"points": [*x.points], "slides": x.slides.guide if x.slides else None, "centre": x.centre}
+    slides = x.slides.guide if x.slides else None
+    return {"points": [*x.points], "slides": slides, "centre": x.centre, "heavy": bool(x.mass)}
 
 
 def _guide(g: Guide, x: Link, axis: complex, places: dict[str, complex]) -> Json:

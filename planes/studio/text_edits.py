@@ -61,6 +61,12 @@ class Edited:
             return self._with(start.index, parts[k + 1][0].start_mark.index, "", start.line)
         return self._with(parts[k - 1][1].end_mark.index, end.index, "", start.line)
 
+    def rekeyed(self, path: Path, name: str) -> "Edited":
+        """The text with another name of the last key of a path, which is there."""
+        node, _ = _reached(_tree(self.text), path[:-1])
+        key = next(k for k, _ in node.value if k.value == path[-1])
+        return self._with(key.start_mark.index, key.end_mark.index, name, key.start_mark.line)
+
     def keys(self, path: Path) -> list[str]:
         """The keys of the mapping at a path; empty where there is none."""
         node, depth = _reached(_tree(self.text), path)

@@ -1,11 +1,12 @@
 // Carries a message to the engine and its answer back: by the server of this page, or by a worker with the engine
-// itself. The answer to an outdated message of the same kind is dropped.
+// itself. The answer to an outdated message of the same kind is dropped, and one that waits for a worker is not sent.
 import { $ } from "./dom.js";
 
 /** @type {{ kind: string, address: string, native: boolean }} */
 export const way = JSON.parse($("way").textContent);
 const waiting = /** @type {Map<number, (answer: any) => void>} */ (new Map());
 const latest = /** @type {Record<string, number>} */ ({});
+let line = /** @type {Promise<any>} */ (Promise.resolve()); // a worker answers one message after another
 let count = 0, pending = 0, worker = /** @type {Worker | null} */ (null);
 export const engine = { ready: way.kind === "server", said: /** @type {(step: string) => void} */ (() => {}),
   idle: () => pending === 0 };
@@ -34,7 +35,14 @@ async function carried(message) {
     worker.onerror = () => engine.said("failed");
     worker.postMessage(JSON.stringify({ runtime: way.address }));
   }
-  worker.postMessage(JSON.stringify(message));
+  if (!message.id) return null;
+  const sent = line.then(() => latest[message.ask] === message.id ? posted(message) : null); // not an outdated one
+  line = sent;
+  return sent;
+}
+/** @type {(message: any) => Promise<any>} */
+function posted(message) {
+  worker?.postMessage(JSON.stringify(message));
   return new Promise(resolve => waiting.set(message.id, resolve));
 }
 export function wake() { if (way.kind === "worker" && !worker) void carried({ id: 0, ask: "ready" }); }

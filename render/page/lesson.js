@@ -16,6 +16,7 @@ import { practice } from "./practice.js";
 import { put } from "./put.js";
 import { inWords } from "./rows.js";
 import { contents, facing, go, told } from "./stepper.js";
+import { Tape } from "./tape.js";
 import { TOOLS, handed, task } from "./task.js";
 import { forget, rested } from "./undo.js";
 import { SCHEME, described, filled, number, plain, say } from "./words.js";
@@ -48,6 +49,7 @@ function paint() {
   read = performance.now();
   $("scheme").setAttribute("aria-label", described("position", seen));
   $("plan").setAttribute("aria-label", described(key, seen));
+  $("practise").disabled = !!data.pending;
   if (!practising) told(f);
   facing(f, resized);
   resized = false;
@@ -90,6 +92,12 @@ function renewed() { // the studio has changed numbers of the scene: the crank s
   language();
   draw();
 }
+function completed(/** @type {Partial<LessonData>} */ more) { // the practice, which the studio asks for apart
+  Object.assign(data, more);
+  live.tape = new Tape(data.tape);
+  live.run();
+  draw();
+}
 paintedBy(paint);
 readAddress();
 forget();
@@ -98,6 +106,6 @@ draw();
 if (practice.seed) practice.toggle();
 else setTimeout(() => { live.scan(); zones(); later(); }, 60);
 globalThis.planes = { // the interface of the page for scripts
-  $, ACT_MS, KITS, TOOLS, curveOf, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live,
+  $, ACT_MS, KITS, TOOLS, completed, curveOf, data, desk, drag, draw, filled, go, handed, handout, inWords, kit, live,
   number, plain, plan, planOf, practice, renewed, rested, scheme, spin, state, task, turn,
 };

@@ -1,5 +1,5 @@
 // A scene in the address: compressed and written in letters after the #, so that a link contains the mechanism.
-const LETTERS = /[-_]/g, KEPT = 20, SHELF = "planes.scenes";
+const LETTERS = /[-_]/g, KEPT = 60, SHELF = "planes.scenes";
 
 /** @type {(bytes: Uint8Array) => string} */
 const written = bytes => btoa(Array.from(bytes, b => String.fromCharCode(b)).join("")).replace(/\+/g, "-")

@@ -1,16 +1,22 @@
 // The studio: one text, shown as a lesson, drawn on a canvas, shared as a link; every change asks the engine again.
+import { scenesIn } from "./archive.js";
 import { bench, say, words } from "./bench.js";
-import { canvas, fit, listen, NOTHING, paint, show, sized, TOOLS } from "./canvas.js";
+import { canvas, dropped, fit, listen, NOTHING, paint, show, sized, TOOLS } from "./canvas.js";
 import { ask, engine, wake, way } from "./carrier.js";
+import { chosenShown } from "./chosen.js";
 import { $, on, worded } from "./dom.js";
 import { gallery, shelf } from "./gallery.js";
 import { problems, touched } from "./problems.js";
-import { asked, keep, pressed, unpressed } from "./share.js";
+import { asked, keep, kept, pressed, unpressed } from "./share.js";
+import { holders } from "./sketch.js";
+import { STAMPS } from "./stamps.js";
 import { offered } from "./take.js";
+import { typed } from "./typed.js";
 
-const REST_MS = 250;
-const past = /** @type {string[]} */ ([]), future = /** @type {string[]} */ ([]);
-let typing = 0;
+const REST_MS = 250, APART_MS = 400; // until a text at rest is shown, and its practice asked for
+/** A text, and the sketch of it where that is known. @typedef {{ text: string, sketch: Sketch | null }} Moment */
+const past = /** @type {Moment[]} */ ([]), future = /** @type {Moment[]} */ ([]);
+let typing = 0, resting = 0, drawn = /** @type {Sketch | null} */ (null);
 const frame = /** @type {any} */ ($("lesson"));
 let shown = /** @type {any} */ (null), shownShape = "";
 
@@ -27,8 +33,10 @@ function turnTo(view) {
 }
 /** Open a text, with its origin, and update everything. @type {(text: string, from?: string) => Promise<void>} */
 async function take(text, from = "") {
-  if (text !== bench.text && bench.text) { past.push(bench.text); future.length = 0; }
+  if (text !== bench.text && bench.text) { past.push({ text: bench.text, sketch: drawn }); future.length = 0; }
   bench.text = text;
+  if (["canvas", "named"].includes(from)) drawn = structuredClone(canvas.sketch);
+  else if (from === "scene") drawn = null;
   if (from !== "scene") $("scene").value = text;
   touched([]);
   await renewal(from);
@@ -46,6 +54,7 @@ async function renewal(from) {
   problems(answer.problems);
   if (answer.data) {
     seen(answer);
+    completing(shown, text);
     keep(titleOf(answer.data), text);
     offered(answer.data);
     if (from !== "canvas") sketched();
@@ -57,7 +66,9 @@ async function renewal(from) {
 }
 async function sketched() { // the sketch of a text for the canvas
   const answer = await ask({ ask: "sketch", text: bench.text, lang: bench.lang });
-  if (answer) show(answer.sketch ?? null);
+  if (!answer) return;
+  if (answer.sketch) drawn = structuredClone(answer.sketch);
+  if (drawn) show(drawn);
 }
 async function prepared() { // a prepared lesson of the gallery, while the engine loads or is missing
   if (!bench.name) return;
@@ -68,16 +79,29 @@ async function prepared() { // a prepared lesson of the gallery, while the engin
 /** @type {(data: LessonData) => string} */
 const titleOf = data => data.title[bench.lang] || data.title.en || data.title.ru || "planes";
 
+/** The slow part of a lesson, once its text is at rest. @type {(lesson: any, text: string) => void} */
+function completing(lesson, text) {
+  clearTimeout(resting);
+  if (!lesson.data.pending) return;
+  resting = setTimeout(async () => {
+    const more = text === bench.text && await ask({ ask: "practice", text, lang: bench.lang });
+    if (!more?.data || text !== bench.text || shown !== lesson) return; // it came too late
+    for (const [tongue, letters] of Object.entries(more.letters)) Object.assign(lesson.letters[tongue], letters);
+    const inner = frame.contentWindow?.planes;
+    if (inner?.data === lesson.data) inner.completed(more.data); else Object.assign(lesson.data, more.data);
+  }, APART_MS);
+}
 /** @type {(answer: any) => void} */
 function seen(answer) {
   const { tape, home, frames } = answer.data, shape = JSON.stringify([tape.ops, tape.names, Object.keys(home), frames]);
   const own = frame.contentWindow?.planes, same = shown && own?.live && shape === shownShape;
   $("title").textContent = document.title = titleOf(answer.data);
+  chosenShown();
   $("nothing").hidden = true;
   frame.hidden = false;
-  shown = answer;
+  if (!same) shown = answer;
   shownShape = shape;
-  globalThis.planes.lesson = answer;
+  globalThis.planes.lesson = shown;
   if (same) { // the existing tape, with other numbers
     Object.assign(own.data.home, answer.data.home);
     own.data.knobs.forEach((/** @type {Knob} */ k, /** @type {number} */ n) => { k.at = answer.data.knobs[n].at; });
@@ -94,10 +118,10 @@ on(frame, "load", () => { // numbers changed in the lesson are written back
   const inner = frame.contentWindow;
   if (!inner) return;
   on(inner, "rested", async e => {
-    const { given } = shown.data.drive, numbers = { ...e.detail };
+    const { given } = shown.data.drive, numbers = { ...e.detail.numbers }, { said } = e.detail;
     delete numbers[given];
     if (!Object.keys(numbers).length) return;
-    const answer = await ask({ ask: "numbers", text: bench.text, lang: bench.lang, numbers });
+    const answer = await ask({ ask: "numbers", text: bench.text, lang: bench.lang, numbers, said });
     if (answer?.text) { await take(answer.text, "lesson"); touched(answer.lines); }
     else if (answer) problems(answer.problems);
   });
@@ -105,15 +129,16 @@ on(frame, "load", () => { // numbers changed in the lesson are written back
 async function address() { // the scene in the address
   history.replaceState(null, "", `#s=${await pressed(bench.text)}&lang=${bench.lang}`);
 }
-/** @type {(from: string[], to: string[]) => void} */
+/** @type {(from: Moment[], to: Moment[]) => void} */
 function back(from, to) {
   if (!from.length) return;
-  to.push(bench.text);
-  bench.text = from.pop();
+  to.push({ text: bench.text, sketch: drawn });
+  ({ text: bench.text, sketch: drawn } = from.pop());
   $("scene").value = bench.text;
+  if (drawn) show(drawn);
   void renewal("undo");
 }
-const metres = () => +$("width").value.replace(",", "."); // while typing; NaN for anything but a number
+const metres = () => typed($("width").value); // NaN for anything but a number
 function labelled() { // the meaning of the number beside the picture beneath: a length drawn on it, or its whole width
   document.querySelector("[data-word=underlay_width]").textContent =
     say(canvas.ruled ? "underlay_length" : "underlay_width");
@@ -125,26 +150,46 @@ canvas.changed = async (what, more) => {
     $("width").focus();
     return;
   }
-  const { text, lang } = bench;
-  const load = more?.load && `{link: ${linkOf(more.load)}, point: ${more.load}, force: 100, against: motion}`;
-  if (!Object.keys(canvas.sketch.links).length) return; // nothing to report yet
-  const answer = await ask(load ? { ask: "append", text, lang, path: ["loads"], value: load } :
-    more?.mass ? { ask: "put", text, lang, path: ["links", more.mass, "mass"], value: "1" } :
-      { ask: "drawn", text, lang, sketch: canvas.sketch });
+  const { text, lang } = bench, sketch = structuredClone(canvas.sketch);
+  if (!Object.keys(sketch.links).length) return; // nothing to report yet
+  if (more?.load || more?.mass) {
+    const edited = await (more.load ? loaded(more.load) : weighed(more.mass, more.centre));
+    if (edited.text !== text) { await take(edited.text); touched(edited.lines); }
+    return;
+  }
+  const answer = await ask({ ask: "drawn", text, lang, sketch, was: drawn });
   if (!answer) return;
+  const still = JSON.stringify(sketch) === JSON.stringify(canvas.sketch) && !canvas.from;
+  if (answer.sketch && still) { canvas.sketch = answer.sketch; paint(); }
   if (answer.text !== undefined && answer.text !== text) {
-    await take(answer.text, load || more?.mass ? "" : "canvas");
+    await take(answer.text, "canvas");
     touched(answer.lines ?? []);
   }
   if (answer.problems.length) problems(answer.problems);
 };
-/** @type {(point: string) => string} */
-const linkOf = point => Object.keys(canvas.sketch.links).reverse().find(n =>
-  canvas.sketch.links[n].points.includes(point)) ?? "1";
-
+/** @typedef {{ text: string, lines: number[] }} Edited */
+/** @type {(point: string) => Promise<Edited>} */
+async function loaded(point) {
+  const link = holders(canvas.sketch, point).pop() ?? "1", { text, lang } = bench;
+  const value = `{link: ${link}, point: ${point}, force: 100, against: motion}`;
+  return await ask({ ask: "append", text, lang, path: ["loads"], value }) ?? { text, lines: [] };
+}
+/** Mass and moment of inertia of a link that has none; its centre, where a point was pressed.
+ * @type {(link: string, centre: string) => Promise<Edited>} */
+async function weighed(link, centre) {
+  const { lang } = bench, { heavy, slides } = canvas.sketch.links[link];
+  const own = { ...heavy ? {} : { mass: "1", ...slides ? {} : { inertia: "0.01" } }, ...centre ? { centre } : {} };
+  let { text } = bench, lines = /** @type {number[]} */ ([]);
+  for (const [key, value] of Object.entries(own)) {
+    const edited = await ask({ ask: "put", text, lang, path: ["links", link, key], value });
+    if (edited?.text) [text, lines] = [edited.text, [...lines, ...edited.lines]];
+  }
+  return { text, lines };
+}
 /** @type {(tool: string) => void} */
 function tool(name) {
   canvas.tool = name;
+  dropped();
   held("#tools button", b => b.dataset.tool === name);
   $("hint").textContent = say(`hint_${name}`);
 }
@@ -152,8 +197,10 @@ function spoken() {
   document.documentElement.lang = bench.lang;
   worded(say);
   labelled();
-  $("tools").innerHTML = TOOLS.map(t =>
+  /** @type {(names: string[]) => string} */
+  const buttons = names => names.map(t =>
     `<button type="button" data-tool="${t}">${say(`tool_${t}`)}</button>`).join("");
+  $("tools").innerHTML = `${buttons(TOOLS)}<span class="group">${say("stamps")}</span>${buttons(STAMPS)}`;
   tool(canvas.tool);
   $("lang").innerHTML = Object.keys(words).map(l => `<option value="${l}"${l === bench.lang ? " selected" : ""}>${
     words[l].language}</option>`).join("");
@@ -161,6 +208,7 @@ function spoken() {
 /** A scene of the gallery, or another one. @type {(text: string, name: string) => void} */
 function open(text, name) {
   bench.name = name;
+  canvas.chosen = ""; // a field that is left now belongs to the scene before
   past.length = future.length = 0;
   bench.text = "";
   turnTo(name ? "see" : "draw");
@@ -168,11 +216,14 @@ function open(text, name) {
   shown = null;
   frame.removeAttribute("src");
   frame.hidden = true;
-  $("title").textContent = say("fresh");
+  const names = kept().map(one => one.title), fresh = say("fresh"); // each under a title of its own
+  const title = [fresh, ...names.map((_, k) => `${fresh} ${k + 2}`)].find(t => !names.includes(t));
+  $("title").textContent = title;
+  drawn = null;
   $("scene").value = "";
   $("nothing").hidden = false;
   $("nothing").textContent = say("nothing");
-  show({ ...NOTHING, title: say("fresh") });
+  show({ ...NOTHING, title });
   problems([]);
   tool("fix");
 }
@@ -190,7 +241,7 @@ engine.said = step => {
   if (step === "ready" && bench.text) void renewal("");
 };
 on($("views"), "click", e => { if (e.target.dataset.view) turnTo(e.target.dataset.view); });
-on($("tools"), "click", e => { if (TOOLS.includes(e.target.dataset.tool)) tool(e.target.dataset.tool); });
+on($("tools"), "click", e => { if (e.target.dataset.tool) tool(e.target.dataset.tool); });
 on($("scene"), "input", () => {
   clearTimeout(typing);
   typing = setTimeout(() => take($("scene").value, "scene"), REST_MS);
@@ -202,8 +253,9 @@ $("redo").onclick = () => back(future, past);
 $("fresh").onclick = () => open("", "");
 $("share").onclick = async () => {
   await address();
-  await navigator.clipboard?.writeText(location.href).catch(() => {});
-  $("state").textContent = say("shared");
+  const [, web] = bench.text.match(/\bstudio:\s*["']?(https?:\/\/[^\s"',}]+)/) ?? [];
+  await navigator.clipboard?.writeText(web ? web + location.hash : location.href).catch(() => {});
+  $("state").textContent = say(web || way.kind !== "server" ? "shared" : "shared_here").replace(/([{}])\1/g, "$1");
 };
 $("lang").onchange = () => {
   bench.lang = $("lang").value;
@@ -226,6 +278,7 @@ on($("underlay"), "change", () => {
   picture.src = URL.createObjectURL(file);
 });
 on($("width"), "change", () => { // of the picture, or of the length drawn on it
+  $("width").setAttribute("aria-invalid", String(!(metres() > 0)));
   if (canvas.ruled) sized(metres());
   else if (canvas.under) canvas.under.width = metres() || 0.6;
   paint();
@@ -236,15 +289,28 @@ on(window, "keydown", e => {
   e.preventDefault();
   if (key === "KeyY" || e.shiftKey) back(future, past); else back(past, future);
 });
-on($("files-in"), "change", async () => { // scenes of a folder: the first is opened, all are kept
-  const files = [...$("files-in").files ?? []].filter(f => /\.ya?ml$/i.test(f.name));
-  const texts = await Promise.all(files.map(f => f.text()));
-  texts.forEach((text, k) => keep(files[k].name.replace(/\.ya?ml$/i, ""), text));
-  if (texts[0]) open(texts[0], "own");
-  $("files-in").value = "";
+/** Scenes of a folder, or of an archive: the first is opened, all are kept.
+ * @type {(files: FileList | null) => Promise<void>} */
+async function brought(files) {
+  const scenes = await scenesIn([...files ?? []]);
+  for (const { name, text } of [...scenes].reverse()) keep(name, text);
+  if (scenes[0]) open(scenes[0].text, "own");
+  else $("state").textContent = say("files_none");
+  void gallery();
+}
+for (const id of ["files-in", "folder-in"]) on($(id), "change", async () => {
+  await brought($(id).files);
+  $(id).value = "";
+});
+on(document, "dragover", e => { if (e.dataTransfer.types.includes("Files")) e.preventDefault(); });
+on(document, "drop", e => { // files; a text that is dragged stays with its field
+  if (!e.dataTransfer.files.length) return;
+  e.preventDefault();
+  void brought(e.dataTransfer.files);
 });
 on(window, "hashchange", () => { if (asked().has("scene")) void started(); });
 Object.assign(bench, { take, open, act: (/** @type {string} */ name) => { turnTo("draw"); tool(name); } });
 globalThis.planes = { lesson: null, bench, canvas, ask, engine, tool };
+canvas.seen = chosenShown;
 listen();
 void started();

@@ -2,18 +2,11 @@
 import { bench, say } from "./bench.js";
 import { way } from "./carrier.js";
 import { $, on, safe } from "./dom.js";
+import { download } from "./download.js";
 
 /** The available files, each with its command. @type {Record<string, string[]>} */
 const FILES = JSON.parse($("takeaway").textContent);
 
-/** @type {(name: string, data: BlobPart, kind: string) => void} */
-function download(name, data, kind) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([data], { type: kind }));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-}
 /** @type {(data: LessonData) => void} */
 export function offered(data) {
   const own = Object.keys(FILES).filter(file => data.moves || FILES[file][0] !== "cycle");

@@ -1,13 +1,23 @@
 // Numbers as people type them: sums, decimal commas, units.
-const UNITS = /** @type {Numbers} */ ({ mm: 1e-3, "мм": 1e-3, cm: 1e-2, "см": 1e-2, in: 0.0254, ft: 0.3048, kn: 1e3,
-  "кн": 1e3, g: 1e-3, "г": 1e-3, rpm: Math.PI / 30,
-  "об/мин": Math.PI / 30, "об/хв": Math.PI / 30, "аб/хв": Math.PI / 30,
-  "°/s": Math.PI / 180, "°/с": Math.PI / 180 });
+const UNITS = /** @type {Record<string, string>} */ ({ mm: "0.001", "мм": "0.001", cm: "0.01", "см": "0.01",
+  in: "0.0254", ft: "0.3048", kn: "1000", "кн": "1000", g: "0.001", "г": "0.001", rpm: "pi/30",
+  "об/мин": "pi/30", "об/хв": "pi/30", "аб/хв": "pi/30", "°/s": "pi/180", "°/с": "pi/180" });
+const OF_SI = /^(|m|м|rad\/s|рад\/с|n|н|kg|кг|°)$/i;
+/** A sum as people type it, without spaces, and the factor of its unit. @type {(text: string) => string[]} */
+function parted(text) {
+  const [, sum, unit] = text.trim().replace(/,/g, ".").match(/^([-+*/().\d\s]+(?:e-?\d+)?)\s*(\S*)$/i) ?? ["", "", ""];
+  const factor = OF_SI.test(unit) ? "1" : UNITS[unit.toLowerCase()] ?? "";
+  return [/[\d.]\s+[\d.]/.test(sum) ? "" : sum.replace(/\s+/g, ""), factor];
+}
 /** A number as people type it: a sum or a quotient, a decimal comma, a unit; in SI. @type {(text: string) => number} */
 export function typed(text) {
-  const [, sum, unit] = text.trim().replace(/,/g, ".").match(/^([-+*/().\d\s]+(?:e-?\d+)?)\s*(\S*)$/i) ?? ["", "", ""];
-  const factor = unit ? UNITS[unit.toLowerCase()] ?? (/^(m|м|rad\/s|рад\/с|n|н|kg|кг|°)$/i.test(unit) ? 1 : NaN) : 1;
-  return /[\d.]\s+[\d.]/.test(sum) ? NaN : summed(sum.replace(/\s+/g, "")) * factor;
+  const [sum, factor] = parted(text);
+  return factor ? summed(sum) * summed(factor.replace("pi", String(Math.PI))) : NaN;
+}
+/** The same number as a scene says it, in the figures that were typed. @type {(text: string) => string} */
+export function asTyped(text) {
+  const [sum, factor] = parted(text);
+  return factor === "1" ? sum : `${/.[-+/]/.test(sum) ? `(${sum})` : sum}*${factor}`;
 }
 /** Of numbers, signs and brackets alone. @type {(text: string) => number} */
 function summed(text) {

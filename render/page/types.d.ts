@@ -70,6 +70,7 @@ interface LessonData {
   judging: Numbers; practice: Question[]; mistakes: Record<string, { said: Said; parts: string[] }>; tape: TapeData;
   blunt: Record<string, Said>; centres: Record<string, string[][]>;
   noted: Record<string, Said>;
+  pending?: boolean; // its practice is still to come
   number: number; titles: Said[]; paragraphs: { frame: number; view: string; knobs: string[]; said: Said }[]; // an essay's
 }
 
@@ -103,10 +104,11 @@ interface Found {
 interface Sketch {
   title: string; points: Record<string, Spot>; fixed: string[]; loads: { link: string; point: string }[];
   guides: Record<string, { at: Spot; angle: number; link: string }>;
-  links: Record<string, { points: string[]; slides: string | null; centre: string | null }>;
-  drive: { link: string; kind: string; rate: number; kept?: boolean } | null;
+  links: Record<string, { points: string[]; slides: string | null; centre: string | null; heavy?: boolean }>;
+  drive: { link: string; kind: string; rate: number; on?: string } | null;
   motion?: Record<string, Spot[]>; round?: boolean;
 }
+interface End { point: string; link: string; guide: string; at: Spot; } // of what is drawn
 interface View { k: number; px(p: Spot): Spot; m(p: Spot): Spot; }
 interface Shelved { name: string; title: Said; formula: string; text: string; sketch: Sketch; }
 interface Help { label: string; from: string; to: string; path?: string[]; value?: string; sketch?: Sketch; act?: string; }

@@ -3,11 +3,15 @@ import { live } from "./page.js";
 
 const past = /** @type {any[]} */ ([]), future = /** @type {any[]} */ ([]);
 let last = { ...live.given };
+/** What was typed for a number, by its name. */
+export const figures = /** @type {Record<string, { value: number, text: string }>} */ ({});
 
 const same = () => Object.keys(last).every(n => last[n] === live.given[n]);
 function announced() { // the studio writes it into the scene
-  const detail = Object.fromEntries(Object.entries(live.given).filter(([n, v]) => last[n] !== v));
-  dispatchEvent(new CustomEvent("rested", { detail }));
+  const numbers = Object.fromEntries(Object.entries(live.given).filter(([n, v]) => last[n] !== v));
+  const said = Object.fromEntries(Object.keys(numbers).filter(n => figures[n]?.value === numbers[n])
+    .map(n => [n, figures[n].text]));
+  dispatchEvent(new CustomEvent("rested", { detail: { numbers, said } }));
 }
 export function rested() { // an action has ended: its changes are one step
   if (same()) return;

@@ -168,3 +168,97 @@ def test_fifty_clients_are_answered_without_an_error(door: Door) -> None:
 
     with ThreadPoolExecutor(CLIENTS) as crowd:
         assert all(crowd.map(client, range(CLIENTS)))
+
+
+ANY = {"type": ["string", "number", "boolean", "null", "object", "array"]}
+NAME = {"type": "string", "enum": ["A", "B", "K", "1", "2", "y-y", "", "п. 7", "x" * 30]}
+PLACE = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}
+LINK = {"type": "object", "properties": {"points": {"type": "array", "items": NAME}, "slides": ANY, "centre": ANY}}
+SKETCH = {
+    "type": "object",
+    "required": ["points", "fixed", "guides", "links"],
+    "properties": {
+        "points": {"type": "object", "properties": {"A": PLACE, "B": PLACE, "K": PLACE}, "additionalProperties": False},
+        "fixed": {"type": "array", "items": NAME, "maxItems": 3},
+        "guides": {"type": "object", "maxProperties": 2},
+        "links": {"type": "object", "properties": {"1": LINK, "2": LINK}, "additionalProperties": False},
+        "drive": ANY,
+    },
+}
+TEXT = {"anyOf": [{"type": "string"}, {"enum": [SIX, "", "planes: 1\nlinks: {1: {points: {A: 0, B: 1}}}\n", "0"]}]}
+MESSAGE = {
+    "type": "object",
+    "required": ["ask", "text"],
+    "properties": {
+        "ask": {
+            "enum": ["lesson", "practice", "sketch", "drawn", "numbers", "rename", "put", "append", "leave out", "?"]
+        },
+        "text": TEXT,
+        "lang": {"enum": ["en", "ru", "be", "xx"]},
+        "sketch": SKETCH,
+        "was": {"anyOf": [SKETCH, {"type": "null"}]},
+        "numbers": {"type": "object", "properties": {"l_AB": {"type": "number"}, "g": ANY}},
+        "said": {"type": "object", "additionalProperties": {"type": "string"}},
+        "path": {"type": "array", "items": {"enum": ["point", "link", "links", "loads", "0", "1", "C", "title", ""]}},
+        "value": {"type": "string"},
+    },
+}
+FILE_ASKED = {"type": "object", "properties": {"text": {"type": "string"}, "file": {"enum": ["plan.tex", "../x", 3]}}}
+DRAWING = {"type": "object", "properties": {"drawing": {"enum": ["AAAA", "a", "é", 1]}, "name": ANY, "plan": ANY}}
+BODIES = {"/ask": MESSAGE, "/file": FILE_ASKED, "/check": DRAWING}
+MOST_ANSWERED = 2_000_000  # bytes: three times the lesson of the six-link
+
+
+def routes() -> dict[str, Any]:
+    """The server's routes as an OpenAPI document."""
+    done = {"default": {"description": "an answer"}}
+    named = {"name": "name", "in": "path", "required": True, "schema": {"type": "string"}}
+    posts = {
+        path: {"post": {"requestBody": {"content": {"application/json": {"schema": body}}}, "responses": done}}
+        for path, body in BODIES.items()
+    }
+    gets = {path: {"get": {"responses": done}} for path in ("/", "/gallery.json", "/lesson.html")}
+    others = {path: {"get": {"parameters": [named], "responses": done}} for path in ("/reports/{name}", "/{name}")}
+    return {"openapi": "3.1.0", "info": {"title": "studio", "version": "1"}, "paths": {**posts, **gets, **others}}
+
+
+@pytest.mark.needs("schemathesis")
+@pytest.mark.parametrize("wrong", [False, True], ids=["fitting", "not fitting"])
+@pytest.mark.parametrize(("path", "count"), [("/ask", 250), ("/file", 6), ("/check", 6), ("", 15)])
+def test_no_request_of_the_schema_breaks_the_server(door: Door, path: str, count: int, wrong: bool) -> None:
+    """Requests that fit the routes' schema, and such that do not: none ends in an error of the server or a traceback,
+    and every answer has its bound."""
+    import schemathesis
+    from hypothesis import HealthCheck, given, seed, settings
+
+    mode = schemathesis.GenerationMode.NEGATIVE if wrong else schemathesis.GenerationMode.POSITIVE
+    cookie = {"Cookie": f"planes={door.token}"}
+    operations = [o.ok() for o in schemathesis.openapi.from_dict(routes()).get_all_operations()]
+    some = [o for o in operations if (o.path == path if path else o.path not in BODIES)]
+    for operation in some:
+        if wrong and not path:
+            continue  # any name is a name
+
+        @seed(7)
+        @settings(max_examples=count, deadline=None, database=None, suppress_health_check=[*HealthCheck])
+        @given(case=operation.as_strategy(generation_mode=mode))
+        def asked(case: Any) -> None:
+            answer = case.call(base_url=f"http://127.0.0.1:{door.port}", headers=cookie, timeout=PATIENCE_S)
+            assert answer.status_code < 500, (answer.status_code, case.body)
+            assert b"Traceback" not in answer.content and len(answer.content) <= MOST_ANSWERED
+
+        asked()
+
+
+@pytest.mark.parametrize("token", ["%C3%A9", "%00", "a%ff"])
+def test_a_strange_token_is_a_wrong_one(door: Door, token: str) -> None:
+    assert door.ask("GET", f"/?token={token}", Cookie="")[0] == 403
+
+
+@pytest.mark.parametrize("path", ["/ask", "/file", "/check"])
+def test_half_a_letter_is_refused_in_words(door: Door, path: str) -> None:
+    """A surrogate without its other half is JSON, but no text."""
+    body = rb'{"ask": "lesson", "text": "title: \ud800", "file": "plan.tex", "drawing": "AAAA", "name": "\ud800.svg", '
+    body += rb'"plan": "a\u0000"}'
+    status, _, said = door.ask("POST", path, body)
+    assert status in (200, 400, 422) and said and b"Traceback" not in said and b"Internal" not in said
