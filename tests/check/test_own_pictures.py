@@ -102,7 +102,7 @@ def test_a_damaged_or_swollen_drawing_is_none() -> None:
     assert len(swollen) < MB and carried(swollen, MB) is None
     whole = carrying(plain.getvalue(), b"<svg/>")
     assert carried(whole, MB) == b"<svg/>"
-    for data in (whole[:90], whole.replace(zlib.compress(b"<svg/>", 9), bytes(14)), b"", plain.getvalue()):
+    for data in (whole[:90], whole.replace(whole.partition(b"plAN")[2][:14], bytes(14)), b"", plain.getvalue()):
         assert carried(data, MB) is None
 
 
