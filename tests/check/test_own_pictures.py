@@ -3,7 +3,6 @@ only the file's scale is known, no pole, no mark."""
 
 from __future__ import annotations
 
-import zlib
 from io import BytesIO
 from pathlib import Path
 

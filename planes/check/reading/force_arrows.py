@@ -3,12 +3,12 @@ and whose name stands beside it, in the right plan or in a mistake's."""
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations, compress
+from itertools import compress
 from statistics import median
-from typing import Literal
 
 import numpy
 
@@ -189,15 +189,17 @@ def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         return paper
     best = readings[0]
     own = {s.name for s in seen.sides}
-    back = dict(_turned_round(seen, best))
+    back = dict(_turned_round(seen, best, own))
     rows = {n: s for n, s in (_shared(seen, best) | back).items() if n in own}
     true = {n: v for n, v in best.known.items() if n in own}
     bare = dict(_headless(seen, {n: v for n, v in best.known.items() if n not in {*best.taken, *rows}}, rows))
     rows |= {n: s for n, s in bare.items() if n in own}
     rows |= dict(_between(rows, true))
-    every = dict.fromkeys((*rows, *back, *bare))
-    paper.signs = [*_exchanged(seen, best), *arrow_faults({("", n): DrawnVector(_how(n, back, bare)) for n in every})]
-    paper.untold = [n for n in _named_elsewhere(seen, best) if n in own]
+    heads = dict.fromkeys(rows, DrawnVector("end"))
+    heads |= dict.fromkeys(back, DrawnVector("start")) | dict.fromkeys(bare, DrawnVector("none"))
+    exchanged, elsewhere = _named(seen, best)
+    paper.signs = [*exchanged, *arrow_faults({("", n): how for n, how in heads.items()})]
+    paper.untold = [n for n in elsewhere if n in own]
     ring = {s.name for s in seen.plan.sides} & {*compress(seen.names, seen.needed)}  # what lies within need not be
     unread = (n for n in true if n in ring and n not in rows and abs(true[n]) > HEADLESS_MM)
     paper.left = [n for n in unread if not _into_a_head(seen, true[n], rows)]
@@ -222,65 +224,49 @@ def _shared(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
     return rows
 
 
-def _turned_round(seen: ForceArrows, best: Reading) -> Iterator[tuple[str, Stroke]]:
+def _turned_round(seen: ForceArrows, best: Reading, own: Collection[str]) -> Iterator[tuple[str, Stroke]]:
     """Vectors without an arrow of their own, each where one lies that is it the other way round; and sums that do."""
     left = [seen.arrows[i][0] for i in best.left if len(seen.arrows[i]) == 1]
     left = [(a, b) for a, b in left if all(abs(b - a - v) > _near(v) for v in best.known.values())]
     for n, v in best.known.items():
-        sums = [seen.flat[best.taken[n]][1]] if n in best.taken and not seen.own[seen.names.index(n)] else []
-        back = [s for s in (sums if n in best.taken else left) if abs(s[1] - s[0] + v) < _near(v)]
+        read = [seen.flat[best.taken[n]][1]] if n in best.taken else left
+        back = [s for s in read if abs(s[1] - s[0] + v) < _near(v) and (read is left or n not in own)]
         if back and abs(v) > HEADLESS_MM:
             left = [s for s in left if s != back[0]]
             yield n, back[0][::-1]
 
 
-def _arrows(seen: ForceArrows, best: Reading) -> dict[str, int]:
-    """The way each vector's arrow goes, by name, those among them that are left only as their names stand elsewhere."""
-    left = [k for k, i in enumerate(seen.of) if i in best.left]
-    return {n: k for k in left for n, v in best.known.items() if abs(seen.v[k] - v) < SAME_MM} | best.taken
-
-
-def _exchanged(seen: ForceArrows, best: Reading) -> Iterator[SignFault]:
-    """Two names each by the other's arrow alone."""
-    arrows = _arrows(seen, best)
-    for one, two in combinations(arrows, 2):
-        ways, names = [arrows[one], arrows[two]], [seen.names.index(one), seen.names.index(two)]
-        own, other = (float(seen.prices[ways, k].sum()) / w.LETTERS for k in (names, names[::-1]))
-        sure = other < -2 * math.log(w.LIKELY) and own - other > math.log(w.RATHER)
-        if sure and seen.written[names].all() and abs(best.known[one] - best.known[two]) > MEET_MM:
-            yield SignFault("names_exchanged", one, two, w.EXCHANGED)
-
-
-def _named_elsewhere(seen: ForceArrows, best: Reading) -> Iterator[str]:
-    """Vectors whose names stand rather by another's arrow, as another's stands by theirs."""
-    arrows, prices = _arrows(seen, best), seen.prices / w.LETTERS
-    for n, k in ((n, k) for n, k in arrows.items() if n in best.taken):
-        others = {m: j for m, j in arrows.items() if abs(best.known[m] - best.known[n]) > MEET_MM}
-        there = min((prices[j, seen.names.index(n)] for j in others.values()), default=math.inf)
-        theirs = min((prices[k, seen.names.index(m)] for m in others), default=math.inf)
-        rather = prices[k, seen.names.index(n)] - there > math.log(w.RATHER)
-        if rather and max(there, theirs) < -math.log(w.LIKELY):
-            yield n
+def _named(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]]:
+    """Two names each by the other's arrow; vectors whose names stand rather by another's arrow, and others' by theirs."""
+    left = [k for k, i in enumerate(seen.of) if i in best.left]  # some, as their names stand elsewhere
+    ways = {n: k for k in left for n, v in best.known.items() if abs(seen.v[k] - v) < SAME_MM} | best.taken
+    names, v = [*ways], numpy.array([best.known[n] for n in ways])
+    prices = seen.prices[[*ways.values()]][:, [seen.names.index(n) for n in ways]] / w.LETTERS
+    other = numpy.where(abs(v[:, None] - v) > MEET_MM, prices, math.inf)
+    own, crossed, surely = prices.diagonal(), other + other.T, -math.log(w.LIKELY)
+    sure = (crossed < 2 * surely) & (own[:, None] + own - crossed > math.log(w.RATHER))
+    there, theirs = (other.min(axis=k, initial=math.inf) for k in (0, 1))
+    elsewhere = (own - there > math.log(w.RATHER)) & (numpy.maximum(there, theirs) < surely)
+    exchanged = [
+        SignFault("names_exchanged", names[k], names[j], w.EXCHANGED) for k, j in numpy.argwhere(pairs) if k < j
+    ]
+    return exchanged, [n for n in compress(names, elsewhere) if n in best.taken]
 
 
 def _headless(seen: ForceArrows, unread: Known, rows: Mapping[str, Stroke]) -> Iterator[tuple[str, Stroke]]:
     """Vectors that are lines without heads from where one ends to where another begins, where others have heads."""
-    ends = [z for s in rows.values() for z in s]
+    ends = numpy.array([*rows.values()]).ravel()
     lines = [s for k, s in enumerate(seen.sketch.strokes) if seen.headed and not seen.sketch.way(k)]
-    joined = [s for s in lines if all(min((abs(z - q) for q in ends), default=math.inf) < MEET_MM for z in s)]
+    joined = [s for s in lines if all((abs(ends - z) < MEET_MM).any() for z in s)]
     for n, v in unread.items():
         like = [s for one in joined for s in (one, one[::-1]) if abs(s[1] - s[0] - v) < _near(v)]
-        if like and abs(v) > HEADLESS_MM:
-            yield n, like[0]
+        yield from [(n, s) for s in like[:1] if abs(v) > HEADLESS_MM]
 
 
 def _into_a_head(seen: ForceArrows, v: complex, rows: Mapping[str, Stroke]) -> bool:
     """Whether a vector may end in the head of another that comes along its way, so that it has none of its own."""
-    along = [
-        (a, b)
-        for a, b in (one[0] for one in seen.arrows if len(one) == 1)
-        if ((b - a) / v).real > abs((b - a) / v) * math.cos(w.NARROW)
-    ]
+    headed = [one[0] for one in seen.arrows if len(one) == 1]
+    along = [(a, b) for a, b in headed if abs(cmath.phase((b - a) / v)) < w.NARROW]
     ends = [b for _, b in rows.values()]
     return any(abs(b - z - v) < _near(v) and covered(along, z, b) > UPON for _, b in along for z in ends)
 
@@ -288,10 +274,6 @@ def _into_a_head(seen: ForceArrows, v: complex, rows: Mapping[str, Stroke]) -> b
 def _near(v: complex) -> float:
     """How far a vector drawn may be off."""
     return max(MEET_MM, SHARE * abs(v))
-
-
-def _how(name: str, back: Collection[str], bare: Collection[str]) -> Literal["start", "none", "end"]:
-    return "start" if name in back else "none" if name in bare else "end"
 
 
 def _vague(seen: ForceArrows, rows: Mapping[str, Stroke], bench: PreparedPlan, paper: ReadPaper) -> bool:
