@@ -237,7 +237,7 @@ def _turned_round(seen: ForceArrows, best: Reading, own: Collection[str]) -> Ite
 
 
 def _named(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]]:
-    """Two names each by the other's arrow; vectors whose names stand rather by another's arrow, and others' by theirs."""
+    """Two names each by the other's arrow; vectors whose names stand rather by another's, and another's by theirs."""
     left = [k for k, i in enumerate(seen.of) if i in best.left]  # some, as their names stand elsewhere
     ways = {n: k for k in left for n, v in best.known.items() if abs(seen.v[k] - v) < SAME_MM} | best.taken
     names, v = [*ways], numpy.array([best.known[n] for n in ways])
@@ -247,10 +247,9 @@ def _named(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]
     sure = (crossed < 2 * surely) & (own[:, None] + own - crossed > math.log(w.RATHER))
     there, theirs = (other.min(axis=k, initial=math.inf) for k in (0, 1))
     elsewhere = (own - there > math.log(w.RATHER)) & (numpy.maximum(there, theirs) < surely)
-    exchanged = [
-        SignFault("names_exchanged", names[k], names[j], w.EXCHANGED) for k, j in numpy.argwhere(pairs) if k < j
-    ]
-    return exchanged, [n for n in compress(names, elsewhere) if n in best.taken]
+    pairs = [(names[k], names[j]) for k, j in numpy.argwhere(numpy.triu(sure))]
+    rather = [n for n in compress(names, elsewhere) if n in best.taken]
+    return [SignFault("names_exchanged", *pair, w.EXCHANGED) for pair in pairs], rather
 
 
 def _headless(seen: ForceArrows, unread: Known, rows: Mapping[str, Stroke]) -> Iterator[tuple[str, Stroke]]:
