@@ -141,9 +141,9 @@ class Comparison:
         """Closed loops by iteration; each position of a path starts from the one before."""
         drive, q, poses = self.plans.mechanism.drive, np.empty(0), list[Mapping[str, Triple]]()
         for k, value in enumerate(values):
-            loops = Loops(self.at(k))
+            plans = self.at(k)
+            loops = Loops(plans)
             if k in self.begins:
-                plans = self.at(k)
                 given = {**plans.given, **self.cycle.mus, plans.drive_given: float(value)}
                 q = loops.start(run(plans.program, given).__getitem__)
             try:

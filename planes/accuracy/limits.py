@@ -6,6 +6,7 @@ crossings are bluntest. A limit is known to 50 digits.
 
 import math
 from collections.abc import Iterator
+from functools import reduce
 from typing import Literal
 
 import numpy as np
@@ -88,20 +89,15 @@ class MovedGiven:
     def _open(self, drawing: Drawing) -> Real:
         """The least sharpness, or the speed of the fastest point relative to the drive, if that is less."""
         ar, drive = drawing.tool.ar, self.bench.plans.mechanism.drive
-        least: Real = 1.0
-        for sharp in drawing.sharpness.values():
-            least = ar.minimum(least, sharp)
+        least: Real = reduce(ar.minimum, drawing.sharpness.values(), 1.0)
         slow = QUICK * abs(drive.velocity) * (self.bench.plans.reach if drive.kind == "phi" else 1.0)
         if slow:
             least = ar.minimum(least, slow / (slow + self._largest(drawing, "v")))
         return least
 
     def _largest(self, drawing: Drawing, letter: str) -> Real:
-        top: Real = 0.0
-        for kind, x in zip(self.bench.letters, self.bench.taken(drawing), strict=True):
-            if kind == letter:
-                top = drawing.tool.ar.maximum(top, abs(x))
-        return top
+        taken = zip(self.bench.letters, self.bench.taken(drawing), strict=True)
+        return reduce(drawing.tool.ar.maximum, (abs(x) for kind, x in taken if kind == letter), 0.0)
 
     def far(self, value: Real) -> bool:
         """Whether a point is far beyond the mechanism's reach."""

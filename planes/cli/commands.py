@@ -211,11 +211,8 @@ def course(args: Namespace) -> int:
     plan_of_course = read_course(args.folder)
     lang = said or plan_of_course.lang or args.lang
     warn((doubt.told(lang) for assignment in plan_of_course.assignments for doubt in assignment.doubts), lang)
-    warn(
-        [say("course_two_lists", lang, file=plan_of_course.file, other=plan_of_course.unread)]
-        * bool(plan_of_course.unread),
-        lang,
-    )
+    if plan_of_course.unread:
+        warn([say("course_two_lists", lang, file=plan_of_course.file, other=plan_of_course.unread)], lang)
     folder = Path(args.output) if args.output else Path(plan_of_course.file).parent / OUT
     with crowd(args.jobs, args.scheduler, READY) as each, bar() as step:
         report = conduct(plan_of_course, folder, each, lang, step, bool(args.scheduler))

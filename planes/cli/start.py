@@ -35,13 +35,16 @@ def new(args: Namespace) -> int:
     text = in_language((TEMPLATES / f"{name}.yaml").read_text("utf-8"), args.lang)
     if args.output and (args.output.endswith(("/", os.sep)) or Path(args.output).is_dir()):
         args.output = str(Path(args.output) / ("course.yaml" if name == "course" else "scene.yaml"))
-    if args.output and Path(args.output).exists() and not is_output(Path(args.output)):
-        raise PlanesError(Phrase("new_there", file=args.output))
     if args.output:
+        file = Path(args.output)
+        kept = not is_output(file)
+        if kept and file.exists():
+            raise PlanesError(Phrase("new_there", file=args.output))
         with sayable(args.output):
-            Path(args.output).parent.mkdir(parents=True, exist_ok=True)
-    beside = args.output and not is_output(Path(args.output)) and _schema_beside(Path(args.output), name, args.lang)
-    _out(f"# yaml-language-server: $schema={beside}\n{text}" if beside else text, args.output)
+            file.parent.mkdir(parents=True, exist_ok=True)
+        if beside := kept and _schema_beside(file, name, args.lang):
+            text = f"# yaml-language-server: $schema={beside}\n{text}"
+    _out(text, args.output)
     return 0
 
 

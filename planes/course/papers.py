@@ -172,13 +172,12 @@ def segments(drawn: Position, name: str, lang: Lang, convention: Convention) -> 
     rows, kind = [], kind_of(name)
     pole = Naming(lang).mark(POLE, kind)
     for vector, s, segment in drawn.measured_on(name):
-        value = number(segment["value"] if segment["mm"] > NOISE_MM else 0.0, lang)
         rows.append(
             (
                 f"⟨{vector}⟩",
                 f"⟨{pole if s.start == POLE else s.start}⟩⟨{pole if s.end == POLE else s.end}⟩",
                 decimal(f"{segment['mm']:.1f}", lang),
-                value,
+                number(segment["value"] if segment["mm"] > NOISE_MM else 0.0, lang),
             )
         )
     size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)

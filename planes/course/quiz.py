@@ -7,7 +7,6 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 from itertools import zip_longest
-from typing import Any
 
 from planes.accuracy.errors import add_errors
 from planes.course.numbers import main_answers
@@ -85,7 +84,7 @@ class Quiz:
     @classmethod
     def read(cls, text: str) -> "Quiz":
         """A stored quiz."""
-        held: dict[str, Any] = json.loads(text)
+        held = json.loads(text)
         kinds = {"given": QuizGiven, "questions": QuizItem}
         lists = {key: tuple(kind(**one) for one in held[key]) for key, kind in kinds.items()}
         return cls(**{**held, **lists, "picture": base64.b64decode(held["picture"])})

@@ -7,13 +7,14 @@ bracket is narrowed down, by the derivative, or by the value itself, which gives
 place to about 10⁻⁶ of a degree.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from planes.diagrams.smooth import flat_places
 from planes.diagrams.turn import Grid, WholeTurn
-from planes.geometry.arrays import Array
+from planes.geometry.arrays import Array, Booleans
 from planes.plans.curves import FULL, Curve, Sample
 from planes.words.frozen import frozen
 
@@ -80,11 +81,9 @@ def extremes(g: Grid) -> list[list[Extreme]]:
 def _inside(g: Grid, brackets: list[_Bracket]) -> list[tuple[_Bracket, float, float]]:
     """The extremes in brackets of the grid: those of smooth curves, then the others, and those without digits there."""
     places, values = np.full((2, len(brackets)), np.nan)
-    owner = np.array([b.curve for b in brackets])
     index, sense = np.array([b.index for b in brackets]), np.array([b.sense for b in brackets])
-    for k in np.unique(owner):
-        mine = owner == k
-        places[mine] = flat_places(g, g.turn.curves[k], index[mine], sense[mine])
+    for curve, mine in _by_curve(g.turn, brackets):
+        places[mine] = flat_places(g, curve, index[mine], sense[mine])
     if len(smooth := np.flatnonzero(np.isfinite(places))):
         values[smooth] = _values(g.turn, [brackets[i] for i in smooth], places[smooth])
     there = np.isfinite(values)
@@ -152,7 +151,7 @@ def _edges(g: Grid, curve: Curve, y: Array, limits: list[_Limit]) -> list[Extrem
     """Values at the ends of the range, and at the limits of assembly, where they may be the largest of all."""
     ends = []
     if not g.closed:
-        for i, other in ((0, 1), (len(y) - 1, len(y) - 2)):
+        for i, other in ((0, 1), (-1, -2)):
             if np.isfinite(y[i]) and np.isfinite(y[other]):
                 ends.append(Extreme(float(g.places[i]), float(y[i]), 1 if y[i] > y[other] else -1, "end"))
     for limit in limits:
@@ -179,15 +178,13 @@ def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> Array:
     """Places of the bracketed extremes, all narrowed down together: to the zero of the slope, or, if that is unknown or
     has one sign throughout (a value passes through infinity), by the value itself."""
     low, high = np.array([b.low for b in brackets]), np.array([b.high for b in brackets])
-    owner = np.array([b.curve for b in brackets])
     sense = np.array([b.sense for b in brackets])
     parts = np.linspace(0.0, 1.0, CELLS + 1)
     for _ in range(ROUNDS):
         x = low[:, None] + (high - low)[:, None] * parts
         sample = turn.sample(x.ravel(), bare=True)
         first, last = np.zeros(len(x), int), np.full(len(x), CELLS)
-        for k in np.unique(owner):
-            mine, curve = owner == k, turn.curves[k]
+        for curve, mine in _by_curve(turn, brackets):
             y, slope = (
                 (read(sample) + np.zeros(x.size)).reshape(x.shape)[mine] * sense[mine][:, None]
                 for read in (curve.read, curve.slope or _unknown)
@@ -202,12 +199,18 @@ def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> Array:
 
 def _values(turn: WholeTurn, brackets: list[_Bracket], place: Array) -> Array:
     sample, values_there = turn.sample(place), np.empty(len(place))
-    owner, near = np.array([b.curve for b in brackets]), np.array([b.near for b in brackets])
-    for k in np.unique(owner):
-        mine, curve = owner == k, turn.curves[k]
+    near = np.array([b.near for b in brackets])
+    for curve, mine in _by_curve(turn, brackets):
         value = (curve.read(sample) + np.zeros(len(place)))[mine]
         values_there[mine] = value + FULL * np.round((near[mine] - value) / FULL) if curve.angular else value
     return values_there
+
+
+def _by_curve(turn: WholeTurn, brackets: list[_Bracket]) -> Iterator[tuple[Curve, Booleans]]:
+    """Each curve that has brackets, and which of them are its own."""
+    owner = np.array([b.curve for b in brackets])
+    for k in np.unique(owner):
+        yield turn.curves[k], owner == k
 
 
 def _unknown(sample: Sample) -> float:

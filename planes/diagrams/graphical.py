@@ -112,11 +112,18 @@ class Construction:
         name = self.draft.give(f"y_{plan}_{label}", value)
         self.draft.step(LayOff(at(plan, label), self.foot(plan, half), UP, name, mu_of(plan)))
 
-    def laid(self, plan: str, points: Sequence[tuple[int, str]], values: Sequence[float]) -> None:
-        """The points of a given curve, each laid off and read."""
-        for (half, label), value in zip(points, values, strict=True):
-            self.lay_off(plan, half, label, value)
-            self.measure(plan, half, label)
+    def laid(self, stage: Stage, values: Sequence[float]) -> None:
+        """The diagram of a given curve, its points each laid off and read."""
+        for (half, label), value in zip(stage.points, values, strict=True):
+            self.lay_off(stage.plan, half, label, value)
+            self.measure(stage.plan, half, label)
+        self.stages.append(stage)
+
+    def constructed(self, stage: Stage) -> None:
+        """A diagram whose points are drawn already, each read."""
+        for half, label in stage.points:
+            self.measure(stage.plan, half, label)
+        self.stages.append(stage)
 
     def carried(self, plan: str, source: str, half: int, label: str) -> None:
         """A point above a foot, at the height of a mark on the axis of ordinates: the ordinate carried with
@@ -135,9 +142,8 @@ def differentiated(motion: Motion, pole_mm: float | None = None) -> Construction
     place, plan = motion.ends[0], "diagram:s"
     mu = standard_mu(max(place) - min(place), TALL_MM)
     c.axes(plan, mu, None)
-    points = [(2 * k, str(k)) for k in range(motion.sections + 1)]
-    c.laid(plan, points, [value - place[0] for value in place])
-    c.stages.append(Stage(plan, 0, mu, None, tuple(points), True))
+    points = tuple((2 * k, str(k)) for k in range(motion.sections + 1))
+    c.laid(Stage(plan, 0, mu, None, points, True), [value - place[0] for value in place])
     for rank, nxt in ((1, "diagram:v"), (2, "diagram:a")):
         _derived(c, nxt, rank, pole_mm)
     return c
@@ -161,9 +167,7 @@ def _derived(c: Construction, plan: str, rank: int, pole_mm: float | None) -> No
         half = -1
         c.carried(plan, at(plan, f"h{made[-1][1]}"), half, _label(half))
         made.insert(0, (half, _label(half)))
-    for half, label in made:
-        c.measure(plan, half, label)
-    c.stages.append(Stage(plan, rank, mu, pole, tuple(made), False))
+    c.constructed(Stage(plan, rank, mu, pole, tuple(made), False))
 
 
 def _label(half: int) -> str:
@@ -184,15 +188,12 @@ def integrated(motion: Motion, pole_mm: float | None = None) -> Construction:
     mu = standard_mu(max(map(abs, values)), TALL_MM)
     pole = pole_mm or _level(c, mu, motion.ends[1])
     c.axes(plan, mu, pole)
-    points = [(2 * k + 1, _label(2 * k + 1)) for k in range(motion.sections)]
-    c.laid(plan, points, values)
-    c.stages.append(Stage(plan, 2, mu, pole, tuple(points), True))
-    _summed(c, points, "diagram:v", 1, motion.ends[1][0])
-    middles, plan, mu = [], "diagram:v", c.stages[-1].mu
-    for k in range(motion.sections):
-        label = _label(2 * k + 1)
+    middles = tuple((half, _label(half)) for half in range(1, 2 * motion.sections, 2))
+    c.laid(Stage(plan, 2, mu, pole, middles, True), values)
+    _summed(c, middles, "diagram:v", 1, motion.ends[1][0])
+    plan, mu = "diagram:v", c.stages[-1].mu
+    for k, (_, label) in enumerate(middles):
         c.draft.step(Similar(at(plan, label), at(plan, str(k)), at(plan, str(k + 1)), c.draft.give("half", 0.5 + 0j)))
-        middles.append((2 * k + 1, label))
     second = pole_mm or _level(c, mu, [s - motion.ends[0][0] for s in motion.ends[0]])
     name = c.draft.give(f"H_{plan}", second)
     c.draft.step(LayOff(at(plan, "P"), at(plan, "o"), "←", name, PAPER))
@@ -207,7 +208,7 @@ def _level(c: Construction, mu: float, sums: Sequence[float]) -> float:
     return min([h for h in POLES_MM if h >= least], default=math.ceil(least / 10.0) * 10.0)
 
 
-def _summed(c: Construction, middles: list[tuple[int, str]], plan: str, rank: int, start: float = 0.0) -> None:
+def _summed(c: Construction, middles: Sequence[tuple[int, str]], plan: str, rank: int, start: float = 0.0) -> None:
     """The integral of a diagram: over each section a parallel to the ray through the ordinate of its middle."""
     d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
     assert before.pole_mm
@@ -221,6 +222,4 @@ def _summed(c: Construction, middles: list[tuple[int, str]], plan: str, rank: in
         ray = d.step(Through(f"{source}:P–{label}", at(source, "P"), at(source, f"h{label}")))
         end = d.step(Cross(at(plan, str(k + 1)), end, ray, c.foot(plan, 2 * k + 2), UP))
         made.append((2 * k + 2, str(k + 1)))
-    for half, label in made:
-        c.measure(plan, half, label)
-    c.stages.append(Stage(plan, rank, mu, None, tuple(made), False))
+    c.constructed(Stage(plan, rank, mu, None, tuple(made), False))

@@ -186,11 +186,11 @@ def listing(turn: WholeTurn, values: Any, lang: Lang) -> str:
 def _chapters(curves: tuple[Curve, ...]) -> list[tuple[str, list[Curve]]]:
     def chapter(c: Curve) -> str:
         if c.group not in ("analogue", "rate"):
-            return f"group_{c.group}"
-        return f"group_{c.group}_" + ("a" if c.name.startswith(("a", "epsilon", "coriolis")) else "v")
+            return c.group
+        return f"{c.group}_" + ("a" if c.name.startswith(("a", "epsilon", "coriolis")) else "v")
 
     keys = ("place", "analogue_v", "analogue_a", "rate_v", "rate_a", "force")
-    return [(f"group_{k}", [c for c in curves if chapter(c) == f"group_{k}"]) for k in keys]
+    return [(f"group_{k}", [c for c in curves if chapter(c) == k]) for k in keys]
 
 
 def five_decimals(value: float) -> str:

@@ -45,8 +45,8 @@ def _drive(s: Summary, lang: Lang) -> str:
     v, a = (f"{quantity(x)} {say(unit, lang)}" for x, unit in rates)
     velocity, acceleration = (Naming().plain(name) for name in drive.letters[1:])
     first, last = (told(float(x), drive.kind, lang) for x in (s.grid.places[0], s.grid.places[-1]))
-    parts = {"velocity": velocity, "v": v, "acceleration": acceleration, "a": a}
-    return say("cycle_range", lang, name=drive_name(s), first=first, last=last, **parts)
+    rates_said = {"velocity": velocity, "v": v, "acceleration": acceleration, "a": a}
+    return say("cycle_range", lang, name=drive_name(s), first=first, last=last, **rates_said)
 
 
 def _place(s: Summary, value: float, lang: Lang) -> str:
@@ -55,7 +55,7 @@ def _place(s: Summary, value: float, lang: Lang) -> str:
 
 
 def _assembles(s: Summary, lang: Lang) -> list[str]:
-    if bool(s.grid.works.all()):
+    if s.grid.works.all():
         return []
     ranges = ", ".join(f"{_place(s, a, lang)}…{_place(s, b, lang)}" for a, b in s.grid.ranges)
     return [say("cycle_assembles", lang, name=drive_name(s), ranges=ranges)]
@@ -160,12 +160,11 @@ def as_json(s: Summary) -> Json:
         }
     report["curves"] = {}
     for c in s.grid.turn.curves:
-        rotates = {"rotates": True} if s.grid.rounds(c) else {}
         report["curves"][c.name] = {
             "unit": c.unit,
             "group": c.group,
             "extremes": [_extreme(e) for e in s.extremes[c.name]],
-            **rotates,
+            **({"rotates": True} if s.grid.rounds(c) else {}),
         }
     report["paths"] = {
         p.point: {"length": or_none(p.length), "x": [*map(or_none, p.x)], "y": [*map(or_none, p.y)]} for p in s.paths
@@ -174,7 +173,5 @@ def as_json(s: Summary) -> Json:
 
 
 def _extreme(e: Extreme) -> Json:
-    unbounded = math.isinf(e.value)
-    kind = "greatest" if e.sense > 0 else "least"
-    shown: Json = {"at": e.place, "value": or_none(e.value), "kind": kind}
-    return shown | ({"where": e.at} if e.at else {}) | ({"unbounded": True} if unbounded else {})
+    shown: Json = {"at": e.place, "value": or_none(e.value), "kind": "greatest" if e.sense > 0 else "least"}
+    return shown | ({"where": e.at} if e.at else {}) | ({"unbounded": True} if math.isinf(e.value) else {})

@@ -121,8 +121,9 @@ def arrangement(cells: Mapping[str, Bounds], columns: int) -> tuple[dict[str, co
     for row in (names[k : k + columns] for k in range(0, len(names), columns)):
         x = 0.0
         for name in row:
-            corners[name] = complex(x - cells[name][0], y - cells[name][3])
-            x += cells[name][2] - cells[name][0] + GAP_MM
+            left, _, right, top = cells[name]
+            corners[name] = complex(x - left, y - top)
+            x += right - left + GAP_MM
         wide = max(wide, x - GAP_MM)
         y -= max(cells[name][3] - cells[name][1] for name in row) + GAP_MM
     high = -y - GAP_MM

@@ -93,8 +93,7 @@ class ClassWork:
             kept = json.loads(self.ledger.path(files[0]).read_bytes())
             row = ClassRow.read(kept["row"])
             same = any(str(t.file) == kept["scene"] and digest(t.file.read_bytes()) == kept["sha256"] for t in tasks)
-            page_kept = self.ledger.fresh(files[1], source) or not row.plan
-            if same and page_kept:
+            if same and (self.ledger.fresh(files[1], source) or not row.plan):
                 self.rows.append(row)
                 self.wanted += files if row.plan else files[:1]
                 return True

@@ -103,6 +103,11 @@ class Desk:
     order: Order
     sheets: dict[int, Sheet] = field(default_factory=dict)
 
+    @property
+    def lang(self) -> Lang:
+        """The language of the documents."""
+        return self.order.lang
+
     @cached_property
     def scene(self) -> Scene:
         """The student's scene."""
@@ -111,7 +116,7 @@ class Desk:
     @cached_property
     def drawn(self) -> Position:
         """The student's position."""
-        return placed(self.scene, None, self.order.lang)
+        return placed(self.scene, None, self.lang)
 
     def file(self, name: str) -> tuple[bytes, tuple[str, ...]]:
         """The contents of one file, and the remarks about it."""
@@ -125,7 +130,7 @@ class Desk:
         """A sheet of the project, composed once for all its formats."""
         if number not in self.sheets:
             asked = number if self.drawn.plans.moves else None  # stated vectors have one sheet
-            self.sheets[number] = sheet_of(self.scene, None, self.order.lang, asked)
+            self.sheets[number] = sheet_of(self.scene, None, self.lang, asked)
         return self.sheets[number]
 
     def task(self) -> bytes:
@@ -133,7 +138,7 @@ class Desk:
         made = list[bytes]()
         for size in FIGURE_MM:
             shown = self.shown({**FIT_MM, "position": size}, size < FIGURE_MM[0])
-            sheet = task(self.scene, self.drawn, shown, self.order.heads, self.order.lang, self.order.plans)
+            sheet = task(self.scene, self.drawn, shown, self.order.heads, self.lang, self.order.plans)
             made.append(self.set(sheet))
             if not self.drawn.plans.moves or len(PdfDocument(made[-1])) == 1:
                 return made[-1]
@@ -147,20 +152,20 @@ class Desk:
     def shown(self, fits: Mapping[str, float] | None = None, smaller: bool = False) -> Position:
         """The scheme in that position, at the scene's own μ unless it must be ``smaller``."""
         scene = replace(self.scene, mu={**self.scene.mu, "position": None}) if smaller else self.scene
-        return position(scene, self.drawn.plans, [], self.other, None, self.order.lang, fits)
+        return position(scene, self.drawn.plans, [], self.other, None, self.lang, fits)
 
     def key(self) -> bytes:
         """The answers as a document."""
-        return self.set(answers(self.scene, self.drawn, self.order.heads, self.order.lang))
+        return self.set(answers(self.scene, self.drawn, self.order.heads, self.lang))
 
     def set(self, blocks: Iterable[Block]) -> bytes:
         """Blocks as a PDF."""
-        return rendered(list(blocks), ".pdf", Composer(self.scene, self.order.lang, self.drawn.plans).naming)
+        return rendered(list(blocks), ".pdf", Composer(self.scene, self.lang, self.drawn.plans).naming)
 
     def blank(self) -> bytes:
         """A page for each plan."""
         plans = [p for p in self.drawn.plans.drawn if kind_of(p) in self.order.plans]
-        lang, (scene, variant, student) = self.order.lang, self.order.whose
+        lang, (scene, variant, student) = self.lang, self.order.whose
         asked = [(Asked(self.scene, plan), SheetMark(scene, variant, student, plan)) for plan in plans]
         pages = [blank_marks(one, lang, self.order.heads[-1], mark=mark) for one, mark in asked]
         title, reverse = pages[0][1] if pages else "", back(self.scene, SHEET_MM, lang)
@@ -169,20 +174,20 @@ class Desk:
 
     def lesson(self) -> bytes:
         """The lesson's page."""
-        return page(lesson_data(self.scene), self.order.lang).encode()
+        return page(lesson_data(self.scene), self.lang).encode()
 
     def scorm(self) -> bytes:
         """The lesson as a package of a learning platform."""
         assignment, _, student = self.order.whose
-        given = stem(Pool([self.told], self.order.lang), "", "")
-        scored = page(lesson_data(self.scene), self.order.lang, given).encode()
+        given = stem(Pool([self.told], self.lang), "", "")
+        scored = page(lesson_data(self.scene), self.lang, given).encode()
         return scorm(scored, f"{assignment} {student}", self.order.heads[0])
 
     @cached_property
     def told(self) -> Quiz:
         """The task for platforms, without questions."""
-        table = given_of(self.scene, self.drawn, self.order.lang, steady=True)
-        said = said_of(self.scene, self.drawn, self.order.lang)
+        table = given_of(self.scene, self.drawn, self.lang, steady=True)
+        said = said_of(self.scene, self.drawn, self.lang)
         return Quiz(
             student=str(self.scene.sheet.get("student", "")),
             group=str(self.scene.sheet.get("group", "")),
@@ -195,16 +200,16 @@ class Desk:
 
     def quiz(self) -> bytes:
         """What platforms ask, with the scheme in another position as a picture."""
-        asked = questions(self.scene, self.order.lang, self.order.plans)
+        asked = questions(self.scene, self.lang, self.order.plans)
         held = replace(self.told, questions=asked, picture=self.asked_of().rendered(".png"))
         return (json.dumps(held.json(), ensure_ascii=False, indent=1) + "\n").encode()
 
     def asked_of(self) -> Page:
         """The picture of a question: the scheme in another position; for stated vectors their equations."""
         if not self.drawn.plans.moves:
-            return view_of(self.scene, "asked", None, self.order.lang)
-        return picture(self.shown(), None, self.order.lang)
+            return view_of(self.scene, "asked", None, self.lang)
+        return picture(self.shown(), None, self.lang)
 
     def note(self) -> bytes:
         """The explanatory note."""
-        return note(self.scene, None, ".pdf", self.order.lang)
+        return note(self.scene, None, ".pdf", self.lang)

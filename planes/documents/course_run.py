@@ -20,7 +20,7 @@ from planes.course.workers import Each
 from planes.documents.answer_book import together, unasked
 from planes.documents.course import Made, Order, due, make, names_of
 from planes.lesson.note import student_said
-from planes.scene import loads
+from planes.scene import Scene, loads
 from planes.words import Lang, Phrase
 from planes.words.names import kind_of
 from planes.words.naming import Naming
@@ -141,15 +141,15 @@ class Conductor:
 
     def order(self, share: Share, text: str) -> Order:
         """The order for a student."""
-        heads = self.heads(share, text)
+        scene = loads(text, SCENE)
+        heads = self.heads(share, scene)
         whose = share.assignment.name, share.variant or "", share.folder
-        files = due(self.names, loads(text, SCENE))
+        files = due(self.names, scene)
         self.total -= len(self.names) - len(files)
         return Order(text, heads, files, self.course.plans, self.lang, whose)
 
-    def heads(self, share: Share, text: str) -> tuple[str, ...]:
+    def heads(self, share: Share, scene: Scene) -> tuple[str, ...]:
         """The heads of a task: the scene's title, the course, the student, the variant."""
-        scene = loads(text, SCENE)
         who = student_said(share.student.name, scene, self.lang)
         own = Phrase("task_variant", variant=share.variant) if share.variant else Phrase("task_drawn")
         title = scene.title.get(self.lang) or share.assignment.name
@@ -181,8 +181,7 @@ class Conductor:
         rows = [StudentRow.of(s, settled[s].scene, settled[s].key, settled[s].fault) for s in self.given]
         title = self.course.title.get(self.lang, "")
         html = rendered(list(as_blocks(rows, title, self.lang)), ".html", Naming(self.lang))
-        made = {"teacher/summary.csv": as_csv(rows, self.lang).encode(), "teacher/summary.html": html}
-        return self.kept(made)
+        return self.kept({"teacher/summary.csv": as_csv(rows, self.lang).encode(), "teacher/summary.html": html})
 
     def kept(self, files: Mapping[str, bytes]) -> list[str]:
         """Files for the teacher, new ones written; returns their names."""
@@ -193,8 +192,7 @@ class Conductor:
 
     def together(self, made: Sequence[Share]) -> list[str]:
         """Documents from everybody's files: the book of answers, the questions of platforms."""
-        files = dict(together(self.course, self.ledger.folder, [s.place for s in made], self.lang))
-        return self.kept(files)
+        return self.kept(dict(together(self.course, self.ledger.folder, [s.place for s in made], self.lang)))
 
 
 def made_of(thing: object, name: str) -> str:

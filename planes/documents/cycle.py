@@ -92,7 +92,8 @@ def over_cycle(
 
 def check_names(scene: Scene, plans: Plans | None) -> None:
     """Check that every diagram and hodograph named in ``sheet:`` exists, on whichever sheet it is drawn."""
-    for key, names in ((key, asked(scene.sheet, key)) for key in SHOWN):
+    for key in SHOWN:
+        names = asked(scene.sheet, key)
         line = scene.where.get(("sheet", key))
         if names and plans is None:
             raise SceneError(Phrase("cycle_no_mechanism", file=f"sheet.{key}"), scene.file, line)
@@ -161,12 +162,12 @@ def _diagrams(turned: Turned, panels: Sequence[Sequence[str]]) -> list[View]:
     turn, runs, by_name = turned.turn, turned.runs, {c.name: c for c in turned.turn.curves}
     if not panels:
         return []
-    curve_ends = zip(turn.curves, extremes(grid(turn, runs.start, runs.end)), strict=True)
-    ends = {curve.name: _ends(some) for curve, some in curve_ends}
+    curve_extremes = extremes(grid(turn, runs.start, runs.end))
+    ends = {curve.name: _ends(some) for curve, some in zip(turn.curves, curve_extremes, strict=True)}
     curves = [[turned.curve(by_name[n], ends[n]) for n in names] for names in panels]
     stations = runs.stations().tolist()
-    shown = Diagrams(turn.plans, stations, curves, turned.naming, SECTION_MM, runs.closed, to_read=True)
-    return [view("diagrams", "", shown.drawn())]
+    shown = Diagrams(turn.plans, stations, curves, turned.naming, SECTION_MM, runs.closed, to_read=True).drawn()
+    return [view("diagrams", "", shown)]
 
 
 def _ends(curve_extremes: Sequence[Extreme]) -> list[Extreme]:

@@ -161,6 +161,7 @@ def _dataset(definitions: Element, name: str, values: Sequence[float]) -> None:
 
 def _stack(quiz: Element, name: str, group: Sequence[Quiz], lang: Lang) -> None:
     first, pool = group[0], Pool(group, lang)
+    numbers = range(1, len(first.questions) + 1)
     inputs = [
         f"{asked(item, lang)}<p>[[input:ans{k}]] [[validation:ans{k}]]</p>" for k, item in enumerate(first.questions, 1)
     ]
@@ -168,15 +169,14 @@ def _stack(quiz: Element, name: str, group: Sequence[Quiz], lang: Lang) -> None:
     question = _question(quiz, "stack", name, text, first.picture)
     _text(question, "stackversion", STACK_VERSION)
     _text(question, "questionvariables", _variables(pool))
-    feedback = "".join(f"[[feedback:prt{k}]]" for k in range(1, len(first.questions) + 1))
+    feedback = "".join(f"[[feedback:prt{k}]]" for k in numbers)
     _text(question, "specificfeedback", feedback, format="html")
     _text(question, "questionnote", "{@k@}")
-    fields = {"questionsimplify": "1", "assumepositive": "0", "multiplicationsign": "dot", "sqrtsign": "1"}
-    _fields(question, fields)
-    for k in range(1, len(first.questions) + 1):
+    _fields(question, {"questionsimplify": "1", "assumepositive": "0", "multiplicationsign": "dot", "sqrtsign": "1"})
+    for k in numbers:
         _input(question, k)
-    for k in range(1, len(first.questions) + 1):
-        _tree(question, k, 1.0 / len(first.questions), lang)
+    for k in numbers:
+        _tree(question, k, 1.0 / len(numbers), lang)
     for seed in seeds(len(group)):
         _fields(question, {"deployedseed": str(seed)})
 
@@ -212,9 +212,20 @@ def _one_of(name: str, numbers: Sequence[str]) -> list[str]:
 
 
 def _input(question: Element, k: int) -> None:
-    fields = {"name": f"ans{k}", "type": "numerical", "tans": f"ta{k}", "boxsize": "12", "strictsyntax": "1"}
-    fields |= {"insertstars": "0", "forbidfloat": "0", "requirelowestterms": "0", "checkanswertype": "0"}
-    _fields(SubElement(question, "input"), fields | {"mustverify": "0", "showvalidation": "1"})
+    fields = {
+        "name": f"ans{k}",
+        "type": "numerical",
+        "tans": f"ta{k}",
+        "boxsize": "12",
+        "strictsyntax": "1",
+        "insertstars": "0",
+        "forbidfloat": "0",
+        "requirelowestterms": "0",
+        "checkanswertype": "0",
+        "mustverify": "0",
+        "showvalidation": "1",
+    }
+    _fields(SubElement(question, "input"), fields)
 
 
 def _tree(question: Element, k: int, share: float, lang: Lang) -> None:
@@ -233,7 +244,7 @@ def _tree(question: Element, k: int, share: float, lang: Lang) -> None:
     }
     _fields(node, fields)
     for side, score, key in (("true", "1", "quiz_right"), ("false", "0", "quiz_wrong")):
-        fields = {"scoremode": "=", "score": score, "penalty": "", "nextnode": "-1"}
-        fields["answernote"] = f"prt{k}-1-{side[0].upper()}"
+        note = f"prt{k}-1-{side[0].upper()}"
+        fields = {"scoremode": "=", "score": score, "penalty": "", "nextnode": "-1", "answernote": note}
         _fields(node, {f"{side}{tag}": text for tag, text in fields.items()})
         _text(node, f"{side}feedback", say(key, lang), format="html")

@@ -90,12 +90,15 @@ class Schemas:
 
     def common(self) -> Json:
         """The keys common to all scenes."""
-        said = dict.fromkeys(("title", "note", "text", "missing"), WORDS)
-        find = one_of(TEXT, many(TEXT))
         numbers = named(NUMBER)
-        variants = named(one_of(numbers, EMPTY))
-        own = {"planes": {"const": 1}, "parameters": numbers, "variants": variants, "find": find, "sheet": self.sheet()}
-        return {**said, **own}
+        return {
+            **dict.fromkeys(("title", "note", "text", "missing"), WORDS),
+            "planes": {"const": 1},
+            "parameters": numbers,
+            "variants": named(one_of(numbers, EMPTY)),
+            "find": one_of(TEXT, many(TEXT)),
+            "sheet": self.sheet(),
+        }
 
     def mechanism(self) -> Json:
         """The parts of a mechanism."""
@@ -151,15 +154,18 @@ class Schemas:
         """The parts of a scene of vectors."""
         turning = dict.fromkeys(("value", "direction"), self.law())
         vector = one_of(self.of("vector", VECTOR_KEYS, {"similar": TEXT, "as": many(TEXT, 2), **turning}), EMPTY)
-        equations, values = one_of(TEXT, many(one_of(TEXT, named(TEXT)))), named(NUMBER)
-        return {"vectors": named(vector), "equations": equations, "values": values, "mu": TEXT}
+        return {
+            "vectors": named(vector),
+            "equations": one_of(TEXT, many(one_of(TEXT, named(TEXT)))),
+            "values": named(NUMBER),
+            "mu": TEXT,
+        }
 
     def statics(self) -> Json:
         """The parts of a scene of bodies in equilibrium."""
         support = one_of(words_of(SUPPORT_KINDS), self.of("support", SUPPORT_KEYS, {"rod": NAME, "rope": NAME}))
         load = dict.fromkeys(("point", "from", "to", "body"), NAME) | {"intensity": one_of(NUMBER, PAIR)}
         load |= dict.fromkeys(("force", "moment", "direction"), self.law())
-        pole = one_of(self.place(), self.of("pole", POLE_KEYS, {"through": many(NAME, 2)}, POLE_KEYS))
         return {
             "points": named(one_of(PAIR, self.place())),
             "bodies": named(many(NAME)),
@@ -167,7 +173,7 @@ class Schemas:
             "supports": named(one_of(support, many(support))),
             "loads": many(self.of("static_load", STATIC_LOAD_KEYS, load), 0),
             "method": words_of(METHODS),
-            "pole": pole,
+            "pole": one_of(self.place(), self.of("pole", POLE_KEYS, {"through": many(NAME, 2)}, POLE_KEYS)),
         }
 
     def sheet(self) -> Json:
@@ -184,8 +190,8 @@ class Schemas:
         """The section of the integrated calculation."""
         keys = CRANK_SLIDER_KEYS
         tables = {name: self.of(name, own, {}) for name, own in keys.items() if name not in ("fatigue", "materials")}
-        stages = dict.fromkeys(FOUR, many(PAIR, 2))
-        indicator = {"over": words_of(("path", "angle")), "unit": words_of(UNITS), **stages}
+        words = {"over": words_of(("path", "angle")), "unit": words_of(UNITS)}
+        indicator = words | dict.fromkeys(FOUR, many(PAIR, 2))
         bored, material = tables["round"], {"name": NAME, "alloyed": words_of(["yes", "no", True, False])}
         steel = one_of(
             words_of([*STEELS, *(int(s) for s in STEELS if s.isdigit())]),

@@ -123,9 +123,13 @@ class DrawnPosition:
         """The position at the scene's scales, or smaller where no paper holds its plans at these, each drawn once.
         :class:`PlanesError` where it cannot be drawn."""
         if sizes.factor not in self.kept:
-            fits = fits_on(self.scene.sheet, self.stated[0])
-            self.kept[sizes.factor] = self._drawn({kind: sizes.factor * mm for kind, mm in fits.items()})
+            self.kept[sizes.factor] = self._drawn({kind: sizes.factor * mm for kind, mm in self.fits.items()})
         return self.kept[sizes.factor]
+
+    @cached_property
+    def fits(self) -> Mapping[str, float]:
+        """The size in mm that a sheet gives each kind of plan."""
+        return fits_on(self.scene.sheet, self.stated[0])
 
     @cached_property
     def kept(self) -> dict[float, Position]:
@@ -148,7 +152,7 @@ class DrawnPosition:
         size, mu = extent(now.drawing, SCHEME), now.scales[mu_of(SCHEME)]
         if sizes.of(LOADED) == sizes.factor or not size:
             return 1.0
-        mm = min(sizes.of(LOADED) * fits_on(self.scene.sheet, self.stated[0])[SCHEME], MOST_TIMES * size)
+        mm = min(sizes.of(LOADED) * self.fits[SCHEME], MOST_TIMES * size)
         return fitting(SCHEME, size / mu, mm) / mu
 
     def grown(self, sizes: Sizes) -> Position:
@@ -156,8 +160,7 @@ class DrawnPosition:
         now, times = self.at(sizes), self.times(sizes)
         mu = times * now.scales[mu_of(SCHEME)]
         if times != 1.0 and mu not in self.alone:
-            fits = fits_on(self.scene.sheet, self.stated[0])
-            self.alone[mu] = self._drawn(fits, replace(self.scene, mu={**self.scene.mu, SCHEME: mu}))
+            self.alone[mu] = self._drawn(self.fits, replace(self.scene, mu={**self.scene.mu, SCHEME: mu}))
         return now if times == 1.0 else self.alone[mu]
 
     @cached_property
@@ -168,8 +171,7 @@ class DrawnPosition:
     def reduced(self, mm: float) -> Position:
         """The position with its scheme reduced to so many mm, whatever its μ is on the sheet."""
         open_mu = {kind: mu for kind, mu in self.scene.mu.items() if kind != "position"}
-        fits = {**fits_on(self.scene.sheet, self.stated[0]), "position": mm}
-        return self._drawn(fits, replace(self.scene, mu=open_mu))
+        return self._drawn({**self.fits, "position": mm}, replace(self.scene, mu=open_mu))
 
     def _drawn(self, fits: Mapping[str, float], scene: Scene | None = None) -> Position:
         plans, wanted = self.stated

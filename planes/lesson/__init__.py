@@ -7,7 +7,6 @@ from functools import partial
 
 from planes.drafting import steps as s
 from planes.drafting.drawing import Drawing
-from planes.drafting.equations import Moments
 from planes.drafting.steps import crossings
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
@@ -45,6 +44,7 @@ class Teller:
         self.cycle = cycle or drawing
         self.made = drawing.program.makers
         self.rates = {rate for link in plans.links.values() for rate in (link.omega, link.epsilon)}
+        self.rates.update(value for value in plans.values.values() if value in self.made)
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured only for the lesson
         self.trials = drawing.program.trials | {c.mark for c in plans.centres}  # no frames of the scheme
@@ -53,7 +53,6 @@ class Teller:
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
         self.reckoning = Reckoning(plans, self.made, self.divided)
         self.words = (StepWords if plans.moves else StatedWords)(plans, drawing, self.made)
-        self.rates |= {value for value in plans.values.values() if value in self.made}
         self.solved = {} if plans.moves else last_marks(plans)
         self.stating, self.bodies = Stating(plans), FreeBodies(plans, drawing)
 
@@ -237,7 +236,7 @@ class Teller:
         if not isinstance(step, Calculate):
             return []
         index = self.moments[step.makes]
-        m: Moments = self.plans.moments[index]
+        m = self.plans.moments[index]
         key, names, terms = moment_words(m, step, self.cycle)
         plan, reason = ("lever", "moments_lever") if m.links == ("lever",) else ("position", "moments")
         frames = [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]

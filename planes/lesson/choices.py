@@ -72,13 +72,12 @@ class Choices:
     @cached_property
     def waits(self) -> dict[str, dict[str, set[str]]]:
         """By force plan the plans it waits for, and the reactions that each of them gives."""
-        bodies, waits = FreeBodies(self.plans, self.drawing), dict[str, dict[str, set[str]]]()
-        for plan in self.forces:
-            waits[plan] = {}
+        bodies, waits = FreeBodies(self.plans, self.drawing), {plan: dict[str, set[str]]() for plan in self.forces}
+        for plan, giving in waits.items():
             for name, _ in bodies.known(plan):
                 for r in self.plans.reactions.values():
                     if name in r.names and r.plan != plan:
-                        waits[plan].setdefault(r.plan, set()).add(name)
+                        giving.setdefault(r.plan, set()).add(name)
         return waits
 
     def order(self, plan: str) -> Json | None:
@@ -90,8 +89,11 @@ class Choices:
         names = {p: sorted(n for q in left for n in self.waits[p].get(q, ())) for p in left}
         if not any(names.values()):
             return None
-        offered = [{"value": p, "said": in_both(partial(links_told, p)), **self.early(names[p])} for p in sorted(left)]
-        return {"offered": offered}
+        return {
+            "offered": [
+                {"value": p, "said": in_both(partial(links_told, p)), **self.early(names[p])} for p in sorted(left)
+            ]
+        }
 
     def early(self, names: Sequence[str]) -> Json:
         """Why links come too early: forces on them are still unknown."""
@@ -102,9 +104,11 @@ class Choices:
         """Why the first links come first."""
         if plan != self.forces[0] or not self.order(plan):
             return None
-        said = {key: in_both(partial(say, f"lesson_choice_{key}")) for key in REASONS}
-        why = in_both(partial(say, "why_free_body_first"))
-        offered = [{"value": k, "said": said[k], **({"why": why} if k != REASONS[0] else {})} for k in sorted(REASONS)]
+        offered: list[Json] = []
+        for key in sorted(REASONS):
+            offered.append({"value": key, "said": in_both(partial(say, f"lesson_choice_{key}"))})
+            if key != REASONS[0]:
+                offered[-1]["why"] = in_both(partial(say, "why_free_body_first"))
         return {"offered": offered}
 
     def first(self, index: int, frame: int) -> Json | None:

@@ -25,9 +25,8 @@ def conditions(plans: Plans, lang: Lang) -> Iterator[str]:
     for name, load in zip(load_names(mechanism), mechanism.loads, strict=True):
         yield _load(load, name, mechanism, lang)
     masses = {name: link.mass_centre for name, link in mechanism.links.items() if link.mass}
-    centres = [f"{name} — ⟨{point}⟩" for name, point in masses.items()]
     if any(not point.startswith("S") for point in masses.values()):
-        yield say("task_centres", lang, centres=", ".join(centres))
+        yield say("task_centres", lang, centres=", ".join(f"{name} — ⟨{point}⟩" for name, point in masses.items()))
     if masses:
         yield say("task_weight" if mechanism.gravity else "task_no_weight", lang)
     for guide in mechanism.friction:
@@ -39,14 +38,13 @@ def conditions(plans: Plans, lang: Lang) -> Iterator[str]:
 
 def _load(load: Load, name: str, mechanism: Mechanism, lang: Lang) -> str:
     """One force or moment, and its direction; then its law, if it has one."""
-    what = {"link": load.link, "point": f"⟨{load.point}⟩", "name": name, "other": load.direction_link}
-    what["angle"] = f"∠⟨{name}^({load.direction_link})⟩"
+    angle = f"∠⟨{name}^({load.direction_link})⟩"
+    what = {"link": load.link, "point": f"⟨{load.point}⟩", "name": name, "other": load.direction_link, "angle": angle}
     way = load.sense or ("link" if load.direction_link else "")
     acting = [say("_".join(filter(None, ("task", load.kind, way))), lang, **what)]
     for sign, law in ((f"⟨{name}⟩", load.value), (f"∠⟨{name}⟩", load.direction_deg)):
         if law is not None and not isinstance(law, float | int):
-            law_text = law_said(law, mechanism.drive, "⟨{}⟩".format, lang)
-            acting.append(say("task_law", lang, name=sign, law=law_text))
+            acting.append(say("task_law", lang, name=sign, law=law_said(law, mechanism.drive, "⟨{}⟩".format, lang)))
     return " ".join(acting)
 
 
@@ -118,10 +116,10 @@ class Layout:
             return self.say(key, link=link.name, guide=slide.guide)
         if not uses_axes or slide:
             return ""
-        ways = (("way_points", link.first_point, name) for name, z in places.items() if not z.imag and z.real > 0)
-        back = (("way_points", name, link.first_point) for name, z in places.items() if not z.imag and z.real < 0)
-        if axis_points := next(ways, None) or next(back, None):
-            return self.say(axis_points[0], one=axis_points[1], two=axis_points[2])
+        ways = ((link.first_point, name) for name, z in places.items() if not z.imag and z.real > 0)
+        back = ((name, link.first_point) for name, z in places.items() if not z.imag and z.real < 0)
+        if ends := next(ways, None) or next(back, None):
+            return self.say("way_points", one=ends[0], two=ends[1])
         guide = next((g.name for g in link.guides.values() if not g.angle_deg), "")
         return self.say("way_guide", guide=guide) if guide else ""
 

@@ -117,19 +117,20 @@ def _live(lesson: Told, results: list[str], progress: Progress | None, practice:
             "slips": wrong,
         }
     )
-    holds = [{"at": places["holds"][str(k)], "said": said} for k, (_, said) in enumerate(fails)]
-    blunt = {n: in_both(partial(_blunt, n)) for n in sharp}
     lettered = {n for n, m in plans.means.items() if m.quantity == "false"}
-    helpers = [*(n for n in marks if n in plans.helpers - lettered), *own]
     places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(slips)]
-    asked: Json = {
+    return {
+        **places,
         "judging": JUDGING,
         "practice": lesson.practice.items() if practice else [],
         "lines": lines,
         "mistakes": sentences(slips) if practice else {},
         "id": lesson.practice.id,
+        "tape": tape,
+        "holds": [{"at": places["holds"][str(k)], "said": said} for k, (_, said) in enumerate(fails)],
+        "blunt": {n: in_both(partial(_blunt, n)) for n in sharp},
+        "helpers": [*(n for n in marks if n in plans.helpers - lettered), *own],
     }
-    return {**places, **asked, "tape": tape, "holds": holds, "blunt": blunt, "helpers": helpers}
 
 
 def _blunt(mark: str, lang: Lang) -> str:
@@ -159,8 +160,8 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
         rays = plans.figure.poles if plans.figure else ()
         shown = s.plan not in ("position", "motion") and at(s.plan, s.start) not in rays
         if s.start != s.end and shown and at(s.plan, s.end) in drawing:
-            new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
-            new["corner"] = at(s.plan, s.end) in drawing.program.corners
+            corner = at(s.plan, s.end) in drawing.program.corners
+            new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": [], "corner": corner}
             if (s.plan, *sorted((s.start, s.end))) not in terms:
                 new["sum"] = True
             names = segments.setdefault((s.plan, s.start, s.end), new)["names"]
@@ -172,11 +173,10 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
 def _traces(drawing: Drawing) -> Json:
     """For each crossed mark, the marks on its lines, or the centres of its arcs."""
     traces: Json = {}
-    steps = drawing.program.makers
     for step in drawing.program.steps:
         name = step.makes
         if isinstance(step, Choose):
-            step = steps[step.trials[0].mark]
+            step = drawing.program.makers[step.trials[0].mark]
         match step:
             case Cross():
                 traces[name] = {"lines": [step.start, step.other]}

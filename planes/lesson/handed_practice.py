@@ -43,14 +43,13 @@ def read_code(file: str) -> Json:
         head, letters, total = text.split(".")
         data = base64.urlsafe_b64decode(letters + "=" * (-len(letters) % 4))
         practice: Json = json.loads(data)
-        undamaged = head == HEAD and total == f"{checksum(data):08x}" and isinstance(practice["answers"], list)
         good = (
-            undamaged
+            head == HEAD
+            and total == f"{checksum(data):08x}"
+            and isinstance(practice["answers"], list)
             and all(isinstance(practice[key], int) for key in ("seed", "right"))
             and isinstance(practice["name"], str)
-        )
-        good = good and all(
-            isinstance(mu, (int, float)) and mu > 0 for mu in practice.setdefault("scales", {}).values()
+            and all(isinstance(mu, (int, float)) and mu > 0 for mu in practice.setdefault("scales", {}).values())
         )
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         good = False
@@ -93,7 +92,7 @@ class PracticeJudge:
         self.slips = [(slip["at"], f"wrong {k}") for k, slip in enumerate(slips)]
         sharp = {n: z for n, z in drawn.sharpness.items() if n not in trials and plan_of(n) != "motion"}
         self.things = {
-            **{f"{m}": drawn[m] for m in self.marks},
+            **{m: drawn[m] for m in self.marks},
             **{f"at {m}": drawn[m] for item in self.items if item["kind"] == "mu" for m in item["marks"]},
             **{f"= {n}": value_of(n, lesson.teller, drawn) for n in lesson.practice.values},
             **{f"= {n}": z for n, z in lesson.practice.senses(drawn).items()},
@@ -132,9 +131,11 @@ class PracticeJudge:
         if kind == "known":
             return answer == goal(self.told.equations[what])
         if kind == "mark":
-            pair = isinstance(answer, list) and len(answer) == 2 and all(isinstance(x, (int, float)) for x in answer)
             return (
-                pair and isinstance(answer, list) and abs(complex(*answer) - numbers[what]) <= self.fits(what, numbers)
+                isinstance(answer, list)
+                and len(answer) == 2
+                and all(isinstance(x, (int, float)) for x in answer)
+                and abs(complex(*answer) - numbers[what]) <= self.fits(what, numbers)
             )
         if kind in ("order", "reason", "first"):
             return any(one["value"] == answer and "why" not in one for one in item["offered"])

@@ -36,7 +36,7 @@ class Kit:
     def of_frame(self, f: Frame) -> list[Json]:
         """The tools for a frame: for its mark, its measurements, the arms it drops, the vector it carries."""
         if f.makes:
-            return self.of(self.made[f.makes[0]]) if f.key != "fixed" else []
+            return list(self.of(self.made[f.makes[0]])) if f.key != "fixed" else []
         if f.turns:
             return [_dividers(span, (f.turns["point"],)) for span in self.spans(f)[:1]]
         if f.key in ("measured", "closing"):
@@ -50,16 +50,12 @@ class Kit:
         own = {x.name: (at(x.plan, x.start), at(x.plan, x.end)) for x in self.plans.segments if x.plan == f.plan}
         return [own[name] for name in f.terms if name in own and own[name][0] != own[name][1]]
 
-    def of(self, step: s.Step) -> list[Json]:
+    def of(self, step: s.Step) -> Handled:
         """The tools for a step, in order of use."""
-        if isinstance(step, Choose):  # all trials are drawn the same way
-            return self.of(self.made[step.trials[0].mark])
-        return list(self.handled(step))
-
-    def handled(self, step: s.Step) -> Handled:
-        """As :meth:`of`, one after another."""
         end = step.makes
         match step:
+            case Choose():  # all trials are drawn the same way
+                yield from self.of(self.made[step.trials[0].mark])
             case s.LayOff():
                 yield from self.line(step.along, step.start, end)
                 yield _dividers((), (step.start, end))

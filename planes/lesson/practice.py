@@ -87,12 +87,15 @@ class Practice:
         asked, items = set[object](), list[Json]()
         for k, f in enumerate(self.frames):
             for kind, name in self.of_frame(f):
-                if (kind, plain(str(name))) not in asked:
-                    asked.add((kind, plain(str(name))))
-                    more: Json | None = {"mu": self.read_at(str(name))} if kind == "number" else {}
-                    more = self.choices.of(kind, name, k) if kind in CHOICES else more
-                    signed: Json = {"signed": True} if kind == "number" and letter_of(str(name)) in MOMENTS else {}
-                    items += [{"frame": k, "kind": kind, "what": name, **more, **signed}] if more is not None else []
+                question = kind, plain(str(name))
+                if question not in asked:
+                    asked.add(question)
+                    more = self.choices.of(kind, name, k) if kind in CHOICES else {}
+                    if more is not None:
+                        items.append({"frame": k, "kind": kind, "what": name, **more})
+                    if kind == "number":
+                        items[-1]["mu"] = self.read_at(str(name))
+                        items[-1] |= {"signed": True} if letter_of(str(name)) in MOMENTS else {}
         return items
 
     def of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
@@ -123,8 +126,7 @@ class Practice:
     @cached_property
     def turning(self) -> dict[str, Floats]:
         """The sense in which each tangential reaction turns its link about the moment point, if it does."""
-        moments = self.senses(self.drawing)
-        return {n: z for n, z in moments.items() if abs(z) > NOTHING}
+        return {n: z for n, z in self.senses(self.drawing).items() if abs(z) > NOTHING}
 
     def senses(self, drawn: Drawing) -> dict[str, Thing]:
         """The moments of tangential reactions on paper, in a drawing: plus is counter-clockwise."""
@@ -166,8 +168,9 @@ class Practice:
         for step in self.plans.program.steps:
             for name in (getattr(step, "along", None), getattr(step, "across", None)):
                 own = name and self.base(name)
-                if own and own in self.drawing and self.plans.means.get(own) and own not in lines_of_directions:
-                    line = self.plans.means[own].line or self.plans.means[own].action
+                means = self.plans.means.get(own or "")
+                if own and own in self.drawing and means and own not in lines_of_directions:
+                    line = means.line or means.action
                     if line and line not in lines_of_directions.values():
                         lines_of_directions[own] = line
         return lines_of_directions
@@ -175,8 +178,7 @@ class Practice:
     def base(self, direction: str) -> str:
         """The direction to which a perpendicular was drawn, or the direction itself."""
         step = self.plans.program.makers.get(direction)
-        turned = isinstance(step, Turn) and step.quarter and not step.angle
-        return step.of if turned and isinstance(step, Turn) else direction
+        return step.of if isinstance(step, Turn) and step.quarter and not step.angle else direction
 
     def slips(self, live: Live, progress: Progress | None = None) -> tuple[list[Json], dict[str, Thing]]:
         """Every mistake at every mark asked for, and the place on the lesson's tape where it puts the mark."""

@@ -21,37 +21,50 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
     moving = [p for x in m.links.values() for p in x.points]
     links, guides = [], []
     for x in m.links.values():
-        centre, owner = (
-            (guide_and_owner[0].centre, guide_and_owner[1]) if (guide_and_owner := m.round_guide(x)) else ("", "")
-        )
+        guide, owner = m.round_guide(x) or (None, "")
+        centre = guide.centre if guide else ""
         points = [p for p in x.points if p != centre]
         hinges = [at("position", p) for p in points if moving.count(p) > 1 or p in m.frame.points]
-        own: Json = {"name": x.name, "points": [at("position", p) for p in points], "hinges": hinges}
-        own["round"] = {"centre": at("position", centre), "link": owner} if centre else None
-        links.append({**own, "slides": x.slides.guide if x.slides else None})
+        links.append(
+            {
+                "name": x.name,
+                "points": [at("position", p) for p in points],
+                "hinges": hinges,
+                "round": {"centre": at("position", centre), "link": owner} if centre else None,
+                "slides": x.slides.guide if x.slides else None,
+            }
+        )
     for link in (m.frame, *m.links.values()):
         for g in link.guides.values():
             mark = at("position", g.through_point or f"°{g.name}")
             if mark in drawing:
                 guides.append({"name": g.name, "link": link.name, "mark": mark})
-    fixed = [at("position", p) for p in pivots(m)]
-    own = {"links": links, "guides": guides, "pivots": fixed, "driver": m.drive.link, "frame": FRAME}
-    return {**own, "drawn": drawn_beside(plans.figure, plans) if plans.figure else None}
+    return {
+        "links": links,
+        "guides": guides,
+        "pivots": [at("position", p) for p in pivots(m)],
+        "driver": m.drive.link,
+        "frame": FRAME,
+        "drawn": drawn_beside(plans.figure, plans) if plans.figure else None,
+    }
 
 
 def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
     """The parts of statics beside links: lines, loads at their points, rollers and walls, and the plan with the letters
     of regions, with the members as its lines."""
-    strokes = [{"plan": s.plan, "kind": s.kind, "name": s.name, "ends": [s.start, s.end]} for s in figure.strokes]
     loads = [
         {"name": f.name, "mark": f.point, "along": f.along, "size": f.size}
         for forces in plans.acting.forces.values()
         for f in forces
         if f.spot
     ]
-    signs = [{"kind": s.kind, "mark": at("position", s.point), "turn": s.normal_deg} for s in figure.supports]
-    members = [name for name, _, _ in figure.members]
-    return {"strokes": strokes, "loads": loads, "signs": signs, "members": members, "numbered": [*figure.numbered]}
+    return {
+        "strokes": [{"plan": s.plan, "kind": s.kind, "name": s.name, "ends": [s.start, s.end]} for s in figure.strokes],
+        "loads": loads,
+        "signs": [{"kind": s.kind, "mark": at("position", s.point), "turn": s.normal_deg} for s in figure.supports],
+        "members": [name for name, _, _ in figure.members],
+        "numbered": [*figure.numbered],
+    }
 
 
 def pivots(m: Mechanism) -> list[str]:
@@ -65,9 +78,15 @@ def arms(plans: Plans) -> list[Json]:
     steps, equations = plans.program.makers, []
     for m in plans.moments:
         plan = "lever" if m.links == ("lever",) else "position"
-        forces = [*_forces(m, steps), *_unknown(plans, m, steps)]
-        own = {"about": at(plan, m.about), "plan": plan, "links": list(m.links)}
-        equations.append({**own, "forces": forces, "couples": list(_couples(plans, m))})
+        equations.append(
+            {
+                "about": at(plan, m.about),
+                "plan": plan,
+                "links": list(m.links),
+                "forces": [*_forces(m, steps), *_unknown(plans, m, steps)],
+                "couples": list(_couples(plans, m)),
+            }
+        )
     return equations
 
 
@@ -77,8 +96,14 @@ def _forces(m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
     for (name, arm), term in zip(m.terms, terms, strict=False):
         drop = steps.get(arm)
         if isinstance(drop, Drop):
-            own = {"name": name, "mark": drop.point, "along": drop.along, "size": term.factors[0][0], "arm": arm}
-            yield {**own, "foot": foot_of(drop)}
+            yield {
+                "name": name,
+                "mark": drop.point,
+                "along": drop.along,
+                "size": term.factors[0][0],
+                "arm": arm,
+                "foot": foot_of(drop),
+            }
 
 
 def _couples(plans: Plans, m: Moments) -> Iterator[Json]:

@@ -74,7 +74,7 @@ class Stating:
         """For forces, the bodies in equilibrium; for velocities and accelerations, the two motions of a point."""
         if kind_of(e.plan) in LETTERS:
             return " ".join(dict.fromkeys(self.parted(e, lang))) or say("why_equation_circle", lang)
-        links: tuple[str, ...] = tuple(links_of(e.plan))
+        links = tuple(links_of(e.plan))
         inner = {force_name(a, b): a for a, b in permutations(links, 2)}
         links = next(((inner[t.name],) for t in e.terms if t.name in inner), links)
         return say("why_equation_links" if len(links) > 1 else "why_equation_link", lang, links="–".join(links))
@@ -145,7 +145,14 @@ class Stating:
             link = self.carrying.get(index)
             if link and letter in LETTERS.values():
                 name, point, about = link
-                said: Names = {"vector": vector, "point": point, "about": about, "link": name, "rate": rate.makes}
-                frame = make("sense", plan, terms=(vector,), names={**said, "sense": slot(rate.makes, "s")})
+                said: Names = {
+                    "vector": vector,
+                    "point": point,
+                    "about": about,
+                    "link": name,
+                    "rate": rate.makes,
+                    "sense": slot(rate.makes, "s"),
+                }
+                frame = make("sense", plan, terms=(vector,), names=said)
                 spots = {k: at("position", places.get(p, p)) for k, p in (("point", point), ("about", about))}
                 yield replace(frame, turns={**spots, "vector": vector, "rate": rate.makes})

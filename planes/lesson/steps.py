@@ -55,8 +55,8 @@ class StepWords:
             case crossings.CrossArc():
                 return "arc", "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
             case crossings.CrossArcs():
-                radii = slot(step.radius, "mm", step.mu), slot(step.other_radius, "mm", step.mu)
-                return "arcs", "arcs", {"radius_mm": radii[0], "other_mm": radii[1]}
+                radius, other = slot(step.radius, "mm", step.mu), slot(step.other_radius, "mm", step.mu)
+                return "arcs", "arcs", {"radius_mm": radius, "other_mm": other}
             case s.Similar():
                 return self.similar(step)
             case s.Image():
@@ -162,8 +162,7 @@ class StepWords:
         if step.quantity == "load":
             return "load", self.why_load(step.length), shown
         if isinstance(source, Calculate):
-            words: Names = {**named, "formula": (reckoned(source),)}
-            return "lay_off", _kind_of_vector(step, kind, source), words
+            return "lay_off", _kind_of_vector(step, kind, source), {**named, "formula": (reckoned(source),)}
         if isinstance(source, Measure):
             return "carried", "carried", shown
         return "given", "slide_v", shown
@@ -213,8 +212,8 @@ def whole(equation: Equation, name: str) -> str:
 
 def way(direction: Meaning, lang: Lang) -> str:
     """The direction in which a vector is laid off, in words."""
-    d, line = direction, direction.line
-    return say(f"lesson_way_{d.quantity}", lang, line=line, vector=line, one=d.of, other=d.about)
+    line, key = direction.line, f"lesson_way_{direction.quantity}"
+    return say(key, lang, line=line, vector=line, one=direction.of, other=direction.about)
 
 
 def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:

@@ -98,8 +98,8 @@ class Position(Pictured, Tabulated):
         """The segments of a plan, without those of points that never move; a whole velocity or acceleration vector is
         named by its point. Raises :class:`UnknownName`, a KeyError, for an unknown plan."""
         known(plan, self.results["plans"])
-        rates = {p: {"velocity": m.velocity, "acceleration": m.acceleration} for p, m in self.plans.points.items()}
-        points = {label_of(marks[plan]): p for p, marks in rates.items() if plan in marks}
+        moving = self.plans.points.items() if plan in ("velocity", "acceleration") else ()
+        points = {label_of(getattr(marks, plan)): p for p, marks in moving}
         for s in self.plans.segments_of.get(plan, ()):
             segment = self.results["plans"][plan]["segments"].get(s.start + s.end)
             if segment and segment["name"] == s.name:

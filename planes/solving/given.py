@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 
+from planes.plans import Plans
 from planes.plans.force.loads import load_names
 from planes.plans.law_words import law_said
 from planes.scene.expressions import evaluate
@@ -38,6 +39,11 @@ class GivenTable:
     parameters: Mapping[str, float]
     steady: bool = False
 
+    @property
+    def plans(self) -> Plans:
+        """The plans that the values are of."""
+        return self.position.plans
+
     def rows(self) -> list[tuple[str, str, str]]:
         """Name, value and unit of every given that is read."""
         lang = self.naming.lang
@@ -52,15 +58,15 @@ class GivenTable:
 
     def read(self, row: GivenRow) -> bool:
         """Whether the drawing reads it."""
-        return not row.given or row.given in self.position.plans.program.givens
+        return not row.given or row.given in self.plans.program.givens
 
     def drive(self) -> list[GivenRow]:
         """The driver's position, and its motion."""
-        drive = self.position.plans.mechanism.drive
-        if not self.position.plans.turns:
+        drive = self.plans.mechanism.drive
+        if not self.plans.turns:
             return []
         units = ("°", "rad/s", "rad/s²") if drive.kind == "phi" else ("m", "m/s", "m/s²")
-        letters = drive.letters if self.position.plans.moves else (drive.kind,)
+        letters = drive.letters if self.plans.moves else (drive.kind,)
         names, given = map(self.naming.vector, letters), ("", *drive.rates)
         values = (self.position.at, drive.velocity, drive.acceleration)
         return [GivenRow(*row, of_drive=True) for row in zip(names, values, units, given, strict=False)]
@@ -68,12 +74,12 @@ class GivenTable:
     def named(self) -> Iterator[GivenRow]:
         """The parameters; beside each, the lettering on the sheet of the load, guide or friction it gives."""
         shown = {r.name for r in self.drive()}
-        drive = self.position.plans.mechanism.drive
+        drive = self.plans.mechanism.drive
         for name, value in self.parameters.items():
             row = GivenRow(greek(name), value, unit_of_parameter(name))
             moved = letter_of(name) == drive.kind and value == drive.position
             same = [r for r in self.plain if alike(r, row)]
-            read = any(map(self.read, same)) if same else self.position.plans.forces or row.unit not in LOADING
+            read = any(map(self.read, same)) if same else self.plans.forces or row.unit not in LOADING
             if row.name not in shown and not moved and read and not _unit(name, value):
                 other = [beside(r, value) for r in same if r.place or r.unit in ("", "N/m", "N", "N·m")]
                 yield GivenRow(" = ".join(dict.fromkeys([row.name, *other])), value, row.unit)
@@ -90,11 +96,11 @@ class GivenTable:
 
     def unnamed(self) -> Iterator[GivenRow]:
         """Every number of the mechanism, or of the vectors."""
-        m = self.position.plans.mechanism
+        m = self.plans.mechanism
         yield from self.vectors()
-        for point, z in (self.position.plans.figure or m.frame).points.items():
+        for point, z in (self.plans.figure or m.frame).points.items():
             yield from self.place(self.naming.point(point).replace("_{", "").replace("}", ""), z)
-        if figure := self.position.plans.figure:
+        if figure := self.plans.figure:
             for load in figure.spread:
                 yield from self.intensities(load)
             if figure.pole:
@@ -120,10 +126,10 @@ class GivenTable:
 
     def vectors(self) -> Iterator[GivenRow]:
         """The data of vectors stated in a scene."""
-        given, drawn = self.position.plans.given, self.position.drawing
-        for name, (start, _) in self.position.plans.vectors.items():
+        given, drawn = self.plans.given, self.position.drawing
+        for name, (start, _) in self.plans.vectors.items():
             for key, sign, unit in ((f"|{name}|", "", UNIT[kind_of(start)]), (f"angle_∠{name}", "∠", "°")):
-                if key in given and key in drawn and not (unit == "N" and key in self.position.plans.means):
+                if key in given and key in drawn and not (unit == "N" and key in self.plans.means):
                     yield GivenRow(sign + self.naming.vector(name), float(given[key]), unit, place=bool(sign))
 
     def place(self, name: str, z: complex) -> Iterator[GivenRow]:
@@ -182,7 +188,7 @@ class GivenTable:
     def loads(self) -> Iterator[GivenRow]:
         """Forces and couples as lettered on the sheet. In statics a distributed load is given by its intensity, not by
         its resultant, and the ray of a pole acts on no body."""
-        plans = self.position.plans
+        plans = self.plans
         resultants = {load.name for load in plans.figure.spread} if plans.figure else set()
         for name, m in plans.means.items():
             stated = m.of not in resultants and bool(m.link or not plans.figure)
@@ -214,7 +220,7 @@ class GivenTable:
 
     def ruled(self) -> Iterator[tuple[str, str, str, Amount | StrokeLoad]]:
         """Loads given by laws: their lettered names, the keys of their units, the laws."""
-        plans = self.position.plans
+        plans = self.plans
         for name, law in plans.acting.laws.items() if plans.forces else ():
             m = plans.means[name]
             key, sign = {"load": "N", "couple": "N·m"}.get(m.quantity, "°"), self.naming.vector(m.of)
@@ -226,7 +232,7 @@ class GivenTable:
 
     def law(self, law: Amount) -> str:
         """A law, as much of it as fits in a cell."""
-        drive = self.position.plans.mechanism.drive
+        drive = self.plans.mechanism.drive
         text = law_said(law, drive, self.naming.vector, self.naming.lang, pairs=False)
         return text if len(text) <= LONGEST else "…"
 

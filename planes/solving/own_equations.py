@@ -72,11 +72,11 @@ def own_equations(
             raise SceneError(Phrase("own_unknown", text=equation.text, name=new[-1], valid=valid), file, equation.line)
         unit = UNIT.get(_kind(terms[0][0]), "N")
         if new:
-            times = dict(terms)[new[0]]
-            known[new[0]] = -sum(k * known[n] for n, k in terms if n != new[0]) / times
-            yield OwnEquation(equation, unit, new[0], known[new[0]])
-            continue
-        yield _held(equation, unit, terms, known)
+            name = new[0]
+            known[name] = -sum(k * known[n] for n, k in terms if n != name) / dict(terms)[name]
+            yield OwnEquation(equation, unit, name, known[name])
+        else:
+            yield _held(equation, unit, terms, known)
 
 
 def _signed(equation: VectorEquation) -> Iterator[tuple[float, tuple[SideTerm, ...]]]:
@@ -97,11 +97,9 @@ def vectors_of(plans: Plans, drawing: Drawing, scales: Mapping[str, float]) -> I
     def between(start: str, end: str) -> complex:
         return complex(drawing[end] - drawing[start]) / scales[mu_of(plan_of(end))]
 
-    for letter, marks in (
-        ("v", {p: m.velocity for p, m in plans.points.items()}),
-        ("a", {p: m.acceleration for p, m in plans.points.items()}),
-    ):
-        there = {p: mark for p, mark in marks.items() if mark in drawing}
+    for letter, kind in (("v", "velocity"), ("a", "acceleration")):
+        marks = ((p, getattr(m, kind)) for p, m in plans.points.items())
+        there = {p: mark for p, mark in marks if mark in drawing}
         yield from ((f"{letter}_{p}{q}", between(there[q], there[p])) for p, q in permutations(there, 2))
         yield from ((f"{letter}_{p}", between(at(plan_of(mark), POLE), mark)) for p, mark in there.items())
     for plan in (p for p in plans.drawn if kind_of(p) in ("velocity", "acceleration", "force")):

@@ -28,8 +28,10 @@ def remedy(solved: Solved) -> None:
     left: list[Json] = []
     for failure in solved.failed:
         between = interpolated(solved, failure[key_of(solved.plans)], failure["error"])
-        solved.positions += [between] if between else []
-        left += [] if between else [failure]
+        if between:
+            solved.positions.append(between)
+        else:
+            left.append(failure)
     solved.failed = left
     order = {value: k for k, value in enumerate(solved.values)}
     solved.positions.sort(key=lambda p: order[p.at])

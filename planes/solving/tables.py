@@ -53,7 +53,7 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
     lines = ["", f"— {head} —"] * p.plans.turns
     if not p.plans.moves:
         return lines + stated_tables(p, lang, naming)
-    e: Json | None = r.get("errors")
+    e = r.get("errors")
     lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.mechanism.drive.link)
     lines += _slides(p, lang, e) + _derived(p, lang, naming, "transfers")
     for name, plan in r.get("plans", {}).items():
@@ -89,9 +89,9 @@ def _points(points: dict[str, Row], lang: Lang, e: Json | None) -> list[str]:
         x, y = (number_cell(c, far) for c in p["r"].numbers) if "r" in p else ("", "")
         r, v, a = (error_of(e, "points", name, letter) for letter in "rva")
         rows.append([name, x, y, *r, *_vector(p.get("v"), fast), *v, *_vector(p.get("a"), quick), *a])
-    m, speed, rate = say("m", lang), say("m/s", lang), say("m/s²", lang)
-    o = pm(e)
-    head = ["", f"x, {m}", f"y, {m}", *o, f"v, {speed}", "∠°", *o, f"a, {rate}", "∠°", *o]
+    m, o = say("m", lang), pm(e)
+    rates = [f"v, {say('m/s', lang)}", "∠°", *o, f"a, {say('m/s²', lang)}", "∠°", *o]
+    head = ["", f"x, {m}", f"y, {m}", *o, *rates]
     return table(say("points", lang), head, rows)
 
 
@@ -139,10 +139,10 @@ def _plan(p: Position, name: str, lang: Lang, naming: Naming) -> list[str]:
 
 def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None, naming: Naming) -> list[str]:
     most = max((math.hypot(r.vector.real, r.vector.imag) for r in reactions.values()), default=0.0)
-    rows, o = [], [""] * len(pm(e))
+    rows, o = [], pm(e)
     for name, r in reactions.items():
         force = error_of(e, "reactions", name, *(["force"] if r.slides else []))
-        more = ["", *o, "", *o]
+        more = ["", *[""] * len(o)] * 2
         if r.slides:
             arm, moment = (error_of(e, "reactions", name, key) for key in ("arm", "moment"))
             more = [number_cell(r.arm, 1.0), *arm, number_cell(r.moment, most), *moment]
@@ -156,7 +156,6 @@ def _reactions(reactions: dict[str, Measured], lang: Lang, e: Json | None, namin
             ]
         )
     n, reach, couple = say("N", lang), f"{say('arm', lang)}, {say('m', lang)}", f"M, {say('N·m', lang)}"
-    o = pm(e)
     head = ["", f"x, {n}", f"y, {n}", f"|F|, {n}", "∠°", *o, reach, *o, couple, *o]
     return table(say("reactions", lang), head, rows)
 
@@ -208,11 +207,10 @@ def stated_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
         own = [f for f in vectors.values() if plan_of(f.quantity.columns[0].start) == plan]
         most, rows = max((abs(f.vector) for f in own), default=0.0), []
         for f in own:
-            name, (start, end) = f.quantity.name, (label_of(m) for m in f.quantity.columns[0].needs)
-            read = (
-                p.results.get("plans", {}).get(plan, {}).get("segments", {}).get(start + end, {"mm": 0.0, "value": 0.0})
-            )
-            mm = error_of(e, "plans", plan, "segments", start + end, "mm")
+            name, ends = f.quantity.name, "".join(map(label_of, f.quantity.columns[0].needs))
+            segments = p.results.get("plans", {}).get(plan, {}).get("segments", {})
+            read = segments.get(ends, {"mm": 0.0, "value": 0.0})
+            mm = error_of(e, "plans", plan, "segments", ends, "mm")
             size, angle = number_cell(read["value"], most), directed(f.vector, most)[1]
             rows.append(
                 [spelt(naming.vector(name)), size, angle, *error_of(e, "vectors", name), f"{read['mm']:.2f}", *mm]

@@ -115,7 +115,7 @@ def axis_of(name: str, sketch: Json, points: dict[str, complex]) -> complex:
     if link["slides"]:
         return direction(sketch["guides"][link["slides"]])
     first = link["points"][0]
-    ways = [points[p] - points[first] for p in link["points"][1:] if abs(points[p] - points[first]) > NEAR_M]
+    ways = [way for p in link["points"][1:] if abs(way := points[p] - points[first]) > NEAR_M]
     ways += [direction(g) for g in sketch["guides"].values() if g["link"] == name]
     return ways[0] / abs(ways[0]) if ways else 1 + 0j
 

@@ -21,7 +21,7 @@ class Edited:
 
     def put(self, path: Path, value: str) -> "Edited":
         """The text with a value at a path of keys (numbers in lists); missing keys are added."""
-        node, depth = _reached(_tree(self.text), path)
+        node, depth = _reached(self.text, path)
         if depth == len(path):
             start = node.start_mark
             return self._with(start.index, _end(node).index, value, start.line)
@@ -29,7 +29,7 @@ class Edited:
 
     def appended(self, path: Path, value: str) -> "Edited":
         """The text with one more item in the list at a path, which is created if it is missing."""
-        node, depth = _reached(_tree(self.text), path)
+        node, depth = _reached(self.text, path)
         if depth < len(path):
             return self.put(path, f"[{value}]")
         if isinstance(node, yaml.SequenceNode) and node.flow_style is False and node.value:
@@ -41,7 +41,7 @@ class Edited:
 
     def without(self, path: Path) -> "Edited":
         """The text without a key and its value, or an item of a list; unchanged if it is missing."""
-        parent, depth = _reached(_tree(self.text), path[:-1])
+        parent, depth = _reached(self.text, path[:-1])
         if depth < len(path) - 1 or not isinstance(parent, yaml.CollectionNode):
             return self
         parts = [(p[0], p[1]) if isinstance(p, tuple) else (p, p) for p in parent.value]
@@ -63,13 +63,13 @@ class Edited:
 
     def rekeyed(self, path: Path, name: str) -> "Edited":
         """The text with another name of the last key of a path, which is there."""
-        node, _ = _reached(_tree(self.text), path[:-1])
+        node, _ = _reached(self.text, path[:-1])
         key = next(k for k, _ in node.value if k.value == path[-1])
         return self._with(key.start_mark.index, key.end_mark.index, name, key.start_mark.line)
 
     def keys(self, path: Path) -> list[str]:
         """The keys of the mapping at a path; empty where there is none."""
-        node, depth = _reached(_tree(self.text), path)
+        node, depth = _reached(self.text, path)
         there = depth == len(path) and isinstance(node, yaml.MappingNode)
         return [key.value for key, _ in node.value] if there else []
 
@@ -109,8 +109,9 @@ def _tree(text: str) -> yaml.Node:
     return node or yaml.MappingNode("tag:yaml.org,2002:map", [])
 
 
-def _reached(node: yaml.Node, path: Path) -> tuple[yaml.Node, int]:
+def _reached(text: str, path: Path) -> tuple[yaml.Node, int]:
     """The node at a path as far as it exists, and the number of keys that lead to it."""
+    node = _tree(text)
     for depth, key in enumerate(path):
         if isinstance(node, yaml.MappingNode):
             inner = next((value for k, value in node.value if k.value == key), None)

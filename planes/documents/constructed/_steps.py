@@ -94,8 +94,10 @@ class Translator:
                 ahead = f"{n[step.side]} * ((i1{label} - {n[step.centre]}) * {n[step.along]})"
                 self.one_of(label, [line, arc], ahead, look)
             case c.CrossArcs():
-                arcs = [self.arc(label, 1, step.centre, step.radius, step.mu)]
-                arcs.append(self.arc(label, 2, step.other, step.other_radius, step.mu))
+                arcs = [
+                    self.arc(label, 1, step.centre, step.radius, step.mu),
+                    self.arc(label, 2, step.other, step.other_radius, step.mu),
+                ]
                 centre = n[step.centre]
                 left = f"{n[step.side]} * (({n[step.other]} - {centre}) ⊗ (i1{label} - {centre}))"
                 self.one_of(label, arcs, left, look)
