@@ -197,7 +197,7 @@ def _cycle(w: ChapterWriter, c: Calculation) -> None:
 def _polar(w: ChapterWriter, c: Calculation) -> None:
     f, phi = c.forces, c.motion.phi_deg
     far = float(np.max(np.abs(f.on_pin))) * KN
-    notes: list[tuple[float, float, str]] = []
+    notes = []
     kept: list[complex] = []
     for i in c.steps(len(phi) - 1):
         at = complex(-f.K[i] * KN, f.T[i] * KN)

@@ -180,7 +180,7 @@ def _clean(text: str) -> str:
 def _layout(text: str) -> tuple[float, tuple[tuple[str, float], ...]]:
     """Total width in d and the place of every character."""
     x, blank, last = 0.0, 0.0, ""
-    placed: list[tuple[str, float]] = []
+    placed = []
     for char in _clean(text):
         if char.isspace():
             blank += WORD_GAP / 2 if char in _NARROW else WORD_GAP

@@ -134,8 +134,7 @@ class Columns:
     def _ended(self) -> Array:
         """The cost of all columns, by the unit where they end: later units are white."""
         units = self.stacking.module.units
-        costs: Array = self._costs(len(self.items)) + numpy.arange(units, -1, -1) / UNITS
-        return costs
+        return self._costs(len(self.items)) + numpy.arange(units, -1, -1) / UNITS
 
     def _spaced(self, flush: bool) -> list[Column]:
         """The columns reduced to their necessary width, with the spare units between them; the last one is to be

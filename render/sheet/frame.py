@@ -98,7 +98,7 @@ class Paper:
         """Frame, title block and the columns beside the frame, with the cells filled."""
         ruled = [Line((a, b), style, "frame") for a, b, style in self.form.lines(self.size)]
         own = [mark for text, cell in self.form.words(self.size, lang) for mark in fitted(text, cell)]
-        filled: list[Mark] = []
+        filled = []
         called = self.name.replace("x", "×")
         said = {**cells, "designation_turned": cells.get("designation", ""), "format": called, "language": lang}
         for key, cell in self.form.cells(self.size).items():

@@ -111,7 +111,7 @@ def counted(aligned: Aligned, letter: float) -> list[Mark]:
 
 def legend(aligned: Aligned, naming: Naming, letter: float) -> View:
     """The sign of every kind of pair present, seen from its side, with its name, class and places."""
-    marks: list[Mark] = []
+    marks = []
     there = {sign for _, sign in aligned.pairs}
     for row, kind in enumerate(k for k in CLASSES if k in there):
         y = -13.0 * row

@@ -85,7 +85,7 @@ class CrossInChain(ByLeads, Cross):
 
     def _met(self, env: Env, basic: int, but: int) -> tuple[list[Line], Real]:
         """The lines that lead to a basic link, except one, and the sharpness of all crossings on the way."""
-        lines: list[Line] = []
+        lines = []
         sharp: Real = 1.0
         for k, side in enumerate(self.sides):
             if side == basic and k != but:

@@ -120,7 +120,7 @@ class _GroupForces:
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
         """The line of a reaction on a link through a mark of the polygon (X is its other end)."""
         name = self.name(link, pair) + ("^n" if split else "")
-        along: str | None = self.draft.square(f"∥{pair.guide}") if pair.kind == "P" else None
+        along = self.draft.square(f"∥{pair.guide}") if pair.kind == "P" else None
         if split:  # along the link: from its outer hinge to the moment point
             ends = (
                 (self.group.last_outer.point, pair.point)
