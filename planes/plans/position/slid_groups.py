@@ -81,11 +81,6 @@ def moved_over(b: Bodies, basic: str, start: str, hinge: str, key: str, axis: st
     return label_of(d.lay_off(SCHEME, label, at(SCHEME, start), ray, length, Meaning("moved", start, key)))
 
 
-def place_slid_contour(b: Bodies, g: Contour) -> None:
-    """Draw the base aside, the basic link by it, and both in place."""
-    BaseAside(b, g).place()
-
-
 class BaseAside:
     """The auxiliary figure with its base at the beginning of its guide."""
 
@@ -100,6 +95,7 @@ class BaseAside:
         self.axes[g.basic] = b.axis_along(g.outer[1], g.basic, self.way)
 
     def place(self) -> None:
+        """Draw the base aside, the basic link by it, and both in place."""
         b, d, g = self.bodies, self.draft, self.group
         key = first_reached(b, g)
         b.leads[g.basic] = g.leads
