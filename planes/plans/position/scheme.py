@@ -8,7 +8,7 @@ from planes.plans.position.braces import place_braced
 from planes.plans.position.contour_scheme import place_contour
 from planes.plans.position.driven_positions import place_driven
 from planes.plans.position.positions import PLACERS, place_slider
-from planes.plans.position.slid_groups import place_slid, BaseAside
+from planes.plans.position.slid_groups import BaseAside, place_slid
 from planes.plans.position.triads import place_chain, place_triad
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning
