@@ -11,7 +11,7 @@ from planes.drafting.steps.reckoning import Drop, Product, SenseOf
 from planes.plans.assur.groups import Brace, Group, Pair
 from planes.plans.position.asides import Aside, aside_of
 from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, BraceReach
-from planes.plans.position.driven_positions import Way, cylinder, elbow_of, place_reached, place_sliding
+from planes.plans.position.driven_positions import cylinder, led_aside, place_reached
 from planes.plans.position.positions import two_hinges
 from planes.plans.position.reckoned import OwnPlace, reckoned
 from planes.words.names import Meaning, at, mu_of
@@ -22,14 +22,9 @@ def place_braced(b: Bodies, g: Group) -> None:
     assert g.drive and g.brace
     aside = aside_of(b, g)
     motor, hinge, b.reach = _braced(aside, g, g.drive, g.brace)
-    if g.hung[0][1].kind == "P":
-        along = b.line(g.hung[0][1], g.hung[0][1].mate(g.held))[1]
-        place_reached(b, g, Way(hinge, along=along))
-        place_sliding(aside, g, hinge, motor)
-        return
-    elbow = elbow_of(aside, g, motor, hinge)
-    place_reached(b, g, Way(at(SCHEME, aside.base), elbow.length))
-    elbow.place()
+    way, place = led_aside(aside, g, motor, hinge)
+    place_reached(b, g, way)
+    place()
 
 
 def _braced(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str, BraceReach]:
