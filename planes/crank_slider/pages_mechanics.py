@@ -36,8 +36,7 @@ def chosen(c: Calculation) -> float:
     """The crank angle of the worked position, degrees."""
     assert c.scene.mechanism is not None
     asked = c.scene.mechanism.drive.position % 360.0
-    turned = asked if asked >= c.given.indicator.start_deg else asked + 360.0
-    return c.angle(turned)
+    return c.angle(asked if asked >= c.given.indicator.start_deg else asked + 360.0)
 
 
 def drawn_at(w: ChapterWriter, c: Calculation, phi_deg: float) -> tuple[Scene, Position]:

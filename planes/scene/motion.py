@@ -92,8 +92,7 @@ def _turned_on(drive: Fields, kind: DriveKind, link: str, links: Links) -> str:
         return FRAME
     if kind == "s":
         raise drive.error(Phrase("drive_on_guide", link=link), "on")
-    others = {k: None for k in (FRAME, *links) if k != link}
-    return drive.known("on", others, Phrase("links_all"))
+    return drive.known("on", {k: None for k in (FRAME, *links) if k != link}, Phrase("links_all"))
 
 
 def _moving(fields: Fields, links: Links) -> str:

@@ -45,16 +45,14 @@ class BasicLinkForces(LeadForces):
         """The reaction of the last of three leads along its line; the others meet in the special point."""
         *_, three = held
         arm = self.draft.arm(three.part, three.point, three.line, special, three.lead.link)
-        name = self.moments(basic, held, special, three.part, arm, links)
-        return three.along_line(name)
+        return three.along_line(self.moments(basic, held, special, three.part, arm, links))
 
     def closed(self, basic: str, held: Sequence[HeldLead], known: list[Force]) -> dict[Pair, Ends]:
         """Draw the polygon of a basic link: two leads close it, where all forces on the third, or on the link from
         another one, are ``known``. Each reaction is on the first link of its pair."""
         one, two, *others = held
         own = list(self.statics.acting.forces[basic])
-        runs = [[*two.known, *two.loads], known, own, [*one.loads, *one.known]]
-        chain, ends = self.laid(runs)
+        chain, ends = self.laid([[*two.known, *two.loads], known, own, [*one.loads, *one.known]])
         x = end_of(one.part)
         last = Term(one.part, ends[-1], x, None, one.line, one.line)
         back = Term(two.part, POLE, x, None, two.line, two.line, sign=-1)

@@ -2,6 +2,8 @@
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Touch
+from planes.plans.assur.basic_links import Triad
+from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
 from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
@@ -25,7 +27,7 @@ def on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
     return label_of(shifted), direction
 
 
-def side_of(b: Bodies, key: str, group: Group) -> str:
+def side_of(b: Bodies, key: str, group: Group | Triad | Contour) -> str:
     """Name of the ±1 that chooses between the two assemblies of a group."""
     name = b.draft.give(f"side_{key}", 1.0)
     b.choices.append(AssemblyChoice(name, key, group))
@@ -91,8 +93,7 @@ def _place_rpr(b: Bodies, g: Group) -> None:
     ends = at(SCHEME, two), at(SCHEME, one)
     means = Meaning("along", pair.guide)
     direction = b.draft.step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side, means=means))
-    name = moving_name(b, pair.guide, one, g.last)
-    ref = BodyPoint(two, two), BodyPoint(one, name)
+    ref = BodyPoint(two, two), BodyPoint(one, moving_name(b, pair.guide, one, g.last))
     b.place_points(Body(b.mechanism.link(g.last), ref[0], b.axis_along(pair, g.last, direction), g.last, ref))
     place_slider(b, pair, g.first, one, direction)
 

@@ -15,9 +15,9 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Contour
-from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
+from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
 from planes.plans.position.driven_positions import driven_way
-from planes.plans.position.positions import chain_to, on_line, place_slider
+from planes.plans.position.positions import chain_to, on_line, place_slider, side_of
 from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
 from planes.plans.position.triads import first_reached, place_lead
 from planes.words.names import Meaning, at, label_of
@@ -34,9 +34,7 @@ def place_slid(b: Bodies, g: Triad) -> None:
     axis = b.axis_along(inner, g.basic, way)
     key = next((lead.inner.point for lead in leads if lead.inner.kind == "R"), link.first_point)
     one, two = (_reaching(b, g.basic, lead, key, axis) for lead in leads)
-    side = None if one[-1].direction and two[-1].direction else b.draft.give(f"side_{key}", 1.0)
-    if side:
-        b.choices.append(AssemblyChoice(side, key, g))
+    side = None if one[-1].direction and two[-1].direction else side_of(b, key, g)
     b.draft.draw(Equation(SCHEME, (one, two), f"r_{key}", side))
     b.place_points(Body(link, BodyPoint(key, key), axis, mate.root))
     for lead in leads:
@@ -100,9 +98,7 @@ class BaseAside:
         key = first_reached(b, g)
         b.leads[g.basic] = g.leads
         one, two = (self.reaching(lead, key) for lead in g.leads)
-        side = None if one[-1].direction and two[-1].direction else d.give(f"side_{key}", 1.0)
-        if side:
-            b.choices.append(AssemblyChoice(side, key, g))
+        side = None if one[-1].direction and two[-1].direction else side_of(b, key, g)
         aside = f"{key}°{self.first}"
         d.draw(Equation(SCHEME, (one, two), f"r_{aside}", side))
         d.steps[at(SCHEME, aside)] = replace(d.steps[at(SCHEME, aside)], means=Meaning("guide", key))

@@ -42,8 +42,8 @@ def place_triad(b: Bodies, g: Triad) -> None:
 
 def first_reached(b: Bodies, g: Contour) -> str:
     """The point of a basic link that is drawn first: preferably a hinge with a lead."""
-    hinges = [lead.inner.point for lead in g.leads if lead.inner.kind == "R"]
-    return hinges[0] if hinges else b.mechanism.links[g.basic].first_point
+    hinges = (lead.inner.point for lead in g.leads if lead.inner.kind == "R")
+    return next(hinges, b.mechanism.links[g.basic].first_point)
 
 
 def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:

@@ -95,9 +95,7 @@ class CremonaPlan:
         if {x for _, *ends in terms for x in ends} - {*self.drawn, region}:
             return False
         first = next(k for k, (_, start, _) in enumerate(terms) if start == region)
-        *chain, last = [self.term(*one, open_=region in one[1:]) for one in (*terms[first + 1 :], *terms[: first + 1])][
-            :
-        ]
+        *chain, last = [self.term(*one, open_=region in one[1:]) for one in (*terms[first + 1 :], *terms[: first + 1])]
         back = replace(last, start=last.end, end=last.start, sign=-last.sign)
         self.draft.meet(CREMONA, chain[:-1], chain[-1], back)
         return True
@@ -156,8 +154,7 @@ class CremonaPlan:
         left, reached = [m for m in self.framework.members if m not in (member, *two)], {member[0]}
         while more := {p for m in left if {*m} & reached for p in m} - reached:
             reached |= more
-        apart = all(len({*m} & reached) == 1 for m in (member, *two))
-        return reached if apart else set()
+        return reached if all(len({*m} & reached) == 1 for m in (member, *two)) else set()
 
     def meeting(self, member: Side, two: tuple[Side, Side]) -> str:
         """The intersection of the lines of two cut members, if it is off the line of the first."""
@@ -170,8 +167,7 @@ class CremonaPlan:
             return ""
         if shared := {*two[0]} & {*two[1]}:
             return at(SCHEME, shared.pop())
-        rays = (self.draft.ray(SCHEME, *m) for m in two)
-        (along, across), label = rays, "R"
+        (along, across), label = (self.draft.ray(SCHEME, *m) for m in two), "R"
         while at(SCHEME, label) in self.draft.steps:
             label += "′"
         return self.draft.step(Cross(at(SCHEME, label), at(SCHEME, a), along, at(SCHEME, c), across))

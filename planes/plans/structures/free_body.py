@@ -115,8 +115,7 @@ class FreeBody:
         anchor, lines = self.anchor, self.lines
         if anchor is None:
             one, two, three = lines
-            about = self.crossing(two, three)
-            self.reckon(one, about)
+            self.reckon(one, self.crossing(two, three))
             self.meet(two, three, self.along(three))
             return
         if anchor.kind == "clamp":
