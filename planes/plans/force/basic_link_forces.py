@@ -20,8 +20,8 @@ from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces
 from planes.plans.force.loads import Force, force_name
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import settled
-from planes.plans.position.bodies import SCHEME
-from planes.words.names import POLE, at, end_of, force_plan, label_of
+from planes.plans.position.bodies import SCHEME, on_scheme
+from planes.words.names import POLE, end_of, force_plan, label_of
 
 
 class BasicLinkForces(LeadForces):
@@ -78,7 +78,7 @@ class TriadForces(BasicLinkForces):
 
     def __init__(self, statics: Statics, group: Triad) -> None:
         super().__init__(statics, group)
-        self.group, self.special = group, "" if group.slid else at(SCHEME, self.bodies.special(group.basic))
+        self.group, self.special = group, "" if group.slid else on_scheme(self.bodies.special(group.basic))
 
     def draw(self) -> None:
         self.draft.pole(self.plan)
@@ -117,7 +117,7 @@ class ChainForces(BasicLinkForces):
     def __init__(self, statics: Statics, group: BasicChain) -> None:
         super().__init__(statics, group)
         self.group, self.last = group, self.leads[-1]
-        self.special = [at(SCHEME, self.bodies.special(basic)) for basic in group.basics]
+        self.special = [on_scheme(self.bodies.special(basic)) for basic in group.basics]
         self.plans = [force_plan(*links) for links in group.balances]
         self.drawn: dict[int, list[HeldLead]] = {}  # basic links that act as leads, from the root on
 
@@ -155,7 +155,7 @@ class ChainForces(BasicLinkForces):
 
     def joint(self, hinge: Pair, k: int, end: int) -> HeldLead:
         """The force of a basic link on the next one: the component across the line to its special point is known."""
-        d, g, special, pin = self.draft, self.group, self.special[end], at(SCHEME, hinge.point)
+        d, g, special, pin = self.draft, self.group, self.special[end], on_scheme(hinge.point)
         key, name = force_name(g.basics[k], g.basics[end]), f"{force_name(g.basics[k], g.basics[end])}^t"
         line = d.ray(SCHEME, hinge.point, label_of(special))
         length = d.measure(f"l_{hinge.point}{label_of(special)}", pin, special)

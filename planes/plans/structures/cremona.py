@@ -12,7 +12,7 @@ from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Product
 from planes.geometry.plane import sine
 from planes.plans.force.loads import Force
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME, on_scheme
 from planes.plans.structures.regions import Regions, Side
 from planes.scene.structures import Framework
 from planes.words.names import CREMONA, Meaning, at
@@ -166,18 +166,18 @@ class CremonaPlan:
         if abs((lever * way.conjugate()).imag) <= ALIKE * abs(way) ** 2:
             return ""
         if shared := {*two[0]} & {*two[1]}:
-            return at(SCHEME, shared.pop())
+            return on_scheme(shared.pop())
         (along, across), label = (self.draft.ray(SCHEME, *m) for m in two), "R"
-        while at(SCHEME, label) in self.draft.steps:
+        while on_scheme(label) in self.draft.steps:
             label += "′"
-        return self.draft.step(Cross(at(SCHEME, label), at(SCHEME, a), along, at(SCHEME, c), across))
+        return self.draft.step(Cross(on_scheme(label), on_scheme(a), along, on_scheme(c), across))
 
     def reckon(self, region: str, member: Side, other: str, about: str, part: set[str]) -> None:
         """The force of a member from the moments of a part of the truss, and the region at its end."""
         d, name = self.draft, f"S_{member[0]}{member[1]}"
         along = d.ray(SCHEME, *member)
-        lever, terms = d.arm(name, at(SCHEME, member[0]), along, about), MomentTerms()
-        for f in (f for f in self.regions.forces if f.joint in part and at(SCHEME, f.joint) != about):
+        lever, terms = d.arm(name, on_scheme(member[0]), along, about), MomentTerms()
+        for f in (f for f in self.regions.forces if f.joint in part and on_scheme(f.joint) != about):
             force = self.outer[f.name]
             arm = d.arm(f.name, force.point, force.along, about)
             terms.append((f.name, arm, Product(-1.0, ((force.size, 1), (arm, 1), (lever, -1)))))
