@@ -189,7 +189,7 @@ class Cycle(Ready):
         of :meth:`blocks`. Several ``threads`` share the positions: machine code runs in parallel."""
         fast, values = pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
         out = np.empty((len(self.columns), len(values))) if out is None else out
-        codes: Indices = np.zeros(len(values), np.intp)
+        codes = np.zeros(len(values), np.intp)
         straight = fast and self._alone and not self._dim and out.strides[1] == values.itemsize
 
         def fill(part: slice) -> None:

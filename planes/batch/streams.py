@@ -150,7 +150,7 @@ class Parquet(BlockWriter):
     def _group(self) -> None:
         rows = np.hstack([np.vstack([b.values, b.table]) for b in self.waiting])
         codes = np.hstack([b.codes for b in self.waiting])
-        columns: list[Array] = [*rows, self.reasons[codes]]
+        columns = [*rows, self.reasons[codes]]
         self.writer.write_table(self.arrow.table([self.arrow.array(c) for c in columns], schema=self.schema))
         self.waiting.clear()
 

@@ -74,7 +74,7 @@ def reckoned(
 ) -> dict[int, Number]:
     """The numbers at the places of ``order``, of the kind ``real``, by the operations ``ops``; errors of instruments
     are 0."""
-    numbers: dict[int, Number] = {}
+    numbers = {}
     for place in order:
         op, args = tape.ops[place]
         if op in LEAVES:

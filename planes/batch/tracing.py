@@ -218,7 +218,7 @@ def given_on(tape: Tape, name: str, value: Point) -> Point:
 
 def given_values(given: Mapping[str, Point]) -> dict[str, Floats]:
     """The givens of a tape by their names on it."""
-    flat: dict[str, Floats] = {}
+    flat = {}
     for name, value in given.items():
         if _is_place(value):
             flat[name + ".x"], flat[name + ".y"] = value.real, value.imag

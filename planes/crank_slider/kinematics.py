@@ -63,8 +63,7 @@ class Found(RodMotion):
 
 def loaded(mechanism: Mechanism, shape: CrankSliderShape, gas: float = 0.0) -> Mechanism:
     """The mechanism with the gas force on its slider, towards the crank."""
-    load = Load(shape.slider, "force", gas, shape.hinge, 180.0)
-    return replace(mechanism, loads=(load,))
+    return replace(mechanism, loads=(Load(shape.slider, "force", gas, shape.hinge, 180.0),))
 
 
 def follow(scene: Scene, shape: CrankSliderShape, motion: EngineCycle) -> Found:

@@ -36,8 +36,7 @@ def chosen(c: Calculation) -> float:
     """The crank angle of the worked position, degrees."""
     assert c.scene.mechanism is not None
     asked = c.scene.mechanism.drive.position % 360.0
-    turned = asked if asked >= c.given.indicator.start_deg else asked + 360.0
-    return c.angle(turned)
+    return c.angle(asked if asked >= c.given.indicator.start_deg else asked + 360.0)
 
 
 def drawn_at(w: ChapterWriter, c: Calculation, phi_deg: float) -> tuple[Scene, Position]:
@@ -197,7 +196,7 @@ def _cycle(w: ChapterWriter, c: Calculation) -> None:
 def _polar(w: ChapterWriter, c: Calculation) -> None:
     f, phi = c.forces, c.motion.phi_deg
     far = float(np.max(np.abs(f.on_pin))) * KN
-    notes: list[tuple[float, float, str]] = []
+    notes = []
     kept: list[complex] = []
     for i in c.steps(len(phi) - 1):
         at = complex(-f.K[i] * KN, f.T[i] * KN)

@@ -1,7 +1,6 @@
 """Reads ``crank_slider:``; every value is checked, every error is a sentence with its line."""
 
 import math
-from collections.abc import Mapping
 
 from planes.crank_slider.given import UNITS, Concentration, Counterweights, Given, Limits, PistonPin, Shaft, Speed
 from planes.crank_slider.parts import ELASTICITY_MPA, STEELS, Material, Round, Shank, Web, made, steel
@@ -13,7 +12,7 @@ from planes.scene.source import SourceScalar
 from planes.words import Phrase
 from planes.words.errors import SceneError, choices, shown
 
-KEYS: Mapping[str, tuple[str, ...]] = {
+KEYS = {
     "crank_slider": (
         *("bore", "ambient", "indicator", "step", "speed", "flywheel", "positions", "shaft", "counterweights"),
         *("rod", "piston_pin", "materials", "fatigue", "limits"),

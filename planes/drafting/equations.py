@@ -63,8 +63,10 @@ class Equation:
     side: str | None = None
 
     def __post_init__(self) -> None:
-        for chain in self.chains:
-            _check_chain(chain, self.text)
+        for before, after in (joint for chain in self.chains for joint in pairwise(chain)):
+            if before.end != after.start:
+                joined = {"start": after.start, "reached": before.end}
+                raise EquationError(Phrase("chain_broken", text=self.text, name=after.name, **joined))
         one, two = self.chains
         if one and two and (one[0].start, one[-1].end) != (two[0].start, two[-1].end):
             ends = {"start": one[0].start, "end": one[-1].end}
@@ -131,13 +133,6 @@ def _sum(side: tuple[SignedTerm, ...]) -> str:
 def unknown(name: str, part: str) -> Phrase:
     """An unknown in words: "length of v_C"."""
     return Phrase("unknown_length" if part == "length" else "unknown_direction", name=name)
-
-
-def _check_chain(chain: tuple[Term, ...], text: str) -> None:
-    for before, after in pairwise(chain):
-        if before.end != after.start:
-            ends = {"start": after.start, "reached": before.end}
-            raise EquationError(Phrase("chain_broken", text=text, name=after.name, **ends))
 
 
 @frozen

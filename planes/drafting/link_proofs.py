@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from functools import reduce
 from operator import add
-from typing import ClassVar
 
 from planes.drafting.proofs import Facts, Proof
 from planes.geometry import plane
@@ -67,7 +66,7 @@ class Rigid(Proof):
 
     body: LinkMotion
     points: tuple[Point, ...]
-    reason: ClassVar[str] = "link_bent"
+    reason = "link_bent"
 
     def nothing(self, shown: Facts) -> list[Complex]:
         return [self.body.off(self.plan, shown, p) for p in self.points]
@@ -90,7 +89,7 @@ class Slid(Proof):
     owner: LinkMotion
     turn: complex  # the guide's direction in its link's axes
     offset: float
-    reason: ClassVar[str] = "slider_off"
+    reason = "slider_off"
 
     def nothing(self, shown: Facts) -> list[Complex]:
         along = self.turn * (shown[self.owner.axis] if self.owner.axis else 1.0)
@@ -118,7 +117,7 @@ class Balanced(Proof):
     forces: tuple[tuple[str, str, str], ...]
     reactions: tuple[tuple[str, str, int, str, str], ...]
     couples: tuple[tuple[str, int], ...]
-    reason: ClassVar[str] = "link_unbalanced"
+    reason = "link_unbalanced"
 
     def nothing(self, shown: Facts) -> list[Complex]:
         """The sum of the forces, and the moments about the pole divided by the largest distance from it."""

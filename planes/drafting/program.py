@@ -121,7 +121,7 @@ class Program:
         for proof in self.proofs:  # a balancing load is always drawn with the other one that checks it
             if isinstance(proof, Twofold) and needed & {proof.one, proof.two}:
                 needed |= {proof.one, proof.two}
-        kept: list[Step] = []
+        kept = []
         for step in reversed(self.steps):
             if step.makes in needed:
                 kept.append(step)

@@ -100,7 +100,7 @@ class Twofold(Proof):
     one: str
     two: str
     terms: tuple[Product, ...]
-    reason: ClassVar[str] = "balance_apart"
+    reason = "balance_apart"
 
     def nothing(self, shown: Facts) -> list[Point]:
         return [shown[self.one] - shown[self.two]]
@@ -119,7 +119,7 @@ class VectorProof(Proof):
     sign, length), with "" for an unstated one."""
 
     rows: tuple[VectorRow, ...]
-    reason: ClassVar[str] = "polygon_open"
+    reason = "polygon_open"
 
     def nothing(self, shown: Facts) -> list[Point]:
         return [self._open(row, shown) for row in self.rows]

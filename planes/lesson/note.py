@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import count, groupby
 from pathlib import Path
-from typing import ClassVar
 
 from planes.check.grading.by_hand import unsure
 from planes.lesson import Teller, value_of
@@ -52,9 +51,9 @@ class Note:
     scene: Scene
     position: Position
     lang: Lang
-    task: ClassVar[str] = "note_task"  # words that differ where vectors are stated
-    given_table: ClassVar[str] = "note_given_table"
-    alone: ClassVar[str] = "note_driver"
+    task = "note_task"  # words that differ where vectors are stated
+    given_table = "note_given_table"
+    alone = "note_driver"
 
     def __post_init__(self) -> None:
         p = self.position

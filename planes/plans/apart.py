@@ -82,7 +82,7 @@ def links_apart(plans: Plans, plan: str) -> Iterator[LinkApart]:
         loads = (f.name for f in plans.acting.forces[link] if f.quantity != "tangential" and f.name not in reactions)
         return LinkApart(link, plan, force, (*known, *loads), reactions)
 
-    shown: dict[str, LinkApart] = {}  # a link that closes two reactions is shown once
+    shown = {}  # a link that closes two reactions is shown once
     for r in inner.values():
         candidates = [apart(r, x) for x in reversed(links) if r.pair.joins(x) and not any(p.joins(x) for p in drives)]
         one = min(candidates, key=lambda one: (sum(x.pair.joins(one.link) for x in inner.values()), len(one.known)))

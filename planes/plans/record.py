@@ -88,7 +88,7 @@ class Plans:
     def restated(self, leads: Mapping[str, Leads]) -> "Plans":
         """The same mechanism, unsliced, with other leads meeting in special points."""
         assert self.restating
-        own: Plans = self.restating.plans(leads)
+        own = self.restating.plans(leads)
         plans = replace(own, restating=self.restating, structure=self.structure, passive=self.passive)
         return with_passive(plans) if self.passive else plans
 

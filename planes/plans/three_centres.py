@@ -15,10 +15,10 @@ from planes.drafting.program import Program
 from planes.drafting.steps import Same
 from planes.drafting.steps.apart import CrossApart, ThroughApart
 from planes.plans.centres import Centre, CentreLine, Check, centre_name
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import on_scheme
 from planes.plans.record import Plans
 from planes.scene.mechanism import FRAME
-from planes.words.names import Meaning, at, plan_of
+from planes.words.names import Meaning, plan_of
 
 
 @dataclass
@@ -62,9 +62,9 @@ class Centres:
     def put(self, i: str, j: str, along: str = "", lines: tuple[CentreLine, ...] = (), point: str = "") -> None:
         """Record a centre: at an existing hinge, at infinity, or where its lines cross."""
         name = self.name(i, j)
-        mark, means = at(SCHEME, name), Meaning("centre", i, j)
+        mark, means = on_scheme(name), Meaning("centre", i, j)
         if point:
-            self.draft.step(Same(mark, at(SCHEME, point), means=means))
+            self.draft.step(Same(mark, on_scheme(point), means=means))
         elif not along:
             one, two = lines
             self.draft.step(CrossApart(mark, one.mark, one.along, two.mark, two.along, means=means))
@@ -101,7 +101,7 @@ class Centres:
         for c in (c for c in list(self.found.values()) if c.mark and c.lines):
             if c.links[0] == FRAME:
                 for point in self.moving(c.links[1]):
-                    own = self.side(c.links[1], point, at(SCHEME, point))
+                    own = self.side(c.links[1], point, on_scheme(point))
                     yield from [Check(f"v_{point}", c, (own,), True)] if own else []
                 continue
             turning = [s for s in (self.side(x, c.name, c.mark) for x in c.links) if s]
@@ -120,7 +120,7 @@ class Centres:
         """A point of a link with a measured velocity, if there is one."""
         shown = {s.name for s in self.plans.segments if s.plan == "velocity"}
         own = (p for p in self.plans.mechanism.links[link].points if p not in self.plans.standing)
-        return [p for p in own if f"v_{p}" in shown and at(SCHEME, p) in self.draft.steps][:1]
+        return [p for p in own if f"v_{p}" in shown and on_scheme(p) in self.draft.steps][:1]
 
     def side(self, link: str, label: str, mark: str) -> tuple[str, str] | None:
         """ω of a turning link and the distance of a mark from its centre with the frame, where that is a mark."""

@@ -161,7 +161,7 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
 
 def _scene(scene: Fields, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
     reader, table = scene.reader, scene.table
-    where: Where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
+    where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
     of_vectors = "vectors" in scene
     laws = read_turning(scene, stated) if of_vectors or "points" in scene else None
     statics = FrameworkReader(scene, laws).read() if "points" in scene else None

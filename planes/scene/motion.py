@@ -58,7 +58,9 @@ def read_drive(reader: Reader, node: Node, links: Links) -> Drive:
     drive = Fields(reader, node, section("drive"), DRIVE_KEYS)
     link = _moving(drive, links)
     kind = cast(DriveKind, drive.one_of("phi", "s"))
-    _check_rates(drive, kind)
+    for wrong, right in zip(RATES["s" if kind == "phi" else "phi"], RATES[kind], strict=True):
+        if wrong in drive:
+            raise drive.error(Phrase("other_rate", kind=kind, wrong=wrong, right=right), wrong)
     if kind == "s" and links[link].slides is None:
         raise drive.error(Phrase("drive_no_slide", link=link), "s")
     velocity, acceleration = (drive.number(key, 0.0) for key in RATES[kind])
@@ -90,14 +92,7 @@ def _turned_on(drive: Fields, kind: DriveKind, link: str, links: Links) -> str:
         return FRAME
     if kind == "s":
         raise drive.error(Phrase("drive_on_guide", link=link), "on")
-    others = {k: None for k in (FRAME, *links) if k != link}
-    return drive.known("on", others, Phrase("links_all"))
-
-
-def _check_rates(drive: Fields, kind: DriveKind) -> None:
-    for wrong, right in zip(RATES["s" if kind == "phi" else "phi"], RATES[kind], strict=True):
-        if wrong in drive:
-            raise drive.error(Phrase("other_rate", kind=kind, wrong=wrong, right=right), wrong)
+    return drive.known("on", {k: None for k in (FRAME, *links) if k != link}, Phrase("links_all"))
 
 
 def _moving(fields: Fields, links: Links) -> str:

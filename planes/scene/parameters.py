@@ -69,9 +69,7 @@ def with_numbers(
             valid = reader.offer(name, known)
             raise reader.error(Phrase("parameter_unknown", name=shown(name), valid=valid), node or 1)
     line = node.line if node else 1
-    given: dict[str, Node] = {
-        name: SourceScalar(repr(finite(value, name, False)), line) for name, value in numbers.items()
-    }
+    given = {name: SourceScalar(repr(finite(value, name, False)), line) for name, value in numbers.items()}
     return SourceTable({**entries_of(chosen), **given}, line)
 
 
@@ -88,7 +86,7 @@ def read_variants(reader: Reader, node: Node | None, parameters: Node | None) ->
         return {}
     known = entries_of(parameters)
     variants = reader.names(node, "variants", Phrase("a_variant"))
-    tables: dict[str, SourceTable] = {}
+    tables = {}
     for name, entry in variants.entries.items():
         what = Phrase("variant", name=name)
         table = SourceTable({}, entry.line) if absent(entry) else reader.table(entry, what)
@@ -139,8 +137,8 @@ def resolve(written: Mapping[str, str]) -> dict[str, float]:
 
 
 def _resolve_from(start: str, written: Mapping[str, str], values: dict[str, float]) -> None:
-    path: dict[str, list[str]] = {}
-    current: str | None = None if start in values else start
+    path = {}
+    current = None if start in values else start
     while current is not None:
         try:
             if current not in path:

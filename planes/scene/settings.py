@@ -63,7 +63,7 @@ def read_words(reader: Reader, node: Node | None, what: str) -> Words:
 
 def read_plans(reader: Reader, node: Node | None) -> dict[str, float | None]:
     """μ of each plan in mm per SI unit; None where the program chooses."""
-    scales: dict[str, float | None] = dict.fromkeys(PLANS)
+    scales = dict.fromkeys(PLANS)
     if node is None:
         return scales
     for plan, entry in reader.table(node, "plans", PLANS).entries.items():

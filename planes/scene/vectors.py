@@ -101,7 +101,7 @@ class StatementReader:
             raise self.reader.error(Phrase("vectors_many", count=count, most=MOST_VECTORS), self.vectors)
 
     def _check_names(self) -> None:
-        taken: dict[str, Phrase] = {n: Phrase("a_parameter") for n in self.reader.parameters}
+        taken = {n: Phrase("a_parameter") for n in self.reader.parameters}
         for table, key, kind in ((self.vectors, "bad_vector", "a_vector"), (self.values, "bad_value_name", "a_value")):
             for name, line in table.lines.items():
                 fits = _NAME.fullmatch(name) if table is self.vectors else is_name(name)

@@ -50,10 +50,9 @@ def own_scene(
 
 def _dumped(key: str, value: object) -> str:
     flow = None if isinstance(value, dict | list) else False
-    text: str = yaml.dump(
+    return yaml.dump(
         {key: value}, Dumper=_Lines, allow_unicode=True, sort_keys=False, width=110, default_flow_style=flow
     )
-    return text
 
 
 def _as_written(node: Any) -> object:

@@ -41,7 +41,7 @@ def frozen(cls: type[T]) -> type[T]:
 
 
 def _initialiser(cls: type) -> Callable[..., None]:
-    heads: list[str] = []
+    heads = []
     lines = []
     known: dict[str, Any] = {"put": object.__setattr__}
     for one in sorted(fields(cls), key=lambda f: bool(f.kw_only)):

@@ -40,7 +40,7 @@ STYLE: Any = {
     "axes.unicode_minus": True,
     "path.simplify": False,
 }
-OF_FILES: Any = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
+OF_FILES = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
 
 
 def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
@@ -86,11 +86,7 @@ def _frame(plot: Axes, axes: Chart, lang: Lang) -> None:
         plot.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=3.2)
 
 
-METADATA: dict[str, dict[str, None]] = {
-    ".png": {"Software": None},
-    ".svg": {"Date": None},
-    ".pdf": {"CreationDate": None},
-}
+METADATA = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
 NAME = re.compile(rb"\b[pmh][0-9a-f]{10}\b")  # of a clip, a marker or a hatch: varies with the last bit
 
 

@@ -242,7 +242,7 @@ def _beside(region: Booleans) -> Booleans:
 def _filled(seed: Booleans, within: Booleans) -> Booleans:
     """All cells connected with the seed."""
     while True:
-        grown: Booleans = _beside(seed).any(axis=0) & within
+        grown = _beside(seed).any(axis=0) & within
         if (grown == seed).all():
             return seed
         seed = grown

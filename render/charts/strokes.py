@@ -84,7 +84,7 @@ def pieces_of(
     path: Path, transform: Transform | None = None, clip: tuple[float, float, float, float] | None = None
 ) -> tuple[Piece, ...]:
     """A matplotlib path as moves, lines and cubic curves."""
-    pieces: list[Piece] = []
+    pieces = []
     x = y = 0.0
     for points, code in path.iter_segments(transform or Affine2D(), simplify=False, clip=clip, curves=True):
         at = tuple(points.tolist())

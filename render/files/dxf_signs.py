@@ -56,7 +56,7 @@ def insert_signs(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
 
 def _define(block: BlockLayout, name: str, share: float) -> None:
     """The marks of a sign about its base point; ``share`` is a slider's width over its length."""
-    own: dict[str, Sequence[Mark]] = {
+    own = {
         HINGE: (Arc(0j, HINGE_MM),),
         SUPPORT: symbols.fixed_hinge(0j),
         POINT: symbols.dot(0j),
@@ -104,7 +104,7 @@ def _support(hinge: Arc, lines: Iterable[Line]) -> Sign | None:
         wanted = [m for m in symbols.fixed_hinge(hinge.centre, angle) if isinstance(m, Line)]
         present = [next((m for m in near if _alike(m, w)), None) for w in wanted]
         if None not in present:
-            strokes: tuple[Mark, ...] = tuple(m for m in present if m)
+            strokes = tuple(m for m in present if m)
             return Sign(SUPPORT, hinge.centre, angle, (1.0, 1.0), hinge.layer, (hinge, *strokes))
     return None
 

@@ -230,8 +230,7 @@ def placed(labels: Sequence[Label], chosen: Candidates) -> Placed:
     there = zip(labels, chosen.boxes, chosen.leaders, strict=True)
     for label, (x0, y0, x1, _), led in (one for one in there if not np.isnan(one[1][0])):
         left, low, *_ = label.extent
-        base = complex(x0 - left, y0 - low)
-        texts.append(Text(label.text, base, label.height, name=label.name))
+        texts.append(Text(label.text, complex(x0 - left, y0 - low), label.height, name=label.name))
         if label.underlined:
             signs.append(Line((complex(x0, y0), complex(x1, y0)), "thin", "text"))
         if not np.isnan(led[0].real):

@@ -129,8 +129,7 @@ def crossed(boxes: Array, lines: Complexes) -> Booleans:
             one, two = (low - origin) / safe, (high - origin) / safe
             enter = np.maximum(enter, np.minimum(one, two))
             leave = np.minimum(leave, np.maximum(one, two))
-    through: Booleans = enter < leave
-    return through
+    return enter < leave
 
 
 def meeting(lines: Complexes, others: Complexes) -> Booleans:
@@ -151,8 +150,7 @@ def _along(start: Complexes, span: Complexes, began: Complexes, way: Complexes) 
     unit = span / np.abs(span)
     one, two = (began - start) * unit.conjugate(), (began + way - start) * unit.conjugate()
     along = (np.maximum(one.real, two.real) >= -0.3) & (np.minimum(one.real, two.real) <= np.abs(span) + 0.3)
-    level: Booleans = (np.abs(one.imag) < 0.3) & (np.abs(two.imag) < 0.3)
-    return level & along
+    return (np.abs(one.imag) < 0.3) & (np.abs(two.imag) < 0.3) & along
 
 
 def _shrunk(box: Polyline) -> Polyline:

@@ -60,14 +60,12 @@ class Edges:
         owners = self.owners[edges]
         many = self._many[owners]
         pairs = np.unique(boxes[many] * len(self.shapes) + owners[many]) // len(self.shapes)
-        counts: Indices = np.bincount(boxes[~many], minlength=count) + np.bincount(pairs, minlength=count)
-        return counts
+        return np.bincount(boxes[~many], minlength=count) + np.bincount(pairs, minlength=count)
 
     @cached_property
     def _many(self) -> Booleans:
         """The shapes with more than one edge."""
-        many: Booleans = np.bincount(self.owners, minlength=len(self.shapes)) > 1
-        return many
+        return np.bincount(self.owners, minlength=len(self.shapes)) > 1
 
     def _reach(self, clear: float) -> list[Array]:
         """The boxes around the neighbourhood of each edge."""
@@ -86,8 +84,7 @@ class Edges:
         ax, ay, bx, by = self.ends
         long = np.hypot(bx - ax, by - ay)
         safe = np.where(long == 0, 1.0, long)
-        directions: Array = np.array([(bx - ax) / safe, (by - ay) / safe, long])
-        return directions
+        return np.array([(bx - ax) / safe, (by - ay) / safe, long])
 
     def _apart(self, boxes: Sequence[Array], edges: Indices) -> Array:
         """The distances between boxes and edges, in pairs."""
@@ -107,8 +104,7 @@ class Edges:
         (areas,) = np.nonzero(self.inside[edges])
         held = shapely.contains_xy(self.shapes[self.owners[edges[areas]]], x[areas], y[areas])
         distances[areas] = np.where(held, 0.0, np.inf)
-        apart: Array = distances - self.halves[edges]
-        return apart
+        return distances - self.halves[edges]
 
 
 def edges_of(shapes: Shapes, halves: Array) -> Edges:
@@ -137,13 +133,9 @@ def _around(runs: Sequence[Array]) -> list[Array]:
 
 def over(some: Sequence[Array] | Array, others: Sequence[Array] | Array) -> Booleans:
     """Which boxes overlap, by broadcasting."""
-    overlaps: Booleans = (
-        (some[0] <= others[2]) & (others[0] <= some[2]) & (some[1] <= others[3]) & (others[1] <= some[3])
-    )
-    return overlaps
+    return (some[0] <= others[2]) & (others[0] <= some[2]) & (some[1] <= others[3]) & (others[1] <= some[3])
 
 
 def _outside(x: Array, wide: Array, y: Array, high: Array) -> Array:
     """The distance of points from boxes about 0 with these half sides."""
-    distances: Array = np.hypot(np.maximum(np.abs(x) - wide, 0.0), np.maximum(np.abs(y) - high, 0.0))
-    return distances
+    return np.hypot(np.maximum(np.abs(x) - wide, 0.0), np.maximum(np.abs(y) - high, 0.0))

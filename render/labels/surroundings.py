@@ -61,8 +61,7 @@ class Surroundings:
             self.ground.near(boxes, (ROOM_MM, CLEAR_MM)),
             self.yielding.near(boxes, (CLEAR_MM,)),
         )
-        cost: Array = TIGHT * (roomless > 0) + HARD * struck + BROKEN * _bounded(broken)
-        return cost
+        return TIGHT * (roomless > 0) + HARD * struck + BROKEN * _bounded(broken)
 
     def crossing(self, leaders: Complexes) -> Array:
         """The cost of leaders that cross strokes, thin ones that yield for less, and placed texts."""

@@ -50,7 +50,7 @@ def _numbers(mark: Mark) -> tuple[complex, ...]:
 
 def by_layer(marks: Iterable[Mark]) -> list[tuple[Layer, list[Mark]]]:
     """The marks layer by layer, from the lowest up; within a layer in the order given."""
-    order: dict[Layer, int] = {layer: k for k, layer in enumerate(LAYERS)}
+    order = {layer: k for k, layer in enumerate(LAYERS)}
     held = sorted(marks, key=lambda mark: order[mark.layer])
     return [(layer, list(own)) for layer, own in groupby(held, key=lambda mark: mark.layer)]
 

@@ -35,8 +35,8 @@ WORD_GAP = 6.0  # clear distance of words, in pen widths
 SLANT = 1 / math.tan(math.radians(75))  # shear of the slanted lettering
 SMALL = 0.7  # size of raised and lowered characters, and of their pen
 _TABLES: dict[str, dict[str, str]] = json.loads(Path(__file__).with_name("glyphs.json").read_text("utf-8"))
-GLYPHS: dict[str, str] = {char: path for table in _TABLES.values() for char, path in table.items()}
-SAME: dict[str, str] = dict(
+GLYPHS = {char: path for table in _TABLES.values() for char, path in table.items()}
+SAME = dict(
     zip(
         "АВЕІЈКМНОРЅСТХаеіјорѕсухΑΒΕΖΗΙΚΜΝΟΡΤΥΧοΓΠΦκµϕ∆∙⋅‧ʼ∼⟂‑‐―",
         "ABEIJKMHOPSCTXaeijopscyxABEZHIKMNOPTYXoГПФкμφΔ···’~⊥--—",
@@ -44,7 +44,7 @@ SAME: dict[str, str] = dict(
     )
 )
 """Characters drawn exactly like another one: look-alikes of the alphabets and duplicate signs."""
-SHIFTED: dict[str, tuple[str, float]] = {
+SHIFTED = {
     **{c: (base, 4.5) for c, base in zip("⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻⁺⁽⁾", "0123456789n−+()", strict=True)},
     "°": ("○", 6.5),
     **{c: (base, -3.0) for c, base in zip("₀₁₂₃₄₅₆₇₈₉ₙ₋₊₍₎", "0123456789n−+()", strict=True)},
@@ -180,7 +180,7 @@ def _clean(text: str) -> str:
 def _layout(text: str) -> tuple[float, tuple[tuple[str, float], ...]]:
     """Total width in d and the place of every character."""
     x, blank, last = 0.0, 0.0, ""
-    placed: list[tuple[str, float]] = []
+    placed = []
     for char in _clean(text):
         if char.isspace():
             blank += WORD_GAP / 2 if char in _NARROW else WORD_GAP

@@ -30,7 +30,7 @@ class Face:
 
 OWN = Face()
 Asked = TypeVar("Asked")
-_chosen: ContextVar[Face] = ContextVar("face", default=OWN)
+_chosen = ContextVar("face", default=OWN)
 
 
 def current() -> Face:

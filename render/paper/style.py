@@ -29,7 +29,7 @@ class Pen:
     colour: str = BLACK
 
 
-PENS: dict[str, Pen] = {
+PENS = {
     "thick": Pen(THICK.pen),
     "result": Pen(THICK.pen),
     "frame": Pen(THICK.pen),
@@ -42,7 +42,7 @@ PENS: dict[str, Pen] = {
     "construction": Pen(THIN.pen),
 }
 
-REPORT_PENS: dict[str, Pen] = {
+REPORT_PENS = {
     "own": Pen(0.4, (), "#163a70"),
     "truth": Pen(0.3, (3.0, 1.5), "#1f7a3d"),
     "next": Pen(0.25, (0.8, 0.8), "#a35c00"),

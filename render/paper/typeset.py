@@ -188,7 +188,7 @@ def _runs(text: str, height: float, face: Face) -> tuple[Run, ...]:
     """The runs of a text from the left end of its base line, unturned."""
     if not 0 < height < math.inf:
         raise ValueError(f"the text {text!r} needs a letter height above 0 mm, not {height}")
-    runs: list[Run] = []
+    runs = []
     x, gap = 0.0, 0.0
     for part in indexed(text):
         before, after = (height * blank for blank in _blanks(part.base, face))

@@ -134,8 +134,7 @@ class Columns:
     def _ended(self) -> Array:
         """The cost of all columns, by the unit where they end: later units are white."""
         units = self.stacking.module.units
-        costs: Array = self._costs(len(self.items)) + numpy.arange(units, -1, -1) / UNITS
-        return costs
+        return self._known(len(self.items))[0] + numpy.arange(units, -1, -1) / UNITS
 
     def _spaced(self, flush: bool) -> list[Column]:
         """The columns reduced to their necessary width, with the spare units between them; the last one is to be
@@ -148,12 +147,9 @@ class Columns:
         lefts = [sum(needs[:k]) + spare * k // gaps for k in range(len(needs))]
         return [(piece, x, x + n) for (piece, _, _), x, n in zip(self._columns, lefts, needs, strict=True)]
 
-    def _costs(self, last: int) -> Array:
-        """The lowest costs of the first views in the first units."""
-        return self._known(last)[0]
-
     def _known(self, last: int) -> tuple[Array, Array]:
-        """The same, with the cost before a column begins, by its end and its span."""
+        """The lowest costs of the first views in the first units; and the cost before a column begins, by its end and
+        its span."""
         known, key, module = self.stacking.broken, (self.piece[:last], self.torn[:last]), self.stacking.module
         if key not in known:
             costs = reduce(numpy.minimum, self._ways(last)).min(axis=1) if last else module.begun

@@ -21,7 +21,7 @@ from render.paper.letters import decimal
 from render.paper.marks import Line, Mark, Text, within
 from render.paper.typeset import ink_width, wrapped
 
-FORMATS: dict[str, tuple[float, float]] = {
+FORMATS = {
     "A4": (210.0, 297.0),
     "A3": (420.0, 297.0),
     "A2": (594.0, 420.0),
@@ -30,7 +30,7 @@ FORMATS: dict[str, tuple[float, float]] = {
 }
 """Width × height in mm; A4 is portrait, the larger ones are landscape."""
 
-_LONG: dict[float, tuple[float, ...]] = {
+_LONG = {
     297: (630, 841, 1051, 1261, 1471, 1682, 1892),
     420: (891, 1189, 1486, 1783, 2080),
     594: (1261, 1682, 2102),
@@ -55,7 +55,7 @@ APART = ".\n"  # between sentences of a cell; each begins a new line if there is
 _LEAST = 0.6  # the least distance of a narrowed text from the sides of its cell
 
 
-_asked: ContextVar[Form] = ContextVar("form", default=form1.FORM)
+_asked = ContextVar("form", default=form1.FORM)
 
 
 def form_of(scene: Scene) -> AbstractContextManager[None]:
@@ -98,7 +98,7 @@ class Paper:
         """Frame, title block and the columns beside the frame, with the cells filled."""
         ruled = [Line((a, b), style, "frame") for a, b, style in self.form.lines(self.size)]
         own = [mark for text, cell in self.form.words(self.size, lang) for mark in fitted(text, cell)]
-        filled: list[Mark] = []
+        filled = []
         called = self.name.replace("x", "×")
         said = {**cells, "designation_turned": cells.get("designation", ""), "format": called, "language": lang}
         for key, cell in self.form.cells(self.size).items():

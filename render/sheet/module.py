@@ -85,8 +85,7 @@ class Module:
     @cached_property
     def starts(self) -> Indices:
         """The start of a column, by its end and its span; 0 where there is none."""
-        begins: Indices = numpy.maximum(numpy.subtract.outer(numpy.arange(self.units + 1), self.spans), 0)
-        return begins
+        return numpy.maximum(numpy.subtract.outer(numpy.arange(self.units + 1), self.spans), 0)
 
     @cached_property
     def begun(self) -> Array:

@@ -11,7 +11,7 @@ from planes.words import say
 from planes.words.errors import PlanesError
 from planes.words.names import kind_of, mu_of
 from render.labels.footprints import bounds
-from render.paper.marks import Mark, Text
+from render.paper.marks import Text
 from render.paper.style import LARGER
 from render.paper.typeset import plain
 from render.sheet.composer import Composer, Together, drawn_plans
@@ -128,7 +128,7 @@ class Project:
         passive = ", ".join(map(c.naming.link, structure.passive))
         lines += [say("passive_link", c.lang, links=passive)] if passive else []
         high = LARGER[letter]
-        marks: list[Mark] = [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
+        marks = [Text(t, complex(0, -1.9 * high * k), high, "middle") for k, t in enumerate(lines)]
         stack = stacked("structure", [beside(parts), view("formula", "", marks)], 5.0)
         return view("structure", say("structure", c.lang), stack.marks, figure=True)
 

@@ -88,8 +88,7 @@ class Stacking:
 
     def white(self, piece: Piece) -> Array:
         """The white space in a column of some views, by its end and its span, relative to the field's height."""
-        whites: Array = self.module.heights - self.high(piece) / self.module.height
-        return whites
+        return self.module.heights - self.high(piece) / self.module.height
 
     def last(self, piece: Piece) -> int:
         """The least unit before which views have room in columns, with any spare units between them; one more than

@@ -20,7 +20,7 @@ from render.views.scheme import Scheme
 CUP_MM = 2.4  # radius of the cup about a spherical pair's ball
 RING_MM = 2.4  # of the bushing about a cylindrical pair's pin
 ROD_MM = 3.5  # of a round rod seen through its bushing, beyond it
-CLASSES: dict[Sign, int] = {"R": 5, "P": 5, "C": 4, "S": 3}
+CLASSES = {"R": 5, "P": 5, "C": 4, "S": 3}
 
 
 @dataclass(kw_only=True)
@@ -111,7 +111,7 @@ def counted(aligned: Aligned, letter: float) -> list[Mark]:
 
 def legend(aligned: Aligned, naming: Naming, letter: float) -> View:
     """The sign of every kind of pair present, seen from its side, with its name, class and places."""
-    marks: list[Mark] = []
+    marks = []
     there = {sign for _, sign in aligned.pairs}
     for row, kind in enumerate(k for k in CLASSES if k in there):
         y = -13.0 * row
@@ -123,12 +123,12 @@ def legend(aligned: Aligned, naming: Naming, letter: float) -> View:
     return view("signs", "", marks)
 
 
-_SHAFT: tuple[Mark, ...] = (
+_SHAFT = (
     *(Line((complex(-4, y), complex(4, y))) for y in (-2.2, 2.2)),  # a rod in a sleeve, in which it turns and slides
     Line((-10 + 0j, 10 + 0j)),
 )
 _CUP = 1.7 * HINGE_MM * 1.2
-_SIGNS: dict[Sign, tuple[Mark, ...]] = {
+_SIGNS = {
     "R": (*_SHAFT, *(Line((complex(x, -1.8), complex(x, 1.8))) for x in (-5.2, 5.2))),  # a shaft held by collars
     "P": (*symbols.base(-3.25j, 0, 18.0), *symbols.block(0j)),
     "C": _SHAFT,

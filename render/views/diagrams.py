@@ -148,7 +148,7 @@ class Diagrams:
         key, lang = self.driver[1], self.naming.lang
         abscissa = self.naming.vector(self.plans.mechanism.drive.letters[0])
         sides = (self.section * k for k in range(1, SECTIONS + 1))
-        marks: list[Mark] = [
+        marks = [
             *(Line((complex(x, low - 1.5), complex(x, high + 1.5)), "construction", "construction") for x in sides),
             Arrow(complex(0, zero), complex(self.wide + 9, zero), "thin", "dimension"),
             Arrow(complex(0, low if self.to_read else zero), complex(0, high + axes.lift + 8), "thin", "dimension"),
@@ -233,7 +233,7 @@ class Diagrams:
         """Numbers of the positions beneath, the driver's position at the first, or at each, and the scale of the
         axis."""
         places = [complex(self.section * k, level) for k in range(SECTIONS + 1)]
-        texts: list[Mark] = [Text(str(k), z, self.letter, "middle") for k, z in enumerate(places)]
+        texts = [Text(str(k), z, self.letter, "middle") for k, z in enumerate(places)]
         (letter, key), lang = self.driver, self.naming.lang
         turning = key == "°"
         drive = flat(self.naming.vector(self.plans.mechanism.drive.letters[0]))

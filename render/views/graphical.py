@@ -37,7 +37,7 @@ class Graphical:
 
     def drawn(self) -> tuple[Mark, ...]:
         """All diagrams, the first one on top."""
-        marks: list[Mark] = []
+        marks = []
         lowest = 0.0
         for k, stage in enumerate(self.construction.stages):
             bottom, top = self.levels(stage)
@@ -140,7 +140,7 @@ class Graphical:
     def curve(self, stage: Stage, zero: complex, wide: float) -> list[Mark]:
         """The points and the curve through them (for an integral its polygon), with its construction."""
         points, by_chords = self.points(stage), self.construction.kind == "differentiation"
-        marks: list[Mark] = []
+        marks = []
         for label in self.cut_labels(stage):  # ordinates carried to or from the axis
             cut, point = self.place(stage.plan, f"h{label}"), self.place(stage.plan, label)
             marks.append(Line((zero + cut, zero + point), "construction", "construction"))
@@ -160,7 +160,7 @@ class Graphical:
         """Numbers of the positions and the driver's angle at the first."""
         m, wide = self.construction.motion, self.place(self.construction.stages[0].plan, "t").real
         every = 1 if m.sections <= 24 else 2
-        texts: list[Mark] = [
+        texts = [
             Text(str(k), complex(wide * k / m.sections, level), 3.5, "middle") for k in range(0, m.sections + 1, every)
         ]
         start = f"φ_{{0}} = {number(round(m.angles[0] % 360.0, 4), self.naming.lang)}°"
@@ -191,7 +191,7 @@ def smooth(points: Sequence[complex]) -> list[complex]:
 
 def cropped(path: Sequence[complex], wide: float) -> list[complex]:
     """The part of a curve over the axis, clipped exactly at both ends."""
-    kept: list[complex] = []
+    kept = []
     for a, b in pairwise(path):
         for x in (0.0, wide):
             if (a.real - x) * (b.real - x) < 0:

@@ -52,7 +52,7 @@ def _one(loop: Hodograph, naming: Naming, to_read: bool) -> View:
     low, high = mu * least - AXIS_MM * (1 + 1j), mu * most + AXIS_MM * (1 + 1j)
     pole = low if path else 0j
     ends = complex(high.real, pole.imag), complex(pole.real, high.imag)
-    ground: list[Mark] = [
+    ground = [
         *(_net(low, high, mu, lang) if to_read else ()),
         Arrow(complex(low.real, pole.imag), ends[0], "thin", "dimension"),
         Arrow(complex(pole.real, low.imag), ends[1], "thin", "dimension"),

@@ -223,8 +223,7 @@ def along_joints(places: list[complex]) -> list[complex]:
 def nearest(z: complex, outline: list[complex]) -> complex:
     """The point of a link's outline nearest to a place."""
     corners = [(c.real, c.imag) for c in outline]
-    kinds = {1: shapely.Point, 2: shapely.LineString}
-    shape = kinds.get(len(corners), shapely.Polygon)(corners)
+    shape = {1: shapely.Point, 2: shapely.LineString}.get(len(corners), shapely.Polygon)(corners)
     return complex(*shapely.shortest_line(shape, shapely.Point(z.real, z.imag)).coords[0])
 
 

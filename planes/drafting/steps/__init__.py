@@ -77,7 +77,7 @@ class Aim(Step):
     """A direction at a given angle (degrees) from the x axis, by protractor."""
 
     angle: str
-    kind: ClassVar[Kind] = "direction"
+    kind = "direction"
     needs = values("angle")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -90,7 +90,7 @@ class Through(Step):
 
     start: str
     end: str
-    kind: ClassVar[Kind] = "direction"
+    kind = "direction"
     needs = marks("start", "end")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -104,7 +104,7 @@ class Turn(Step):
     of: str
     quarter: int = 0
     angle: str | None = None
-    kind: ClassVar[Kind] = "direction"
+    kind = "direction"
     needs = directions("of") + values("angle")
 
     def draw(self, env: Env, tool: Tool) -> Thing:

@@ -1,7 +1,6 @@
 """Steps by some leads of a basic link, where others would be sharper once those lean: crossings, arms and cosines."""
 
 from functools import reduce
-from typing import ClassVar
 
 from planes.drafting.steps import Step, directions, marks, values
 from planes.drafting.steps.crossings import Cross
@@ -71,7 +70,7 @@ class CrossInChain(ByLeads, Cross):
     sides: tuple[int, ...] = ()
     joined: tuple[tuple[int, int], ...] = ()
     turn: int = 0
-    far: ClassVar[str] = "leads_parallel"
+    far = "leads_parallel"
     needs = marks("start", "other", "points", "pins") + directions("along", "across", "lines")
 
     @property
@@ -86,7 +85,7 @@ class CrossInChain(ByLeads, Cross):
 
     def _met(self, env: Env, basic: int, but: int) -> tuple[list[Line], Real]:
         """The lines that lead to a basic link, except one, and the sharpness of all crossings on the way."""
-        lines: list[Line] = []
+        lines = []
         sharp: Real = 1.0
         for k, side in enumerate(self.sides):
             if side == basic and k != but:

@@ -1,8 +1,6 @@
 """Intersections of two lines, a line and an arc, or two arcs, and the tangent to a circle: the steps that can fail."""
 
-from typing import ClassVar
-
-from planes.drafting.steps import Kind, Read, Step, directions, marks, values
+from planes.drafting.steps import Read, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Real
@@ -18,7 +16,7 @@ class Cross(Step):
     other: str
     across: str
     supposed: bool = False
-    far: ClassVar[str] = "parallel"  # the reason for its absence
+    far = "parallel"  # the reason for its absence
     needs = marks("start", "other") + directions("along", "across")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -128,7 +126,7 @@ class Touch(TwoPlaces):
     offset: str | None
     mu: str
     side: str
-    kind: ClassVar[Kind] = "direction"
+    kind = "direction"
     needs = marks("start", "end") + values("offset", "mu", "side")
 
     def draw(self, env: Env, tool: Tool) -> Thing:

@@ -1,8 +1,6 @@
 """Steps for numbers that a scene gives as laws: evaluated in every position from known quantities."""
 
-from typing import ClassVar
-
-from planes.drafting.steps import Kind, Read, Step, values
+from planes.drafting.steps import Read, Step, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.scene.law_expressions import LawParser, between, folded, within
@@ -28,7 +26,7 @@ class Follow(Step):
     stroke: str = ""
     sense: int = 1
     line: str = field(default="", compare=False)  # line of the scene, for whoever has to change the law
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
 
     def reads(self) -> tuple[Read, ...]:
         return values(*dict.fromkeys([value for _, value in self.of] + [self.stroke]))
@@ -73,7 +71,7 @@ class ByStroke(Step):
     sense: int
     working: str
     idle: str
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
     needs = values("stroke", "working", "idle")
 
     def draw(self, env: Env, tool: Tool) -> Thing:

@@ -2,9 +2,8 @@
 
 from collections.abc import Mapping
 from functools import reduce
-from typing import ClassVar
 
-from planes.drafting.steps import Kind, Read, Step, directions, marks, values
+from planes.drafting.steps import Read, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
@@ -19,7 +18,7 @@ class Measure(Step):
     end: str
     along: str | None
     mu: str
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
     needs = marks("start", "end") + directions("along") + values("mu")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -37,7 +36,7 @@ class Drop(Step):
     along: str
     about: str
     mu: str
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
     needs = marks("point", "about") + directions("along") + values("mu")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -50,7 +49,7 @@ class Protractor(Step):
     """The angle of a direction from the x axis, degrees in (-180, 180]."""
 
     of: str
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
     needs = directions("of")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -63,7 +62,7 @@ class Cosine(Step):
 
     of: str
     along: str
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
     needs = directions("of", "along")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -90,7 +89,7 @@ class Calculate(Step):
     """A sum of products of values: v²/l, or a moment equation solved for its one unknown."""
 
     terms: tuple[Product, ...]
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
 
     def reads(self) -> tuple[Read, ...]:
         return values(*dict.fromkeys(name for t in self.terms for name, _ in t.factors))
@@ -114,7 +113,7 @@ class Sense(Step):
     along: str | None
     beside: tuple[str, ...]
     told: bool = True
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
     needs = marks("start", "end", "beside") + directions("along")
 
     def weighed(self, env: Mapping[str, Thing], ar: Arithmetic) -> tuple[Real, Real]:
@@ -136,7 +135,7 @@ class SenseOf(Step):
     """+1, -1 or 0: the sign of a value."""
 
     value: str
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
     needs = values("value")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -148,7 +147,7 @@ class SizeOf(Step):
     """A value without its sign."""
 
     value: str
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
     needs = values("value")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -164,7 +163,7 @@ class SenseBetween(Step):
     sense: str
     other_rate: str
     other_sense: str
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
     needs = values("rate", "sense", "other_rate", "other_sense")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -194,7 +193,7 @@ class Lean(Step):
     coefficient: str
     sliding: str
     push: int
-    kind: ClassVar[Kind] = "direction"
+    kind = "direction"
     needs = directions("normal", "along") + values("coefficient", "sliding")
 
     def draw(self, env: Env, tool: Tool) -> Thing:

@@ -1,9 +1,8 @@
 """Successive plans: a plan that needs its own result is drawn with a guess, then with a better one, and so on."""
 
 from functools import cached_property, reduce
-from typing import ClassVar
 
-from planes.drafting.steps import Kind, Read, Step, values
+from planes.drafting.steps import Read, Step, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real
 from planes.words.frozen import frozen
@@ -15,7 +14,7 @@ class Fed(Step):
 
     factor: str
     size: str
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
     needs = values("factor", "size")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -30,7 +29,7 @@ class Settle(Step):
 
     plan: tuple[Step, ...]
     fed: tuple[Fed, ...]
-    kind: ClassVar[Kind] = "value"
+    kind = "value"
 
     @cached_property
     def _read(self) -> tuple[Read, ...]:

@@ -8,9 +8,8 @@ ends of the range.
 """
 
 from collections.abc import Iterator
-from typing import ClassVar
 
-from planes.drafting.steps import Kind, Read, Step
+from planes.drafting.steps import Read, Step
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.tracks import Pose, Tie, TieKind, advanced, origins
@@ -148,7 +147,7 @@ class CutTrack(Step):
 class CutTurn(CutTrack):
     """The direction of the link's x axis, where its track is cut."""
 
-    kind: ClassVar[Kind] = "direction"
+    kind = "direction"
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         return self.lie(env, tool)[1]

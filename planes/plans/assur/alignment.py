@@ -180,7 +180,7 @@ def firm(group: AnyGroup, signs: tuple[Sign, ...], places: PairPlaces) -> float:
     """The determinant of the out-of-plane constraints, rows and lengths scaled to unity; 0 means a loose link."""
     bodies = bodies_of(group)
     column = {link: 3 * k for k, body in enumerate(bodies) for link in body}
-    rows: list[list[float]] = []
+    rows = []
     for pair, sign in zip(pairs_of(group), signs, strict=True):
         for held in holds(sign, pair.kind, *places.lines[pair], places.size):
             row = [0.0] * (3 * len(bodies))

@@ -6,7 +6,6 @@ Two leads of a basic link at an end of the chain turn it into a lead of the next
 """
 
 from collections.abc import Sequence
-from typing import ClassVar
 
 from planes.plans.assur.basic_links import Lead, lead_pairs
 from planes.plans.assur.groups import Between, Pair
@@ -23,7 +22,7 @@ class BasicChain:
     basics: tuple[str, ...]
     hinges: tuple[Pair, ...]
     sides: tuple[tuple[Lead, ...], ...]
-    level: ClassVar[str] = "III"
+    level = "III"
 
     @property
     def basic(self) -> str:

@@ -5,7 +5,6 @@ link on three leads (поводки), each attached to a solved link.
 """
 
 from collections.abc import Iterable
-from typing import ClassVar
 
 from planes.plans.assur.groups import Group, Pair
 from planes.words import Phrase
@@ -95,7 +94,7 @@ class Triad(OnLeads):
     basic: str
     leads: tuple[Lead, Lead, Lead]
     order: tuple[str, ...] = ()  # with a drive inside: all its links in the order of the file
-    level: ClassVar[str] = "III"
+    level = "III"
 
     @property
     def ends(self) -> tuple[str, ...]:

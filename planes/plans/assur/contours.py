@@ -6,7 +6,6 @@ order the number of outer pairs. One of the two attached links has a hinge outsi
 """
 
 from collections.abc import Sequence
-from typing import ClassVar
 
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, OnLeads, Triad, kind_by, lead_pairs
@@ -27,7 +26,7 @@ class Contour(OnLeads):
     outer: tuple[Pair, Pair]  # of the base and of the basic link
     leads: tuple[Lead, Lead]
     order: tuple[str, ...] = ()  # with a drive inside: all its links in the order of the file
-    level: ClassVar[str] = "IV"
+    level = "IV"
 
     @property
     def slid(self) -> bool:

@@ -1,7 +1,7 @@
 """Kinematic pairs, and the five kinds of Assur groups of class II."""
 
 from collections.abc import Callable, Sequence
-from typing import ClassVar, Literal
+from typing import Literal
 
 from planes.words import Phrase
 from planes.words.frozen import frozen
@@ -72,7 +72,7 @@ class Group:
     drive: Pair | None = None
     brace: Brace | None = None
     order: tuple[str, ...] = ()  # with a drive inside: all its links in the order of the file
-    level: ClassVar[str] = "II"
+    level = "II"
 
     @property
     def whole(self) -> tuple[str, ...]:

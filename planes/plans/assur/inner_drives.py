@@ -5,7 +5,7 @@ across their hinge and acts like a motor in it. Or the two links of the drive fo
 link that groups fix to the frame (a boom on a locked cylinder) counts as the frame.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, permutations, product
 from typing import Protocol
 
@@ -44,7 +44,7 @@ def driven_from_inside(f: Reached, drive: Pair) -> tuple[list[Group], AnyGroup]:
         still.append(dyad)
         for link in dyad.solved:
             f.solve(link)
-    ways: tuple[Callable[[Reached, Pair], Iterator[AnyGroup]], ...] = (_direct, _braced, _leading, _contour)
+    ways = (_direct, _braced, _leading, _contour)
     for group in (g for way in ways for g in way(f, drive)):
         return still, group
     raise f.error(Phrase("inner_drive", one=drive.link, two=drive.other), "drive")

@@ -20,8 +20,8 @@ from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces
 from planes.plans.force.loads import Force, force_name
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import settled
-from planes.plans.position.bodies import SCHEME
-from planes.words.names import POLE, at, end_of, force_plan, label_of
+from planes.plans.position.bodies import SCHEME, on_scheme
+from planes.words.names import POLE, end_of, force_plan, label_of
 
 
 class BasicLinkForces(LeadForces):
@@ -45,16 +45,14 @@ class BasicLinkForces(LeadForces):
         """The reaction of the last of three leads along its line; the others meet in the special point."""
         *_, three = held
         arm = self.draft.arm(three.part, three.point, three.line, special, three.lead.link)
-        name = self.moments(basic, held, special, three.part, arm, links)
-        return three.along_line(name)
+        return three.along_line(self.moments(basic, held, special, three.part, arm, links))
 
     def closed(self, basic: str, held: Sequence[HeldLead], known: list[Force]) -> dict[Pair, Ends]:
         """Draw the polygon of a basic link: two leads close it, where all forces on the third, or on the link from
         another one, are ``known``. Each reaction is on the first link of its pair."""
         one, two, *others = held
         own = list(self.statics.acting.forces[basic])
-        runs = [[*two.known, *two.loads], known, own, [*one.loads, *one.known]]
-        chain, ends = self.laid(runs)
+        chain, ends = self.laid([[*two.known, *two.loads], known, own, [*one.loads, *one.known]])
         x = end_of(one.part)
         last = Term(one.part, ends[-1], x, None, one.line, one.line)
         back = Term(two.part, POLE, x, None, two.line, two.line, sign=-1)
@@ -80,7 +78,7 @@ class TriadForces(BasicLinkForces):
 
     def __init__(self, statics: Statics, group: Triad) -> None:
         super().__init__(statics, group)
-        self.group, self.special = group, "" if group.slid else at(SCHEME, self.bodies.special(group.basic))
+        self.group, self.special = group, "" if group.slid else on_scheme(self.bodies.special(group.basic))
 
     def draw(self) -> None:
         self.draft.pole(self.plan)
@@ -119,7 +117,7 @@ class ChainForces(BasicLinkForces):
     def __init__(self, statics: Statics, group: BasicChain) -> None:
         super().__init__(statics, group)
         self.group, self.last = group, self.leads[-1]
-        self.special = [at(SCHEME, self.bodies.special(basic)) for basic in group.basics]
+        self.special = [on_scheme(self.bodies.special(basic)) for basic in group.basics]
         self.plans = [force_plan(*links) for links in group.balances]
         self.drawn: dict[int, list[HeldLead]] = {}  # basic links that act as leads, from the root on
 
@@ -157,7 +155,7 @@ class ChainForces(BasicLinkForces):
 
     def joint(self, hinge: Pair, k: int, end: int) -> HeldLead:
         """The force of a basic link on the next one: the component across the line to its special point is known."""
-        d, g, special, pin = self.draft, self.group, self.special[end], at(SCHEME, hinge.point)
+        d, g, special, pin = self.draft, self.group, self.special[end], on_scheme(hinge.point)
         key, name = force_name(g.basics[k], g.basics[end]), f"{force_name(g.basics[k], g.basics[end])}^t"
         line = d.ray(SCHEME, hinge.point, label_of(special))
         length = d.measure(f"l_{hinge.point}{label_of(special)}", pin, special)

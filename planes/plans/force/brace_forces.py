@@ -8,7 +8,7 @@ from planes.plans.assur.groups import Brace, Pair
 from planes.plans.force.loads import Force, force_name
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import Rubs, settled
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME, on_scheme
 from planes.words.names import POLE, at, end_of, force_plan
 
 
@@ -62,16 +62,16 @@ class BraceForces:
         """The reaction of the far hinge on the cylinder: its transverse and axial components."""
         d, s, (near, far) = self.draft, self.statics, (self.brace.near.point, self.brace.far.point)
         half, other = self.brace.far.link, self.brace.far.other
-        line, length = d.ray(SCHEME, near, far), d.measure(f"l_{near}{far}", at(SCHEME, near), at(SCHEME, far))
+        line, length = d.ray(SCHEME, near, far), d.measure(f"l_{near}{far}", on_scheme(near), on_scheme(far))
         forces = [f for x in self.brace.halves for f in s.acting.forces[x]]
         couples = [c for x in self.brace.halves for c in self.couples[x]]
-        name, pin = force_name(half, other), at(SCHEME, far)
-        terms = s.moment_terms(at(SCHEME, near), forces, couples, -1.0, length)
-        d.balance(f"{name}^t", at(SCHEME, near), self.brace.halves, terms, length)
+        name, pin = force_name(half, other), on_scheme(far)
+        terms = s.moment_terms(on_scheme(near), forces, couples, -1.0, length)
+        d.balance(f"{name}^t", on_scheme(near), self.brace.halves, terms, length)
         across = Force(f"{name}^t", half, f"{name}^t", d.square(line), pin, "tangential")
         back = force_name(other, half)
         pushed = Force(f"{back}^t", other, f"{name}^t", d.reversed(across.along), pin, "tangential")
-        about = at(SCHEME, self.hinge.point)
+        about = on_scheme(self.hinge.point)
         arm = d.arm(f"{name}^n", pin, line, about, half)
         terms = s.moment_terms(about, [*s.acting.forces[other], pushed], self.couples[other], 1.0, arm)
         d.balance(f"{name}^n", about, (other,), terms, arm)

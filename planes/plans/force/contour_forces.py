@@ -16,10 +16,10 @@ from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces
 from planes.plans.force.loads import Couple, Force, force_name
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import settled
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME, on_scheme
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE, Meaning, at, label_of, mu_of, parts_of
+from planes.words.names import POLE, Meaning, label_of, mu_of, parts_of
 
 
 @frozen
@@ -88,7 +88,7 @@ class ContourForces(LeadForces):
         arms = [self.arm(one, basic, (one, two)), *(self.arm(*x) for x in ((two, basic), (one, base), (two, base)))]
         supposed = one.along_line(self.balance(f"{one.key}^I", basic, [], -1.0, arms[0]))
         reduced = [Product(1.0, ((arms[3], 1),)), Product(-1.0, ((arms[1], 1), (arms[2], 1), (arms[0], -1)))]
-        arm = self.draft.total(f"h_{two.key}^0", reduced, Meaning("arm", two.key, at(SCHEME, g.outer[0].point), g.base))
+        arm = self.draft.total(f"h_{two.key}^0", reduced, Meaning("arm", two.key, on_scheme(g.outer[0].point), g.base))
         second = two.along_line(self.balance(two.part, base, [self.handed(supposed, one)], 1.0, arm))
         first = self.balance(one.part, basic, [second], -1.0, arms[0])
         return one.along_line(first), second
@@ -102,7 +102,7 @@ class ContourForces(LeadForces):
             forces += [*at_hinge, *held.known]
             couples += [] if held.slider else held.couples
         if g.outer[1].kind == "P":
-            forces += self.rubbing(g.outer[1], g.basic, at(SCHEME, self.bodies.mechanism.links[g.basic].first_point))
+            forces += self.rubbing(g.outer[1], g.basic, on_scheme(self.bodies.mechanism.links[g.basic].first_point))
         return _Equilibrium(g.outer[1], (g.basic, *one.lead.parts, *two.lead.parts), forces, couples)
 
     def base_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
@@ -113,7 +113,7 @@ class ContourForces(LeadForces):
             forces += [self.handed(f, held) for f in held.known]
             couples += self.turning(held) if held.slider else []
         if g.outer[0].kind == "P":
-            forces += self.rubbing(g.outer[0], g.base, at(SCHEME, self.bodies.mechanism.links[g.base].first_point))
+            forces += self.rubbing(g.outer[0], g.base, on_scheme(self.bodies.mechanism.links[g.base].first_point))
         return _Equilibrium(g.outer[0], (g.base,), forces, couples)
 
     def turning(self, held: HeldLead) -> list[Couple]:
@@ -128,7 +128,7 @@ class ContourForces(LeadForces):
 
     def arm(self, held: HeldLead, side: _Equilibrium, choice: tuple[HeldLead, HeldLead] | None = None) -> str:
         """The arm of a lead's line about an outer hinge; or the component factor of its force along an outer guide."""
-        d, pair, about = self.draft, side.pair, at(SCHEME, side.pair.point)
+        d, pair, about = self.draft, side.pair, on_scheme(side.pair.point)
         means, lines = Meaning("arm", held.key, about, self.group.basic), ("", "", "", "")
         if choice:
             one, two = choice
@@ -155,7 +155,7 @@ class ContourForces(LeadForces):
             return self.draft.total(
                 name, [Product(sign, ((f.size, 1), (self.cosine(f, way), 1), *over)) for f in forces]
             )
-        about = at(SCHEME, side.pair.point)
+        about = on_scheme(side.pair.point)
         terms = self.statics.moment_terms(about, forces, side.couples, sign, arm)
         return self.draft.balance(name, about, side.links, terms, arm)
 

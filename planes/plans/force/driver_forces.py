@@ -5,7 +5,7 @@ from planes.drafting.steps.settling import Fed
 from planes.plans.force.hinges import grip_of
 from planes.plans.force.loads import Force, force_name
 from planes.plans.force.reactions import Statics, meet_with_friction
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import on_scheme
 from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.names import POLE, Meaning, at, force_plan
@@ -35,7 +35,7 @@ class DriverForces:
         if grip := grip_of(self.statics.acting, self.pair):
             self.draft.step(Fed(grip.couple, grip.factor, self.draft.measure(f"|{key}|", *ends)))
         self.statics.react(self.pair, self.plan, *ends, grip)
-        about, couples = at(SCHEME, self.pair.point), [*self.couples, *([grip.on(self.link)] if grip else ())]
+        about, couples = on_scheme(self.pair.point), [*self.couples, *([grip.on(self.link)] if grip else ())]
         moments = self.statics.moment_terms(about, self.forces, couples, -1.0)
         self.statics.balancing = self.draft.balance(f"M_{self.link}", about, (self.link,), moments)
         if balance := self.bodies.mechanism.drive.balance:
@@ -48,7 +48,7 @@ class DriverForces:
             raise SceneError(Phrase("balance_rubs", point=self.pair.point), self.bodies.file, where)
         along = d.turn(f"∠{name}", self.bodies.known[self.link].axis, angle, Meaning("given", name))
         arm = self.statics.arm(
-            Force(name, self.link, name, along, at(SCHEME, point), "load"), at(SCHEME, self.pair.point)
+            Force(name, self.link, name, along, on_scheme(point), "load"), on_scheme(self.pair.point)
         )
         self.statics.balancing_force = d.product(name, **{self.statics.balancing: 1, arm: -1})
         end = d.lay_off(self.plan, name, at(self.plan, start), along, name, Meaning("load", name, link=self.link))

@@ -45,8 +45,7 @@ def grip_of(acting: Acting, pair: Pair) -> Grip | None:
     sense = d.step(SenseBetween(f"turns_{key}", *rates[0], *rates[1]))
     signed = zip((1.0, -1.0), rates, strict=True)
     d.total(acting.motion.spin(key), [Product(sign, ((rate, 1),)) for sign, (rate, _) in signed if rate])
-    factor = d.product(f"ρ_{key}", -1.0, **{circle: 1, sense: 1})
-    return Grip(pair, f"MT_{key}", factor)
+    return Grip(pair, f"MT_{key}", d.product(f"ρ_{key}", -1.0, **{circle: 1, sense: 1}))
 
 
 @frozen

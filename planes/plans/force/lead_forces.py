@@ -18,7 +18,7 @@ from planes.plans.force.hinges import Slip
 from planes.plans.force.loads import Couple, Force, force_name
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import Rubs
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME, on_scheme
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning, at, force_plan
 
@@ -85,17 +85,17 @@ class LeadForces:
         couples = [c for part in lead.parts for c in self.couples[part]]
         key = force_name(link, outer.mate(link))
         if outer.kind == "P":
-            hinge = at(SCHEME, inner.point or self.bodies.mechanism.links[link].first_point)
+            hinge = on_scheme(inner.point or self.bodies.mechanism.links[link].first_point)
             return HeldLead(
                 lead, key, self.rubbing(outer, link, hinge), d.square(f"∥{outer.guide}"), hinge, loads, couples
             )
-        pivot, name = at(SCHEME, outer.point), f"{key}^t"
+        pivot, name = on_scheme(outer.point), f"{key}^t"
         if inner.kind == "R":
             line = d.ray(SCHEME, outer.point, inner.point)
             length = f"l_{outer.point}{inner.point}"
             if not lead.drive:
                 length = self.bodies.length(self.bodies.mechanism.links[link], outer.point, inner.point)
-            about = at(SCHEME, inner.point)
+            about = on_scheme(inner.point)
             terms = self.statics.moment_terms(about, loads, couples, 1.0, length)
             d.balance(name, about, lead.parts, terms, length)
             along = d.square(line)
@@ -155,7 +155,7 @@ class LeadForces:
         slid = ((r.moment, 1 if r.pair.link == link else -1) for r in own if r.pair.kind == "P")
         handed = (Couple(moment, link, moment, sign, True) for moment, sign in slid)
         first = self.bodies.mechanism.links[link].first_point
-        return s.seat(reaction, link, at(SCHEME, first), forces, [*self.couples[link], *handed])
+        return s.seat(reaction, link, on_scheme(first), forces, [*self.couples[link], *handed])
 
     def on(self, links: tuple[str, ...], pair: Pair, ends: Ends) -> Ends:
         """A reaction on one of the links, with the sign for the first link of its pair."""

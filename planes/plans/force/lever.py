@@ -6,7 +6,6 @@ a check it shares the loads and the velocity plan with the force plans, and none
 
 from dataclasses import replace
 
-from planes.drafting.equations import MomentTerms
 from planes.drafting.steps import Carry
 from planes.drafting.steps.reckoning import Drop, Product
 from planes.plans.force.loads import Force
@@ -21,7 +20,7 @@ def draw_lever(s: Statics) -> str:
     drive = b.mechanism.drive
     rate = acting.motion.drive_rate
     b.draft.pole("lever")
-    terms: MomentTerms = []
+    terms = []
     for force in (f for forces in acting.forces.values() for f in forces if f.spot):  # not of a reaction
         arm = _arm(s, force)
         terms.append((force.name, arm, Product(1.0, ((force.size, 1), (arm, 1), (rate, -1)))))

@@ -21,7 +21,7 @@ from planes.plans.force.hinges import Grip
 from planes.plans.force.loads import Couple, Force, force_name
 from planes.plans.force.reactions import Reaction, Statics, meet_with_friction
 from planes.plans.force.rubbing import Rubs, settled
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME, on_scheme
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, at, end_of, force_plan
 
@@ -120,7 +120,7 @@ class _GroupForces:
     def ray(self, pair: Pair, link: str, start: str, x: str, sign: int, split: bool) -> Term:
         """The line of a reaction on a link through a mark of the polygon (X is its other end)."""
         name = self.name(link, pair) + ("^n" if split else "")
-        along: str | None = self.draft.square(f"∥{pair.guide}") if pair.kind == "P" else None
+        along = self.draft.square(f"∥{pair.guide}") if pair.kind == "P" else None
         if split:  # along the link: from its outer hinge to the moment point
             ends = (
                 (self.group.last_outer.point, pair.point)
@@ -136,16 +136,16 @@ class _GroupForces:
         if g.kind == 3:
             about, ray = g.last_outer.point, d.ray(SCHEME, g.last_outer.point, pair.point)
             sides: tuple[str, ...] = (g.first, g.last)
-            length, sign = d.measure(f"l_{about}{pair.point}", at(SCHEME, about), at(SCHEME, pair.point)), -1.0
+            length, sign = d.measure(f"l_{about}{pair.point}", on_scheme(about), on_scheme(pair.point)), -1.0
         else:
             about, sides, ray = g.inner.point, (link,), d.ray(SCHEME, pair.point, g.inner.point)
             length, sign = self.arm(link, pair.point, about), 1.0
         forces = [f for x in sides for f in self.loads[x]]
         couples = [c for x in sides for c in self.couples[x]]
-        terms = self.statics.moment_terms(at(SCHEME, about), forces, couples, sign, length)
+        terms = self.statics.moment_terms(on_scheme(about), forces, couples, sign, length)
         links = tuple(part for x in sides for part in g.loaded(x))
-        name = d.balance(self.name(link, pair) + "^t", at(SCHEME, about), links, terms, length)
-        return [Force(name, link, name, d.square(ray), at(SCHEME, pair.point), "tangential")]
+        name = d.balance(self.name(link, pair) + "^t", on_scheme(about), links, terms, length)
+        return [Force(name, link, name, d.square(ray), on_scheme(pair.point), "tangential")]
 
     def arm(self, link: str, point: str, about: str) -> str:
         """The distance between the two hinges of a link; for a cylinder, its present length."""
@@ -177,7 +177,7 @@ class _GroupForces:
     def seat_all(self, reactions: dict[Pair, Reaction]) -> None:
         """Arms and couples of the sliding pairs, from moments about the hinge of the link."""
         g, s = self.group, self.statics
-        about = at(SCHEME, g.inner.point if g.inner.kind == "R" else g.first_outer.point)
+        about = on_scheme(g.inner.point if g.inner.kind == "R" else g.first_outer.point)
         if g.inner.kind == "P":
             seated = s.seat(reactions[g.inner], g.first, about, self.loads[g.first], self.couples[g.first])
             pushed = s.as_force(seated, g.last)

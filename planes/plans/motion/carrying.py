@@ -2,21 +2,21 @@
 
 from planes.drafting.steps import Image, Same
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME, Body, BodyPoint
+from planes.plans.position.bodies import SCHEME, Body, BodyPoint, on_scheme
 from planes.scene.mechanism import FRAME
-from planes.words.names import Meaning, at, label_of
+from planes.words.names import Meaning, label_of
 
 
 def carried(
     r: Rates, root: Body, start: str, one: BodyPoint, two: BodyPoint, end: str, means: Meaning | None = None
 ) -> str:
     """The mark ``end`` of ``two``, with ``one`` of the same link at ``start``; the link turns as ``root`` does."""
-    d, scheme = r.bodies.draft, (at(SCHEME, one.place), at(SCHEME, two.place))
+    d, scheme = r.bodies.draft, (on_scheme(one.place), on_scheme(two.place))
     if root.link.name == FRAME:
         return d.step(Same(end, start, means=means))
     if root.ref:
         ends = r.mark(root.ref[0].name), r.mark(root.ref[1].name)
-        like = at(SCHEME, root.ref[0].place), at(SCHEME, root.ref[1].place)
+        like = on_scheme(root.ref[0].place), on_scheme(root.ref[1].place)
         return d.step(Image(end, start, scheme, like, ends, means=means))
     name, ray = two.name + one.name, d.ray(SCHEME, one.place, two.place)  # a driver with one point
     length, across = d.measure(f"l_{name}°", *scheme), d.square(ray)

@@ -104,8 +104,7 @@ class ContourRates:
     def proportion(self, first: str, second: str) -> tuple[tuple[str, str], tuple[str, str]]:
         """The distance of the true plan from I, and of II from I, along the line of the second lead's false vectors."""
         d = self.draft
-        offsets = [self.supposed(first, "I"), self.supposed(second, "II")]
-        (start, end), (from_, to) = offsets
+        (start, end), (from_, to) = self.supposed(first, "I"), self.supposed(second, "II")
         carried = d.step(Carry(self.mark(self.label(self.other.new, "II,I")), start, from_, to, means=FALSE))
         self.stretched(start, carried, "II,I")
         line = d.through(f"{self.other.new.name}^I{self.other.new.name}^II", end, carried, Meaning("guide"))

@@ -14,7 +14,7 @@ from planes.drafting.steps import Turn
 from planes.drafting.steps.crossings import Cross
 from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg
-from planes.plans.position.bodies import SCHEME, BodyPoint
+from planes.plans.position.bodies import SCHEME, BodyPoint, on_scheme
 from planes.words.names import Meaning, at, parts_of
 
 
@@ -31,7 +31,7 @@ class SpecialPoint:
         sharply."""
         (a, along), (b, across) = (line_of(self.draft, leg) for leg in self.legs)
         means = Meaning("special", self.basic)
-        self.draft.step(crossing(at(SCHEME, self.spot.place), a, along, b, across, means=means))
+        self.draft.step(crossing(on_scheme(self.spot.place), a, along, b, across, means=means))
 
     def solve(self) -> None:
         """The end of its vector."""
@@ -51,7 +51,7 @@ class SpecialPoint:
     def towards(self, leg: Leg, start: str) -> Term:
         """The normal acceleration of S about the lead's point, ω² l, laid off from ``start``."""
         s, new, d = self.spot.place, leg.new, self.draft
-        length = d.measure(f"l_{s}{new.place}", at(SCHEME, s), at(SCHEME, new.place))
+        length = d.measure(f"l_{s}{new.place}", on_scheme(s), on_scheme(new.place))
         name = f"a_{s}{new.name}"
         value = d.product(f"{name}^n", **{f"omega_{self.basic}": 2, length: 1})
         ray = d.ray(SCHEME, s, new.place)
@@ -63,7 +63,7 @@ class SpecialPoint:
         """The motion of another point of the basic link about S."""
         s, d = self.spot, self.draft
         ray = d.ray(SCHEME, s.place, new.place)
-        length = d.measure(f"l_{new.place}{s.place}", at(SCHEME, new.place), at(SCHEME, s.place))
+        length = d.measure(f"l_{new.place}{s.place}", on_scheme(new.place), on_scheme(s.place))
         towards = d.back(SCHEME, s.place, new.place)
         turning = (d.square(ray), length, towards, self.basic)
         return Leg(new, s, self.basic, new.name + s.name, *turning)
@@ -96,4 +96,4 @@ class SpecialPoint:
 def line_of(d: Draft, leg: Leg) -> tuple[str, str]:
     """The point of a lead and its line, across the point's possible motion."""
     line = d.ray(SCHEME, leg.known.place, leg.new.place) if leg.pair is None else d.square(leg.along)
-    return at(SCHEME, leg.new.place), line
+    return on_scheme(leg.new.place), line

@@ -20,6 +20,11 @@ from planes.words.names import POLE, Meaning, at
 SCHEME = "position"
 
 
+def on_scheme(label: str) -> str:
+    """The full name of a mark of the scheme."""
+    return at(SCHEME, label)
+
+
 @frozen
 class BodyPoint:
     """A point of a link: its mark's label on the scheme, and its name on the velocity and acceleration plans ("A"
@@ -132,19 +137,19 @@ class Bodies:
     def place_points(self, body: Body) -> None:
         """Draw the points of a link that are still missing on the scheme, by similarity or from its axis."""
         for name in body.link.points:
-            if at(SCHEME, name) not in self.draft.steps:
+            if on_scheme(name) not in self.draft.steps:
                 self._place_point(body, name, OwnPlace(body.link.name, name))
         self.known[body.link.name] = body
 
     def _place_point(self, body: Body, label: str, p: OwnPlace, means: Meaning | None = None) -> str:
         if body.rigid and body.ref:
-            one, two = (at(SCHEME, s.place) for s in body.ref)
-            return self.similar(at(SCHEME, label), body, label, p, (one, two), means)
+            one, two = (on_scheme(s.place) for s in body.ref)
+            return self.similar(on_scheme(label), body, label, p, (one, two), means)
         base, d = body.base.place, self.draft
         way = angle_deg(self.shape, OwnPlace(p.link, base), p)
         ray = d.turn(f"{base}{label}", body.axis, way, Meaning("along", base, label))
         d.rays[SCHEME, base, label] = ray
-        return d.lay_off(SCHEME, label, at(SCHEME, base), ray, self.length(body.link, base, label, p), means)
+        return d.lay_off(SCHEME, label, on_scheme(base), ray, self.length(body.link, base, label, p), means)
 
     def similar(
         self, mark: str, body: Body, name: str, p: OwnPlace, ends: tuple[str, str], means: Meaning | None = None
@@ -163,7 +168,7 @@ class Bodies:
         """The distance between two places of a link: given if both are its points, else measured on the scheme."""
         if one.name in link.points and two.name in link.points:
             return self.length(link, one.place, two.place)
-        return self.draft.measure(f"l_{one.place}{two.place}", at(SCHEME, one.place), at(SCHEME, two.place))
+        return self.draft.measure(f"l_{one.place}{two.place}", on_scheme(one.place), on_scheme(two.place))
 
     def line(self, pair: Pair, known: str) -> tuple[str, str]:
         """The line of a sliding pair on the solved link ``known``: a mark on it and its direction."""
@@ -173,12 +178,12 @@ class Bodies:
     def _guide_mark(self, body: Body, name: str) -> str:
         guide = body.link.guides[name]
         label = guide.through_point or f"°{name}"
-        if at(SCHEME, label) not in self.draft.steps:
+        if on_scheme(label) not in self.draft.steps:
             means = Meaning("guide", name)
             if body.link.name == FRAME:
                 return self.draft.put(SCHEME, label, guide.through, means)
             return self._place_point(body, label, OwnPlace(body.link.name, guide=name), means)
-        return at(SCHEME, label)
+        return on_scheme(label)
 
     def own_angle(self, pair: Pair, link: str) -> Dimension:
         """The direction of the pair's guide in the axes of ``link``, one of the pair, degrees."""
@@ -232,12 +237,12 @@ class Bodies:
 
     def place(self, pair: Pair) -> str:
         """The mark where a pair acts: its hinge, or the foot of the perpendicular from the slider's first point."""
-        return at(SCHEME, pair.point) if pair.kind == "R" else self.foot(pair)
+        return on_scheme(pair.point) if pair.kind == "R" else self.foot(pair)
 
     def foot(self, pair: Pair) -> str:
         """The foot of the perpendicular from the slider's first point to the guide."""
         body = self.known[pair.link]
-        first = at(SCHEME, body.link.first_point)
+        first = on_scheme(body.link.first_point)
         offset = self.offset(pair, pair.link, body.link.first_point)
         if offset is None:
             return first

@@ -10,11 +10,11 @@ from planes.drafting.steps.crossings import CrossArcs
 from planes.drafting.steps.reckoning import Drop, Product, SenseOf
 from planes.plans.assur.groups import Brace, Group, Pair
 from planes.plans.position.asides import Aside, aside_of
-from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, BraceReach
-from planes.plans.position.driven_positions import Way, cylinder, elbow_of, place_reached, place_sliding
+from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, BraceReach, on_scheme
+from planes.plans.position.driven_positions import cylinder, led_aside, place_reached
 from planes.plans.position.positions import two_hinges
 from planes.plans.position.reckoned import OwnPlace, reckoned
-from planes.words.names import Meaning, at, mu_of
+from planes.words.names import Meaning, mu_of
 
 
 def place_braced(b: Bodies, g: Group) -> None:
@@ -22,14 +22,9 @@ def place_braced(b: Bodies, g: Group) -> None:
     assert g.drive and g.brace
     aside = aside_of(b, g)
     motor, hinge, b.reach = _braced(aside, g, g.drive, g.brace)
-    if g.hung[0][1].kind == "P":
-        along = b.line(g.hung[0][1], g.hung[0][1].mate(g.held))[1]
-        place_reached(b, g, Way(hinge, along=along))
-        place_sliding(aside, g, hinge, motor)
-        return
-    elbow = elbow_of(aside, g, motor, hinge)
-    place_reached(b, g, Way(at(SCHEME, aside.base), elbow.length))
-    elbow.place()
+    way, place = led_aside(aside, g, motor, hinge)
+    place_reached(b, g, way)
+    place()
 
 
 def _braced(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str, BraceReach]:
@@ -45,13 +40,13 @@ def _braced(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str
     shape = Group((one[0], other[0]), 1, second.name, brace.far.link, brace.far, drive, brace.near)
     side = d.give(f"side_{far}", 1.0)
     b.choices.append(AssemblyChoice(side, far, shape, False))
-    helper, pinned = Meaning("guide", motor), at(SCHEME, f"{far}°{aside.tag}")
+    helper, pinned = Meaning("guide", motor), on_scheme(f"{far}°{aside.tag}")
     pin = d.step(CrossArcs(pinned, one[1], one[2], other[1], other[2], mu_of(SCHEME), side, means=helper))
     end = pin
     if hinge != far:
         stands = reckoned(b.shape, "ratio", *(OwnPlace(second.name, p) for p in (hinge, motor, far)))
         like = d.reckon(f"ratio_{hinge}_{second.name}", stands)
-        end = d.step(Similar(at(SCHEME, f"{hinge}°{aside.tag}"), elbow, pin, like, means=helper))
+        end = d.step(Similar(on_scheme(f"{hinge}°{aside.tag}"), elbow, pin, like, means=helper))
     return elbow, end, BraceReach(way, reach, length, offset is not None)
 
 
@@ -82,6 +77,6 @@ def _arm(b: Bodies, drive: Pair, brace: Brace, offset: bool) -> tuple[str, str]:
     """The arm of the cylinder's line about the braced hinge, and the distance of its foot from the far hinge."""
     d, near, far = b.draft, brace.near.point, brace.far.point
     line = d.ray(SCHEME, near, far) if offset else f"∥{brace.slide.guide}"
-    pin, hinge = at(SCHEME, far), at(SCHEME, drive.point)
+    pin, hinge = on_scheme(far), on_scheme(drive.point)
     arm = d.step(Drop(f"h_{near}{far}", pin, line, hinge, mu_of(SCHEME)))
     return arm, d.measure(f"d_{near}{far}", hinge, pin, line)

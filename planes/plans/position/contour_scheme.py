@@ -12,11 +12,11 @@ from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold
 from planes.geometry.plane import spread
 from planes.plans.assur.basic_links import Lead
 from planes.plans.assur.contours import Contour
-from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
+from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, on_scheme
 from planes.plans.position.positions import on_line, place_slider, rigid_body
 from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
 from planes.plans.position.triads import Cut, cut_of, first_reached, hold_of, local_of, place_lead
-from planes.words.names import Meaning, at, mu_of
+from planes.words.names import Meaning, mu_of
 
 
 def place_contour(b: Bodies, g: Contour) -> None:
@@ -49,7 +49,7 @@ class _Aside:
 
     def mark(self, point: str) -> str:
         """The mark of a point on the auxiliary figure."""
-        return at(SCHEME, f"{point}°{self.pivot}")
+        return on_scheme(f"{point}°{self.pivot}")
 
     def reach(self) -> str:
         """A length by which directions are transferred: the largest of the group's links."""
@@ -66,24 +66,24 @@ class _Aside:
             given = Meaning("angle", outer.guide, link=self.base.name)
             name, angle = f"∥{outer.guide}°", b.own_angle(outer, self.base.name)
             along = d.turn(name, self.level, angle, Meaning("along", outer.guide), given)
-            return Hold("line", local_of(b, self.basic, inner.point), at(SCHEME, self.pivot), offset, along)
+            return Hold("line", local_of(b, self.basic, inner.point), on_scheme(self.pivot), offset, along)
         p = outer.point
         turned = angle_deg(b.shape, OwnPlace(self.base.name, self.pivot), OwnPlace(self.base.name, p))
         way = d.turn(f"→{self.pivot}{p}", self.level, turned, Meaning("given", p))
         length = b.length(self.base, self.pivot, p)
-        place = d.lay_off(SCHEME, f"{p}°{self.pivot}", at(SCHEME, self.pivot), way, length, Meaning("guide", p))
+        place = d.lay_off(SCHEME, f"{p}°{self.pivot}", on_scheme(self.pivot), way, length, Meaning("guide", p))
         return hold_of(b, self.basic.name, lead, place)
 
     def hung(self) -> Hold:
         """The tie of the group's support on the basic link, relative to the base."""
-        b, d, name, pivot = self.bodies, self.draft, self.basic.name, at(SCHEME, self.pivot)
+        b, d, name, pivot = self.bodies, self.draft, self.basic.name, on_scheme(self.pivot)
         if self.outer.kind == "R":
-            apart = d.measure(f"l_{self.pivot}{self.outer.point}", pivot, at(SCHEME, self.outer.point))
+            apart = d.measure(f"l_{self.pivot}{self.outer.point}", pivot, on_scheme(self.outer.point))
             return Hold("arc", local_of(b, self.basic, self.outer.point), pivot, apart)
         first, guide = self.basic.first_point, self.outer.guide
         start, self.along = on_line(b, self.outer, name, first)
         means = Meaning("offset", self.pivot, first)
-        off = d.step(Drop(f"e_{self.pivot}{guide}", at(SCHEME, start), self.along, pivot, mu_of(SCHEME), means=means))
+        off = d.step(Drop(f"e_{self.pivot}{guide}", on_scheme(start), self.along, pivot, mu_of(SCHEME), means=means))
         turn = d.reckon(f"guide_{guide}_{name}", b.own_angle(self.outer, name))
         return Hold("guide", local_of(b, self.basic, first), pivot, off, turn)
 
@@ -94,12 +94,12 @@ class _Aside:
         for p in ends:
             d.step(CutTrack(self.mark(p), local_of(b, self.basic, p), *cut, means=Meaning("guide", p)))
         if self.outer.kind == "R":
-            self.like = self.mark(self.outer.point), at(SCHEME, self.outer.point)
+            self.like = self.mark(self.outer.point), on_scheme(self.outer.point)
             return
         axis, guide = self.axis(key, cut), self.outer.guide
         turned = b.own_angle(self.outer, self.basic.name)
         aside = d.turn(f"∥{guide}°", axis, turned, Meaning("along", guide))
-        helper, start = Meaning("guide", guide), at(SCHEME, self.pivot)
+        helper, start = Meaning("guide", guide), on_scheme(self.pivot)
         marks = ((f"{guide}°{self.pivot}", aside), (f"{guide}′{self.pivot}", self.along))
         one, two = (d.lay_off(SCHEME, label, start, way, self.reach(), helper) for label, way in marks)
         self.like = one, two
@@ -111,9 +111,9 @@ class _Aside:
 
     def turned(self, label: str, aside: str, means: Meaning | None = None) -> str:
         """A mark of the figure in its true place, by similarity."""
-        start = at(SCHEME, self.pivot)
+        start = on_scheme(self.pivot)
         shape = (start, aside), (start, self.like[0]), (start, self.like[1])
-        return self.draft.step(Image(at(SCHEME, label), start, *shape, means=means))
+        return self.draft.step(Image(on_scheme(label), start, *shape, means=means))
 
     def axis_turned(self, link: str, start: str, aside: str, along: str) -> str:
         """A link's axis in its true direction, with its start mark there."""
@@ -128,7 +128,7 @@ class _Aside:
             self.turned(hinges[0], self.mark(hinges[0]))
             self.bodies.place_points(rigid_body(self.bodies, self.base.name, self.pivot, hinges[0]))
             return
-        start = at(SCHEME, self.pivot)
+        start = on_scheme(self.pivot)
         axis = self.axis_turned(self.base.name, start, start, self.level)
         self.bodies.place_points(Body(self.base, BodyPoint(self.pivot, self.pivot), axis, self.base.name))
 
@@ -142,5 +142,5 @@ class _Aside:
         elif key != hinge:
             b.place_points(rigid_body(b, name, hinge, key))
         else:
-            axis = self.axis_turned(name, at(SCHEME, hinge), self.mark(hinge), self.axis(key, cut))
+            axis = self.axis_turned(name, on_scheme(hinge), self.mark(hinge), self.axis(key, cut))
             b.place_points(Body(self.basic, BodyPoint(hinge, hinge), axis, name))

@@ -10,7 +10,7 @@ from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import SenseOf, SizeOf
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.position.asides import Aside, aside_of, reach_of, slid, turned
-from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint
+from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, on_scheme
 from planes.plans.position.positions import (
     chain_held,
     chain_to,
@@ -21,7 +21,7 @@ from planes.plans.position.positions import (
     side_of,
 )
 from planes.words.frozen import frozen
-from planes.words.names import Meaning, at, label_of
+from planes.words.names import Meaning, label_of
 
 
 @frozen
@@ -46,26 +46,32 @@ def driven_way(b: Bodies, g: Group, start: str = "") -> tuple[Way, Callable[[], 
     and the function that draws its links once the hinges exist."""
     assert g.drive
     aside, pair, hinge = aside_of(b, g, start), g.drive, g.inner.point
-    if g.hung[0][1].kind == "P":
-        motor, end = turned(aside, pair, hinge) if pair.kind == "R" else ("", slid(aside, pair, hinge))
-        along = b.line(g.hung[0][1], g.hung[0][1].mate(g.held))[1]
-        return Way(end, along=along), lambda: place_sliding(aside, g, end, motor)
     if pair.kind == "R":
-        elbow = elbow_of(aside, g, *turned(aside, pair, hinge))
-        return Way(at(SCHEME, aside.base), elbow.length), elbow.place
+        return led_aside(aside, g, *turned(aside, pair, hinge))
+    if g.hung[0][1].kind == "P":
+        return led_aside(aside, g, "", slid(aside, pair, hinge))
     pivot = aside.base
     ends = (pivot, hinge) if g.held == pair.other else (hinge, pivot)
     reach, offset, length = cylinder(aside, pair, ends, pivot)
 
     def place() -> None:
-        means, marks = Meaning("along", pair.guide), (at(SCHEME, ends[0]), at(SCHEME, ends[1]))
+        means, marks = Meaning("along", pair.guide), (on_scheme(ends[0]), on_scheme(ends[1]))
         way = b.draft.step(SenseOf(f"way_{pair.guide}", reach))
         line = b.draft.step(Touch(f"∥{pair.guide}", *marks, offset, "mu_position", way, means=means))
         ref = BodyPoint(pivot, pivot), BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.held))
         b.place_points(Body(aside.link, ref[0], b.axis_along(pair, g.held, line), g.held, ref))
         place_slider(b, pair, pair.mate(g.held), hinge, line)
 
-    return Way(at(SCHEME, pivot), length), place
+    return Way(on_scheme(pivot), length), place
+
+
+def led_aside(aside: Aside, g: Group, motor: str, end: str) -> tuple[Way, Callable[[], None]]:
+    """The same for a hinge whose mark aside is ``end``; a ``motor`` leads to it, or none."""
+    b, (_, pair) = aside.bodies, g.hung[0]
+    if pair.kind == "P":
+        return Way(end, along=b.line(pair, pair.mate(g.held))[1]), lambda: place_sliding(aside, g, end, motor)
+    length = b.draft.measure(f"l_{aside.base}{g.inner.point}", aside.start, end)
+    return Way(on_scheme(aside.base), length), lambda: place_elbow(aside, g, motor, end)
 
 
 def place_reached(b: Bodies, g: Group, way: Way) -> None:
@@ -84,41 +90,25 @@ def place_sliding(aside: Aside, g: Group, end: str, motor: str) -> None:
     b, pair, hinge = aside.bodies, g.drive, g.inner.point
     assert pair
     mate, root = pair.mate(g.held), b.known[g.hung[0][1].mate(g.held)].root
-    b.draft.step(Carry(at(SCHEME, aside.base), at(SCHEME, hinge), end, aside.start))
+    b.draft.step(Carry(on_scheme(aside.base), on_scheme(hinge), end, aside.start))
     spot = BodyPoint(hinge, moving_name(b, pair.guide, hinge, g.held))
     b.place_points(Body(aside.link, BodyPoint(aside.base, aside.base), aside.axis, root, moving=spot))
     place_held(b, mate, pair, hinge, None if motor else b.direction_from(pair, g.held, aside.axis))
 
 
-@frozen
-class Elbow:
-    """Two links with a motor in the hinge between them, drawn ``aside``: the distance of the ``hinge`` from the pivot,
-    and the marks of the motor and of the hinge there."""
-
-    aside: Aside
-    group: Group
-    motor: str
-    hinge: str
-    length: str
-
-    def place(self) -> None:
-        """Both links in place, by similarity with the auxiliary figure."""
-        b, g, pivot, hinge = self.aside.bodies, self.group, self.aside.base, self.group.inner.point
-        assert g.drive
-        start, motor, centre = at(SCHEME, pivot), g.drive.point, self.aside.start
-        shape = (centre, self.motor), (centre, self.hinge), (start, at(SCHEME, hinge))
-        b.draft.step(Image(at(SCHEME, motor), start, *shape))
-        body = rigid_body(b, g.held, pivot, motor)
-        b.place_points(body)
-        under = BodyPoint(hinge, moving_name(b, "", hinge, g.held))
-        body.ref, body.rigid = (BodyPoint(pivot, pivot), under), False
-        b.place_points(rigid_body(b, g.drive.mate(g.held), motor, hinge))
-
-
-def elbow_of(aside: Aside, g: Group, motor: str, hinge: str) -> Elbow:
-    """Two links drawn aside, and measured."""
-    length = aside.bodies.draft.measure(f"l_{aside.base}{g.inner.point}", aside.start, hinge)
-    return Elbow(aside, g, motor, hinge, length)
+def place_elbow(aside: Aside, g: Group, turning: str, end: str) -> None:
+    """Two links with a motor in the hinge between them, by similarity with the auxiliary figure: there the motor is at
+    ``turning``, and their other hinge at ``end``."""
+    b, pivot, hinge = aside.bodies, aside.base, g.inner.point
+    assert g.drive
+    start, motor = on_scheme(pivot), g.drive.point
+    shape = (aside.start, turning), (aside.start, end), (start, on_scheme(hinge))
+    b.draft.step(Image(on_scheme(motor), start, *shape))
+    body = rigid_body(b, g.held, pivot, motor)
+    b.place_points(body)
+    under = BodyPoint(hinge, moving_name(b, "", hinge, g.held))
+    body.ref, body.rigid = (BodyPoint(pivot, pivot), under), False
+    b.place_points(rigid_body(b, g.drive.mate(g.held), motor, hinge))
 
 
 def cylinder(aside: Aside, pair: Pair, ends: tuple[str, str], pivot: str) -> tuple[str, str | None, str]:

@@ -2,13 +2,15 @@
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Touch
+from planes.plans.assur.basic_links import Triad
+from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Group, Pair
-from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
+from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint, on_scheme
 from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
 from planes.scene.mechanism import Link
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import POLE, Meaning, at, label_of
+from planes.words.names import POLE, Meaning, label_of
 
 
 def chain_to(name: str, start: str, length: str | None = None, along: str | None = None) -> tuple[Term, Term]:
@@ -25,7 +27,7 @@ def on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
     return label_of(shifted), direction
 
 
-def side_of(b: Bodies, key: str, group: Group) -> str:
+def side_of(b: Bodies, key: str, group: Group | Triad | Contour) -> str:
     """Name of the ±1 that chooses between the two assemblies of a group."""
     name = b.draft.give(f"side_{key}", 1.0)
     b.choices.append(AssemblyChoice(name, key, group))
@@ -88,11 +90,10 @@ def _place_rpr(b: Bodies, g: Group) -> None:
     offset = difference(b.offset(pair, g.first, one), b.offset(pair, g.last, two))
     given = None if offset is None else b.draft.reckon(f"e_{one}{two}", offset, Meaning("offset", one, two))
     side = b.reach.way if b.reach and b.structure.is_drive(g) else side_of(b, pair.guide, g)
-    ends = at(SCHEME, two), at(SCHEME, one)
+    ends = on_scheme(two), on_scheme(one)
     means = Meaning("along", pair.guide)
     direction = b.draft.step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side, means=means))
-    name = moving_name(b, pair.guide, one, g.last)
-    ref = BodyPoint(two, two), BodyPoint(one, name)
+    ref = BodyPoint(two, two), BodyPoint(one, moving_name(b, pair.guide, one, g.last))
     b.place_points(Body(b.mechanism.link(g.last), ref[0], b.axis_along(pair, g.last, direction), g.last, ref))
     place_slider(b, pair, g.first, one, direction)
 
@@ -118,7 +119,7 @@ def _place_rpp(b: Bodies, g: Group) -> None:
     inner = b.direction_from(g.inner, g.last, axis)
     apart = difference(b.offset(g.inner, g.last, point), b.offset(g.inner, g.first, hinge))
     beside = Meaning("guide", g.inner.guide, point)
-    shifted = label_of(b.shifted(f"{point}°{g.inner.guide}", beside, at(SCHEME, hinge), inner, apart))
+    shifted = label_of(b.shifted(f"{point}°{g.inner.guide}", beside, on_scheme(hinge), inner, apart))
     chains = chain_to(point, start, along=direction), chain_to(point, shifted, along=inner)
     b.draft.draw(Equation(SCHEME, chains, f"r_{point}"))
     root = b.known[g.last_outer.mate(g.last)].root

@@ -8,7 +8,7 @@ from planes.plans.position.braces import place_braced
 from planes.plans.position.contour_scheme import place_contour
 from planes.plans.position.driven_positions import place_driven
 from planes.plans.position.positions import PLACERS, place_slider
-from planes.plans.position.slid_groups import place_slid, place_slid_contour
+from planes.plans.position.slid_groups import BaseAside, place_slid
 from planes.plans.position.triads import place_chain, place_triad
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning
@@ -37,8 +37,10 @@ def place_all(b: Bodies) -> None:
             (place_slid if group.slid else place_triad)(b, group)
         elif isinstance(group, BasicChain):
             place_chain(b, group)
+        elif group.slid:
+            BaseAside(b, group).place()
         else:
-            (place_slid_contour if group.slid else place_contour)(b, group)
+            place_contour(b, group)
 
 
 def stands(b: Bodies, g: Group) -> bool:

@@ -15,12 +15,12 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Contour
-from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint
+from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, on_scheme
 from planes.plans.position.driven_positions import driven_way
-from planes.plans.position.positions import chain_to, on_line, place_slider
+from planes.plans.position.positions import chain_to, on_line, place_slider, side_of
 from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
 from planes.plans.position.triads import first_reached, place_lead
-from planes.words.names import Meaning, at, label_of
+from planes.words.names import Meaning, label_of
 
 
 def place_slid(b: Bodies, g: Triad) -> None:
@@ -34,9 +34,7 @@ def place_slid(b: Bodies, g: Triad) -> None:
     axis = b.axis_along(inner, g.basic, way)
     key = next((lead.inner.point for lead in leads if lead.inner.kind == "R"), link.first_point)
     one, two = (_reaching(b, g.basic, lead, key, axis) for lead in leads)
-    side = None if one[-1].direction and two[-1].direction else b.draft.give(f"side_{key}", 1.0)
-    if side:
-        b.choices.append(AssemblyChoice(side, key, g))
+    side = None if one[-1].direction and two[-1].direction else side_of(b, key, g)
     b.draft.draw(Equation(SCHEME, (one, two), f"r_{key}", side))
     b.place_points(Body(link, BodyPoint(key, key), axis, mate.root))
     for lead in leads:
@@ -55,7 +53,7 @@ def _reaching(b: Bodies, basic: str, lead: Lead, key: str, axis: str) -> tuple[T
         along, hinge = b.direction_from(inner, basic, axis), outer.point
         apart = difference(b.offset(inner, basic, key), b.offset(inner, lead.link, hinge))
         beside = Meaning("guide", inner.guide, key)
-        start = b.shifted(f"{key}°{inner.guide}", beside, at(SCHEME, hinge), along, apart)
+        start = b.shifted(f"{key}°{inner.guide}", beside, on_scheme(hinge), along, apart)
         return chain_to(key, label_of(start), along=along)
     hinge = inner.point
     if lead.drive:
@@ -78,12 +76,7 @@ def moved_over(b: Bodies, basic: str, start: str, hinge: str, key: str, axis: st
     ray = d.turn(f"{hinge}{key}", axis, turned, Meaning("along", hinge, key))
     d.rays[SCHEME, hinge, key] = ray
     label, length = f"{start}°{key}", b.length(link, hinge, key)
-    return label_of(d.lay_off(SCHEME, label, at(SCHEME, start), ray, length, Meaning("moved", start, key)))
-
-
-def place_slid_contour(b: Bodies, g: Contour) -> None:
-    """Draw the base aside, the basic link by it, and both in place."""
-    BaseAside(b, g).place()
+    return label_of(d.lay_off(SCHEME, label, on_scheme(start), ray, length, Meaning("moved", start, key)))
 
 
 class BaseAside:
@@ -100,19 +93,18 @@ class BaseAside:
         self.axes[g.basic] = b.axis_along(g.outer[1], g.basic, self.way)
 
     def place(self) -> None:
+        """Draw the base aside, the basic link by it, and both in place."""
         b, d, g = self.bodies, self.draft, self.group
         key = first_reached(b, g)
         b.leads[g.basic] = g.leads
         one, two = (self.reaching(lead, key) for lead in g.leads)
-        side = None if one[-1].direction and two[-1].direction else d.give(f"side_{key}", 1.0)
-        if side:
-            b.choices.append(AssemblyChoice(side, key, g))
+        side = None if one[-1].direction and two[-1].direction else side_of(b, key, g)
         aside = f"{key}°{self.first}"
         d.draw(Equation(SCHEME, (one, two), f"r_{aside}", side))
-        d.steps[at(SCHEME, aside)] = replace(d.steps[at(SCHEME, aside)], means=Meaning("guide", key))
+        d.steps[on_scheme(aside)] = replace(d.steps[on_scheme(aside)], means=Meaning("guide", key))
         start, way = on_line(b, g.outer[1], g.basic, key)
         d.draw(Equation(SCHEME, (chain_to(key, aside, along=self.along), chain_to(key, start, along=way)), f"r_{key}"))
-        d.step(Carry(at(SCHEME, self.first), at(SCHEME, key), at(SCHEME, aside), at(SCHEME, self.start)))
+        d.step(Carry(on_scheme(self.first), on_scheme(key), on_scheme(aside), on_scheme(self.start)))
         place_slider(b, g.outer[0], g.base, self.first, self.along)
         place_slider(b, g.outer[1], g.basic, key, way)
         for lead in g.leads:
@@ -127,14 +119,14 @@ class BaseAside:
             apart = difference(b.offset(outer, lead.link, inner.point), b.offset(outer, self.base.name, self.first))
             beside = Meaning("guide", outer.guide, inner.point)
             name = f"{inner.point}°{outer.guide}′"
-            start = label_of(b.shifted(name, beside, at(SCHEME, self.start), along, apart))
+            start = label_of(b.shifted(name, beside, on_scheme(self.start), along, apart))
             return chain_to(aside, moved_over(b, self.basic.name, start, inner.point, key, self.axis), along=along)
         start = self.point(outer.point)
         if inner.kind == "P":
             along = b.direction_from(inner, self.basic.name, self.axis)
             apart = difference(b.offset(inner, self.basic.name, key), b.offset(inner, lead.link, outer.point))
             beside = Meaning("guide", inner.guide, key)
-            start = label_of(b.shifted(f"{key}°{inner.guide}′", beside, at(SCHEME, start), along, apart))
+            start = label_of(b.shifted(f"{key}°{inner.guide}′", beside, on_scheme(start), along, apart))
             return chain_to(aside, start, along=along)
         length = b.length(b.mechanism.links[lead.link], outer.point, inner.point)
         return chain_to(aside, moved_over(b, self.basic.name, start, inner.point, key, self.axis), length)
@@ -152,4 +144,4 @@ class BaseAside:
         turned = angle_deg(b.shape, OwnPlace(base, self.first), OwnPlace(base, point))
         ray = d.turn(f"→{self.first}{point}", self.axes[base], turned, Meaning("given", self.first))
         length, helper = b.length(self.base, self.first, point), Meaning("guide", point)
-        return label_of(d.lay_off(SCHEME, f"{point}°{self.first}", at(SCHEME, self.start), ray, length, helper))
+        return label_of(d.lay_off(SCHEME, f"{point}°{self.first}", on_scheme(self.start), ray, length, helper))

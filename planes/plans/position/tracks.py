@@ -38,8 +38,7 @@ class Tracks:
     def __init__(self, b: Bodies, program: Program, choice: TrackChoice) -> None:
         self.bodies, self.choice, self.whole = b, choice, program
         named = [n for h in choice.holds for n in (h.place, h.turn if h.kind == "line" else "", h.reach) if n]
-        marks = [n for n in named if n in b.draft.steps]
-        self.program = program.sliced(marks)
+        self.program = program.sliced([n for n in named if n in b.draft.steps])
         self.size = spread([b.draft.given[h.local] for h in choice.holds])
         if not self.size:  # three guides through one point, which fixes them
             self.size = spread([tie.place for tie in self.ties(self.start)]) or 1.0
@@ -60,8 +59,7 @@ class Tracks:
         """All assemblies there; few scenes need them, so the method is imported here."""
         from planes.geometry.assemblies import all_assemblies
 
-        ties = self.ties(self.start)
-        return all_assemblies(ties, self.size)
+        return all_assemblies(self.ties(self.start), self.size)
 
     def place(self, pose: Pose, point: str) -> complex:
         """The place of a point of the group in an assembly."""

@@ -11,12 +11,12 @@ from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Contour, Tracked
-from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice
+from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice, on_scheme
 from planes.plans.position.driven_positions import driven_way
 from planes.plans.position.positions import on_line, place_slider, rigid_body
 from planes.plans.position.reckoned import OwnPlace, difference, reckoned
 from planes.scene.mechanism import Link
-from planes.words.names import Meaning, at, mu_of
+from planes.words.names import Meaning, mu_of
 
 Holds = tuple[Hold, ...]
 Cut = tuple[Holds, SeriesGuess, str, str]  # what cuts the tracks of a basic link
@@ -30,7 +30,7 @@ def place_triad(b: Bodies, g: Triad) -> None:
     key = hinges[0]
     cut = cut_of(b, g, key, (one, two, three))
     for p in hinges:
-        d.step(CutTrack(at(SCHEME, p), local_of(b, link, p), *cut))
+        d.step(CutTrack(on_scheme(p), local_of(b, link, p), *cut))
     if len(hinges) > 1:
         b.place_points(rigid_body(b, g.basic, hinges[0], hinges[1]))
     else:
@@ -42,8 +42,8 @@ def place_triad(b: Bodies, g: Triad) -> None:
 
 def first_reached(b: Bodies, g: Contour) -> str:
     """The point of a basic link that is drawn first: preferably a hinge with a lead."""
-    hinges = [lead.inner.point for lead in g.leads if lead.inner.kind == "R"]
-    return hinges[0] if hinges else b.mechanism.links[g.basic].first_point
+    hinges = (lead.inner.point for lead in g.leads if lead.inner.kind == "R")
+    return next(hinges, b.mechanism.links[g.basic].first_point)
 
 
 def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
@@ -77,7 +77,7 @@ def hold_of(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> Hold
     """The tie of a lead on the basic link, from its outer ``hinge`` (from the auxiliary figure, where that is drawn
     aside)."""
     d, link, outer, inner = b.draft, b.mechanism.links[basic], lead.outer, lead.inner
-    place = hinge or at(SCHEME, outer.point)
+    place = hinge or on_scheme(outer.point)
     if inner.kind == "R":
         local = local_of(b, link, inner.point)
         if lead.drive:
@@ -89,7 +89,7 @@ def hold_of(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> Hold
             length = b.length(b.mechanism.links[lead.link], outer.point, inner.point)
             return Hold("arc", local, place, length)
         start, along = on_line(b, outer, lead.link, inner.point)
-        return Hold("line", local, at(SCHEME, start), "", along)
+        return Hold("line", local, on_scheme(start), "", along)
     first = link.first_point
     offset = difference(b.offset(inner, lead.link, outer.point), b.offset(inner, basic, first))
     beside = Meaning("offset", outer.point, first)
@@ -117,7 +117,7 @@ def place_chain(b: Bodies, g: BasicChain) -> None:
     cut = cut_of(b, g, origins[0], tuple(holds))
     b.leads |= dict.fromkeys(g.basics, (*g.leads, *g.joints))
     for k, pin in enumerate(origins[1:], 1):
-        b.draft.step(CutTrack(at(SCHEME, pin), pins[k], *cut, link=k, hinge=pins[k]))
+        b.draft.step(CutTrack(on_scheme(pin), pins[k], *cut, link=k, hinge=pins[k]))
     for k in range(len(g.basics)):
         _place_basic(b, g, k, origins[k], pins[k], cut)
     for basic, side in zip(g.basics, g.sides, strict=True):
@@ -131,8 +131,8 @@ def _place_basic(b: Bodies, g: BasicChain, k: int, pin: str, local: str, cut: Cu
     others = [lead.inner.point for lead in g.sides[k] if lead.inner.kind == "R"]
     others += [h.point for h in g.hinges if h.joins(basic) and h.point != pin]
     if others:
-        if at(SCHEME, others[0]) not in b.draft.steps:  # a hinge with the next basic link is one
-            b.draft.step(CutTrack(at(SCHEME, others[0]), local_of(b, link, others[0]), *cut, link=k, hinge=local))
+        if on_scheme(others[0]) not in b.draft.steps:  # a hinge with the next basic link is one
+            b.draft.step(CutTrack(on_scheme(others[0]), local_of(b, link, others[0]), *cut, link=k, hinge=local))
         b.place_points(rigid_body(b, basic, pin, others[0]))
     else:
         axis = b.draft.step(CutTurn(f"x_{basic}", local, *cut, link=k, hinge=local, means=Meaning("own", basic)))

@@ -148,15 +148,14 @@ class StatedVectors:
             self.leaned[way.vector] = name
         base, points = self.direction(way.vector), line_of(way.vector)
         quarter, link = way.quarter % 4, len(points) == 2
-        if quarter == 1:
-            return d.step(Turn(f"⊥{base}", base, 1, means=Meaning("across", *points)))
-        if quarter == 3:
-            return d.step(Turn(f"−⊥{base}", base, 3, means=Meaning("across", *points)))
+        if quarter in (1, 3):
+            sign = "−" if quarter == 3 else ""
+            return d.step(Turn(f"{sign}⊥{base}", base, quarter, means=Meaning("across", *points)))
         if quarter == 2:
             means = Meaning("towards", *points[::-1]) if link else Meaning("against", way.vector)
-            return d.step(Turn(means.action, base, 2, means=means))
-        means = Meaning("along", *points) if link else Meaning("with", way.vector)
-        return d.step(Turn(means.action, base, 0, means=means))
+        else:
+            means = Meaning("along", *points) if link else Meaning("with", way.vector)
+        return d.step(Turn(means.action, base, quarter, means=means))
 
     def transfer(self, name: str, like: Similarity) -> None:
         """The length and the direction of a vector that is similar to another."""
@@ -231,8 +230,7 @@ class StatedVectors:
         state = self.states[stated.name]
         label = end_of(stated.name) + "″"
         ratio = self.draft.give(f"ratio_{stated.name}", complex(1 / abs(stated.times)))
-        full_end = self.draft.step(Similar(at(equation.plan, label), *ends, ratio))
-        state.span = ends[0], full_end
+        state.span = ends[0], self.draft.step(Similar(at(equation.plan, label), *ends, ratio))
         self.draft.show(equation.plan, term.start if term.sign > 0 else term.end, label, stated.name)
 
 

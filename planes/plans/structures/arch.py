@@ -25,8 +25,7 @@ class Arch:
         one, two = self.first, self.last
         d, plan = one.draft, one.plan
         (a, across), (b, other) = (self.springing(x) for x in (one, two))
-        forces = [across, *one.forces, *two.forces, other]
-        both = replace(one, forces=forces, chain=())
+        both = replace(one, forces=[across, *one.forces, *two.forces, other], chain=())
         both.lay()
         start, parted, end = both.chain[0].end, both.chain[len(one.forces)].end, both.chain[-1].start
         x = end_of(f"{b.name}^n")

@@ -12,7 +12,7 @@ from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Product
 from planes.geometry.plane import sine
 from planes.plans.force.loads import Force
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME, on_scheme
 from planes.plans.structures.regions import Regions, Side
 from planes.scene.structures import Framework
 from planes.words.names import CREMONA, Meaning, at
@@ -95,9 +95,7 @@ class CremonaPlan:
         if {x for _, *ends in terms for x in ends} - {*self.drawn, region}:
             return False
         first = next(k for k, (_, start, _) in enumerate(terms) if start == region)
-        *chain, last = [self.term(*one, open_=region in one[1:]) for one in (*terms[first + 1 :], *terms[: first + 1])][
-            :
-        ]
+        *chain, last = [self.term(*one, open_=region in one[1:]) for one in (*terms[first + 1 :], *terms[: first + 1])]
         back = replace(last, start=last.end, end=last.start, sign=-last.sign)
         self.draft.meet(CREMONA, chain[:-1], chain[-1], back)
         return True
@@ -156,8 +154,7 @@ class CremonaPlan:
         left, reached = [m for m in self.framework.members if m not in (member, *two)], {member[0]}
         while more := {p for m in left if {*m} & reached for p in m} - reached:
             reached |= more
-        apart = all(len({*m} & reached) == 1 for m in (member, *two))
-        return reached if apart else set()
+        return reached if all(len({*m} & reached) == 1 for m in (member, *two)) else set()
 
     def meeting(self, member: Side, two: tuple[Side, Side]) -> str:
         """The intersection of the lines of two cut members, if it is off the line of the first."""
@@ -169,19 +166,18 @@ class CremonaPlan:
         if abs((lever * way.conjugate()).imag) <= ALIKE * abs(way) ** 2:
             return ""
         if shared := {*two[0]} & {*two[1]}:
-            return at(SCHEME, shared.pop())
-        rays = (self.draft.ray(SCHEME, *m) for m in two)
-        (along, across), label = rays, "R"
-        while at(SCHEME, label) in self.draft.steps:
+            return on_scheme(shared.pop())
+        (along, across), label = (self.draft.ray(SCHEME, *m) for m in two), "R"
+        while on_scheme(label) in self.draft.steps:
             label += "′"
-        return self.draft.step(Cross(at(SCHEME, label), at(SCHEME, a), along, at(SCHEME, c), across))
+        return self.draft.step(Cross(on_scheme(label), on_scheme(a), along, on_scheme(c), across))
 
     def reckon(self, region: str, member: Side, other: str, about: str, part: set[str]) -> None:
         """The force of a member from the moments of a part of the truss, and the region at its end."""
         d, name = self.draft, f"S_{member[0]}{member[1]}"
         along = d.ray(SCHEME, *member)
-        lever, terms = d.arm(name, at(SCHEME, member[0]), along, about), MomentTerms()
-        for f in (f for f in self.regions.forces if f.joint in part and at(SCHEME, f.joint) != about):
+        lever, terms = d.arm(name, on_scheme(member[0]), along, about), MomentTerms()
+        for f in (f for f in self.regions.forces if f.joint in part and on_scheme(f.joint) != about):
             force = self.outer[f.name]
             arm = d.arm(f.name, force.point, force.along, about)
             terms.append((f.name, arm, Product(-1.0, ((force.size, 1), (arm, 1), (lever, -1)))))

@@ -12,7 +12,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Product
 from planes.plans.force.loads import Couple, Force
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME, on_scheme
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import Support
 from planes.words.names import POLE, Meaning, at, end_of, label_of
@@ -76,7 +76,7 @@ class FreeBody:
 
     def spot(self, s: Support) -> str:
         """The place where a support holds the body."""
-        return at(SCHEME, s.point)
+        return on_scheme(s.point)
 
     def seek(self, s: Support, start: str, end: str, along: str | None = None) -> Term:
         """A reaction with its line, or with no known data."""
@@ -115,8 +115,7 @@ class FreeBody:
         anchor, lines = self.anchor, self.lines
         if anchor is None:
             one, two, three = lines
-            about = self.crossing(two, three)
-            self.reckon(one, about)
+            self.reckon(one, self.crossing(two, three))
             self.meet(two, three, self.along(three))
             return
         if anchor.kind == "clamp":
@@ -139,9 +138,9 @@ class FreeBody:
 
     def fresh(self, label: str) -> str:
         """An unused mark of the scheme."""
-        while at(SCHEME, label) in self.draft.steps:
+        while on_scheme(label) in self.draft.steps:
             label += "′"
-        return at(SCHEME, label)
+        return on_scheme(label)
 
     def cross(self, label: str, start: str, along: str, other: str, across: str) -> str:
         """A point of the scheme where two lines meet, both extended to it."""

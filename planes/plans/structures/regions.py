@@ -112,7 +112,7 @@ class Regions:
 
     def around(self, outer: list[Side]) -> None:
         """Letter the outer regions from force to force, clockwise around the truss from its first load."""
-        visits: list[Visit] = [(b, a, c) for (a, b), (_, c) in pairwise([*outer, outer[0]])][::-1]
+        visits = [(b, a, c) for (a, b), (_, c) in pairwise([*outer, outer[0]])][::-1]
         order = list(self.met(visits))
         first = next(k for k, (_, f) in enumerate(order) if f is self.forces[0])
         first = next(k for k, (visit, _) in enumerate(order) if visit == order[first][0])
