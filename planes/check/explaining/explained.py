@@ -100,7 +100,7 @@ class Explanation:
         return []
 
     def whole_fault(self) -> list[SignFault]:
-        """The fault of a plan mirrored, turned or at another scale than its sheet's as a whole, its marks otherwise right."""
+        """The fault of a plan mirrored, turned or at a wrong scale as a whole, its marks being right otherwise."""
         h, bench = self.best.hypothesis, self.plan.bench
         if h.kind == "scaled" and bench.asked.mu:
             return [plan_scaled(bench, bench.said_mu * abs(h.turn), 1 - self.doubt)]

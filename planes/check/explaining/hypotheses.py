@@ -46,7 +46,7 @@ def wholes(plan: PlanLines) -> list[Hypothesis]:
     top, step = SCALES
     sizes = [k for k in numpy.exp(numpy.arange(-top, top, step / reach)).tolist() if not PRINTERS[0] < k < PRINTERS[1]]
     turns = [complex(t) for t in (1j, -1, -1j, *numpy.exp(1j * small), *numpy.exp(-1j * small))]
-    free = not plan.held and _of_many_ways(plan)  # with a single direction, the whole plan and its first length are the same
+    free = not plan.held and _of_many_ways(plan)  # with one direction, whole plan and first length are the same
     scaled = [] if not free else [Hypothesis("scaled", "", COSTS["whole"], turn=k + 0j) for k in sizes]
     turned = [] if not free else [Hypothesis("turned_whole", "", COSTS["whole"], turn=t) for t in turns]
     mirrors = [Hypothesis("mirrored", "", COSTS["whole"], turn=t, mirrored=True) for t in (1 + 0j, -1 + 0j)]

@@ -201,7 +201,7 @@ def upon_others(a: Complexes, b: Complexes) -> Booleans:
 
 
 def behind_others(a: Complexes, b: Complexes, felt: Array) -> Booleans:
-    """Lines that end with another one, in its direction, where that has a stronger head, or an equal and earlier one."""
+    """Lines ending with another one, in its direction, where that has a stronger head, or an equal and earlier one."""
     way = numpy.exp(1j * numpy.angle(numpy.nan_to_num(b - a)))
     along = (way[:, :, None].conj() * way[:, None, :]).real > math.cos(NARROW)
     together = along & (abs(b[:, :, None] - b[:, None, :]) < HEADS_MM)

@@ -30,7 +30,7 @@ def rounded(z: complex) -> complex:
 
 @dataclass
 class Laid:
-    """A hypothesis settled on the ink: score, share of its lines found, marks by label (mm from the pole) and σ (mm)."""
+    """A hypothesis settled on the ink: score, share of its lines found, marks by label (mm from the pole), σ (mm)."""
 
     hypothesis: Hypothesis
     score: float

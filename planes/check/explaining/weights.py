@@ -14,13 +14,13 @@ COSTS = {"right": 0.0, "catalogue": 4.0, "length": 6.0, "turned": 6.0, "anywhere
 ANOTHER, ORDER, PRINTED = 4.0, 2.0, 5.0  # extra cost of a second mistake; of another order; of a print scale not 100 %
 OMITTED = 4.5  # of a line never drawn
 
-STEP_MM, LEAST_MM, REACH_MM, GRID_MM = 1.5, 1.4, 24.0, 2.0  # of free sizes: step, smallest, reach in other directions, grid
+STEP_MM, LEAST_MM, REACH_MM, GRID_MM = 1.5, 1.4, 24.0, 2.0  # free sizes: step, smallest, reach in other directions, grid
 LONGER, SHORTER_MM, LONGEST_MM = 1.3, 125.0, 90.0  # limits of a wrong length: its share, mm shorter and longer
 SHORT_MM = 1.5  # shorter lines are not looked for
 MOST, KEPT, APART_MM = 900, 4, 4.0  # free sizes weighed after the first pass; kept per kind and mark, their distance
 WEIGHED, SETTLED, FIRSTS, SECONDS = 120, 10, 3, 3  # weighed on all ink; settled; bases for a second one
 MOVES_MM = (1, (0.8, 0.3)), (0, (0.5, 0.25, 0.1))  # of settling marks, by ink within a pixel, and exactly there
-TO_END_MM, TO_END_SHARE = 1.6, 0.05  # from a mark to the end of a line, where ends are known; per distance from the pole
+TO_END_MM, TO_END_SHARE = 1.6, 0.05  # from a mark to a line's end, where ends are known; per distance from the pole
 ROUNDS, ENOUGH, LOOSE_MM = 14, 0.05, 0.8  # rounds of moves; the smallest gain; tolerance of lines before they settle
 COARSE, FINE = 24, 56  # samples per line
 FAR_MM, ROOM_MM, MARGIN_MM = 230.0, 150.0, 20.0  # of a mark off the sheet; of the drawing area, and around it

@@ -80,7 +80,7 @@ def own_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple
 
 
 def _ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
-    """Ratios of drawn to true lengths with drafting and reading errors: of vectors in a force plan, else from the pole."""
+    """Ratios of drawn to true lengths with their errors: of the vectors in a force plan, else from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
     force, pole = kind_of(bench.asked.plan) == "force", at(bench.asked.plan, POLE)
     ratios = []
@@ -130,7 +130,7 @@ def all_drawn(misses: Mapping[str, Miss], broad: float, doubts: Mapping[str, flo
 def chance_wrong(right: float, otherwise: float, mistakes: Iterable[float]) -> float:
     """The probability that a drawing is wrong, from the logarithms of the parts of its marks' densities.
 
-    ``right`` is the part without slips, ``otherwise`` another reading under which it is right, ``mistakes`` each mistake.
+    ``right`` is the part without slips, ``otherwise`` another reading under which it is right, ``mistakes`` one each.
     """
     named = math.log(SLIP) + float(numpy.logaddexp.reduce([-math.inf, *mistakes]))
     slipped = math.log(-math.expm1(right)) if right < 0 else -math.inf

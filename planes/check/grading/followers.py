@@ -31,7 +31,7 @@ def roots_of(program: Program) -> dict[str, set[str]]:
 
 
 def showing(truth: Drawing, mark: str, marks: Iterable[str]) -> Showing:
-    """The sets of ``marks`` that determine the position of one: itself first, then one or two of those drawn from it."""
+    """The sets of ``marks`` that determine the position of one: itself, then one or two of those drawn from it."""
     moves = _moves(truth, mark, [m for m in marks if m != mark])
     alone = [m for m, jacobian in moves.items() if _full(jacobian)]
     rest = [m for m in moves if m not in alone]

@@ -137,7 +137,7 @@ class Grading:
 
     @property
     def unseen(self) -> list[str]:
-        """Unread marks not determined by others, short forces without which a polygon does not close, and unknown names.
+        """Unread marks not determined by others, short forces needed for a polygon to close, and unknown names.
 
         A mark counts, too, if a mistake explains it as well as a drawing error.
         """

@@ -81,8 +81,8 @@ def by_protractor(step: Step, given: Mapping[str, Point]) -> bool:
 class Person(Tool):
     """A person's drawing, for any kind of numbers: marks that were ``read`` are looked up, not drawn.
 
-    An angle that no set square has is drawn by protractor; the person's own segment is measured as drawn, and the direction
-    determines only its sign.
+    An angle that no set square has is drawn by protractor; the person's own segment is measured as drawn, and the
+    direction determines only its sign.
     """
 
     own: dict[str, Point]  # the person's marks with reading errors

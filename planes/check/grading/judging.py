@@ -43,7 +43,7 @@ class Judgement:
     named: Variant | None = None
     runner_up: Variant | None = None
     as_well: Variant | None = None  # for marks within limits, the mistake that explains them as well as a drawing error
-    explained: Mapping[str, Miss] = field(default_factory=dict)  # misses of marks from their positions under the mistake
+    explained: Mapping[str, Miss] = field(default_factory=dict)  # misses of marks under the mistake
     score: float = 0.0  # log likelihood of the drawing, with the named mistake or without any
     chance_wrong: float = 0.0  # probability that some mark is wrong
 
@@ -55,7 +55,7 @@ class Judgement:
         return label_of(self.wrong[0]) if self.wrong else None
 
     def missed(self, mark: str, verdict: str) -> Miss | None:
-        """The miss of a mark from its step's result; if it follows from the named mistake, from the mistake's result."""
+        """The miss of a mark from its step's result; from the named mistake's result, if it follows from that."""
         own = self.misses.get(mark)
         return self.explained.get(mark, own) if verdict == "follows" else own
 
@@ -129,7 +129,7 @@ class _Weighing:
         return share + density(miss, self.broad, 0.0) - density(miss, self.broad, doubt)
 
     def misread(self, mark: str) -> float:
-        """The same with another point misread as the suspected mark, whose position then follows from those drawn from it."""
+        """The same with another point misread as the suspected mark, located instead by the marks drawn from it."""
         hand, own = self.hand, self.hand.taken[mark]
         left = {m: t for m, t in hand.taken.items() if m != mark}
         other = Hand(hand.program, hand.given, hand.tool.skill, left, hand.unsure)
@@ -148,7 +148,7 @@ class _Weighing:
                 continue
             under = given_before({**self.plain, **touched}, self.order, self.limit)
             if any(label_of(m) == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
-                continue  # the mark where it is made is nearer to its right position than to its position under the mistake
+                continue  # its mark is nearer to its right position than to the one under the mistake
             score = self.gain(under) + math.log(variant.weight * _likely(variant, drawn))
             scored.append(ScoredHypothesis(score, variant, under))
         return _by_mistake(scored)
