@@ -14,7 +14,7 @@ COSTS = {"right": 0.0, "catalogue": 4.0, "length": 6.0, "turned": 6.0, "anywhere
 ANOTHER, ORDER, PRINTED = 4.0, 2.0, 5.0  # extra cost of a second mistake; of another order; of a print scale not 100 %
 OMITTED = 4.5  # of a line never drawn
 
-STEP_MM, LEAST_MM, REACH_MM, GRID_MM = 1.5, 1.4, 24.0, 2.0  # free sizes: step, smallest, reach in other directions, grid
+STEP_MM, LEAST_MM, REACH_MM, GRID_MM = 1.5, 1.4, 24.0, 2.0  # free sizes: step, smallest, reach in any direction, grid
 LONGER, SHORTER_MM, LONGEST_MM = 1.3, 125.0, 90.0  # limits of a wrong length: its share, mm shorter and longer
 SHORT_MM = 1.5  # shorter lines are not looked for
 MOST, KEPT, APART_MM = 900, 4, 4.0  # free sizes weighed after the first pass; kept per kind and mark, their distance

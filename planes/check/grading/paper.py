@@ -33,8 +33,8 @@ Box = tuple[float, float, float, float]  # left, bottom, right, top, mm from the
 class ReadMark:
     """A mark as read, mm on paper, y up, any origin, with its reading error (in each direction).
 
-    It also has the probability that it was read at a point that is not the person's mark at all. Part of its error may be
-    shared with all marks: the displacement by one σ of each common cause.
+    It also has the probability that it was read at a point that is not the person's mark at all. Part of its error may
+    be shared with all marks: the displacement by one σ of each common cause.
     """
 
     name: str
@@ -57,7 +57,7 @@ def with_told(spots: Iterable[ReadMark], pointed: Mapping[str, complex]) -> list
 
 @frozen
 class Known:
-    """Given data of a drawing: its pole, some marks (pixels or drawing units; y down), its frame size, its page (from 0)."""
+    """Given data of a drawing: its pole, some marks (pixels or drawing units; y down), frame size, page (from 0)."""
 
     pole: complex | None = None
     marks: Mapping[str, complex] = field(default_factory=dict)

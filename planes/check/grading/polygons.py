@@ -20,7 +20,7 @@ from planes.words.names import POLE, at, end_of, kind_of, label_of, mu_of, plan_
 from planes.words.naming import Naming
 
 Vectors = dict[str, ReadMark]  # a person's
-IN_LINE, AS_LONG = 0.05, 0.9  # between collinear vectors, the tangent of the angle; relative length of one that hides another
+IN_LINE, AS_LONG = 0.05, 0.9  # collinear: tangent of the angle; relative length of a vector that hides another
 SEEN_MM = 3.0  # a shorter vector may be invisible
 NO_VECTOR = ReadMark("", 0j, 0.0)
 
@@ -122,7 +122,7 @@ def _whole(polygon: Mapping[str, str], seen: Collection[str]) -> bool:
 
 
 def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], complete: bool) -> None:
-    """Marks from vectors: a side with one known end gives the other; a second path to a mark gives the closing error."""
+    """Marks from vectors: a side with one known end gives the other; a second path to a mark, the closing error."""
     places: dict[str, complex] = {POLE: 0j}
     hidden: set[str] = set()  # left out, or hidden in the next vector
     left = dict(sides)

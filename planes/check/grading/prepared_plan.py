@@ -169,7 +169,7 @@ def marks_of(plans: Plans, plan: str) -> list[str]:
 
 
 def mark_names(plans: Plans, plan: str, naming: Naming) -> Names:
-    """Names of a plan's marks; the normal component of a driven point, n_A, may also be written with its pivot: n_AO."""
+    """Names of a plan's marks; the normal component of a driven point, n_A, may include its pivot: n_AO."""
     means = ((label_of(mark), m) for mark, m in plans.means.items() if m.quantity == "normal" and m.about)
     normal = {label: (f"n_{m.of}{m.about}",) for label, m in means}
     return naming.names([label_of(m) for m in marks_of(plans, plan)], more=normal)

@@ -5,7 +5,7 @@ from typing import Literal
 from planes.words import Phrase
 
 Reader = Literal["here", "sheet", "table"]
-"""A reader viewing the drawing itself, a row of a class, or a sheet without a picture on which to move marks."""
+"""The reader of a method: at the drawing itself, at a row of a class, or without a picture for moving marks."""
 
 
 def asking(key: str, way: str = "report", /, **parts: object) -> Phrase:

@@ -22,9 +22,9 @@ class DrawnVector(NamedTuple):
 class SignFault:
     """A wrong sign of a drawing.
 
-    The letters of ``mark`` and ``other`` are swapped; or the vector from ``other`` to ``mark`` (a force by its name alone)
-    has its head at the wrong end or none, or is ``off`` mm astray; or the whole plan, whose first mark is ``mark``, is
-    mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale ``other``.
+    The letters of ``mark`` and ``other`` are swapped; or the vector from ``other`` to ``mark`` (a force by its name
+    alone) has its head at the wrong end or none, or is ``off`` mm astray; or the whole plan, whose first mark is ``mark``,
+    is mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale ``other``.
     """
 
     mistake: Literal[

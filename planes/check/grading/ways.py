@@ -14,7 +14,7 @@ EARLIER = 0.25  # weight of a mistake in a plan without any of the results: its 
 
 
 def free_hand(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, ReadMark]) -> Hand:
-    """The true plan with drafting errors propagated through it, all that its mistakes may read, and the wanted names."""
+    """The true plan with propagated drafting errors, all that its mistakes may read, and the wanted names."""
     program = bench.plans.program.sliced([*bench.program.made, *(n for n in wanted if n)])
     return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
 

@@ -160,8 +160,8 @@ def _off(f: WrittenNumber, true: float) -> float:
 def _name(own_account: Account, free: Hand, variants: Iterable[Variant], means: Sequence[bool]) -> None:
     """Names the mistake in a plan that gives all the numbers as written, drawn by hand or calculated (``means``).
 
-    Other errors it explains after the first wrong figure follow from it. With a single wrong result, only the digits show
-    a construction.
+    Other errors it explains after the first wrong figure follow from it. With a single wrong result, only the digits
+    show a construction.
     """
     best: dict[str, tuple[float, Variant, list[float]]] = {}
     for variant in variants:
