@@ -19,16 +19,16 @@ PX_PER_MM = 3.0  # of the reduced picture for line detection
 FINE = 64  # integer steps per grey level: half the memory and time of floats
 ANGLES = 12
 ALONG_MM, ACROSS_MM, ASIDE_MM = 3.0, 0.2, 0.85  # of a detected line: length, σ of width, offset of the paper
-TILE_MM, COVERED, ABOVE = (20.0, 0.93, 1.6)  # paper: most tiles of a sheet have a lower response over this share; factor of a line above it
+TILE_MM, COVERED, ABOVE = (20.0, 0.93, 1.6)  # paper: most tiles have less over this share; factor for a line
 PLAIN, FIRM, FAINTEST = 0.4, 0.28, 0.06  # relative to a usual line: clear, not faint, and the minimum anywhere
 FOREMOST = 0.9  # relative to the response at the best angle
-APART, AMONG, AMONG_MM = 0.5, 0.5, 1.5  # ink missing on the darker side of a stroke; relative to the strongest ink around, a stroke
+APART, AMONG, AMONG_MM = 0.5, 0.5, 1.5  # stroke: more ink than on its darker side; than around
 STROKE_MM, LONG_MM = 5.0, 7.5  # of clear strokes; of lines that determine the usual one
 FEW, MAINLY, USUAL = 60, 0.7, 65.0 * FINE  # samples that determine it, quantile above erased lines; a firm pencil
 TAIL_MM, ENDS = 7.0, 0.5  # a longer faint line was erased; distance between the strokes that it connects
 NEAR_MM, BESIDE_MM = 1.0, 0.5  # continuation of a followed line under other ink; width of its ink to the side
 PEAK, SHARPEST, EVEN = 1.35, 2.5, 0.85  # ratio of a line's middle to its response: of a pencil line, of a
-# thin one; quantile of the darkest middle
+# thin one; factor on their median
 MOST, BLOT = 1.3, 0.7  # relative to a usual line: maximum normalisation of a line; threshold of other ink
 FILLED_MM = 1.2  # along a line, over which gaps of the paper's grain are filled
 HELD = 0.4  # relative darkness of ink that surely belongs to a followed line
@@ -95,7 +95,7 @@ class FeltLines:
         return float(numpy.quantile(strong, MAINLY)) * FINE if len(strong) > FEW else USUAL
 
     def at(self, k: int) -> tuple[Array, Array, Array]:
-        """The ink of lines at an angle minus that of the paper on both sides; minus that of the darker side; and itself."""
+        """The ink of lines at an angle: minus the paper on both sides; minus that of the darker side; and itself."""
         along = self.along[k]
         across = ASIDE_MM * PX_PER_MM * numpy.exp(1j * math.pi * (k / ANGLES + 0.5))
         shift = round(float(across.imag)), round(float(across.real))
@@ -114,7 +114,7 @@ class FeltLines:
         return numpy.where(own, alone // FINE, 0).astype(numpy.uint8)
 
     def followed(self, k: int) -> Iterator[tuple[Place, Array, Booleans]]:
-        """Lines at an angle, as far as they are connected to clear strokes: box, response, and where they are strongest.
+        """Lines at an angle, as far as they are connected to clear strokes: box, response, where they are strongest.
 
         A faint part ends a stroke soon or connects it to another; otherwise it was erased.
         """

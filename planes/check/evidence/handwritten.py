@@ -26,13 +26,13 @@ BESIDE_MM, HIGH_MM = 2.0, 6.5  # maximum distance between letters of a word; max
 AROUND_MM, ERASED_MM = 15.0, 0.35  # search distance of names from lines; width of a line's ink to the side
 HALF = 0.3  # half width of a head, relative to its length
 IN_LETTER, IN_WORD, MOST = 3, 16, 400  # maximum number of pieces: of a letter, of a word, in all
-STRAY, LOST, TORN = math.log(0.06), math.log(0.04), math.log(0.7)  # a stray piece, a missing letter, each additional piece
+STRAY, LOST, TORN = math.log(0.06), math.log(0.04), math.log(0.7)  # a stray piece, a missing letter, one more piece
 NEVER, OTHER = math.log(1e-3), 0.7  # minimum probability of a shape; odds that a word is none of the names
 ROUNDS = 8  # iterations that assign words to names
 SURE = 0.85  # maximum probability of reading a name correctly
 WARMTH = 1.2  # divisor of logarithms, for calibration: readings at 90 % are right in 90 %
 BY_MM = 7.0  # maximum distance of a name from its point
-NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # distance of a name from its vector, its softness; probability of a name elsewhere
+NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # of a name from its vector; softness; probability of a name elsewhere
 
 
 @frozen

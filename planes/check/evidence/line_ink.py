@@ -14,7 +14,7 @@ from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from planes.words.naming import Names
 
 RIM_MM = 30.0  # of paper around the lines
-FELT = (math.cos(0.25), 1.0), (math.cos(0.45), 0.5)  # response to a line turned from the direction by this angle (its cosine)
+FELT = (math.cos(0.25), 1.0), (math.cos(0.45), 0.5)  # response to a line turned by this angle (its cosine)
 ABOUT_MM = 1 / 3, 1 / 2, 5 / 6  # offset of felt lines: exactly there, and within one or two pixels
 AT_ONCE, MOST_PIECES = 1_000_000, 20_000  # pairs of lines; pieces: seven metres of lines at one pixel each
 FEWEST_PLACES, CROWD = 60, 0.03  # line ends and crossings a mm apart; with more of them per mm², any would match a mark
@@ -71,7 +71,7 @@ class LineInk(SheetInk):
         return count if count > max(FEWEST_PLACES, CROWD * area) else 0
 
     def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
-        """The drawn share of each line from a to b, as for a sheet's ink; less for lines without heads, under the vectors."""
+        """The drawn share of each line from a to b, as for a sheet's ink; less for headless lines under vectors."""
         ways, begun = (numpy.nan_to_num(z, posinf=0.0, neginf=0.0).ravel() for z in (b - a, a))
         shares, step = numpy.zeros(len(ways)), max(AT_ONCE // len(self.lines), 1)
         for k in range(0, len(ways), step):

@@ -13,7 +13,7 @@ from planes.words.naming import Names
 
 SOFT_MM = 1.5  # margin by which a text is nearer to its own mark than to any other
 SURELY = 0.98  # certainty of reading a text
-LEADER_MM, INDEX, SHY_MM = 2.5, 0.3, 1.0  # distance from a text, or depth under its index, at which a leader begins; distance from its end
+LEADER_MM, INDEX, SHY_MM = 2.5, 0.3, 1.0  # start of a leader: from its text, or under its index; its end
 SAME_MM = 0.1
 MOST, FAR_MM = 9.0, 9.0  # maximum cost of a text; of 436 on right sheets nine in ten stood within 6 mm
 

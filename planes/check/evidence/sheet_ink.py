@@ -31,10 +31,10 @@ BESIDE_MM, TURNED = 0.8, 0.3  # offset and sine of the angle within which ink be
 SLOPE = 0.004  # angular tolerance of a drawn line, radians
 BEFORE_MM, BEYOND_MM, LESS = 10.0, 22.0, 0.55  # extension of construction lines; weight of it as unexplained ink
 CROSS_MM = 3.2  # around the pole's printed cross, ink needs no explanation
-HEAD_MM, BEHIND_MM = (1.6, 4.0), (5.5, 7.5)  # from a line's end, where a head is wider than its line; where the head is over
+HEAD_MM, BEHIND_MM = (1.6, 4.0), (5.5, 7.5)  # from a line's end, where a head is wider than its line; behind it
 ASIDE_MM, BESIDE_STEP_MM = (-0.85, -0.6, 0.6, 0.85), 0.4  # where beside a line its head is felt
 SHORTEST_MM = 9.0  # of a line whose head is felt
-LEAST_HEAD, HEAD_GAIN, HEAD_RANGE = 0.12, 6.0, (-1.2, 1.8)  # darkness beside a line without a head; factor to units of evidence
+LEAST_HEAD, HEAD_GAIN, HEAD_RANGE = 0.12, 6.0, (-1.2, 1.8)  # darkness beside a headless line; factor to units of evidence
 LINE_MM, USUAL_HEAD_MM = 0.8, 4.0  # of a drawn line, as opposed to a letter
 GAP_STEP_MM, GONE = 0.5, 0.25  # step along a line; share below which a line is missing
 SHORT_MM = 1.0  # of a line that explains ink
@@ -81,7 +81,7 @@ class SheetInk:
         turn = math.pi * way[rows, columns] / WAYS
         self.points: Complexes = corner.real + (columns + 0.5) / PX_PER_MM + 1j * (self.top - (rows + 0.5) / PX_PER_MM)
         self.ways: Complexes = numpy.exp(-1j * turn)
-        self.mm: Array = 1 / numpy.maximum(abs(numpy.cos(turn)), abs(numpy.sin(turn))) / PX_PER_MM  # length of line per point
+        self.mm: Array = 1 / numpy.maximum(abs(numpy.cos(turn)), abs(numpy.sin(turn))) / PX_PER_MM  # of line, per point
         self.mm[self._paper_own()] = 0.0
         usual = float(numpy.quantile(dark[ridge], 0.5)) if ridge.any() else 1.0
         self.even = numpy.minimum(dark / max(usual, 0.05), 1.0).ravel()
@@ -174,7 +174,7 @@ class SheetInk:
     def unexplained(
         self, a: Complexes, b: Complexes, box: Box, pole: complex, loose_mm: float, signs: Complexes, reach: Array
     ) -> Array:
-        """mm of ink in a box that no line of each row explains (within ``loose_mm``), nor any sign (by centre and radius).
+        """mm of ink in a box that no line of each row explains (within ``loose_mm``), nor any sign (centre, radius).
 
         The continuation of a line counts in part.
         """

@@ -23,8 +23,8 @@ class SignFault:
     """A wrong sign of a drawing.
 
     The letters of ``mark`` and ``other`` are swapped; or the vector from ``other`` to ``mark`` (a force by its name
-    alone) has its head at the wrong end or none, or is ``off`` mm astray; or the whole plan, whose first mark is ``mark``,
-    is mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale ``other``.
+    alone) has its head at the wrong end or none, or is ``off`` mm astray; or the whole plan, whose first mark is
+    ``mark``, is mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale ``other``.
     """
 
     mistake: Literal[

@@ -215,7 +215,7 @@ def heads(lang: Lang) -> tuple[list[str], list[str]]:
 
 
 def page_data(outcome: Outcome, lang: Lang, places: Sequence[Json] | None = None) -> Json:
-    """All data for display and judgement on a page; ``places`` may be precomputed. Without movable marks there is no tape."""
+    """All data for display and judgement on a page; ``places`` may be precomputed. No movable marks, no tape."""
     marks, numbers = heads(lang)
     grading = outcome.grading or (empty(outcome.bench) if outcome.paper.picture else None)
     sentence, *notes = told_all(outcome, "here")

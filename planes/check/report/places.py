@@ -74,7 +74,7 @@ def address(data: bytes) -> str:
 
 
 def thumb(outcome: Outcome | None, small: bytes) -> bytes:
-    """A small picture (JPEG) of a drawing: of the part with its plan, if read, else ``small``; b"" without a picture."""
+    """A small picture (JPEG) of a drawing: the part with its plan, if read, else ``small``; b"" without a picture."""
     if not outcome or not outcome.paper.picture:
         return _jpeg(small, None, THUMB_PX) if small else b""
     paper, ends = outcome.paper, [z for v in shown_plans(outcome).own for z in v]

@@ -22,7 +22,7 @@ A3_MM2 = 125_000.0  # a larger page is surveyed as if of this size: its parts ar
 A2_MM2 = 250_000.0  # a larger part is no plan
 INK = 40  # of 255, in its pixels
 SOFT_MM = 6.0  # softness of a size comparison
-SIZES = (0.7, 0.8, 0.9, 1.0, 1.05)  # relative sizes of a plan in its part: lines extend beyond it, a scheme has supports
+SIZES = (0.7, 0.8, 0.9, 1.0, 1.05)  # relative sizes of a plan in its part: lines extend further, schemes have supports
 
 
 @frozen

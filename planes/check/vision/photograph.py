@@ -90,7 +90,7 @@ def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best
 
 
 def _as_printed(bench: PreparedPlan, flat: Flat, code: SheetMark | None) -> PreparedPlan:
-    """The plan at the scale its blank was printed for (from its ``code``, otherwise the scene), unless another was given.
+    """The plan at the scale its blank was printed for (from its ``code``, otherwise the scene), unless given.
 
     The pole is the one in the code.
     """
