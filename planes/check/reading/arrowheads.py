@@ -13,7 +13,7 @@ from planes.check.reading.strokes import Arrowhead, ReadDrawing, goes_on
 from planes.check.reading.written import Stroke
 
 LARGEST_MM = 8.0  # maximum size of a closed figure as a head
-LARGEST_FILLED_MM, SLENDER = 24.0, 0.7  # the same if filled and no polygon, provided that it is this narrow between equal sides
+LARGEST_FILLED_MM, SLENDER = 24.0, 0.7  # the same if filled and no polygon, when this narrow between equal sides
 NEAR_MM = 0.7  # a tip is at the end of its stroke, or that end is within the head
 TURNED = 10.0  # weight of a head's direction against the distance of its tip, mm per radian
 MOST_PAIRS = 1_000_000  # with more pairs of strokes and heads none is assigned
@@ -26,7 +26,7 @@ ASKEW = 0.02  # radians, maximum turn of a shaft drawn in pieces
 LONGER, SHORTER, EXACT = 1.3, 0.6, 0.3
 STRAIGHT = 0.94  # minimum cosine of the angle between a head and its stroke
 TURNS = tuple(cmath.rect(1, k * math.tau / 3) for k in range(3))  # possible directions of an equilateral head
-AGAIN_MM, AGAIN = 0.1, 0.01  # a head this close to another one in the same direction is a duplicate: filled, then outlined
+AGAIN_MM, AGAIN = 0.1, 0.01  # a head this close to another one in its direction is a duplicate: filled, then outlined
 NARROW_MM = 1.5  # maximum width of a drawn arrow's shaft
 
 

@@ -74,7 +74,7 @@ def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
 
 
 def _upon_others(seen: Explanation) -> list[str]:
-    """Marks whose names stand beside them, and whose lines coincide with others."""
+    """Marks identified by the names beside them, such as those whose lines coincide with others."""
     by = seen.scorer.words.by
     return [n for n in seen.plan.labels if by(n, seen.pole + seen.best.places[n]) > w.LIKELY]
 

@@ -42,7 +42,7 @@ class ReadDrawing:
     error_mm: float = 0.05
     ways: list[int] = field(default_factory=list)  # end of each stroke with a head: +1, -1, 0 unknown; or none
     heads: list[Arrowhead] = field(default_factory=list)
-    short: list[Stroke] = field(default_factory=list)  # vectors if they have heads, otherwise ticks and pieces of letters
+    short: list[Stroke] = field(default_factory=list)  # vectors if they have heads, else ticks and pieces of letters
     mm: Callable[[complex], complex] = lambda z: z  # from the units of the file to mm, y up
     rounds: list[Round] = field(default_factory=list)
     passed: int = 0  # vertices where polylines continue straight on

@@ -81,8 +81,8 @@ class _Desk:
 def retrace(grading: Grading, variants: Iterable[Variant]) -> tuple[Json, list[Places]]:
     """The grading as a tape (plain data), with every mistake as another path to the marks it affects; and positions.
 
-    Positions on the tape are given for the plan itself, then for each mistake. Unused numbers are dropped, and positions
-    renumbered.
+    Positions on the tape are given for the plan itself, then for each mistake. Unused numbers are dropped, and the
+    positions renumbered.
     """
     desk = _Desk(grading)
     misses_by_way = [desk.misses(grading.marks, way) for way in (None, *variants)]
