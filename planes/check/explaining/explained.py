@@ -86,7 +86,7 @@ class Explanation:
         return 1 - self.best.strange / every if every else 0.0
 
     def exchanged(self) -> list[SignFault]:
-        """Pairs of swapped letters, told by the marks they stand at, in a right plan."""
+        """Pairs of swapped letters in a right plan, detected by the marks beside them."""
         words, right = self.scorer.words, self.best
         if not right.hypothesis.right or self.doubt > w.ASKED:
             return []
