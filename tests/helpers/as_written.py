@@ -25,7 +25,7 @@ def decimal(x: float) -> Any:
 
 
 def long(thing: Any, places: Mapping[complex, tuple[float, ...]]) -> Any:
-    """A mechanism, or a part of it, with all numbers at full length; ``places`` are those written by radius and angle."""
+    """A mechanism, or a part of it, with all digits of its numbers; ``places`` are those given by radius and angle."""
     if isinstance(thing, complex):
         polar = places.get(thing)
         if polar:

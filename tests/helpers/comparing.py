@@ -124,7 +124,7 @@ def sizes(found: Mapping[str, Number]) -> dict[str, float]:
     }
     places = [n.value for n in found.values() if n.sort == "r"]
     span = max(abs(p - q) for p in places for q in places)
-    span = span if span > 1e-12 * most["r"] else most["r"] or 1.0  # all points coincide: their size is their distance from the origin
+    span = span if span > 1e-12 * most["r"] else most["r"] or 1.0  # all points coincide: scaled by their distance
     scale = {"r": max(most["r"], span), "angle": 180.0}
     turning, quick = most["omega"] * span, max(most["epsilon"], most["omega"] ** 2) * span
     scale["v"] = turning if most["v"] < 1e-12 * turning else most["v"]  # every point is on the pivot

@@ -259,7 +259,7 @@ class Page(Asked):
         self.line.pages[self.session] = self
         self.hearers: dict[str, list[Callable[[Any], None]]] = {}
         self.errors: list[str] = []
-        self.loaded, self.contexts = 0, dict[str, int]()  # number of documents loaded; frames and their evaluation contexts
+        self.loaded, self.contexts = 0, dict[str, int]()  # number of documents loaded; frames and their contexts
         self.mouse, self.keyboard = Mouse(self), Keyboard(self)
         for room in ("Page", "Runtime", "Log", "Network", "DOM"):
             self.ask(f"{room}.enable")

@@ -113,7 +113,7 @@ def members(text: str) -> dict[str, float]:
 
 
 def expected(text: str) -> dict[str, Any]:
-    """All results in the format of the samples: vectors as [x, y], couples and members as numbers; for loads, their sum."""
+    """All results in the samples' format: vectors as [x, y], couples and members as numbers; for loads, their sum."""
     scene = yaml.safe_load(text)
     if "supports" not in scene:
         total = sum(force for _, _, force in forces_of(scene))

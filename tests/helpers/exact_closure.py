@@ -121,7 +121,7 @@ class Closure:
         return own, [w * omega for w in way], [b * omega**2 + w * epsilon for w, b in zip(way, bent, strict=True)]
 
     def forces(self, q: Vector, phi_deg: float) -> Mapping[str, Any]:
-        """The magnitudes of reactions in hinges of two links by ``F_ij``, under weight and inertia; the driving moment ("M").
+        """Reactions (magnitudes) in hinges of two links by ``F_ij``, under weight and inertia; the driving moment "M".
 
         These are the multipliers of the equations.
         """
