@@ -547,9 +547,9 @@ class Builder:
         self.triads.append((basic, leads, dict(hinges)))
 
     def contour(self, kind: str) -> None:
-        """A group of class IV, "IV RP RR PR": its outer pairs, and both pairs of the links between; far from dead points.
+        """A group of class IV, "IV RP RR PR": its outer pairs, and both pairs of the links between, the base's first.
 
-        The pair with the base is first ("IV": hinges only).
+        "IV" has hinges only; the group is far from a dead point.
         """
         rng, moving = self.rng, self.bodies[1:]
         outer, *leads = kind.split()[1:] or ["RR", "RR", "RR"]
