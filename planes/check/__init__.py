@@ -1,1 +1,1 @@
-"""Drawings handed in: read (``reading, vision``), judged (``grading``), and told (``outcome``, ``report``)."""
+"""Checks submitted drawings: reads them (``reading, vision``), judges (``grading``), reports (``outcome, report``)."""

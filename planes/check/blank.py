@@ -1,17 +1,19 @@
-"""Where a blank has its pole, and at what scale a plan has room on it."""
+"""The position of the pole on a blank, and the scale at which its plan has room."""
 
 from planes.check.fiducials import OTHER_MM, SHEET_MM, has_room, pole_place
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.plans.scales import fitting
 from planes.words.names import kind_of
 
-SMALLER = 0.99  # of a scale: the next one of the standard is smaller
-ASIDE_MM = 12.0  # how far from a blank's middle its pole tells nobody where the plan goes
+SMALLER = 0.99  # factor on a scale that forces the next smaller standard scale
+ASIDE_MM = 12.0  # a pole this far from the middle of the blank does not give away the direction of the plan
 
 
 def roomy(bench: PreparedPlan) -> PreparedPlan:
-    """A plan as a blank has it: at the largest standard scale, no larger than the scene's, that has room for it there;
-    if of motion, with its pole in the middle of the sheet, for any plan of that size, whichever way it goes."""
+    """The plan as on its blank: at the largest standard scale, not above the scene's, that has room on the sheet.
+
+    A plan of motion has its pole in the middle of the sheet, so that it leaves room in every direction.
+    """
     plan = bench.asked.plan
     if bench.asked.mu:
         return bench
@@ -25,5 +27,5 @@ def roomy(bench: PreparedPlan) -> PreparedPlan:
 
 
 def blank_pole(bench: PreparedPlan) -> complex:
-    """Where the blank of this plan has its pole."""
+    """The position of the pole on the blank of this plan."""
     return pole_place([*bench.true_marks.values()])

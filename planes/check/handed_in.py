@@ -1,4 +1,4 @@
-"""What was handed in, read by the suffix of its file: a table, a drawing of lines, or a picture; a page at a time."""
+"""Reads submitted files by their suffix: a table, a vector drawing or a picture, one page at a time."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 LINES = (".svg", ".dxf", ".pdf")
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLES = (".csv", ".json", ".txt", ".tsv")
-MOST_SHOWN = 2000  # lines of a drawing shown in its report
-MOST_PAGES, MOST_BLANKS = 300, 9  # of a file; of a picture, those marks are saved of
+MOST_SHOWN = 2000  # maximum number of lines of a drawing in its report
+MOST_PAGES, MOST_BLANKS = 300, 9  # pages of a file; pages of a picture file whose marks are saved
 NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
-"""What lies beside what was handed in."""
+"""Suffixes of files that may lie next to the submitted drawings."""
 PRACTICE = ".practice"
-OTHERS = {  # what cameras and telephones save that is not read: the suffixes, how such a file begins
+OTHERS = {  # camera and phone formats that are not supported: suffixes and first bytes
     "check_heic": ((".heic", ".heif", ".hif", ".avif"), rb"....ftyp(hei|hev|mif|msf|avi)"),
     "check_gif": ((".gif",), rb"GIF8"),
     "check_raw": ((".dng", ".cr2", ".cr3", ".nef", ".arw", ".orf", ".rw2", ".psd"), rb"8BPS"),
@@ -37,34 +37,34 @@ OTHERS = {  # what cameras and telephones save that is not read: the suffixes, h
         rb"PK\x03\x04|Rar!|AC10",
     ),
 }
-ENDS = {b"\xff\xd8\xff": b"\xff\xd9", b"\x89PNG": b"IEND", b"%PDF-": b"%%EOF"}  # how whole files begin and end
+ENDS = {b"\xff\xd8\xff": b"\xff\xd9", b"\x89PNG": b"IEND", b"%PDF-": b"%%EOF"}  # first and last bytes of complete files
 
 
 @frozen
 class HandedSheet:
-    """One sheet that was handed in: a file, or a page of one (from 1), and how it is called among the others."""
+    """One submitted sheet: a file or a page of it (from 1), and its name among the others."""
 
     file: Path
     page: int | None = None
 
     @property
     def name(self) -> str:
-        """The file's name; any bytes at all may be that."""
+        """The file name; it may hold any bytes."""
         plain = self.file.name.encode("utf-8", "replace").decode()
         return plain if self.page is None else f"{Path(plain).stem}-{self.page}{self.file.suffix}"
 
     @property
     def practised(self) -> bool:
-        """Whether it is a practice, not a drawing."""
+        """Whether it is an exercise file rather than a drawing."""
         return self.file.suffix.lower() == PRACTICE
 
     @property
     def marks(self) -> Path:
-        """The table of marks a person has put right, which lies beside it."""
+        """The table of manually corrected marks next to it."""
         return self.file.with_name(f"{Path(self.name).stem}.csv")
 
     def known(self, known: Known) -> Known:
-        """What is known of it, with its page."""
+        """The known data, with the page of this sheet."""
         if self.page is None:
             return known
         if self.page > MOST_PAGES:
@@ -73,13 +73,13 @@ class HandedSheet:
 
 
 def sheets_of(file: Path) -> list[HandedSheet]:
-    """The sheets of a file: each page of a PDF or a TIFF is one; so is a file that does not open."""
+    """The sheets of a file: one for each page of a PDF or a TIFF, one for a file that does not open."""
     count = 1
     if (suffix := file.suffix.lower()) in (".pdf", ".tif", ".tiff") and file.is_file():
         with suppress(PlanesError), guarded("check_picture", file), hushed():
             count = _pages(file, suffix)
     if count > MOST_PAGES:
-        return [HandedSheet(file, MOST_PAGES + 1)]  # refused when it is read
+        return [HandedSheet(file, MOST_PAGES + 1)]  # rejected on reading
     return [HandedSheet(file)] if count < 2 else [HandedSheet(file, k + 1) for k in range(count)]
 
 
@@ -96,7 +96,7 @@ def _pages(file: Path, suffix: str) -> int:
 
 
 def drawings_in(folder: Path) -> list[Path]:
-    """The files of a folder that may be drawings, or practices."""
+    """The files of a folder that may be drawings or exercise files."""
     files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
     return [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
 
@@ -104,7 +104,7 @@ def drawings_in(folder: Path) -> list[Path]:
 def sheets_in(place: Path, one_page: bool, but: str = "") -> list[HandedSheet]:
     """The sheets of a file, or of all drawings of a folder; one of each file if ``one_page``.
 
-    Tables of corrected marks lie beside their pictures, a course's list of what it wrote (``but``) beside its blanks.
+    Leaves out tables of corrected marks next to their pictures, and the file ``but`` next to the blanks of a course.
     """
     is_folder = place.is_dir()
     files = [f for f in drawings_in(place) if f.name != but] if is_folder else [place]
@@ -118,8 +118,7 @@ def sheets_in(place: Path, one_page: bool, but: str = "") -> list[HandedSheet]:
 
 
 def marks_of(sheet: HandedSheet, asked: Asked, known: Known) -> ReadPaper:
-    """What a sheet shows, or the marks a person has put right instead, if they are of this very drawing; called as the
-    sheet is."""
+    """The marks of a sheet, or their manual corrections if these belong to this drawing; named after the sheet."""
     file, paper = str(sheet.file), None
     if sheet.marks.is_file() and sheet.marks != sheet.file:
         with suppress(PlanesError):
@@ -134,7 +133,7 @@ def marks_of(sheet: HandedSheet, asked: Asked, known: Known) -> ReadPaper:
 
 
 def look_of(file: str, known: Known) -> str:
-    """The hash of what a file, or a page of it, shows; "" of one that does not open."""
+    """The hash of the content of a file or of a page; "" if it does not open."""
     with suppress(PlanesError):
         picture = opened(file, known.page)
         return picture.look if picture else hash_of(contents(file, LARGEST))
@@ -142,7 +141,7 @@ def look_of(file: str, known: Known) -> str:
 
 
 def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
-    """The marks of a file. :class:`PlanesError` where it cannot be read, with what to do about it."""
+    """The marks of a file. :class:`PlanesError`, with advice, if it cannot be read."""
     suffix = Path(file).suffix.lower()
     if suffix in TABLES:
         return read_table(file)
@@ -158,7 +157,7 @@ def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
 
 @contextmanager
 def telling(file: str) -> Iterator[None]:
-    """What does not open is refused by what it is, not only because it does not."""
+    """Reports a file that does not open by its kind, where known, not only as unreadable."""
     try:
         yield
     except PlanesError as error:
@@ -168,8 +167,10 @@ def telling(file: str) -> Iterator[None]:
 
 
 def opened(file: str, page: int | None = None) -> DecodedPicture | None:
-    """The picture of a file (of a page of it, from 0), None of a table or a drawing of lines; :class:`PlanesError`
-    where it does not open."""
+    """The picture of a file (or of a page, from 0); None for a table or a vector drawing.
+
+    :class:`PlanesError` if it does not open.
+    """
     suffix = Path(file).suffix.lower()
     with telling(file):
         if suffix in PICTURES:
@@ -182,7 +183,7 @@ def opened(file: str, page: int | None = None) -> DecodedPicture | None:
 
 
 def _kind(file: str, suffix: str) -> PlanesError | None:
-    """Why a file is refused, where how it begins, or that it does not end, tells more than that it cannot be read."""
+    """The reason to reject a file, where its first or last bytes say more than that it cannot be read."""
     data = contents(file, LARGEST)
     if not data:
         return PlanesError(Phrase("check_empty", file=file))
@@ -196,8 +197,10 @@ def _kind(file: str, suffix: str) -> PlanesError | None:
 
 
 def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
-    """The lines of a drawing of lines, or those a picture carries; of a PDF that shows a picture, or where pixels are
-    told, none."""
+    """The lines of a vector drawing, or those embedded in a picture.
+
+    None for a PDF that shows a picture, or where pixels are given.
+    """
     from planes.check.reading.dxf import read_dxf
     from planes.check.reading.pdf import read_pdf
     from planes.check.reading.svg import read_carried, read_svg
@@ -212,7 +215,7 @@ def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
 
 
 def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
-    """The marks of a drawing of lines."""
+    """The marks of a vector drawing."""
     from planes.check.grading.sign_faults import arrow_faults
     from planes.check.reading.construction_lines import doubt_of
     from planes.check.reading.drawn_vectors import vectors_drawn

@@ -1,4 +1,4 @@
-"""The outcome of a check: what was handed in, judged, as the object for programs and as words for people."""
+"""The outcome of a check: the judged work as an object for programs and as text for people."""
 
 from dataclasses import dataclass, field, replace
 
@@ -20,14 +20,14 @@ from planes.words.lettering import plan_phrase
 from planes.words.names import POLE, kind_of, label_of
 from planes.words.records import Described
 
-# what is so far, and half as far as it is long, from where steps lead is not called right, if errors may be so large
+# a mark at this distance, and half its length, from the constructed point is not called right if errors may be as large
 ASTRAY_MM = 4.0
-STATUS = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # the better first
+STATUS = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # best first
 
 
 @dataclass
 class Outcome(Described):
-    """Everything found in one drawing."""
+    """All findings in one drawing."""
 
     bench: PreparedPlan
     paper: ReadPaper
@@ -36,35 +36,35 @@ class Outcome(Described):
     results: Account | None = None
     unreadable: Phrase | None = None
     notes: list[Phrase] = field(default_factory=list)
-    unknown: dict[str, str] = field(default_factory=dict)  # names in tables that mean nothing here, the nearest of each
-    missing: list[str] = field(default_factory=list)  # results that are asked and not there
-    unread: list[str] = field(default_factory=list)  # those in units nobody knows
+    unknown: dict[str, str] = field(default_factory=dict)  # unknown names in tables, with the nearest known name
+    missing: list[str] = field(default_factory=list)  # results that were asked for and are missing
+    unread: list[str] = field(default_factory=list)  # results in unknown units
 
     def __repr__(self) -> str:
         return f"<Outcome {self.verdict}: {self.sentence.told()}>"
 
     @property
     def verdict(self) -> str:
-        """right, wrong or unreadable; right_as_seen where nobody has looked at some of its marks."""
+        """right, wrong or unreadable; right_as_seen if some of the marks were not verified."""
         if self.unreadable:
             return "unreadable"
         return "wrong" if self.wrong else "right_as_seen" if self.unseen else "right"
 
     @property
     def wrong(self) -> Grading | SignFault | Account | None:
-        """What goes wrong: the drawing, its letters and arrows, else the lengths or the results."""
+        """The part that is wrong: the drawing, its letters and arrows, otherwise the lengths or the results."""
         drawn = None if self._in_doubt else self.grading
         every = (drawn, *self.paper.signs, self.segments, self.results)
         return next((one for one in every if one and one.fault), None)
 
     @property
     def _in_doubt(self) -> bool:
-        """Whether the drawing is likelier right than wrong, though something of it would be called wrong."""
+        """Whether the drawing is more likely right than wrong, though part of it would be called wrong."""
         return bool(self.grading and self.grading.fault and self.grading.chance_wrong < LIKELY)
 
     @property
     def chance(self) -> float | None:
-        """How likely the verdict is true; None where there is none."""
+        """The probability that the verdict is true; None without one."""
         if self.unreadable:
             return None
         every = [t.first.chance_wrong for t in (self.segments, self.results) if t and t.first]
@@ -79,32 +79,33 @@ class Outcome(Described):
 
     @property
     def mistake(self) -> str | None:
-        """The named mistake, None when none explains the work best."""
+        """The named mistake; None if none explains the work best."""
         said = self.sentence.key
         return next((name for name in under("mistake_", "en") if said == f"mistake_{name}"), None)
 
     @property
     def runner_up(self) -> str | None:
-        """The mistake that explains the work next best."""
+        """The second most likely mistake."""
         return self.wrong.runner_up if self.wrong and not self.unreadable else None
 
     @property
     def sentence(self) -> Phrase:
-        """What is wrong and how to mend it."""
+        """The error and its correction."""
         wrong = self.wrong.fault if self.wrong else None
         return self.unreadable or wrong or self.right(self._left())
 
     def _left(self) -> tuple[Phrase, ...]:
-        """What is not judged, is not there, or is called as nothing here is."""
+        """Notes on marks not judged, parts missing, and unknown names."""
         known = tuple(name for name in self.unseen if name not in self.unknown and name not in self.missing)
         left = {"judged": known, "given": tuple(self.missing), "known": offers(self.unknown)}
         return tuple(Phrase(f"check_not_{key}", names=names) for key, names in left.items() if names)
 
     @property
     def unseen(self) -> list[str]:
-        """Marks of the plan that nobody has looked at, or that may as well be drawn with a mistake; so may those that
-        are far from where the steps before them lead, if these hardly tell where that is; and names and columns of
-        tables that mean nothing here."""
+        """Marks of the plan that were not verified, or that a mistake explains as well, and unknown names and columns.
+
+        Marks far from their constructed point count too, if the steps before them hardly determine that point.
+        """
         if self.unreadable:
             return []
         left = [*self.unread, *self.unknown, *self.missing, *self.paper.left]
@@ -120,24 +121,24 @@ class Outcome(Described):
         return list(dict.fromkeys(filter(None, [*doubted, *hidden, *untold, *closing, *far, *left])))
 
     def typed(self, text: str) -> str:
-        """What is told of the work, in names as people type them."""
+        """A text about the work, with names as people type them."""
         scored = (s.figure.name for t in (self.segments, self.results) if t for s in t.scored)
         return self.bench.naming.retold(text, {*map(label_of, self.bench.marks), *scored})
 
     @property
     def alone(self) -> bool:
-        """Whether these are results with nothing drawn."""
+        """Whether there are results but no drawing."""
         return bool(self.results) and not (self.grading or self.segments)
 
     def right(self, left: tuple[Phrase, ...]) -> Phrase:
-        """What is said of a right drawing, or of right results alone; ``left`` is what is not judged of it."""
+        """The sentence for a right drawing, or for right results alone; ``left`` lists what is not judged."""
         key = "check_right_as_seen" if left else "check_right_results" if self.alone else "check_right"
         what = Phrase("check_results") if self.alone else plan_phrase(self.bench.asked.plan)
         return Phrase(key, plan=what, left=left)
 
 
 def check(asked: Asked, paper: ReadPaper) -> Outcome:
-    """Check one paper. :class:`PlanesError` where the scene or the question is wrong."""
+    """Checks one paper. :class:`PlanesError` if the scene or the question is wrong."""
     bench = prepare(asked)
     bench = bench.at(paper.mu, fixed=True) if paper.mu and not asked.mu else bench
     out = Outcome(bench, paper, notes=list(paper.notes))
@@ -151,7 +152,7 @@ def check(asked: Asked, paper: ReadPaper) -> Outcome:
 
 
 def _at_its_scale(asked: Asked, out: Outcome) -> Outcome | None:
-    """What is not right at its sheet's scale, and is at the one that all its vectors show, as it is there."""
+    """The outcome at the scale common to all vectors, if the drawing is right at that scale but not at its sheet's."""
     free = grade(prepare(asked), out.paper) if out.paper.spots and out.verdict in ("wrong", "unreadable") else None
     if free is None or abs(free.mu / out.bench.said_mu - 1) <= NEAR or free.fault or readable(free):
         return None
@@ -188,7 +189,7 @@ def _look(out: Outcome) -> None:
 
 
 def _nothing(out: Outcome) -> Phrase:
-    """Why no mark could be read; marks can be put right on a report only where it has a picture."""
+    """Why no mark could be read; a report offers corrections of marks only where it has a picture."""
     said = out.paper.reason or asking("check_nothing_read", names=", ".join(map(label_of, out.bench.marks)))
     return said if out.paper.picture else told_to("table", said)
 
@@ -219,7 +220,7 @@ def _segments(out: Outcome) -> None:
 
 
 def _shown_by(lengths: Account, free: bool) -> Phrase | None:
-    """None when right lengths show that the plan is right, else a sentence that says they are too few or too short."""
+    """None if right lengths prove the plan right, otherwise a sentence that they are too few or too short."""
     longest = max(s.figure.given for s in lengths.scored)
     shares = (6 * s.sigma / longest if longest else 1.0 for s in lengths.scored)
     if lengths_by_chance(shares, free) <= SURE_LENGTHS:
@@ -228,7 +229,7 @@ def _shown_by(lengths: Account, free: bool) -> Phrase | None:
 
 
 def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[float]:
-    """The stated scale and those the lengths themselves show."""
+    """The stated scale and those implied by the lengths."""
     scales = [bench.said_mu]
     if bench.asked.mu:
         return scales

@@ -1,8 +1,7 @@
-"""Tables of marks that a person has put right in a report, and saved: what they are of, and where its picture lies.
+"""Tables of marks that were corrected and saved in a report: their drawing, and the position of its picture.
 
-Two lines of remarks tell that: `# sheet LOOK NAME`, the hash of what the drawing showed and how the table is to be
-called, and `# box left bottom right top`, mm from the pole. Tables written by hand have neither, and are taken as they
-are.
+Two comment lines say so: `# sheet LOOK NAME`, the hash of the drawing's content and the name of the table, and
+`# box left bottom right top`, mm from the pole. Tables written by hand have neither and are accepted as they are.
 """
 
 import re
@@ -17,13 +16,13 @@ _NUMBER = r" (-?[0-9]{1,5}(?:[.][0-9]{1,6})?)"
 
 
 def saved_as(table: Path) -> str:
-    """How a table that a report has saved is to be called; "" of another one."""
+    """The file name of a table saved by a report; "" for any other table."""
     match = _told(table, rf"[0-9a-f]{{{LETTERS}}} (.+)")
     return match[1].strip() if match else ""
 
 
 def of_another(table: Path, look: str) -> bool:
-    """Whether a table was saved for a drawing that showed something else."""
+    """Whether a table was saved for a drawing with other content."""
     match = _told(table, rf"([0-9a-f]{{{LETTERS}}}) .*")
     return bool(match and look and match[1] != look)
 
@@ -37,7 +36,7 @@ def _head(table: Path) -> str:
 
 
 def corrected(paper: ReadPaper, picture: ReadPaper | None) -> ReadPaper:
-    """A table of marks a person has put right in the report of a picture, with that picture under it."""
+    """A table of marks corrected in the report of a picture, combined with that picture."""
     notes = [*paper.notes, Phrase("check_by_hand", file=Path(paper.file).name)]
     if picture is None:
         return replace(paper, notes=notes)
@@ -49,8 +48,10 @@ def corrected(paper: ReadPaper, picture: ReadPaper | None) -> ReadPaper:
 
 
 def _box_told(table: Path, read: Box) -> Box:
-    """Where the picture lies about the pole, which a person may have moved: as a report page has written it into the
-    table of its marks, if that is a picture of this size."""
+    """The position of the picture relative to the pole, which the user may have moved.
+
+    A report page writes it into its table of marks; it is used if it fits a picture of this size.
+    """
     match = re.search(rf"^# box{4 * _NUMBER}$", _head(table), re.MULTILINE)
     left, low, right, high = map(float, match.groups()) if match else read
     same = abs(right - left - read[2] + read[0]) < 0.1 and abs(high - low - read[3] + read[1]) < 0.1

@@ -1,8 +1,8 @@
-"""What the square code of a blank says: of which scene, variant, student and plan it is, as one short line of text.
+"""The square code of a blank: scene, variant, student and plan in one short line of text.
 
-`planes2|scene|variant|student|plan|value|mu|x,y`, the last two where its pole stands (mm). Earlier blanks begin with
-`planes1` and do not tell their pole; they are read, too. Nothing that is read is trusted: a mark is only ever compared
-with those of the scenes a teacher has named, and whatever is not of this form is no mark.
+`planes2|scene|variant|student|plan|value|mu|x,y`, the last two being the position of the pole (mm). Earlier blanks
+begin with `planes1` and have no pole; they are read, too. No content is trusted: a mark is only compared with those of
+the scenes named by the teacher, and any other format is no mark.
 """
 
 from __future__ import annotations
@@ -25,17 +25,16 @@ if TYPE_CHECKING:
     from planes.geometry.arrays import Greys
 
 BEGINS, EARLIER = "planes2", "planes1"
-LONGEST = (24, 12, 28, 16)  # letters of scene, variant, student and plan
-MOST = 200  # letters of all
-CUT = 5  # letters of what stands for the rest of a longer name
+LONGEST = (24, 12, 28, 16)  # maximum lengths of scene, variant, student and plan
+MOST = 200  # maximum length of the text
+CUT = 5  # length of the hash that replaces the rest of a longer name
 _NUMBER = re.compile(r"(-?\d{1,9}(\.\d{1,9})?(e-?\d{1,2})?)?")
 _PLACE = re.compile(r"\d{1,3}(\.\d)?,\d{1,3}(\.\d)?")
 
 
 @frozen
 class SheetMark:
-    """What a sheet says of itself: whose it is, a value of the drive where it is not the scene's, the scale (mm per SI
-    unit), and where its pole stands (mm)."""
+    """The data on a sheet: its owner, the drive value if not the scene's, the scale (mm per SI unit), the pole (mm)."""
 
     scene: str
     variant: str = ""
@@ -47,13 +46,13 @@ class SheetMark:
 
     @classmethod
     def of(cls, asked: Asked) -> SheetMark:
-        """The mark of a blank, by what its scene says."""
+        """The mark of a blank, from its scene."""
         scene, student = asked.scene, str(asked.scene.sheet.get("student", ""))
         return cls(Path(scene.file).stem, scene.variant or "", student, asked.plan, asked.value, asked.mu)
 
     @property
     def text(self) -> str:
-        """As it is printed."""
+        """The text as printed."""
         words = zip((self.scene, self.variant, self.student, self.plan), LONGEST, strict=True)
         numbers = ("" if n is None else f"{n:.7g}".replace("e+", "e") for n in (self.value, self.mu))
         fields = *(short(word, most) for word, most in words), *numbers
@@ -62,14 +61,13 @@ class SheetMark:
         return "|".join((BEGINS, *fields, f"{round(self.pole.real, 1):g},{round(self.pole.imag, 1):g}"))
 
     def fits(self, scene: str, student: str) -> bool:
-        """Whether it names that scene and that student, as they are printed; "" is any."""
+        """Whether it names this scene and this student, as printed; "" matches any."""
         pairs = ((scene, self.scene, LONGEST[0]), (student, self.student, LONGEST[2]))
         return all(not own or short(own, most) == short(read, most) for own, read, most in pairs)
 
 
 def short(name: str, most: int) -> str:
-    """A name as a mark has it: of letters that can be printed, and no longer; a longer one ends with what tells it from
-    others that begin alike."""
+    """A name shortened for a mark to printable characters; a longer one ends with a hash of the rest."""
     plain = unicodedata.normalize("NFC", name)
     plain = "".join(c if c.isprintable() and c != "|" else "_" for c in plain)
     if len(plain) <= most:
@@ -78,7 +76,7 @@ def short(name: str, most: int) -> str:
 
 
 def parsed(text: str) -> SheetMark | None:
-    """The mark a text is, if it is one."""
+    """The mark encoded in a text, if any."""
     begins, *parts = text[: MOST + 1].split("|")
     place = parts.pop() if begins == BEGINS else ""
     begins_well = begins == EARLIER or (begins == BEGINS and _PLACE.fullmatch(place))
@@ -92,19 +90,19 @@ def parsed(text: str) -> SheetMark | None:
 
 
 def cells(text: str) -> list[list[bool]]:
-    """Black cells of the code of a text, the top row first."""
+    """Black cells of the code of a text, top row first."""
     import segno
 
     code = segno.make_qr(text, error="l", encoding="utf-8", eci=False)
     return [[bool(cell) for cell in row] for row in code.matrix]
 
 
-RIM_MM = 4.0  # of paper about the code
+RIM_MM = 4.0  # white border around the code
 LOOK_PX = 2000
 
 
 def mark_on(grey: Greys) -> SheetMark | None:
-    """The mark of the sheet on a picture: where the corner marks tell that it stands, else anywhere."""
+    """The mark of the sheet on a picture: at the place given by the corner marks, otherwise anywhere."""
     from planes.check.vision.image.opencv import smaller
     from planes.check.vision.image.picture import flatten
 
@@ -113,20 +111,20 @@ def mark_on(grey: Greys) -> SheetMark | None:
 
 
 def mark_of(flat: Flat) -> SheetMark | None:
-    """The mark of a sheet that was made flat by its corner marks."""
+    """The mark of a sheet rectified by its corner marks."""
     reach = (CODE_MM / 2 + RIM_MM) * (1 + 1j)
     (left, low), (right, top) = (flat.px(code_centre() + by) for by in (-reach, reach))
     return _decoded(flat.grey[max(0, int(top)) : int(low), int(left) : int(right)])
 
 
 def _decoded(grey: Greys, close: bool = True) -> SheetMark | None:
-    """The mark on a part of a picture, looked at in several ways; more of them where only the code is looked at."""
+    """The mark on a part of a picture, tried with several filters; with more of them on the code alone."""
     from planes.check.vision.image.opencv import cv
 
     cv2 = cv()
     detectors = (cv2.QRCodeDetector(), *([cv2.QRCodeDetectorAruco()] if close else []))
     for look, detector in product(_looks(grey, close), detectors):
-        with suppress(cv2.error, UnicodeDecodeError):  # a damaged code may hold anything
+        with suppress(cv2.error, UnicodeDecodeError):  # a damaged code may hold any bytes
             mark = parsed(detector.detectAndDecode(look)[0])
             if mark:
                 return mark
@@ -134,7 +132,7 @@ def _decoded(grey: Greys, close: bool = True) -> SheetMark | None:
 
 
 def _looks(grey: Greys, close: bool) -> Iterator[Greys]:
-    """The picture as it is, smaller, sharper against what a hand's motion has smeared, if ``close`` black and white."""
+    """The picture as it is, smaller, sharpened against motion blur and, if ``close``, in black and white."""
     from planes.check.vision.image.opencv import cv, shrunk
 
     cv2 = cv()

@@ -1,4 +1,4 @@
-"""What tests share: independent solvers, random scenes, drawings as people make them."""
+"""Shared by tests: independent solvers, random scenes, realistic drawings."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The truth of a scene as it is written: its decimals at 50 digits, and all that is reckoned of them."""
+"""The true solution of a scene as written: its decimals with 50 digits, and all values computed from them."""
 
 from __future__ import annotations
 
@@ -20,13 +20,12 @@ LONG = Long(50)
 
 
 def decimal(x: float) -> Any:
-    """The decimal that a scene has for a double: its shortest digits."""
+    """The decimal number of a scene for a double: its shortest digits."""
     return LONG.mp.mpf(repr(float(x)))
 
 
 def long(thing: Any, places: Mapping[complex, tuple[float, ...]]) -> Any:
-    """A mechanism, or a part of it, with every number as long as it is written; ``places`` are those written by radius
-    and angle."""
+    """A mechanism, or a part of it, with all digits of its numbers; ``places`` are those given by radius and angle."""
     if isinstance(thing, complex):
         polar = places.get(thing)
         if polar:
@@ -45,7 +44,7 @@ def long(thing: Any, places: Mapping[complex, tuple[float, ...]]) -> Any:
 
 
 def givens(mechanism: Mechanism) -> dict[str, Any]:
-    """All that is given to the drawing, reckoned with long numbers."""
+    """All givens of the drawing, computed with long numbers."""
     kept, reckoned.ARITHMETIC = reckoned.ARITHMETIC, LONG
     try:
         return dict(plans_of(long(mechanism, mechanism.written.places)).given)
@@ -60,7 +59,7 @@ def pair(x: Any) -> Two:
 
 
 def truth(c: Cycle, values: Any) -> list[Two]:
-    """The columns of scenes as they are written, read in numbers of 106 bits."""
+    """The columns of scenes as written, computed in numbers of 106 bits."""
     true = givens(c.plans.mechanism)
     flat: dict[str, Any] = {}
     for name, rounded in given_values(c.given).items():

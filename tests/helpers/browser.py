@@ -1,4 +1,4 @@
-"""A headless Chromium for the tests of pages, as it is installed."""
+"""The installed headless Chromium, for tests of pages."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ LISTENS = re.compile(r"DevTools listening on (ws://\S+)")
 
 @contextmanager
 def chromium() -> Iterator[Any]:
-    """A browser. Without any the test is skipped, and says what to install."""
+    """A browser. Without any, the test is skipped with a note on what to install."""
     devtools = pytest.importorskip("tests.helpers.devtools", reason="install the test extra: pip install -e '.[test]'")
     program = os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), "")
     if not program:
@@ -55,7 +55,7 @@ def chromium() -> Iterator[Any]:
 
 
 def until(page: Any, condition: str) -> None:
-    """Wait for what an expression says; asked from outside, for a page evaluates no text within itself."""
+    """Waits for an expression to become true; polled from outside, since a page evaluates no text within itself."""
     for _ in range(2000):
         if page.evaluate(condition):
             return
@@ -64,7 +64,7 @@ def until(page: Any, condition: str) -> None:
 
 
 def watched(page: Any) -> list[str]:
-    """What the page complains of, or asks the network for."""
+    """The errors and network requests of the page."""
     errors: list[str] = []
     page.on("console", lambda m: errors.append(m.text) if m.type in ("error", "warning") else None)
     page.on("pageerror", lambda e: errors.append(str(e)))

@@ -1,4 +1,4 @@
-"""Sheets of a class as they come back: a printed page, a plan drawn on it by a steady hand, scanned a little askew."""
+"""Sheets submitted by a class: a printed page, a plan drawn on it by a steady hand, scanned slightly askew."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from planes.words.names import POLE
 DPI = 200
 PX = DPI / 25.4
 PENCIL, WIDE_MM, HEAD_MM = 70, 0.45, 3.6
-SHIFT = 4  # bits of a place behind its point
+SHIFT = 4  # fractional bits of a coordinate
 Marks = Mapping[str, complex]
 
 
@@ -34,7 +34,7 @@ def printed(pdf: Path, page: int = 0) -> Any:
 def drawn(
     sheet: Any, scene: Scene, plan: str, wrong: Callable[[dict[str, complex]], Marks] = lambda right: right
 ) -> Any:
-    """The plan on its blank, its marks made ``wrong`` if that is given."""
+    """The plan on its blank, its marks changed by ``wrong`` if given."""
     bench = prepare(Asked(scene, plan))
     places, pole, out = {POLE: 0j, **wrong(dict(bench.true_marks))}, blank_pole(bench), sheet.copy()
     for a, b in vectors(bench):
@@ -57,7 +57,7 @@ def _px(out: Any, z: complex) -> tuple[int, int]:
 
 
 def scanned(sheet: Any, askew_deg: float = 0.6, seed: int = 1) -> Any:
-    """As a scanner gives it: a little askew, soft, with grain."""
+    """As scanned: slightly askew, soft, with grain."""
     h, w = sheet.shape
     turn = cv2.getRotationMatrix2D((w / 2, h / 2), askew_deg, 0.985)
     seen = cv2.warpAffine(sheet, turn, (w, h), flags=cv2.INTER_CUBIC, borderValue=245)

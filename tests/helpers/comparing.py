@@ -1,4 +1,4 @@
-"""Drawing a scene at chosen scales and comparing every number of it with the independent solution."""
+"""Draws a scene at chosen scales and compares every number of it with the independent solution."""
 
 from __future__ import annotations
 
@@ -38,13 +38,13 @@ class Drawn:
 
     @property
     def sharpest(self) -> float:
-        """The bluntest crossing of the drawing: the smallest sharpness."""
+        """The smallest sharpness of intersections in the drawing."""
         found = [s for name, s in self.drawing.sharpness.items() if not name.endswith(("+", "-"))]
         return float(min([1.0, *found]))
 
 
 def draw(scene: Mapping[str, Any] | str, value: Any = None, mu: Mapping[str, float] | None = None) -> Drawn:
-    """Draw a scene (its text or its numeric dict) at automatic scales, at a value (or values) of the drive."""
+    """Draws a scene (its text or its numeric dict) at automatic scales, at one or more values of the drive."""
     read = loads(scene if isinstance(scene, str) else to_yaml(scene))
     assert read.mechanism
     plans = plans_of(read.mechanism)
@@ -56,7 +56,7 @@ def draw(scene: Mapping[str, Any] | str, value: Any = None, mu: Mapping[str, flo
 
 @dataclass(frozen=True)
 class Number:
-    """A quantity in SI: ``sort`` groups those measured in one unit (r, v, a, omega, epsilon, force, moment…)."""
+    """A quantity in SI: ``sort`` groups those of one unit (r, v, a, omega, epsilon, force, moment…)."""
 
     name: str
     sort: str
@@ -91,7 +91,7 @@ def numbers(d: Drawn) -> Iterator[Number]:
 
 
 def expected(sol: Solution, revolving: bool) -> Iterator[Number]:
-    """The same numbers by the independent solution."""
+    """The same numbers from the independent solution."""
     for name, (r, v, a) in sol.points.items():
         yield Number(f"r_{name}", "r", r)
         yield Number(f"v_{name}", "v", v)
@@ -117,17 +117,17 @@ def expected(sol: Solution, revolving: bool) -> Iterator[Number]:
 
 
 def sizes(found: Mapping[str, Number]) -> dict[str, float]:
-    """The scale of every sort of number: the largest of its kind, and never under what the others make of it."""
+    """The scale of every sort of number: the largest of its kind, but at least what follows from the others."""
     most = {
         sort: max([abs(n.value) for n in found.values() if n.sort == sort and n.value == n.value], default=0.0)
         for sort in ("r", "v", "a", "omega", "epsilon", "force", "moment")
     }
     places = [n.value for n in found.values() if n.sort == "r"]
     span = max(abs(p - q) for p in places for q in places)
-    span = span if span > 1e-12 * most["r"] else most["r"] or 1.0  # all points at one place are as far off as they lie
+    span = span if span > 1e-12 * most["r"] else most["r"] or 1.0  # all points coincide: scaled by their distance
     scale = {"r": max(most["r"], span), "angle": 180.0}
     turning, quick = most["omega"] * span, max(most["epsilon"], most["omega"] ** 2) * span
-    scale["v"] = turning if most["v"] < 1e-12 * turning else most["v"]  # every point stands on the pivot
+    scale["v"] = turning if most["v"] < 1e-12 * turning else most["v"]  # every point is on the pivot
     scale["a"] = quick if most["a"] < 1e-12 * quick else most["a"]
     scale["omega"] = max(most["omega"], most["v"] / scale["r"])
     scale["epsilon"] = max(most["epsilon"], most["a"] / scale["r"])
@@ -147,7 +147,7 @@ def differences(d: Drawn, truth: Mapping[str, Number]) -> dict[str, float]:
         if want.sort == "angle":
             error = abs(math.remainder((got - want.value).real, 360)) / size
             assert -180 < got.real <= 180
-        if want.sort == "arm":  # as good as the normal force it is divided by
+        if want.sort == "arm":  # as accurate as the normal force in its denominator
             normal = abs(d.number(d.plans.reactions[name.removeprefix("arm_")].normal))
             if not normal > 1e-3 * scale["force"]:
                 continue
@@ -165,7 +165,7 @@ def against(case: Case, text: str | None = None) -> tuple[Drawn, dict[str, float
 
 
 def turned_about(d: Drawn, case: Case) -> dict[str, float]:
-    """The same of a drive inside, where the two may tell a reaction on the one link of a pair or on the other."""
+    """The same for an inner drive, where the two may state a reaction on either link of a pair."""
     keys, truth = {*d.plans.reactions}, {}
     for n in expected(case.solution, "phi" in case.scene["drive"]):
         head, _, key = n.name.rpartition("F_")
@@ -177,21 +177,21 @@ def turned_about(d: Drawn, case: Case) -> dict[str, float]:
 
 
 def standing(case: Case) -> bool:
-    """Whether something whose sense of motion matters (a rubbing slider) stands still but for rounding."""
+    """Whether a part whose sense of motion matters (a rubbing slider) is at rest except for rounding."""
     friction, sol = case.scene.get("friction", {}), case.solution
     quick = max([abs(v) for v in sol.speeds.values()], default=0.0)
     if any(sol.guides[i][0] in friction and abs(v) < 1e-9 * quick for i, v in sol.speeds.items()):
         return True
     omegas = {n: w for n, (_, w) in sol.motion.items()}
     span = max(abs(r) for r, _, _ in sol.points.values())
-    most = max([*map(abs, omegas.values()), *(abs(v) / span for v, _ in sol.motion.values())])  # all may slide alone
+    most = max([*map(abs, omegas.values()), *(abs(v) / span for v, _ in sol.motion.values())])  # all may only slide
     straight = {guide for guide, _, _ in sol.guides.values()}
     pins = any(name not in straight for name in friction)
     return pins and any(abs(omegas[i] - omegas[j]) < 1e-9 * most for i, j in sol.hinges if not unmoved(sol, i, j))
 
 
 def closing_mm(d: Drawn) -> float:
-    """The largest closing error of all stated equations of a drawing, in mm: the sum of the vectors, as read."""
+    """The largest closing error of all stated equations of a drawing, in mm: the sum of the vectors as read."""
     worst = 0.0
     for e in d.plans.equations:
         sums = []
@@ -206,7 +206,7 @@ def closing_mm(d: Drawn) -> float:
 
 
 def measured_closing_mm(d: Drawn) -> float:
-    """The same from what was measured or given: each vector as its length (SI) along its direction."""
+    """The same from measured or given values: each vector as its length (SI) along its direction."""
     worst, st = 0.0, d.plans
     made = d.drawing.things
     for e in st.equations:
@@ -226,7 +226,7 @@ def measured_closing_mm(d: Drawn) -> float:
 
 
 def power(d: Drawn) -> tuple[float, float]:
-    """(sum, largest term) of F·v + M·ω over all that acts from outside, friction and balancing, as measured."""
+    """(sum, largest term) of F·v + M·ω over all external actions, friction and balancing, as measured."""
     st, terms = d.plans, []
     motion = st.acting.motion
     assert motion
@@ -257,14 +257,14 @@ def power(d: Drawn) -> tuple[float, float]:
 
 
 def balanced(d: Drawn, case: object = "") -> None:
-    """The powers of a drawing add up to nothing, and its polygons close, but for rounding."""
+    """Asserts that the powers of a drawing add up to zero, and its polygons close, except for rounding."""
     total, largest = power(d)
     assert abs(total) * d.sharpest <= 1e-10 * largest, (case, total, largest)
     assert closing_mm(d) <= 1e-9, case
 
 
 def pose(d: Drawn) -> dict[str, tuple[float, float, float]]:
-    """Place of the origin and turn (rad) of every link, as drawn: where the independent solution starts from."""
+    """The origin and rotation (rad) of every link, as drawn: the initial guess of the independent solution."""
     out, mechanism = {}, d.plans.mechanism
     for name, link in mechanism.links.items():
         turn = math.radians(d.number(d.plans.links[name].angle))

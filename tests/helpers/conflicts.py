@@ -1,4 +1,4 @@
-"""What a strict teacher would circle on a sheet: labels on labels or strokes, anything outside of a field."""
+"""Faults that a strict teacher would circle on a sheet: labels on labels or strokes, anything outside a field."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ class Conflict:
 
 
 def conflicts(texts: Sequence[Text], marks: Sequence[Mark] = (), field: Bounds | None = None) -> tuple[Conflict, ...]:
-    """Where labels overlap each other or any ink of ``marks``, or anything leaves the ``field``.
+    """Labels that overlap each other or the ink of ``marks``, and anything outside the ``field``.
 
-    Texts among the marks are labels too; the same text given twice is one.
+    Texts among the marks are labels, too; the same text given twice counts as one.
     """
     labels = tuple(dict.fromkeys([*texts, *(mark for mark in marks if isinstance(mark, Text))]))
     labels = tuple(label for label in labels if layout(label).strokes)
@@ -42,7 +42,7 @@ def conflicts(texts: Sequence[Text], marks: Sequence[Mark] = (), field: Bounds |
 
 
 def _owned(marks: Sequence[Mark]) -> tuple[InkedShapes, list[int]]:
-    """The ink of marks, mark by mark, and the number of the mark that each shape is of."""
+    """The ink of marks, mark by mark, and for each shape the number of its mark."""
     parts = [ink([mark]) for mark in marks]
     shapes = np.concatenate([part.shapes for part in parts]) if parts else np.array([], object)
     halves = np.concatenate([part.halves for part in parts]) if parts else np.array([])
@@ -71,7 +71,7 @@ def _outside(marks: Sequence[Mark], field: Bounds | None) -> list[Conflict]:
 
 
 def described(mark: Mark) -> str:
-    """A mark in a few words: its kind, its layer and what it shows."""
+    """A mark in a few words: its kind, its layer and its content."""
     if isinstance(mark, Text):
         return mark.text
     named = f" {mark.name}" if isinstance(mark, Arrow) and mark.name else ""

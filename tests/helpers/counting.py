@@ -1,4 +1,4 @@
-"""Work counted, not timed: how many functions are called, so that a busy machine passes what an idle one does."""
+"""Counts work instead of timing it: the number of function calls is the same on a busy machine as on an idle one."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
-PATIENCE_S = 600  # for another process: it has hung, not merely been slow
+PATIENCE_S = 600  # for another process: it hangs, rather than being slow
 PATIENCE_MS = 1000.0 * PATIENCE_S
 
 
 @contextmanager
 def at_most(calls: int) -> Iterator[list[int]]:
-    """What stands within may call so many functions; the count is in the list."""
+    """Limits the number of function calls in its block; the count is in the list."""
     made = [0]
 
     def count(frame: FrameType, event: str, arg: Any) -> None:

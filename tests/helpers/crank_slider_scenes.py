@@ -1,4 +1,4 @@
-"""The crank-slider the tests of the integrated calculation start from, and ways to change it."""
+"""The basic crank-slider scene of the tests of the integrated calculation, and ways to change it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ TWO_STROKE = """\
 
 
 def changed(*pairs: tuple[str, str], text: str = SAMPLE) -> str:
-    """The sample with pieces replaced; each must be there."""
+    """The sample with pieces replaced; each must be present."""
     for old, new in pairs:
         assert old in text, old
         text = text.replace(old, new, 1)

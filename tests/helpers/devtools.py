@@ -1,7 +1,7 @@
-"""A window of Chromium, spoken to in its DevTools protocol: https://chromedevtools.github.io/devtools-protocol/.
+"""A window of Chromium, controlled by its DevTools protocol: https://chromedevtools.github.io/devtools-protocol/.
 
-A page is asked and acted on by the verbs of browser tests: go to an address, evaluate, click, type, drag. An element is
-acted on as soon as it is visible and nothing covers it.
+A page has the methods of browser tests: go to an address, evaluate, click, type, drag. An action on an element waits
+until it is visible and nothing covers it.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ import websocket
 
 from tests.helpers.counting import PATIENCE_S
 
-BEAT_S = 0.02  # between two looks at what is waited for
+BEAT_S = 0.02  # polling interval
 UNPACKED = """new Promise(done => {
   const packed = () => document.readyState !== "complete" || document.getElementById("code") && !globalThis.planes;
   const look = left => packed() && left ? setTimeout(look, 10, left - 1) : done();
   look(1000);
 })"""
-"""Until a page is loaded and its script has come out of its wrapping."""
+"""Whether a page is loaded and its script unpacked."""
 FUNCTION = re.compile(r"\s*(async\s*)?(\([\w\s,{}\[\].]*\)|\w+)\s*=>|\s*(async\s+)?function\b")
 MODIFIERS = {"Alt": 1, "Control": 2, "Meta": 4, "Shift": 8}
 KEYS = {
@@ -54,7 +54,7 @@ CHOOSE = """const e = all[0]; if (!seen(e)) return false;
 
 
 class Line:
-    """The line to a browser: commands are answered in turn, events between the answers are handed to their page."""
+    """The connection to a browser: commands are answered in turn, events between the answers go to their page."""
 
     def __init__(self, address: str) -> None:
         self.socket = websocket.create_connection(address, timeout=PATIENCE_S, suppress_origin=True)
@@ -74,7 +74,7 @@ class Line:
                 return answer["result"]
 
     def heard(self) -> Any:
-        """The next answer; an event is handed on."""
+        """The next answer; an event is passed on."""
         said = json.loads(self.socket.recv())
         if "method" in said:
             page = self.pages.get(said.get("sessionId", ""))
@@ -82,7 +82,7 @@ class Line:
         return said
 
     def listen(self, seconds: float) -> None:
-        """Hear events for a while."""
+        """Receives events for a while."""
         end = time.monotonic() + seconds
         while (left := end - time.monotonic()) > 0:
             self.socket.settimeout(max(left, 1e-3))
@@ -95,7 +95,7 @@ class Line:
 
 
 class Browser:
-    """A browser, or within it a profile of its own: pages open with its window's size."""
+    """A browser, or a separate profile in it: pages open with its window size."""
 
     def __init__(self, line: Line, profile: str = "", viewport: dict[str, int] | None = None) -> None:
         self.line, self.profile, self.viewport = line, profile, viewport or {"width": 1280, "height": 720}
@@ -114,18 +114,18 @@ class Browser:
         )
 
     def close(self) -> None:
-        """End the profile with its pages."""
+        """Closes the profile with its pages."""
         if self.profile:
             self.line.ask("Target.disposeBrowserContext", browserContextId=self.profile)
 
 
 class Asked:
-    """What can be asked of elements that a selector finds: the first of them, where one is meant."""
+    """Queries of the elements found by a selector: of the first of them, where one is meant."""
 
     page: Page
 
     def steps_to(self, selector: str) -> list[tuple[str, Any]]:
-        """How elements are found: CSS selectors, ``text=`` words in them and ``nth=`` numbers, parted by ``>>``."""
+        """The search for elements: CSS selectors, ``text=`` words in them and ``nth=`` numbers, separated by ``>>``."""
         steps: list[tuple[str, Any]] = []
         for step in filter(None, selector.split(" >> ")):
             verb, _, rest = step.partition("=")
@@ -145,11 +145,11 @@ class Asked:
         return answer
 
     def inner_text(self, selector: str = "") -> str:
-        """Its words, as they are seen."""
+        """Its visible text."""
         return str(self._wait(selector, "return all[0] && [all[0].innerText];")[0])
 
     def inner_html(self, selector: str = "") -> str:
-        """What is in it, as HTML."""
+        """Its content as HTML."""
         return str(self._wait(selector, "return all[0] && [all[0].innerHTML];")[0])
 
     def get_attribute(self, selector: str, name: str) -> Any:
@@ -157,67 +157,67 @@ class Asked:
         return self._wait(selector, "return all[0] && [all[0].getAttribute(by)];", name)[0]
 
     def input_value(self, selector: str = "") -> str:
-        """What is typed in it."""
+        """The text typed in it."""
         return str(self._wait(selector, "return all[0] && [all[0].value];")[0])
 
     def is_visible(self, selector: str = "") -> bool:
-        """Whether it can be seen."""
+        """Whether it is visible."""
         return bool(self._of(selector, "return !!seen(all[0]);"))
 
     def is_disabled(self, selector: str = "") -> bool:
-        """Whether it cannot be pressed."""
+        """Whether it is disabled."""
         return bool(self._wait(selector, "return all[0] && [all[0].disabled];")[0])
 
     def is_enabled(self, selector: str = "") -> bool:
-        """Whether it can be pressed."""
+        """Whether it is enabled."""
         return not self.is_disabled(selector)
 
     def click(self, selector: str = "") -> None:
-        """Press it."""
+        """Clicks it."""
         self.page.mouse.click(*self._wait(selector, READY))
 
     def hover(self, selector: str = "") -> None:
-        """Bring the pointer over it."""
+        """Moves the pointer over it."""
         self.page.mouse.move(*self._wait(selector, READY))
 
     def focus(self, selector: str = "") -> None:
-        """Bring the keys to it."""
+        """Gives it the keyboard focus."""
         self._wait(selector, "if (!all[0]) return false; all[0].focus(); return true;")
 
     def fill(self, selector: str, text: str) -> None:
-        """Type it in place of what is there."""
+        """Replaces its text."""
         self._wait(
             selector, "const e = all[0]; if (!seen(e) || e.disabled) return false; e.focus(); e.select(); return true;"
         )
         self.page.ask("Input.insertText", text=text)
 
     def select_option(self, selector: str, value: str | None = None, index: int | None = None) -> None:
-        """Choose from a list."""
+        """Selects from a list."""
         self._wait(selector, CHOOSE, {"value": value} if index is None else {"index": index})
 
     def check(self, selector: str, wanted: bool = True) -> None:
-        """Tick it."""
+        """Ticks it."""
         if self._wait(selector, "return all[0] && [all[0].checked];")[0] != wanted:
             self.click(selector)
 
     def uncheck(self, selector: str) -> None:
-        """Take its tick away."""
+        """Unticks it."""
         self.check(selector, False)
 
 
 @dataclass
 class Locator(Asked):
-    """All elements found on a way through the page."""
+    """All elements found along a path through the page."""
 
     page: Page
     way: list[tuple[str, Any]]
 
     def steps_to(self, selector: str) -> list[tuple[str, Any]]:
-        """From these on."""
+        """Continues from these."""
         return [*self.way, *super().steps_to(selector)]
 
     def locator(self, selector: str) -> Locator:
-        """Those within these."""
+        """Those inside these."""
         return Locator(self.page, self.steps_to(selector))
 
     def nth(self, k: int) -> Locator:
@@ -230,28 +230,28 @@ class Locator(Asked):
         return self.nth(0)
 
     def count(self) -> int:
-        """How many there are."""
+        """The number of elements."""
         return int(self._of("", "return all.length;"))
 
     def bounding_box(self) -> dict[str, float]:
-        """Where the first one lies in the window, in pixels."""
+        """The box of the first one in the window, in pixels."""
         body = "const b = all[0]?.getBoundingClientRect(); return b && b.toJSON();"
         return dict(self._wait("", body))
 
 
 class Frame:
-    """A document: the page's own, or one within it."""
+    """A document: the page's or a nested one."""
 
     def __init__(self, page: Page, context: int) -> None:
         self.page, self.context = page, context
 
     def evaluate(self, expression: str) -> Any:
-        """What an expression comes to, as JSON has it; a promise is waited for."""
+        """The value of an expression, as in JSON; a promise is awaited."""
         return self.page.evaluated(expression, contextId=self.context)
 
 
 class Page(Asked):
-    """One page. ``on`` says who hears of ``console``, ``pageerror`` and ``request``."""
+    """One page. ``on`` registers listeners for ``console``, ``pageerror`` and ``request``."""
 
     def __init__(self, browser: Browser, target: str, viewport: dict[str, int]) -> None:
         self.browser, self.line, self.target, self.page = browser, browser.line, target, self
@@ -259,7 +259,7 @@ class Page(Asked):
         self.line.pages[self.session] = self
         self.hearers: dict[str, list[Callable[[Any], None]]] = {}
         self.errors: list[str] = []
-        self.loaded, self.contexts = 0, dict[str, int]()  # documents loaded so far; frames and where they evaluate
+        self.loaded, self.contexts = 0, dict[str, int]()  # number of documents loaded; frames and their contexts
         self.mouse, self.keyboard = Mouse(self), Keyboard(self)
         for room in ("Page", "Runtime", "Log", "Network", "DOM"):
             self.ask(f"{room}.enable")
@@ -270,11 +270,11 @@ class Page(Asked):
         return self.line.ask(method, self.session, **params)
 
     def on(self, kind: str, hearer: Callable[[Any], None]) -> None:
-        """Tell a hearer of each event of a kind."""
+        """Registers a listener for events of a kind."""
         self.hearers.setdefault(kind, []).append(hearer)
 
     def event(self, method: str, said: dict[str, Any]) -> None:
-        """Something happened in the page."""
+        """Handles an event of the page."""
         if method == "Page.loadEventFired":
             self.loaded += 1
         elif method == "Runtime.executionContextCreated" and said["context"]["auxData"].get("isDefault"):
@@ -295,7 +295,7 @@ class Page(Asked):
             hearer(what)
 
     def goto(self, address: str) -> None:
-        """Open an address and wait until it is loaded."""
+        """Opens an address and waits until it is loaded."""
         before = self.loaded
         went = self.ask("Page.navigate", url=address)
         assert "errorText" not in went, f"{address}: {went['errorText']}"
@@ -304,15 +304,15 @@ class Page(Asked):
         self.evaluated(UNPACKED)
 
     def set_content(self, text: str) -> None:
-        """Show a document that is given."""
+        """Shows a given document."""
         self.ask("Page.setDocumentContent", frameId=self.target, html=text)
 
     def evaluate(self, expression: str, given: Any = None) -> Any:
-        """What an expression comes to, or what a function makes of ``given``; a promise is waited for."""
+        """The value of an expression, or of a function of ``given``; a promise is awaited."""
         return self.evaluated(f"({expression})({json.dumps(given)})" if FUNCTION.match(expression) else expression)
 
     def evaluated(self, expression: str, **where: Any) -> Any:
-        """What an expression comes to, as JSON has it; what a page calls its own is named as it names it."""
+        """The value of an expression, as in JSON, with the page's names."""
         expression = f"with (globalThis.planes ?? {{}}) {{ {expression}\n}}"
         how = {"returnByValue": True, "awaitPromise": True, "userGesture": True}
         answer = self.ask("Runtime.evaluate", expression=expression, **how, **where)
@@ -326,11 +326,11 @@ class Page(Asked):
 
     @property
     def frames(self) -> list[Frame]:
-        """The document and those within it."""
+        """The document and those nested in it."""
         return [Frame(self, context) for context in self.contexts.values()]
 
     def locator(self, selector: str) -> Locator:
-        """All elements a selector finds."""
+        """All elements found by a selector."""
         return Locator(self, self.steps_to(selector))
 
     def title(self) -> str:
@@ -338,24 +338,24 @@ class Page(Asked):
         return str(self.evaluate("document.title"))
 
     def wait_for_timeout(self, milliseconds: float) -> None:
-        """Let it go on for a while."""
+        """Lets it run for a while."""
         self.line.listen(milliseconds / 1000)
 
     def wait_for_function(self, expression: str) -> None:
-        """Wait until an expression is true."""
+        """Waits until an expression is true."""
         end = time.monotonic() + PATIENCE_S
         while not self.evaluate(expression):
             assert time.monotonic() < end, f"it has not come to {expression}"
             self.wait_for_timeout(1000 * BEAT_S)
 
     def set_viewport_size(self, size: dict[str, int]) -> None:
-        """How large the page is seen."""
+        """Sets the size of the page's window."""
         self.ask("Emulation.setDeviceMetricsOverride", **size, deviceScaleFactor=1, mobile=False)
 
     def emulate_media(
         self, media: str | None = None, color_scheme: str | None = None, reduced_motion: str | None = None
     ) -> None:
-        """On a screen or in print; light or dark; moving or still."""
+        """Screen or print; light or dark; moving or still."""
         asked = {"prefers-color-scheme": color_scheme, "prefers-reduced-motion": reduced_motion}
         features = [{"name": name, "value": value} for name, value in asked.items() if value]
         self.ask("Emulation.setEmulatedMedia", **({"media": media} if media else {}), features=features)
@@ -369,18 +369,18 @@ class Page(Asked):
         return data
 
     def screenshot(self, path: str) -> None:
-        """What is seen, as PNG."""
+        """A screenshot as PNG."""
         Path(path).write_bytes(base64.b64decode(self.ask("Page.captureScreenshot")["data"]))
 
     def set_input_files(self, selector: str, file: str) -> None:
-        """Choose a file."""
+        """Selects a file."""
         root = self.ask("DOM.getDocument")["root"]["nodeId"]
         node = self.ask("DOM.querySelector", nodeId=root, selector=selector)["nodeId"]
         self.ask("DOM.setFileInputFiles", files=[file], nodeId=node)
 
     @contextmanager
     def expect_download(self) -> Iterator[SimpleNamespace]:
-        """Wait for a file the page saves; ``value.save_as`` keeps it."""
+        """Waits for a file saved by the page; ``value.save_as`` keeps it."""
         within = {"browserContextId": self.browser.profile} if self.browser.profile else {}
         with tempfile.TemporaryDirectory() as folder:
             how: Any = {"behavior": "allowAndName", "downloadPath": folder, "eventsEnabled": True}
@@ -396,7 +396,7 @@ class Page(Asked):
         saving.value = SimpleNamespace(save_as=lambda path: Path(path).write_bytes(data))
 
     def close(self) -> None:
-        """Close it."""
+        """Closes it."""
         self.line.pages.pop(self.session)
         self.line.ask("Target.closeTarget", targetId=self.target)
 
@@ -412,38 +412,38 @@ class Mouse:
         self.page.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, buttons=self.held, modifiers=self.shift, **more)
 
     def move(self, x: float, y: float, steps: int = 1) -> None:
-        """To a place in the window, in so many steps."""
+        """Moves to a point in the window, in this number of steps."""
         (x0, y0) = self.at
         for k in range(1, steps + 1):
             self.at = x0 + (x - x0) * k / steps, y0 + (y - y0) * k / steps
             self._send("mouseMoved", button="left" if self.held else "none")
 
     def down(self, shift: bool = False) -> None:
-        """Press the button, the key Shift held or not."""
+        """Presses the button, with or without the Shift key."""
         self.held, self.shift = 1, MODIFIERS["Shift"] * shift
         self._send("mousePressed", button="left", clickCount=1)
 
     def up(self) -> None:
-        """Let it go."""
+        """Releases it."""
         self.held = 0
         self._send("mouseReleased", button="left", clickCount=1)
         self.shift = 0
 
     def click(self, x: float, y: float) -> None:
-        """Press and let go at a place."""
+        """Clicks at a point."""
         self.move(x, y)
         self.down()
         self.up()
 
 
 class Keyboard:
-    """The keys."""
+    """The keyboard."""
 
     def __init__(self, page: Page) -> None:
         self.page = page
 
     def press(self, keys: str) -> None:
-        """One key, with those held down before it: ``Shift+ArrowUp``."""
+        """Presses one key with its modifiers: ``Shift+ArrowUp``."""
         *held, key = keys.split("+")
         modifiers = sum(MODIFIERS[name] for name in held)
         typed = "" if modifiers & ~MODIFIERS["Shift"] else TYPED.get(key, key if len(key) == 1 else "")
@@ -459,6 +459,6 @@ class Keyboard:
         self.page.ask("Input.dispatchKeyEvent", type="keyUp", windowsVirtualKeyCode=code, **how)
 
     def type(self, text: str) -> None:
-        """Letter by letter."""
+        """Types character by character."""
         for letter in text:
             self.press(letter)

@@ -1,7 +1,8 @@
-"""Numbers of twice the digits, in arrays: each the sum of two floats, the second smaller than half the last place of
-the first (T. J. Dekker, A floating-point technique for extending the available precision, 1971; 106 bits).
+"""Double-double arithmetic in arrays: each number is the sum of two floats.
 
-A tape read in them is the truth of many positions at once, some 10⁻³¹ of the largest number that entered a result.
+The second is smaller than half the last place of the first (T. J. Dekker, A floating-point technique for extending the
+available precision, 1971; 106 bits). A tape computed in them gives the true values of many positions at once, to some
+10⁻³¹ of the largest number that entered a result.
 """
 
 import math
@@ -21,7 +22,7 @@ from planes.geometry.arrays import Array, Floats
 Two = tuple[Real, Real]
 RIGHT = (math.pi / 2, 6.123233995736766e-17)
 TERMS = 14
-FINE = 1e-28  # what two floats tell apart
+FINE = 1e-28  # resolution of two floats
 
 
 def _neat(a: Real, b: Real) -> Two:
@@ -58,7 +59,7 @@ def divide(a: Two, b: Two) -> Two:
 
 
 def root(a: Two) -> Two:
-    """The square root; of what is negative, nothing."""
+    """The square root; NaN of a negative number."""
     first = np.sqrt(np.maximum(a[0], 0.0))
     rest = subtract(a, two_product(first, first))[0]
     return _neat(first, np.where(first > 0, rest / (2 * np.where(first > 0, first, 1.0)), 0.0))
@@ -81,7 +82,7 @@ def equal(a: Two | Truth, b: Two | Truth) -> Truth:
 
 
 def hypotenuse(a: Two, b: Two) -> Two:
-    """Scaled by a power of two, so that no square is lost or too large."""
+    """Scaled by a power of two, so that no square underflows or overflows."""
     scale = np.exp2(-np.frexp(np.maximum(np.abs(a[0]), np.abs(b[0])))[1].astype(float))
     x, y = (a[0] * scale, a[1] * scale), (b[0] * scale, b[1] * scale)
     size = root(add(multiply(x, x), multiply(y, y)))
@@ -100,12 +101,12 @@ def floor(a: Two) -> Two:
 
 
 def sine(x: Two) -> Two:
-    """The sine of an angle no larger than an eighth of a turn, by its series."""
+    """The sine of an angle up to an eighth of a turn, by its series."""
     return multiply(x, _series(multiply(x, x), 1))
 
 
 def cosine(x: Two) -> Two:
-    """The cosine of an angle no larger than an eighth of a turn."""
+    """The cosine of an angle up to an eighth of a turn."""
     return _series(multiply(x, x), 0)
 
 
@@ -117,7 +118,7 @@ def _series(square: Two, odd: int) -> Two:
 
 
 def arctangent(y: Two, x: Two) -> Two:
-    """The angle of a vector, in (-π, π]: the double's, mended by the tangent of what is left."""
+    """The angle of a vector, in (-π, π]: the double's, corrected by the tangent of the remainder."""
     steep = np.abs(y[0]) > np.abs(x[0])
     high, low = where(steep, y, x), where(steep, x, y)
     nothing = high[0] == 0
@@ -156,17 +157,17 @@ TWO_OPS: dict[str, Op] = {
 
 
 def twofold(x: Floats | Two) -> Two:
-    """A number of the tape with what a double of it leaves out; what is a pair already, as it is."""
+    """A number of the tape with the remainder beyond its double; pairs are returned unchanged."""
     return x if isinstance(x, tuple) else (np.float64(x), np.float64(REST.get(x, 0.0) if isinstance(x, float) else 0.0))
 
 
 def read_long(c: Cycle, given: Mapping[str, Any], shape: tuple[int, ...]) -> list[Two]:
-    """The columns of a cycle for numbers, or pairs of them, that are given, its drive's among them."""
+    """The columns of a cycle for given numbers, or pairs of them, including its drive's."""
     drawn = trace(c.program, c.given, [x.take for x in c.columns], c.folded, fine=FINE)
     found = read(drawn.tape, drawn.tape.needed(list(drawn.outputs)), given, twofold, TWO_OPS)
     return [tuple(np.broadcast_to(part, shape) for part in found[p]) for p in drawn.outputs]  # type: ignore[misc]
 
 
 def apart(table: Array, true: Two) -> Array:
-    """How far floats are from numbers of twice the digits."""
+    """The differences of floats from double-double numbers."""
     return np.asarray(np.abs((table - true[0]) - true[1]))

@@ -1,7 +1,7 @@
-"""Drawings as people make them, with one mistake or none, for the checker to be tried on.
+"""Realistic drawings, with one mistake or none, for tests of the checker.
 
-The true vectors come from the independent solver (`oracle`); the constructions, the draughtsman's errors and every
-mistake are written here once more, from the textbook. Of the package nothing is used.
+The true vectors come from the independent solver (`oracle`); the constructions, the drawing errors and every mistake
+are implemented here again, from the textbook. Nothing of the package is used.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Lines = dict[str, tuple[complex, complex]]
 
 @dataclass(frozen=True)
 class Care:
-    """How carefully somebody draws: marks (mm, each way), carried directions (degrees), readings (mm)."""
+    """The accuracy of a person: marks (mm, each way), transferred directions (degrees), readings (mm)."""
 
     point: float = 0.15
     ray: float = 0.15
@@ -33,7 +33,7 @@ SHAKY = Care(0.3, 0.35, 0.35)
 
 @dataclass
 class Hand:
-    """A hand with its own random errors."""
+    """A hand with random errors."""
 
     care: Care
     rng: random.Random
@@ -49,13 +49,13 @@ class Hand:
 
 
 def meet(p: complex, u: complex, q: complex, w: complex) -> complex:
-    """Where two lines cross."""
+    """The intersection of two lines."""
     return p + u * (((q - p).conjugate() * w).imag / (u.conjugate() * w).imag)
 
 
 @dataclass(frozen=True)
 class Mistake:
-    """One mistake: its name in the catalogue, and where it is made (a mark, or "" for wherever it can be)."""
+    """One mistake: its name in the catalogue and its mark ("" for any possible one)."""
 
     name: str
     where: str
@@ -64,16 +64,16 @@ class Mistake:
 
 @dataclass
 class Sheet:
-    """What somebody drew: marks in order (mm from the pole), and where a mistake really was made."""
+    """A person's drawing: marks in order (mm from the pole), and where a mistake was really made."""
 
     marks: dict[str, complex] = field(default_factory=dict)
-    made: list[tuple[str, str]] = field(default_factory=list)  # (mistake, mark) pairs that this drawing could hold
+    made: list[tuple[str, str]] = field(default_factory=list)  # (mistake, mark) pairs possible in this drawing
     done: bool = False
 
 
 @dataclass(frozen=True)
 class Leg:
-    """One way to a group's new point: from ``known`` (a name, "" for the pole) about a hinge or along a guide."""
+    """One path to a group's new point: from ``known`` (a name, "" for the pole) about a hinge or along a guide."""
 
     known: str
     carrier: str
@@ -83,7 +83,7 @@ class Leg:
 
 @dataclass(frozen=True)
 class Task:
-    """A group: the name and link of the new point, the place it is at, and two legs."""
+    """A group: the name and link of the new point, its position, and two legs."""
 
     new: str
     link: str
@@ -146,12 +146,12 @@ class Motion:
         return Leg(self.coincident(pair, new, mate), mate, guide=pair.name)
 
     def coincident(self, slide: Pair, point: str, link: str) -> str:
-        """The name of the point of a link under another point: its guide's letter, or the point's with its number."""
+        """The name of a link's point below another point: its guide's letter, or the point's with its number."""
         letter = self.letters.get(slide.name)
         return letter if letter and self.owner[slide.name] == link else f"{point}{link}"
 
     def place(self, name: str) -> complex:
-        """Where a point is on the scheme, m; a coincident one is where its fellow is."""
+        """The position of a point on the scheme, m; a coincident one shares that of its counterpart."""
         if name in self.sol.points:
             return self.sol.points[name][0]
         for t in self.tasks:
@@ -174,16 +174,16 @@ class Motion:
         return name.lower() + ("'" if quick else "")
 
 
-Scheme = Mapping[str, complex]  # points of the mechanism as somebody drew them, mm
+Scheme = Mapping[str, complex]  # points of the mechanism as drawn by a person, mm
 
 
 def draw_scheme(m: Motion, hand: Hand, scheme_mu: float) -> Scheme:
-    """The mechanism to scale: one scheme, that all plans take their directions and arms from."""
+    """The mechanism to scale: one scheme, source of directions and arms for all plans."""
     return {n: hand.mark(z[0] * scheme_mu) for n, z in m.sol.points.items()}
 
 
 class Plan:
-    """One drawing of a motion plan in the making."""
+    """A motion plan while it is drawn."""
 
     def __init__(self, m: Motion, hand: Hand, mu: float, scheme: Scheme, mistake: Mistake | None) -> None:
         self.m, self.hand, self.mu, self.mistake = m, hand, mu, mistake
@@ -201,17 +201,17 @@ class Plan:
         return self.scheme[t.place]
 
     def is_now(self, name: str, where: str) -> bool:
-        """Whether the mistake is made here; every place it could be made at is noted."""
+        """Whether the mistake is made here; records every place where it is possible."""
         self.sheet.made.append((name, where))
         return self.mistake is not None and (self.mistake.name, self.mistake.where) == (name, where)
 
     def put(self, name: str, z: complex, quick: bool) -> None:
-        """Mark the end of a point's vector."""
+        """Marks the end of a point's vector."""
         self.ends[name] = self.hand.mark(z)
         self.sheet.marks[self.m.label(name, quick)] = self.ends[name]
 
     def likeness(self, link: str, quick: bool, bases: list[tuple[str, str]], tangential: Mapping[Any, complex]) -> None:
-        """The other points of a link by similarity on its first base both of whose ends are known."""
+        """The other points of a link by similarity on the first base with both ends known."""
         scene_points = self.m.scene["links"][link]["points"]
         for name in [n for n in scene_points if n not in self.ends]:
             one, two = bases[0]
@@ -230,13 +230,13 @@ class Plan:
 
 
 def similar_to(plan: Plan, task_link: str, name: str, base: str, one: str, two: str, quick: bool) -> None:
-    """A point of a link that turns as ``one``–``two`` does: its vector bypasses that of ``base``."""
+    """A point of a link that rotates like ``one``–``two``: its vector bypasses that of ``base``."""
     ratio = (plan.m.place(name) - plan.m.place(base)) / (plan.m.place(two) - plan.m.place(one))
     plan.put(name, plan.ends[base] + (plan.ends[two] - plan.ends[one]) * ratio, quick)
 
 
 def driver_points(plan: Plan, quick: bool) -> tuple[str, str] | None:
-    """The driver's vectors; its two points if it turns."""
+    """The driver's vectors; its two points if it rotates."""
     m = plan.m
     drive, link = m.scene["drive"], m.model.driver
     points = list(m.scene["links"][link]["points"])
@@ -291,7 +291,7 @@ def leg_line(plan: Plan, task: Task, leg: Leg, other: Leg) -> complex:
 
 
 def drawn_turn(plan: Plan, leg: Leg) -> complex:
-    """How far the drawn scheme's link is turned from the true one: a guide's direction is taken off the scheme."""
+    """The rotation of the drawn scheme's link from the true one: guides take their direction from the scheme."""
     link = next((link for g, link, _ in plan.m.sol.guides.values() if g == leg.guide), "0")
     held = [n for n in plan.m.scene["links"].get(link, {"points": {}})["points"] if n in plan.scheme]
     if link in ("0", plan.m.model.driver) or len(held) < 2:
@@ -327,7 +327,7 @@ def finish(
 
 
 def carried(plan: Plan, leg: Leg, task: Task, bases: Mapping[str, tuple[str, str]], quick: bool) -> None:
-    """The known point of a leg, if it is a coincident point of a moving link that is not drawn yet."""
+    """The known point of a leg, if it is a coincident point of a moving link not yet drawn."""
     if leg.known in plan.ends:
         return
     one, two = bases[turner(plan, leg.carrier, bases)]
@@ -336,7 +336,7 @@ def carried(plan: Plan, leg: Leg, task: Task, bases: Mapping[str, tuple[str, str
 
 
 def turner(plan: Plan, link: str, bases: Mapping[str, tuple[str, str]]) -> str:
-    """The link whose turning another one shares: itself, or the one it slides on."""
+    """The link whose rotation another one shares: itself, or the one on which it slides."""
     while link not in bases:
         mates = [s.j if s.i == link else s.i for s in plan.m.model.slides if link in (s.i, s.j)]
         link = next(n for n in mates if n in bases)
@@ -368,7 +368,7 @@ def group_points(
 
 
 def cross_velocity(plan: Plan, task: Task) -> None:
-    """The new point where the lines of its two legs cross."""
+    """The new point at the intersection of the lines of its two legs."""
     label = plan.m.label(task.new, False)
     one, two = task.legs
     start, other = plan.ends[one.known], plan.ends[two.known]
@@ -387,7 +387,7 @@ def cross_velocity(plan: Plan, task: Task) -> None:
 
 
 def wrong_line(plan: Plan, task: Task, leg: Leg, lines: list[complex], k: int, label: str) -> complex:
-    """A leg's line with the mistakes directions are drawn with; the variant number says on which leg."""
+    """A leg's line with mistakes of direction; the variant number gives the leg."""
     mine = plan.mistake is not None and plan.mistake.variant == k
     line = lines[k]
     if leg.hinge:
@@ -405,7 +405,7 @@ def wrong_line(plan: Plan, task: Task, leg: Leg, lines: list[complex], k: int, l
 def draw_acceleration(
     m: Motion, hand: Hand, mu: float, scheme: Scheme, velocity: Sheet, mu_v: float, mistake: Mistake | None = None
 ) -> Sheet:
-    """An acceleration plan, its normal and Coriolis parts reckoned from a measured velocity plan."""
+    """An acceleration plan, with normal and Coriolis components computed from a measured velocity plan."""
     plan = Plan(m, hand, mu, scheme, mistake)
     base = driver_points(plan, True)
     bases: dict[str, tuple[str, str]] = {m.model.driver: base} if base else {}
@@ -427,7 +427,7 @@ def draw_acceleration(
 def cross_acceleration(
     plan: Plan, task: Task, speeds: Mapping[str, complex], mu_v: float, tangential: dict[tuple[str, str], complex]
 ) -> None:
-    """The new point from the ends of the known parts."""
+    """The new point from the ends of the known components."""
     label = plan.m.label(task.new, True)
     starts, lines = [], []
     for k, leg in enumerate(task.legs):
@@ -451,14 +451,14 @@ def cross_acceleration(
 
 
 def measured(plan: Plan, one: complex, two: complex, mu_v: float) -> float:
-    """A speed read off the velocity plan."""
+    """A speed measured on the velocity plan."""
     return plan.hand.read(abs(two - one) * mu_v) / mu_v
 
 
 def normal_part(
     plan: Plan, task: Task, leg: Leg, speeds: Mapping[str, complex], mu_v: float, start: complex
 ) -> complex:
-    """Lay a^n = v²/l off towards the hinge."""
+    """Lays off a^n = v²/l towards the hinge."""
     name = f"n_{task.new}{leg.hinge}"
     inward = plan.at(leg.hinge) - plan.at(task.place)
     speed = measured(plan, speeds[leg.known], speeds[task.new], mu_v)
@@ -480,7 +480,7 @@ def normal_part(
 def coriolis_part(
     plan: Plan, task: Task, leg: Leg, speeds: Mapping[str, complex], mu_v: float, start: complex
 ) -> complex:
-    """Lay a^k = 2ωv off, the relative velocity turned by 90° in the sense of ω."""
+    """Lays off a^k = 2ωv, the relative velocity rotated by 90° in the sense of ω."""
     name = f"k_{task.new}{leg.known}"
     along = plan.m.direction(leg.guide) * drawn_turn(plan, leg)
     relative = speeds[task.new] - speeds[leg.known]

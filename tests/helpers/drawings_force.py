@@ -1,4 +1,4 @@
-"""Force polygons as people draw them, with one mistake or none; forces come from the independent solver."""
+"""Realistic force polygons, with one mistake or none; forces come from the independent solver."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def crossed(a: complex, b: complex) -> float:
 
 @dataclass
 class Force:
-    """A force on a link at a place (m), N, as a person has it, and the true one."""
+    """A force on a link at a point (m), N: the person's and the true one."""
 
     name: str
     link: str
@@ -29,7 +29,7 @@ class Force:
 
 @dataclass
 class Polygon:
-    """A drawn polygon: named vectors in the order they were laid (mm), and the mistakes that could be made."""
+    """A drawn polygon: named vectors in drawing order (mm), and the possible mistakes."""
 
     vectors: list[tuple[str, complex]] = field(default_factory=list)
     made: list[tuple[str, str]] = field(default_factory=list)
@@ -38,7 +38,7 @@ class Polygon:
 
 @dataclass
 class Half:
-    """One link of a group: its outer pair, what acts on it, and the reaction there."""
+    """One link of a group: its outer pair, the forces on it, and the reaction there."""
 
     link: str
     mate: str
@@ -65,19 +65,19 @@ class Forces:
         self.begin({}, 1.0, {}, 1.0, Hand(NONE, random.Random(0)))
 
     def begin(self, scheme: Scheme, scheme_mu: float, rates: Mapping[str, complex], mu_a: float, hand: Hand) -> None:
-        """Whoever draws has a scheme and an acceleration plan of his own, mm by points, and no reactions yet."""
+        """Starts with the person's own scheme and acceleration plan, mm by points, and no reactions yet."""
         self.scheme, self.scheme_mu, self.rates, self.mu_a = scheme, scheme_mu, rates, mu_a
         self.measured = {n: z * hand.read(abs(z)) / abs(z) / mu_a if z else z for n, z in rates.items()}
-        self.drawn: dict[tuple[str, str], complex] = {}  # reactions as a person drew them, N
+        self.drawn: dict[tuple[str, str], complex] = {}  # reactions as drawn by a person, N
 
     def seen(self, place: complex) -> complex:
-        """Where a place is on the person's own scheme, m."""
+        """The position of a point on the person's own scheme, m."""
         near = min(self.sol.points, key=lambda n: abs(self.sol.points[n][0] - place))
         known = near in self.scheme and abs(self.sol.points[near][0] - place) < 1e-9
         return self.scheme[near] / self.scheme_mu if known else place
 
     def own_couple(self, link: str, true: float, hand: Hand) -> float:
-        """-J·ε with ε from the tangential part between two points of the link on the person's own plan."""
+        """-J·ε, with ε from the tangential component between two points of the link on the person's own plan."""
         names = [n for n in self.scene["links"][link]["points"] if n in self.scheme]
         base = names[0] if names else ""
         far = max(names, key=lambda n: abs(self.scheme[n] - self.scheme[base]), default="")
@@ -102,7 +102,7 @@ class Forces:
         return found
 
     def inertia(self, link: str, force: complex) -> complex:
-        """-m·a with the acceleration as it was drawn."""
+        """-m·a with the acceleration as drawn."""
         body = self.scene["links"][link]
         centre = str(body.get("centre", next(iter(body["points"]))))
         return -float(body["mass"]) * self.measured[centre] if centre in self.measured else force
@@ -115,7 +115,7 @@ class Forces:
         return self.true_reaction(on, by)
 
     def true_reaction(self, on: str, by: str) -> complex:
-        """The solver's."""
+        """The same from the solver."""
         for (i, j), r in self.sol.reactions.items():
             force = r[0] if isinstance(r, tuple) else r
             if (i, j) == (on, by):
@@ -125,7 +125,7 @@ class Forces:
         raise KeyError((on, by))
 
     def handed(self, link: str, solved: set[str]) -> list[Force]:
-        """Reactions from groups that were balanced before."""
+        """Reactions from groups balanced before."""
         found = []
         for (i, j), r in self.sol.reactions.items():
             other = j if i == link else i if j == link else None
@@ -151,7 +151,7 @@ class Forces:
 
 
 def draw_group(f: Forces, pair: tuple[str, ...], mu: float, hand: Hand, mistake: Mistake | None = None) -> Polygon:
-    """The polygon of one group, after those of the groups that hang on it."""
+    """The polygon of one group, after those of the groups that depend on it."""
     later = f.model.groups[f.model.groups.index(pair) + 1 :]
     after = {n for g in later for n in g}
     halves = {n: f.half(n, pair[1 - k], after) for k, n in enumerate(pair)}
@@ -161,7 +161,7 @@ def draw_group(f: Forces, pair: tuple[str, ...], mu: float, hand: Hand, mistake:
 
 
 def order(halves: Mapping[str, Half], inner: Pair) -> tuple[Half, Half]:
-    """The half whose line is drawn from the pole first."""
+    """The half whose line is drawn from the pole comes first."""
     one, two = halves.values()
     if inner.u is not None:
         turning = [h for h in (one, two) if h.pair.u is None]
@@ -173,7 +173,7 @@ def order(halves: Mapping[str, Half], inner: Pair) -> tuple[Half, Half]:
 
 @dataclass
 class Drawer:
-    """A group's polygon in the making."""
+    """A group's polygon while it is drawn."""
 
     f: Forces
     first: Half
@@ -194,7 +194,7 @@ class Drawer:
         return self.mistake.variant if self.mistake else 0
 
     def split(self) -> None:
-        """Which outer reactions are found in two parts, and about which point moments are taken."""
+        """Selects the outer reactions found in two components, and the point about which moments are taken."""
         hinged = [h for h in (self.first, self.last) if h.pair.u is None]
         if self.inner.u is None:
             for half in hinged:
@@ -226,7 +226,7 @@ class Drawer:
         return self.sheet
 
     def sliding_inside(self, e_a: complex, e_b: complex) -> complex:
-        """X where the inner guide's normal through the end of the first link's forces meets the other known line."""
+        """X, where the inner guide's normal through the end of the first link's forces meets the other known line."""
         u = next(u for g, _, u in self.f.sol.guides.values() if g == self.inner.name)
         normal = self.hand.ray(1j * u)
         where = self.part(self.last)
@@ -263,7 +263,7 @@ class Drawer:
         return self.f.hinge(half.pair.i, half.pair.j)
 
     def known(self, half: Half) -> list[tuple[str, complex]]:
-        """The known vectors of one link, mm, with the mistakes that can be made in each."""
+        """The known vectors of one link, mm, with the mistakes possible in each."""
         moments, out = 0.0, []
         turning = [h for h in (self.first, self.last) if h.split]
         for force in half.forces:
@@ -286,7 +286,7 @@ class Drawer:
         return self.last if half is self.first else self.first
 
     def foresee(self, force: Force, moment: float, half: Half) -> None:
-        """What a mistake about a force of the other link will change in the moments taken now."""
+        """Records the effect on the current moments of a mistake in a force of the other link."""
         _, change = self.force(force, moment, half)
         self.pending[half.link] = self.pending.get(half.link, 0.0) + change
 
@@ -296,13 +296,13 @@ class Drawer:
         return found
 
     def laid(self, force: Force, vector: complex | None) -> Any:
-        """A vector as it is laid off: with the errors of what it was reckoned from and of the hand."""
+        """A vector as laid off: with the errors of its computation and of the hand."""
         if vector is None:
             return None
         return self.hand.mark(self.hand.ray(vector) * abs(vector) * self.mu) if vector else None
 
     def force(self, force: Force, moment: float, turns: Half | None) -> tuple[complex | None, float]:
-        """The force as it is laid off, and what is wrongly added to the moments."""
+        """The force as laid off, and the error added to the moments."""
         both = turns is not None and self.variant == 0
         name, vector, factor = force.name, force.vector, 1.0
         if force.kind == "weight":
@@ -321,7 +321,7 @@ class Drawer:
         return (None if factor == 0 else factor * vector), change
 
     def in_moments(self, force: Force, moment: float, turns: Half) -> float:
-        """Mistakes of the equation of moments alone; they are blamed at the tangential reaction."""
+        """Mistakes of the moment equation only; they are blamed at the tangential reaction."""
         where = turns.name + "t"
         self.sheet.made.append((f"moment_sign:{force.name}", where))
         self.sheet.made.append((f"arm_wrong:{force.name}", where))
@@ -334,7 +334,7 @@ class Drawer:
         return 0.0
 
     def tangential(self, half: Half) -> Any:
-        """F^t from the true one and what is wrong in the moments."""
+        """F^t from the true one and the error of the moments."""
         along = self.arm_of(half)
         across = 1j * along / abs(along)
         where = half.name + "t"
@@ -351,12 +351,12 @@ class Drawer:
         if self.now("reaction_along_loaded_link", where):
             return None
         own = self.f.seen(half.about) - self.f.seen(self.hinge(half))
-        if self.inner.u is not None:  # the distance changes from position to position: it is measured
+        if self.inner.u is not None:  # the distance changes with the position: it is measured
             size *= abs(along) / (abs(own) + self.hand.read(0.0) / self.f.scheme_mu)
         return self.hand.mark(self.hand.ray(1j * own) * size * self.mu)
 
     def own_moments(self, half: Half) -> Iterator[float]:
-        """By how much each moment is off because forces and arms are the person's own: drawn, and measured."""
+        """The error of each moment due to the person's own drawn forces and measured arms."""
         links = [half, *([self.other(half)] if self.inner.u is not None else [])]
         for force in (f for h in links for f in h.forces):
             true = crossed(force.place - half.about, force.true)
@@ -370,7 +370,7 @@ class Drawer:
 
 
 def draw_driver(f: Forces, mu: float, hand: Hand, mistake: Mistake | None = None) -> Polygon:
-    """The polygon of the driver: what acts on it, and the frame's reaction that closes it."""
+    """The polygon of the driver: the forces on it, and the frame's reaction that closes it."""
     link, sheet = f.model.driver, Polygon()
     after = {n for g in f.model.groups for n in g}
     half = Half(link, "0", f.model.hinges[0], f.on(link) + f.handed(link, after), f.reaction(link, "0"))
@@ -395,7 +395,7 @@ def draw_driver(f: Forces, mu: float, hand: Hand, mistake: Mistake | None = None
 
 
 def rows(sheet: Polygon, origin: complex) -> list[tuple[str, complex]]:
-    """The polygon as a table's rows: p, then every mark named by the force that ends there."""
+    """The polygon as rows of a table: p, then every mark named by the force that ends there."""
     out, z = [("p", origin)], origin
     for name, vector in sheet.vectors:
         z += vector

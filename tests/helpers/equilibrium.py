@@ -1,4 +1,4 @@
-"""Reactions of bodies and forces in members by linear equations alone: it imports nothing of planes."""
+"""Reactions of bodies and forces in members by linear equations only, without importing planes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def unit(angle_deg: float) -> complex:
 
 
 def forces_of(scene: dict[str, Any]) -> list[tuple[str, complex, complex]]:
-    """Loads as (body, place, force); distributed ones by their resultants, summed over a fine mesh exactly."""
+    """Loads as (body, point, force); distributed ones by their resultants, summed exactly over a fine mesh."""
     points, bodies = places(scene), scene.get("bodies") or {"1": list(scene["points"])}
     found = []
     for load in scene.get("loads", []):
@@ -28,7 +28,7 @@ def forces_of(scene: dict[str, Any]) -> list[tuple[str, complex, complex]]:
         body = next(n for n, own in bodies.items() if load["from"] in own and load["to"] in own)
         q = load["intensity"] if isinstance(load["intensity"], list) else [load["intensity"]] * 2
         length = abs(end - start)
-        for part in (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5):  # Gauss: exact of moments of a linear load
+        for part in (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5):  # Gauss: exact for moments of a linear load
             found.append((str(body), start + part * (end - start), (q[0] + part * (q[1] - q[0])) * length / 2 * way))
     return found
 
@@ -38,7 +38,7 @@ def places(scene: dict[str, Any]) -> dict[str, complex]:
 
 
 def columns_of(scene: dict[str, Any]) -> list[tuple[str, str, complex, complex]]:
-    """Unknown numbers as (name, point, place, way): of hinges two, of lines one, of clamps three."""
+    """Unknown numbers as (name, point, place, direction): two for hinges, one for lines, three for clamps."""
     points, found = places(scene), []
     for point, said in scene.get("supports", {}).items():
         count: dict[str, int] = {}
@@ -91,7 +91,7 @@ def reactions(text: str) -> dict[str, complex]:
 
 
 def members(text: str) -> dict[str, float]:
-    """Forces in the members of a truss, tension positive, by the equilibrium of all joints at once."""
+    """Forces in the members of a truss, tension positive, from the equilibrium of all joints at once."""
     scene = yaml.safe_load(text)
     points = places(scene)
     joints = [p for p in points if any(p in m for m in scene["members"])]
@@ -113,7 +113,7 @@ def members(text: str) -> dict[str, float]:
 
 
 def expected(text: str) -> dict[str, Any]:
-    """All of it as the samples have it: vectors as [x, y], couples and members as numbers; of loads alone their sum."""
+    """All results in the samples' format: vectors as [x, y], couples and members as numbers; for loads, their sum."""
     scene = yaml.safe_load(text)
     if "supports" not in scene:
         total = sum(force for _, _, force in forces_of(scene))

@@ -1,7 +1,7 @@
-"""A mechanism's closure with 120 digits, by mpmath alone: where its links lie, how they turn, and where it stops.
+"""The closure of a mechanism to 120 digits, by mpmath only: positions and speeds of its links, and its dead points.
 
-Every link is a place and a turn; hinges and guides are equations between them. A dead point is where the equations
-leave the links a motion that the driver has no part in: it is solved for together with that motion.
+Every link is a position and a rotation; hinges and guides are equations between them. At a dead point the equations
+allow a motion of the links without the driver: it is solved for together with that motion.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ Vector = list[Any]
 
 
 def place(spelled: Any) -> Any:
-    """A place in a link's axes."""
+    """A point in a link's axes."""
     if isinstance(spelled, Mapping):
         return mpf(spelled["r"]) * turned(radians(mpf(spelled["angle"])))
     if isinstance(spelled, list | tuple):
@@ -31,7 +31,7 @@ def turned(angle: Any) -> Any:
 
 
 class Closure:
-    """The equations of a scene that one link on the frame drives."""
+    """The equations of a scene driven by one link on the frame."""
 
     def __init__(self, scene: Mapping[str, Any]) -> None:
         mp.dps = DIGITS
@@ -47,19 +47,19 @@ class Closure:
         self.guides = {g: (n, spec) for n, x in self.scene.items() for g, spec in x.get("guides", {}).items()}
 
     def at(self, q: Vector, link: str) -> tuple[Any, Any]:
-        """Where a link's origin is, and its turn."""
+        """A link's origin and rotation."""
         if link == "0":
             return mpc(0), mpf(0)
         k = 3 * self.links.index(link)
         return mpc(q[k], q[k + 1]), q[k + 2]
 
     def spot(self, q: Vector, link: str, local: Any) -> Any:
-        """Where a place of a link is."""
+        """The position of a point of a link."""
         origin, turn = self.at(q, link)
         return origin + local * turned(turn)
 
     def missed(self, q: Vector, phi: Any) -> Vector:
-        """By how much every equation is missed at a turn of the driver, radians."""
+        """The residual of every equation at a rotation of the driver, radians."""
         found: Vector = []
         for k, one, two in self.hinges:
             gap = self.spot(q, one, self.points[one][k]) - self.spot(q, two, self.points[two][k])
@@ -80,7 +80,7 @@ class Closure:
         return [*found, off - (2 * mp.pi) * nint(off / (2 * mp.pi))]
 
     def slopes(self, f: Callable[[Vector], Vector], x: Vector) -> Any:
-        """The matrix of slopes."""
+        """The Jacobian matrix."""
         base = f(x)
         found = matrix(len(base), len(x))
         for j in range(len(x)):
@@ -90,7 +90,7 @@ class Closure:
         return found
 
     def solved(self, f: Callable[[Vector], Vector], x: Vector, tries: int = 60) -> Vector:
-        """A root of equations near a guess; ValueError where Newton's steps do not settle."""
+        """A root of equations near a guess; ValueError if Newton's iteration does not converge."""
         for _ in range(tries):
             step = lu_solve(self.slopes(f, x), matrix(f(x)))
             x = [a - b for a, b in zip(x, step, strict=True)]
@@ -99,19 +99,19 @@ class Closure:
         raise ValueError("Newton's steps do not settle")
 
     def lies(self, near: Vector, phi_deg: float) -> Vector:
-        """Where the links lie."""
+        """The positions of the links."""
         phi = radians(mpf(phi_deg))
         return self.solved(lambda q: self.missed(q, phi), near)
 
     def turning(self, q: Vector, phi_deg: float) -> Mapping[str, Any]:
-        """How fast every link turns at the driver's rate."""
+        """The angular velocity of every link at the driver's rate."""
         phi = radians(mpf(phi_deg))
         rates = matrix([*[mpf(0)] * (len(q) - 1), mpf(self.drive["omega"])])
         found = lu_solve(self.slopes(lambda x: self.missed(x, phi), q), rates)
         return {name: found[3 * k + 2] for k, name in enumerate(self.links)}
 
     def moving(self, q: Vector, phi_deg: float) -> tuple[Any, Vector, Vector]:
-        """The matrix of slopes, how fast every place and turn goes, and how fast that changes."""
+        """The Jacobian matrix, the velocities of all coordinates, and their accelerations."""
         phi, size = radians(mpf(phi_deg)), len(q)
         own = self.slopes(lambda x: self.missed(x, phi), q)
         way = [*lu_solve(own, matrix([*[mpf(0)] * (size - 1), mpf(1)]))]  # by a unit drive
@@ -121,8 +121,10 @@ class Closure:
         return own, [w * omega for w in way], [b * omega**2 + w * epsilon for w, b in zip(way, bent, strict=True)]
 
     def forces(self, q: Vector, phi_deg: float) -> Mapping[str, Any]:
-        """By ``F_ij`` how large the reactions in hinges of two links are, under weight and inertia; and what moment
-        the drive needs ("M"): the multipliers of the equations."""
+        """Reactions (magnitudes) in hinges of two links by ``F_ij``, under weight and inertia; the driving moment "M".
+
+        These are the multipliers of the equations.
+        """
         own, speeds, quick = self.moving(q, phi_deg)
         total: Vector = []
         for k, name in enumerate(self.links):
@@ -151,7 +153,7 @@ class Closure:
         """The drive's value, degrees, at the dead point near a pose."""
         size = len(near)
         own = self.slopes(lambda x: self.missed(x, radians(mpf(phi_deg))), near)
-        idle = lu_solve(own, matrix([*[mpf(0)] * (size - 1), mpf(1)]))  # near there it is nearly the idle motion
+        idle = lu_solve(own, matrix([*[mpf(0)] * (size - 1), mpf(1)]))  # close to it this is nearly the idle motion
         most = max(range(size), key=lambda k: fabs(idle[k]))
         way = [idle[k] / idle[most] for k in range(size)]
 

@@ -1,4 +1,4 @@
-"""A headless Firefox as it is installed, spoken to in WebDriver BiDi: no driver of its own is needed."""
+"""The installed headless Firefox, controlled by WebDriver BiDi: no separate driver is needed."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ WATCHED = ("log.entryAdded", "network.beforeRequestSent")
 
 
 class Firefox:
-    """One window: it goes to addresses and evaluates expressions; ``errors`` are what pages complain of or ask for."""
+    """One window, which opens addresses and evaluates expressions; ``errors`` are errors and requests of pages."""
 
     def __init__(self, address: str) -> None:
         websocket = pytest.importorskip("websocket", reason="install the test extra: pip install -e '.[test]'")
@@ -35,7 +35,7 @@ class Firefox:
         self.tab = self.ask("browsingContext.getTree")["contexts"][0]["context"]
 
     def ask(self, method: str, **params: Any) -> Any:
-        """The result of one command; events that come before it are kept."""
+        """The result of one command; events before it are kept."""
         number = next(self.numbers)
         self.line.send(json.dumps({"id": number, "method": method, "params": params}))
         while True:
@@ -54,16 +54,16 @@ class Firefox:
             self.errors += [url] if not url.startswith(("file:", "data:", "about:", "blob:")) else []
 
     def goto(self, address: str) -> None:
-        """Open an address."""
+        """Opens an address."""
         self.ask("browsingContext.navigate", context=self.tab, url=address, wait="complete")
         self.evaluate(UNPACKED)
 
     def set_viewport_size(self, size: dict[str, int]) -> None:
-        """How large the page is seen."""
+        """Sets the size of the page's window."""
         self.ask("browsingContext.setViewport", context=self.tab, viewport=size)
 
     def evaluate(self, expression: str) -> Any:
-        """What an expression comes to, as JSON has it; a promise is waited for."""
+        """The value of an expression, as in JSON; a promise is awaited."""
         own = f"with (globalThis.planes ?? {{}}) return JSON.stringify(await ({expression})) ?? 'null';"
         target, text = {"context": self.tab}, f"(async () => {{ {own} }})()"
         found = self.ask("script.evaluate", expression=text, target=target, awaitPromise=True)
@@ -71,16 +71,16 @@ class Firefox:
         return json.loads(found["result"]["value"])
 
     def wait_for_timeout(self, milliseconds: float) -> None:
-        """Let the page go on."""
+        """Lets the page run."""
         self.evaluate(f"new Promise(done => setTimeout(() => done(1), {milliseconds}))")
 
     def close(self) -> None:
-        """End the session."""
+        """Ends the session."""
         self.line.close()
 
 
 def installed() -> str:
-    """Where it is. Without any the test is skipped, and says what to install."""
+    """The path of Firefox. Without any, the test is skipped with a note on what to install."""
     found = next(filter(None, map(shutil.which, NAMES)), "")
     if not found:
         pytest.skip("no Firefox here: apt-get install firefox-esr")

@@ -1,8 +1,8 @@
-"""A scene rebuilt from what a student is told of it in words and numbers, and nothing else.
+"""A scene rebuilt only from the words and numbers given to a student.
 
-What a figure shows (links, which points and guides they have, what loads them) is taken of the scene with every number
-of it blanked; every number is looked up in the text by its name. One that the text does not state is 0, as in a figure
-without that size.
+The content of the figure (links, their points and guides, their loads) is taken from the scene with all its numbers
+blanked; every number is looked up in the text by its name. One not stated in the text is 0, as in a figure without that
+dimension.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ _SIGNS = str.maketrans({"−": "-", "–": "-", "‑": "-", "\u00a0": " ", "\u20
 
 
 class Paper:
-    """The text a student has, asked for numbers by their names; ``missed`` are names nothing was found under."""
+    """A student's text, queried for numbers by their names; ``missed`` are names that were not found."""
 
     def __init__(self, text: str, naming: Naming) -> None:
         self.text = " ".join(text.replace("\ufffe", "-").translate(_SIGNS).split())
         self.naming, self.missed = naming, list[str]()
 
     def of(self, *names: str) -> float | None:
-        """The number under any of the names, however it is braced and lettered."""
+        """The number under any of the names, with any braces and lettering."""
         for name in names:
             plain = " ?".join(map(re.escape, re.sub(r"[\s_^{}]", "", name.translate(_SIGNS))))
             if found := re.search(rf"(= ?-)?(?<![\w∠]){plain}{_VALUE}", self.text):
@@ -43,20 +43,20 @@ class Paper:
         return None
 
     def number(self, *names: str) -> float:
-        """The same, 0 where there is none."""
+        """The same, 0 if there is none."""
         found = self.of(*names)
         if found is None:
             self.missed.append(" or ".join(names))
         return found or 0.0
 
     def stated_near(self, name: str) -> float:
-        """The direction near which a vector has its own."""
+        """The approximate direction of a vector."""
         plain = " ?".join(re.sub(r"[\s_^{}]", "", name))
         found = re.search(rf"(?<!\w){plain} (?:has|имеет|має|мае) .{{0,40}}? (-?\d+(?:\.\d+)?)°", self.text)
         return float(found[1]) if found else 0.0
 
     def law(self, name: str, shape: Amount | StrokeLoad) -> Amount | StrokeLoad:
-        """The law a load of that name is told by (in English); a law of another kind than ``shape`` is none."""
+        """The law of a load of this name in the text (in English); None if not of the kind of ``shape``."""
         plain = " ?".join(map(re.escape, re.sub(r"[\s_^{}]", "", name.translate(_SIGNS))))
         found = re.search(rf"law: {plain} ?= (.*?)\.(?= ?[A-Z∠]|$| The | Centres )", self.text)
         if found is None:
@@ -71,7 +71,7 @@ class Paper:
 
 
 def read_law(told: str) -> Amount | StrokeLoad:
-    """A law by its words."""
+    """A law from its words."""
     strokes = re.fullmatch(
         r"(.*) in the working stroke \(link (\S+) goes (\w+) along its guide\)\. (.*) in the idle one", told
     )
@@ -94,7 +94,7 @@ def read_amount(told: str) -> Amount:
 
 
 def read_expression(told: str) -> str:
-    """An expression as a scene has it."""
+    """An expression in the notation of a scene."""
     text = re.sub(r"φ ?1", "phi", told).replace("·", "*").replace("^", "**").replace("π", "pi")
     text = re.sub("[²³⁴]", lambda m: "**" + str("²³⁴".index(m[0]) + 2), text)
     return re.sub(r"\b([a-z]) ?(\d+)\b", r"\1_\2", text).replace(";", ",")
@@ -137,7 +137,7 @@ class Rebuilt:
         return found
 
     def frame_guide(self, guide: Guide, points: Mapping[str, complex]) -> Guide:
-        """Upright ones are told by a coordinate."""
+        """Vertical ones are given by a coordinate."""
         name, paper = guide.name, self.paper
         through = points.get(guide.through_point or "", 0j)
         for axis, angle, unit in (("y", 0.0, 1j), ("x", 90.0, 1 + 0j)):
@@ -186,7 +186,7 @@ class Rebuilt:
         return replace(drive, position=position, velocity=velocity, acceleration=acceleration)
 
     def load(self, name: str, load: Load) -> Load:
-        """A law is told as a sentence; where it is not an English one, it stays what it is."""
+        """A law is given as a sentence; if not in English, it is left unchanged."""
         sign, value, angle = self.naming.vector(name), load.value, load.direction_deg
         if isinstance(value, float | int):
             value = self.paper.number(sign)
@@ -202,7 +202,7 @@ class Rebuilt:
 
 
 def restated(scene: Scene, paper: Paper) -> Statement:
-    """The vectors of a paper: sizes, directions and parameters that are numbers."""
+    """The vectors of a paper: sizes, directions and numeric parameters."""
     stated = scene.statement
     assert stated
     vectors = {}
@@ -217,7 +217,7 @@ def restated(scene: Scene, paper: Paper) -> Statement:
 
 
 def restated_statics(scene: Scene, paper: Paper) -> Statement:
-    """Bodies in equilibrium by a paper: places, sizes and directions of loads, the pole of a string polygon."""
+    """Bodies in equilibrium from a paper: positions, sizes and directions of loads, the pole of a string polygon."""
     stated = scene.statement
     assert stated and stated.statics
     shape = stated.statics
@@ -233,7 +233,7 @@ def restated_statics(scene: Scene, paper: Paper) -> Statement:
 
 
 def static_load(load: StaticLoad, points: Mapping[str, complex], paper: Paper) -> StaticLoad:
-    """A load of a body; what is spread acts where its triangle and its rectangle do together."""
+    """A load of a body; a distributed one acts at the joint resultant of its triangle and its rectangle."""
     sign = paper.naming.vector(load.name)
     way = load.direction_deg if load.direction_deg is None else paper.number(f"∠{sign}")
     if load.spread is None:
@@ -250,7 +250,7 @@ def static_load(load: StaticLoad, points: Mapping[str, complex], paper: Paper) -
 
 
 def rebuilt(scene: Scene, text: str, naming: Naming) -> tuple[Scene, list[str]]:
-    """The scene of a paper, and the names of the numbers that are not told there."""
+    """The scene of a paper, and the names of the numbers missing there."""
     paper = Paper(text, naming)
     if scene.statement and scene.statement.statics:
         return replace(scene, statement=restated_statics(scene, paper)), paper.missed

@@ -1,4 +1,4 @@
-"""Reads a .ggb as GeoGebra would: evaluates its commands and formulas in order. Shares no code with the engine."""
+"""Reads a .ggb like GeoGebra: evaluates its commands and formulas in order. Shares no code with the engine."""
 
 import ast
 import io
@@ -27,7 +27,7 @@ def rotate(z: complex, turn: float, about: complex = 0j) -> complex:
 
 
 def intersect(one: Any, two: Any, index: int = 0) -> complex:
-    """Lines are (point, way), circles (centre, radius); of two meetings the second where the index is 2."""
+    """Lines are (point, direction), circles (centre, radius); of two intersections the second if the index is 2."""
     (p, u), (q, w) = one, two
     if isinstance(w, complex):
         return complex(p + u * cross(q - p, w) / cross(u, w))
@@ -63,7 +63,7 @@ COMMANDS: dict[str, Callable[..., Any]] = {
 
 
 class Page:
-    """The construction of a file; ``number`` gives a slider another value, ``points`` evaluates anew."""
+    """The construction of a file; ``number`` sets a slider, ``points`` evaluates again."""
 
     def __init__(self, data: bytes) -> None:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
@@ -72,7 +72,7 @@ class Page:
         self.set: dict[str, float] = {}
 
     def points(self) -> dict[str, Any]:
-        """Everything by its label."""
+        """All elements by label."""
         self.made: dict[str, Any] = {}
         assert self.body is not None
         for element in self.body:

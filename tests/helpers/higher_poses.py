@@ -1,4 +1,4 @@
-"""Where the links of the samples of class III and IV lie, read off a sketch: the origin, m, and the turn, degrees."""
+"""The poses of the links in the samples of class III and IV, from a sketch: origin, m, and rotation, degrees."""
 
 POSES: dict[str, dict[str, tuple[float, float, float]]] = {
     "class-three/rods": {

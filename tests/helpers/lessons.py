@@ -1,4 +1,4 @@
-"""The page of a lesson, written to a folder and opened in a window: nothing is complained of, nothing asked for."""
+"""The page of a lesson, written to a folder and opened in a window: without errors or network requests."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from tests.helpers.browser import watched
 
 
 def lesson_written(folder: Path, scene: Path, lang: str = "ru", data: Json | None = None) -> str:
-    """The address of the lesson of a scene; ``data`` is what it shows, where that is known."""
+    """The address of the lesson of a scene; ``data`` is its content, if known."""
     target = folder / f"{scene.stem}.html"
     target.write_text(page(data or lesson_data(load(str(scene))), lang), encoding="utf-8")
     return target.as_uri()
 
 
 def brought(text: str) -> dict[str, str]:
-    """What a page brings along packed, by its ids."""
+    """The packed content of a page, by its ids."""
     found = re.search(r'id="code">(.*?)</script>', text)
     assert found
     standard = {ours: python for python, ours in OURS.items()}
@@ -38,7 +38,7 @@ def brought(text: str) -> dict[str, str]:
 
 @contextmanager
 def lesson_opened(browser: Any, address: str) -> Iterator[Any]:
-    """A window with it."""
+    """A window with the lesson."""
     one = browser.new_page()
     errors = watched(one)
     one.goto(address)

@@ -1,4 +1,4 @@
-"""Plans as files of lines, written as drawing programs write them: SVG with nested transforms, DXF with blocks."""
+"""Plans as vector drawings in the style of drawing programs: SVG with nested transforms, DXF with blocks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Stroke = tuple[complex, complex]
 
 
 def motion_strokes(m: Motion, marks: Mapping[str, complex], quick: bool) -> list[Stroke]:
-    """The vectors of a velocity or acceleration plan: absolute ones from the pole, relative ones past it."""
+    """The vectors of a velocity or acceleration plan: absolute ones from the pole, relative ones between marks."""
     found: dict[Stroke, None] = {}
 
     def draw(a: complex, b: complex) -> None:
@@ -42,7 +42,7 @@ def motion_strokes(m: Motion, marks: Mapping[str, complex], quick: bool) -> list
 
 
 def labels(marks: Mapping[str, complex], rng: random.Random, height: float = 3.5) -> list[tuple[str, complex]]:
-    """Names a little way off their marks, outwards, none on another: (text, lower left corner)."""
+    """Names slightly off their marks, outwards, without overlap: (text, lower left corner)."""
     out: list[tuple[str, complex]] = []
     for name, z in marks.items():
         width = 0.7 * height * len(name)
@@ -64,8 +64,10 @@ def labels(marks: Mapping[str, complex], rng: random.Random, height: float = 3.5
 def vector_labels(
     vectors: list[tuple[str, complex]], height: float = 3.5, starts: Sequence[complex] = ()
 ) -> list[tuple[str, complex]]:
-    """Names beside the vectors of a polygon that starts at 0 (or each elsewhere); of two upon each other, each by
-    its own tip."""
+    """Names beside the vectors of a polygon that starts at 0 (or each elsewhere).
+
+    Of two coincident vectors, each has its name at its own tip.
+    """
     out, z = [("p", -complex(height, height))], 0j
     for k, (name, v) in enumerate(vectors):
         z = starts[k] if starts else z
@@ -80,7 +82,7 @@ def vector_labels(
 def beside_lines(
     words: list[tuple[str, complex]], strokes: list[Stroke], height: float = 3.5
 ) -> list[tuple[str, complex]]:
-    """The words moved as little as need be to stand on no stroke and on no other word, as a person writes them."""
+    """The words moved as little as needed to overlap no stroke and no other word, as a person writes them."""
     out: list[tuple[str, complex]] = []
     for text, corner in words:
         width, taken = 0.7 * height * len(text), [(z, 0.7 * height * len(t)) for t, z in out]
@@ -115,7 +117,7 @@ def head(a: complex, b: complex) -> list[complex]:
 
 
 def inkscape(strokes: list[Stroke], words: list[tuple[str, complex]], origin: complex) -> str:
-    """As Inkscape writes it: mm, a layer with a transform, paths with relative moves, markers, tspans."""
+    """In Inkscape's style: mm, a layer with a transform, paths with relative moves, markers, tspans."""
     size = 297.0
     out = [
         '<?xml version="1.0" encoding="UTF-8"?>',
@@ -139,7 +141,7 @@ def inkscape(strokes: list[Stroke], words: list[tuple[str, complex]], origin: co
 
 
 def illustrator(strokes: list[Stroke], words: list[tuple[str, complex]], origin: complex) -> str:
-    """Points at 72 dpi, polylines, symbols used, heads of their own shape, looks by class, matrices."""
+    """Points at 72 dpi, polylines, symbols with use, heads as separate shapes, styles by class, matrices."""
     k = 72 / 25.4
     high = 297 * k
     out = [
@@ -168,8 +170,10 @@ def illustrator(strokes: list[Stroke], words: list[tuple[str, complex]], origin:
 
 
 def dxf(strokes: list[Stroke], words: list[tuple[str, complex]], origin: complex, blocks: bool = True) -> str:
-    """Half of the lines in a block inside a block, the rest as polylines; heads solid or as the line's own narrowing
-    end; texts as TEXT and MTEXT."""
+    """Half of the lines in nested blocks, the rest as polylines; texts as TEXT and MTEXT.
+
+    Heads are solid or a tapered end of the line.
+    """
     from ezdxf.filemanagement import new
 
     document = new("R2010")

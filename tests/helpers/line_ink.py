@@ -1,4 +1,4 @@
-"""The ink of a drawing of lines, as a sheet of paper would show it."""
+"""The ink of a vector drawing, as on a sheet of paper."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from planes.check.evidence.sheet_ink import DARKEST, PX_PER_MM, SheetInk
 from planes.check.vision.image.opencv import cv, shrunk
 from planes.geometry.arrays import Greys
 
-SOFT_PX = 2  # lines are drawn so wide
+SOFT_PX = 2  # line width
 
 
 def drawn(strokes: Iterable[tuple[complex, complex]], rim_mm: float = 30.0) -> SheetInk:
-    """The ink of a drawing of lines, mm, their heads among them."""
+    """The ink of a vector drawing, mm, including heads."""
     lines = [*strokes]
     ends = numpy.array([z for line in lines for z in line])
     low = complex(ends.real.min(), ends.imag.min()) - rim_mm * (1 + 1j)

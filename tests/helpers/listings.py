@@ -1,6 +1,6 @@
-"""Mark listings: every mark of a sheet as one line of text in hundredths of a mm, to compare and to keep.
+"""Mark listings: every mark of a sheet as one line of text in hundredths of a mm, for comparison and storage.
 
-``GOLDEN=write python -m pytest tests/render/test_golden.py`` writes the kept listings anew.
+``GOLDEN=write python -m pytest tests/render/test_golden.py`` rewrites the stored listings.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def places(points: Iterable[complex]) -> str:
 
 
 def line(mark: Mark) -> str:
-    """One mark: layer, kind, places in mm, looks, words."""
+    """One mark: layer, kind, positions in mm, style, words."""
     match mark:
         case Line():
             told = f"line {mark.style} {places(mark.points)}{' closed' if mark.closed else ''}"
@@ -45,14 +45,14 @@ def line(mark: Mark) -> str:
 
 
 def listing(sheet: Sheet) -> str:
-    """The size, the views with their upper left corners, and all marks in the order they are drawn."""
+    """The size, the views with their upper left corners, and all marks in drawing order."""
     head = ["size {:.2f} x {:.2f}".format(*sheet.size)]
     head += [f"view {v.key} at {place(complex(left, top))}" for v, left, top in sheet.views]
     return "\n".join([*head, *map(line, sheet.marks)]) + "\n"
 
 
 def difference(kept: str, found: str) -> str:
-    """What is gone (-) and what is new (+), with the first lines only where there are many."""
+    """Removed (-) and new (+) lines, only the first ones if there are many."""
     lines = [
         text
         for text in difflib.unified_diff(kept.splitlines(), found.splitlines(), "kept", "drawn now", "", "", 0, "")

@@ -1,6 +1,6 @@
 """Random mechanisms that assemble by construction, as numeric dicts in the form of a scene file.
 
-The pose is chosen first: places and turns of all links in the frame's axes; local coordinates, guides,
+The pose is chosen first: positions and rotations of all links in the frame's axes; local coordinates, guides,
 offsets and angles follow from it. So the true configuration is known (`Case.guess`). `make` takes a
 `random.Random`; `mechanisms()` is the hypothesis strategy; `to_yaml` writes a scene file's text.
 """
@@ -29,7 +29,7 @@ NAMES = [c + n for n in ("", *map(str, range(2, 20))) for c in "ABCDEFGHJKLMNQRS
 
 @dataclass(eq=False)
 class Body:
-    """A link in its pose: `points` in the frame's axes, `guides` and `slides` as they are written."""
+    """A link in its pose: `points` in the frame's axes, `guides` and `slides` as written."""
 
     origin: complex
     turn: float
@@ -37,10 +37,10 @@ class Body:
     guides: dict[str, dict[str, Any]] = field(default_factory=dict)
     slides: str | dict[str, Any] | None = None
     name: str = "0"
-    bare: bool = False  # it has the points it needs and no more
+    bare: bool = False  # it has only the points it needs
 
     def local(self, z: complex) -> complex:
-        """A place in the link's own axes."""
+        """A point in the link's local axes."""
         return (z - self.origin) * cmath.rect(1.0, -self.turn)
 
 
@@ -59,7 +59,7 @@ class Dyad:
 
 @dataclass(frozen=True)
 class Case:
-    """A scene, the pose it was made from, its groups as (kind, link, link) and the oracle's solution."""
+    """A scene, its original pose, its groups as (kind, link, link) and the oracle's solution."""
 
     scene: dict[str, Any]
     guess: dict[str, tuple[float, float, float]]
@@ -68,7 +68,7 @@ class Case:
 
 
 def wrapped(angle: float) -> float:
-    """An angle in (-pi, pi], zero where it is zero but for rounding."""
+    """An angle in (-pi, pi], zero if it is zero except for rounding."""
     angle = -math.remainder(-angle, math.tau)
     return 0.0 if abs(angle) < 1e-12 else angle
 
@@ -78,8 +78,8 @@ class Builder:
 
     def __init__(self, rng: random.Random, size: float, ill: float, swapped: bool, every: bool = False) -> None:
         self.rng, self.size, self.ill, self.swapped, self.every = rng, size, ill, swapped, every
-        self.bare = 0.6 if every else 0.0  # how many bodies have the points they need and no more
-        self.lines: dict[str, tuple[Body, complex, float]] = {}  # guide -> its link, a place on it, its direction
+        self.bare = 0.6 if every else 0.0  # share of bodies with only the points they need
+        self.lines: dict[str, tuple[Body, complex, float]] = {}  # guide -> its link, a point on it, its direction
         self.twins: set[str] = set()
         self.frame = Body(0j, 0.0)
         self.bodies = [self.frame]
@@ -88,7 +88,7 @@ class Builder:
         self.names = iter(rng.sample(NAMES[:20], 20) + NAMES[20:])
 
     def spot(self) -> complex:
-        """A random place of the field."""
+        """A random point of the field."""
         return self.size * complex(self.rng.uniform(-1, 1), self.rng.uniform(-1, 1))
 
     def add(self, body: Body, at: complex) -> str:
@@ -116,21 +116,21 @@ class Builder:
         return body
 
     def spare(self) -> bool:
-        """Whether to leave out what could be left out."""
+        """Whether to omit an optional part."""
         return self.bare > 0 and self.rng.random() < self.bare
 
     def direction(self, owner: Body) -> float:
-        """The direction of a guide: along an axis of its owner, or any; of `every`, also that of a guide it has."""
+        """The direction of a guide: along an axis of its owner, or any; with `every`, also that of its other guide."""
         drawn = [u for body, _, u in self.lines.values() if body is owner]
         if self.every and drawn and self.rng.random() < 0.4:
             return self.rng.choice(drawn)
         return self.rng.choice((owner.turn, owner.turn + math.pi / 2, self.rng.uniform(-math.pi, math.pi)))
 
     def slide(self, slider: Body, owner: Body, u: float) -> str:
-        """Write a guide of direction `u` on `owner` and let `slider` slide on it; the guide's name."""
+        """Writes a guide of direction `u` on `owner` and lets `slider` slide on it; the guide's name."""
         rng, along, first = self.rng, cmath.rect(1.0, u), next(iter(slider.points.values()))
         for name, (body, place, turn) in self.lines.items() if self.every else ():
-            if body is owner and turn == u:  # another slider on a guide that is there
+            if body is owner and turn == u:  # another slider on an existing guide
                 self.write_slide(slider, name, u, ((first - place) * along.conjugate()).imag)
                 return name
         angle = wrapped(u - owner.turn)
@@ -162,14 +162,14 @@ class Builder:
         return name
 
     def write_slide(self, slider: Body, name: str, u: float, offset: float) -> None:
-        """Say what a body slides on."""
+        """Writes the guide of a sliding body."""
         rng, turn = self.rng, wrapped(slider.turn - u)
         extra = {"angle": math.degrees(turn), "offset": offset}
         used = {k: v for k, v in extra.items() if v or rng.random() < 0.1}
         slider.slides = {"guide": name, **used} if used else name
 
     def twin(self, body: Body) -> None:
-        """A second point where the body, or another one, has a point; anywhere in the order but first of a slider."""
+        """A second point at a point of the body, or of another one; anywhere in the order except first on a slider."""
         rng = self.rng
         others = [z for b in (body, *self.bodies) for z in b.points.values()]
         items, name = list(body.points.items()), next(self.names)
@@ -178,7 +178,7 @@ class Builder:
         self.twins.add(name)
 
     def outer_slide(self, new: Body, base: Body, u: float) -> str:
-        """An outer sliding pair, now and then with the guide on the new link and the earlier one sliding."""
+        """An outer sliding pair, sometimes with the guide on the new link and the earlier one sliding."""
         free = base is not self.frame and base.slides is None and self.swapped
         turned = free and (new.slides is not None or self.rng.random() < 0.25)
         return self.slide(base, new, u) if turned else self.slide(new, base, u)
@@ -202,7 +202,7 @@ class Builder:
         return {"s": self.slid(driver, self.frame, u)}
 
     def slid(self, driver: Body, owner: Body, u: float) -> float:
-        """Let a driver slide on a body; its place along the guide."""
+        """Lets a driver slide on a body; its position along the guide."""
         spec = owner.guides[self.slide(driver, owner, u)]
         through = complex(spec.get("x", 0), spec.get("y", 0))
         if "through" in spec:
@@ -213,7 +213,7 @@ class Builder:
         return float(((first - through) * cmath.rect(1.0, -u)).real)
 
     def on_boom(self) -> dict[str, Any]:
-        """A cylinder that hangs on links which stand still, or moves a link that does; its part of the scene."""
+        """A cylinder on links at rest, or one that moves such a link; its part of the scene."""
         size = self.size
         while True:
             a, b, c = (self.spot() for _ in range(3))
@@ -229,8 +229,10 @@ class Builder:
         return drive
 
     def cylinder(self, motor: bool, grounds: Sequence[Body] = ()) -> dict[str, Any]:
-        """A cylinder hinged to the frame (or two links with a ``motor`` between them), that moves a link on the frame,
-        or both on other ``grounds``; its part of the scene."""
+        """A cylinder hinged to the frame that moves a link on the frame; its part of the scene.
+
+        With ``motor``, two links with a motor between them; with ``grounds``, both are on these.
+        """
         rng, kind = self.rng, self.rng.choice(("RRR", "RRP"))
         base, ground = grounds or (self.frame, self.frame)
         for _ in range(1000):
@@ -286,8 +288,10 @@ class Builder:
         return drive
 
     def brace(self) -> dict[str, Any]:
-        """A cylinder across the hinge of two links, one of which hangs on the frame as the third does that they move;
-        its part of the scene."""
+        """A cylinder across the hinge of two links, one of which is on the frame, as is the third link they move.
+
+        Returns its part of the scene.
+        """
         rng, least, slides = self.rng, 0.3 * self.size, self.rng.random() < 0.3
         for _ in range(2000):
             o, a, q, p, b, d = (self.spot() for _ in range(6))
@@ -330,7 +334,7 @@ class Builder:
         return drive
 
     def lead(self) -> dict[str, Any]:
-        """A cylinder or a motor, in a lead of a basic link that has two more on the frame; its part of the scene."""
+        """A cylinder or a motor in a lead of a basic link with two more leads on the frame; its part of the scene."""
         rng, pins = self.rng, [next(self.names) for _ in range(3)]
         kinds = ["PR" if rng.random() < 0.3 else "RR", *(rng.choice(("RR", "PR")) for _ in range(2))]
         for _ in range(2000):
@@ -364,8 +368,7 @@ class Builder:
         return drive
 
     def rocked(self) -> dict[str, Any]:
-        """A cylinder, or a motor, between two links on the frame that have another link between them; its part of the
-        scene."""
+        """A cylinder or a motor between two links on the frame connected by another link; its part of the scene."""
         rng, outer = self.rng, self.rng.choice(("RR", "RP"))
         lead = rng.choice(("RR", "RR", "PR", "RP"))
         while True:
@@ -388,22 +391,24 @@ class Builder:
         return drive
 
     def leaning(self, start: complex, inner: complex, end: complex) -> float:
-        """The sine of the angle two sides of a triangle meet at."""
+        """The sine of the angle between two sides of a triangle."""
         one, two = inner - start, end - inner
         return (one.conjugate() * two).imag / (abs(one * two) or 1.0)
 
     def motor(
         self, hinge: str, a: complex, pivot: str, d: complex, along: float | None = None
     ) -> tuple[dict[str, Any], Body]:
-        """Two links with a motor in the hinge between them, either of which is the driver; and the one that hangs on
-        the frame or slides ``along`` it."""
+        """Two links with a motor in the hinge between them, either of which is the driver; and the one on the frame.
+
+        The latter is hinged to the frame or slides ``along`` it.
+        """
         rng, knee, z = self.rng, next(self.names), self.spot()
         ends = [([(hinge, a), (knee, z)], None), ([(pivot, d), (knee, z)], along)]
         one, two = (self.link(*x) for x in rng.choice((ends, ends[::-1])))
         return {"on": two, "phi": math.degrees(wrapped(one.turn - two.turn))}, one if pivot in one.points else two
 
     def group(self, kind: str, ill: bool) -> None:
-        """A group on two different earlier bodies, sharpness over 0.35 or, `ill`, down to `self.ill`."""
+        """A group on two different earlier bodies, sharpness over 0.35 or, if `ill`, down to `self.ill`."""
         rng = self.rng
         moving = self.bodies[1:]
         one = rng.choice([moving[-1], *moving])
@@ -477,8 +482,10 @@ class Builder:
         self.basic(kind.split("-"), bases, spots, pivots, ways, [])
 
     def chain(self, kind: str) -> None:
-        """Basic links hinged to each other one after another, "RR-PR+RP-RR": leads on earlier bodies; far from where it
-        stops: the lines from the last hinge to where the leads of either side cross."""
+        """Basic links hinged to each other in a chain, "RR-PR+RP-RR": leads on earlier bodies; far from a dead point.
+
+        The distance is that of the lines from the last hinge to the intersections of the leads on either side.
+        """
         rng, moving = self.rng, self.bodies[1:]
         sides = [side.split("-") for side in kind.split("+")]
         count = sum(map(len, sides))
@@ -515,7 +522,7 @@ class Builder:
         ways: list[float],
         more: list[tuple[str, complex]],
     ) -> None:
-        """A basic link, with ``more`` points of it, and its leads."""
+        """A basic link, with ``more`` points, and its leads."""
         rng = self.rng
         hinges = [(next(self.names), z) for z, lead in zip(spots, kinds, strict=True) if lead[1] == "R"]
         basic, leads = self.link([*more, *hinges]), []
@@ -540,8 +547,10 @@ class Builder:
         self.triads.append((basic, leads, dict(hinges)))
 
     def contour(self, kind: str) -> None:
-        """A group of class IV, "IV RP RR PR": its outer pairs, and both pairs of the links between, that with the base
-        first ("IV": hinges alone); far from where it stops."""
+        """A group of class IV, "IV RP RR PR": its outer pairs, and both pairs of the links between, the base's first.
+
+        "IV" has hinges only; the group is far from a dead point.
+        """
         rng, moving = self.rng, self.bodies[1:]
         outer, *leads = kind.split()[1:] or ["RR", "RR", "RR"]
         bases = [rng.choice([moving[-1], *moving]), rng.choice(self.bodies)]
@@ -555,8 +564,10 @@ class Builder:
         self.triads.append((links[1], [links[0], *rods], inner))
 
     def contour_spots(self, ties: list[str]) -> tuple[list[complex], list[complex], list[float]]:
-        """Where its links are held, on the base and on the basic link, the last of either being where it hangs; and how
-        guides lie."""
+        """The points where its links are held, on the base and on the basic link; and the directions of guides.
+
+        The last point of each is where it is hinged.
+        """
         for _ in range(2000):
             near, far = ([self.spot() for _ in range(3)] for _ in range(2))
             ways = [self.rng.uniform(-math.pi, math.pi) for _ in range(3)]
@@ -581,7 +592,7 @@ class Builder:
         if outer == "PP":
             self.outer_slide(links[0], bases[0], ways[2] + rng.choice((-1, 1)) * rng.uniform(0.5, math.pi / 2))
         for ends, lead, u in zip(zip(*hinges, strict=True), leads, ways, strict=False):
-            if not lead:  # it is there
+            if not lead:  # it exists
                 continue
             rods.append(self.link([e for e, kind in zip(ends, lead, strict=True) if kind == "R"], u))
             if "P" in lead:
@@ -591,7 +602,7 @@ class Builder:
         return links, rods
 
     def assembly(self, way: str | None) -> dict[str, Any]:
-        """The assembly by side words or by true places; call it once the bodies stand in file order."""
+        """The assembly by side words or by true positions; call it once the bodies are in file order."""
         out: dict[str, Any] = {}
         rank = {id(b): k for k, b in enumerate(self.bodies)}
         spots = {k: z for b in self.bodies for k, z in b.points.items()}
@@ -615,7 +626,7 @@ class Builder:
         return out
 
     def bend(self, scene: dict[str, Any]) -> None:
-        """Most hinges of two links, not those of the driver, become guides along a circle about it on one of them."""
+        """Turns most hinges of two links, except the driver's, into guides along a circle about them on one link."""
         rng, bodies = self.rng, {b.name: b for b in self.bodies}
         driver = bodies[scene["drive"]["link"]]
         for point in dict.fromkeys(p for b in self.bodies for p in b.points):
@@ -638,10 +649,10 @@ class Builder:
 
 
 def three_lines(leads: Sequence[str], spots: list[complex], pivots: list[complex], ways: list[float]) -> float:
-    """How far the lines of three leads are from meeting in one point, times the sine between the first two."""
+    """The distance of the lines of three leads from a common point, times the sine between the first two."""
     rows = []
     for lead, spot, pivot, u in zip(leads, spots, pivots, ways, strict=True):
-        if lead == "PP":  # it holds the turning alone
+        if lead == "PP":  # it only blocks rotation
             rows.append([0.0, 0.0, abs(spots[0])])
             continue
         at = pivot if lead == "RP" else spot
@@ -662,7 +673,7 @@ def lines_of(
 
 
 def pull_at(pin: complex, lines: list[tuple[complex, complex]]) -> complex:
-    """In which direction two leads hold a point of their link, and how firmly: times the arm of a lead."""
+    """The direction in which two leads hold a point of their link, and how firmly: times the arm of a lead."""
     (n, m), (k, p) = ((along, ((at - pin).conjugate() * along).imag) for along, at in lines)
     return n * p - k * m
 
@@ -675,7 +686,7 @@ def spelled(rng: random.Random, z: complex, size: float) -> Any:
 
 
 def loads_for(rng: random.Random, scene: Mapping[str, Any], sol: Solution, size: float) -> list[dict[str, Any]]:
-    """Up to two forces and a moment on every link, in every spelling; `motion` only where it moves."""
+    """Up to two forces and a moment on every link, in every notation; `motion` only where it moves."""
     links = list(scene["links"])
     out: list[dict[str, Any]] = []
     fastest = max(abs(v) for v, _ in sol.motion.values()) + size * max(abs(w) for _, w in sol.motion.values())
@@ -756,7 +767,7 @@ def attempt(
     inner: bool | str = False,
     arcs: bool = False,
 ) -> Case:
-    """One try of `make`; raises NoSolution where the draw is of no use."""
+    """One try of `make`; raises NoSolution if the result is of no use."""
     build = Builder(rng, size, ill, swapped, every)
     inside: dict[str | bool, Callable[[], dict[str, Any]]] = {
         "brace": build.brace,
@@ -828,7 +839,7 @@ def attempt(
 
 
 def rub_hinges(rng: random.Random, scene: dict[str, Any], sol: Solution, size: float) -> None:
-    """Pins for hinges and coefficients for guides along a circle, but where links stand still."""
+    """Pins for hinges and coefficients for guides along a circle, except where links are at rest."""
     drawn, apart = dict[str, Any](), set[str]()
     for (i, j), place in sol.hinges.items():
         common = [p for p in build_points(scene, i, j) if abs(sol.points[p][0] - place) < 1e-9 * size]
@@ -843,13 +854,13 @@ def rub_hinges(rng: random.Random, scene: dict[str, Any], sol: Solution, size: f
 
 
 def unmoved(sol: Solution, *links: str) -> bool:
-    """Whether all these links stand still."""
+    """Whether all these links are at rest."""
     most = max(abs(omega) for _, omega in sol.motion.values())
     return all(abs(sol.motion[x][1]) <= 1e-12 * most for x in links if x in sol.motion)
 
 
 def build_points(scene: Mapping[str, Any], *links: str) -> list[str]:
-    """The points that two links have in common."""
+    """The common points of two links."""
     one, two = ((scene["frame"] if x == "0" else scene["links"][x]).get("points", {}) for x in links)
     return [p for p in one if p in two]
 
@@ -886,12 +897,12 @@ def expressed(rng: random.Random, scene: Mapping[str, Any]) -> str:
 def any_scene(seed: int) -> tuple[Case, str]:
     """A scene of any shape, and the text of its file, every other time with an expression for every number.
 
-    It makes whatever the format allows but: scenes that are refused (a class higher than II, W other than 1), stated
+    It covers all of the format except: scenes that are rejected (a class higher than II, W other than 1), stated
     vectors, variants (other numbers of the same scene), and positions nearer to a dead point than 1e-3 of sharpness.
     """
     rng = random.Random(f"any {seed}")
     kinds = rng.choices(KINDS, (1, 2, 1, 2, 2), k=rng.choice((0, 1, 1, 2, 2, 2, 3, 3, 4)))
-    rubs = rng.random() < 0.3  # only what is loaded can rub
+    rubs = rng.random() < 0.3  # only loaded links can rub
     how: dict[str, Any] = {"friction": rubs, "rest": rng.random() < 0.1, "loads": rubs or rng.random() < 0.9}
     ill = 1e-3 if kinds and rng.random() < 0.15 else 1.0
     case = make(rng, kinds, every=True, ill=ill, size=10.0 ** rng.choice((-3, 0, 0, 0, 2)), **how)
@@ -899,7 +910,7 @@ def any_scene(seed: int) -> tuple[Case, str]:
 
 
 def shape_of(scene: Mapping[str, Any]) -> list[str]:
-    """What is uncommon in a scene, in words."""
+    """The unusual features of a scene, in words."""
     links, drive = scene["links"], scene["drive"]
     driver, slid = links[drive["link"]], [v["slides"] for v in links.values() if "slides" in v]
     guides = [s if isinstance(s, str) else s["guide"] for s in slid]

@@ -1,4 +1,4 @@
-"""Random mechanisms that mix what the format allows: laws of loads, friction, arcs, cylinders, classes II and III."""
+"""Random mechanisms that mix features of the format: laws of loads, friction, arcs, cylinders, classes II and III."""
 
 from __future__ import annotations
 
@@ -30,18 +30,18 @@ FEATURES = (
 
 
 def motion(rng: random.Random, scene: dict[str, Any], sol: Solution) -> str:
-    """Something that is about 1, by a name of the motion, in many forms."""
+    """A quantity of about 1, from a name of the motion, in many forms."""
     sizes = {f"{x}_{n}": v for n, (v, a, _) in sol.slides.items() for x, v in (("v", v), ("a", a), ("s", sol.slid[n]))}
     for n, (_, omega, epsilon) in sol.links.items():
         sizes |= {f"omega_{n}": omega, f"epsilon_{n}": epsilon}
     for p, (r, v, a) in sol.points.items():
         if any(p in link["points"] for link in scene["links"].values()):
             sizes |= {f"x_{p}": r.real, f"y_{p}": r.imag, f"v_{p}": abs(v), f"a_{p}": abs(a)}
-    sizes = {n: v if abs(v) > 1e-9 else 0.0 for n, v in sizes.items()}  # what only rounding moves stands
+    sizes = {n: v if abs(v) > 1e-9 else 0.0 for n, v in sizes.items()}  # values of rounding only are zero
     largest = {x: max(abs(v) for n, v in sizes.items() if n[0] == x) for x in {n[0] for n in sizes}}
     name = rng.choice(sorted(sizes))
     ratio = f"({name}/{largest[name[0]] or 1.0!r})"
-    root = "" if abs(sizes[name]) > 1e-9 * largest[name[0]] else " + 0.1"  # a root of rounding is of no account
+    root = "" if abs(sizes[name]) > 1e-9 * largest[name[0]] else " + 0.1"  # a root of rounding has no effect
     angle = rng.choice([f"phi_{n}" for n in sol.links])
     ways = [ratio, f"{ratio}^2", f"(1 + {ratio}^2)^-1.5", f"sqrt(abs{ratio}{root})", f"hypot({ratio}, 0.5)"]
     ways += [f"max({ratio}, 0.25)", f"min(1/(2 + {ratio}), 0.4)", f"(sin({angle}) - cos(2*{angle})/3)"]
@@ -64,13 +64,13 @@ def law(rng: random.Random, scene: dict[str, Any], sol: Solution, link: str, mos
 
 
 def lawful(seed: int, kinds: Sequence[str], **options: Any) -> Case:
-    """A random mechanism, its loads made laws."""
+    """A random mechanism with laws for its loads."""
     rng = random.Random(seed)
     return with_laws(rng, make(rng, kinds, **options))
 
 
 def with_laws(rng: random.Random, case: Case) -> Case:
-    """The mechanism, its loads made laws."""
+    """The mechanism with laws for its loads."""
     scene = {**case.scene, "loads": [dict(load) for load in case.scene["loads"]]}
     for load in scene["loads"]:
         key = "force" if "force" in load else "moment"
@@ -91,7 +91,7 @@ def mixed(seed: int) -> Case:
         rubs: dict[str, Any] = {"pins": rng.random() < 0.6, "friction": rng.random() < 0.5}
         try:
             case = with_laws(rng, make(rng, kinds, **how, **rubs, limit=1e6))
-        except NoSolution:  # friction locks under the loads that the laws make
+        except NoSolution:  # friction locks under the loads of these laws
             continue
         if case.solution.consistent == 1 and not standing(case):
             return case
@@ -99,7 +99,7 @@ def mixed(seed: int) -> Case:
 
 
 def features_of(case: Case) -> set[str]:
-    """What of ``FEATURES`` a scene mixes."""
+    """The ``FEATURES`` mixed in a scene."""
     scene, said = case.scene, case.scene.get("friction", {})
     laws = [load[k] for load in scene["loads"] for k in ("force", "moment", "direction") if k in load]
     arcs = {n: c for n in scene["links"] if (c := circle_of(scene, n))}

@@ -1,5 +1,7 @@
-"""Scenes on the way to where a mechanism ends or its numbers do: families with their limit in closed form, and how
-wrong a number may be without a word."""
+"""Scenes close to the limits of a mechanism or of its numbers: families with their limit in closed form.
+
+Also the error that a number may have without a warning.
+"""
 
 from __future__ import annotations
 
@@ -108,7 +110,7 @@ def _slot_by(rng: random.Random) -> tuple[str, float]:
 
 
 def dead_point(rng: random.Random, kind: str) -> tuple[str, float]:
-    """A group of a higher class, and an end of the range in which its assembly lasts."""
+    """A group of a higher class, and an end of the range of its assembly."""
     while True:
         text = to_yaml(make(rng, [kind], sliding=False).scene)
         given = plans_of(loads(text))[0].given
@@ -139,15 +141,15 @@ FAMILIES: dict[str, Callable[[random.Random], tuple[str, float]]] = {
 
 
 def case(family: str, rng: random.Random, count: int) -> tuple[str, list[float]]:
-    """A scene, and values of its drive 1e-15…0.1 rad to either side of where it ends."""
+    """A scene, and values of its drive 1e-15…0.1 rad on either side of its limit."""
     text, at = {**FAMILIES, **HIGHER}[family](rng)
     return text, [at + rng.choice((1, -1)) * math.degrees(10.0 ** rng.uniform(-15, -1)) for _ in range(count)]
 
 
 def truth(c: Cycle, value: float) -> Any:
-    """The columns at many digits; None where there is no mechanism."""
+    """The columns at many digits; None without a mechanism."""
     try:
-        with patch.object(tracks, "BEFORE", DIGITS):  # where two assemblies meet, Newton's steps near slowly
+        with patch.object(tracks, "BEFORE", DIGITS):  # where two assemblies meet, Newton's iteration converges slowly
             drawing = run(c.program, {**c.given, c.plans.drive_given: value}, Digits(DIGITS))
     except PlanFailure:
         return None
@@ -155,7 +157,7 @@ def truth(c: Cycle, value: float) -> Any:
 
 
 def worst(c: Cycle, row: Any, true: Any) -> float:
-    """The largest error, relative to the largest number of its kind; what is left out is not wrong."""
+    """The largest error, relative to the largest number of its kind; omitted numbers are not wrong."""
     found = 0.0
     for unit in {x.unit for x in c.columns}:
         rows = np.array([x.unit == unit for x in c.columns])
@@ -170,8 +172,10 @@ def worst(c: Cycle, row: Any, true: Any) -> float:
 
 
 def walk(family: str, seed: int, count: int) -> Counter[str]:
-    """Count, of positions of one scene: without a mechanism, refused though there is one, numbers given where there is
-    none; wrong in ``solve`` without a warning, wrong in a table (by arrays, compiled)."""
+    """Counts positions of one scene: without a mechanism, rejected though there is one, numbers given without one.
+
+    Also wrong results of ``solve`` without a warning, and wrong ones in a table (by arrays, compiled).
+    """
     text, values = case(family, random.Random(f"{family}{seed}"), count)
     scene = loads(text)
     c = Cycle(plans_of(scene)[0])
@@ -185,7 +189,7 @@ def walk(family: str, seed: int, count: int) -> Counter[str]:
             continue
         tally.update(refused=not solved.positions)
         for p in solved.positions:
-            own = cycles.setdefault(id(p.plans), Cycle(p.plans))  # leads that lean there leave it to others
+            own = cycles.setdefault(id(p.plans), Cycle(p.plans))  # leads that lean there delegate to others
             found = {x.name: x.take(p.drawing.things, p.drawing.tool.ar) for x in own.columns}
             row = np.array([found[x.name] for x in c.columns], float)
             wrong = bool(worst(c, row, true) > WRONG)

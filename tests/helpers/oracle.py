@@ -54,8 +54,10 @@ Pose = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Pair:
-    """Link `i` on link `j`: `p` local in i, `g` local in j; `u` the guide's local direction or None; `friction` the
-    coefficient, in a hinge the radius of the friction circle."""
+    """Link `i` on link `j`: `p` local in i, `g` local in j; `u` the guide's local direction or None.
+
+    `friction` is the coefficient, in a hinge the radius of the friction circle.
+    """
 
     name: str
     i: str
@@ -70,7 +72,7 @@ class Pair:
 
 @dataclass
 class Model:
-    """The scene read, lengths in units of `size`; `links` in file order, `order` in order of solving."""
+    """The scene as read, lengths in units of `size`; `links` in file order, `order` in order of solving."""
 
     size: float
     links: list[str]
@@ -184,7 +186,7 @@ def read(scene: Scene) -> Model:
     hinges = []
     for name in dict.fromkeys(k for n in order for k in points[n]):
         base, *others = [n for n in order if name in points[n]]
-        both = ((base, n) if (base, n) == (driver, on) else (n, base) for n in others)  # a driver before what it is on
+        both = ((base, n) if (base, n) == (driver, on) else (n, base) for n in others)  # a driver before its base
         hinges += [
             Pair(name, n, m, points[n][name], points[m][name], friction=radius_of(whole, name, n, m) / size)
             for n, m in both
@@ -203,8 +205,10 @@ def read(scene: Scene) -> Model:
 def order_of_groups(
     links: list[str], points: Mapping[str, Mapping[str, complex]], slides: list[Pair], driver: str, carriers: list[str]
 ) -> list[tuple[str, ...]]:
-    """Groups in order of solving: each time the first two links, in file order, that can be solved. With a drive
-    against a moving link (``carriers``), that link and the one that the two move come first."""
+    """Groups in order of solving: each time the first two links, in file order, that can be solved.
+
+    With a drive against a moving link (``carriers``), that link and the one moved by the two come first.
+    """
     solved: set[str] = {FRAME, driver}
     groups: list[tuple[str, ...]] = []
     for carrier in carriers:
@@ -220,7 +224,7 @@ def order_of_groups(
         free = next(n for n in (driver, carrier) if n not in held)
         near = [n for n in moving if n not in (driver, carrier) and points[n].keys() & points[free].keys()]
         moved = next((n for n in near if n in held), "")
-        if not moved:  # the two are a lead of a link that has two more on the frame
+        if not moved:  # the two are a lead of a link with two more on the frame
             moved = near[0]
             leads = [n for n in links if n in held - {driver, carrier} and joined(n, moved, points, slides)]
             groups.append((carrier, moved, *leads))
@@ -251,7 +255,7 @@ def order_of_groups(
 def standing(
     links: list[str], points: Mapping[str, Mapping[str, complex]], slides: list[Pair], drive: tuple[str, str]
 ) -> list[tuple[str, str]]:
-    """Pairs of links, none of the drive's, that what stands still holds by a hinge each and that have one in common."""
+    """Pairs of links, not of the drive, each hinged to links at rest, with one in common."""
     still, found = [FRAME], list[tuple[str, str]]()
 
     def outer(n: str) -> int:
@@ -278,14 +282,14 @@ def standing(
 
 
 def joined(n: str, m: str, points: Mapping[str, Mapping[str, complex]], slides: list[Pair]) -> bool:
-    """Whether two links have a pair."""
+    """Whether two links form a pair."""
     return bool(points[n].keys() & points[m].keys()) or any({s.i, s.j} == {n, m} for s in slides)
 
 
 def braced(
     links: list[str], points: Mapping[str, Mapping[str, complex]], held: set[str], driver: str, carrier: str
 ) -> tuple[str, ...]:
-    """The two links a cylinder is across the hinge of, that on the frame first, and the third link they move."""
+    """The two links with a cylinder across their hinge, the one on the frame first, and the third link they move."""
 
     def meet(n: str, m: str) -> bool:
         return bool(points[n].keys() & points[m].keys())
@@ -307,8 +311,7 @@ def rocked(
     driver: str,
     carrier: str,
 ) -> tuple[str, ...]:
-    """A cylinder between two links that hang on solved ones and are not paired themselves; those, and the link between
-    them besides."""
+    """A cylinder between two links on solved ones that are not paired themselves; those, and the link between them."""
     for near, far in itertools.permutations(sorted(held, key=links.index), 2):
         ends = joined(driver, near, points, slides) and joined(carrier, far, points, slides)
         if ends and not joined(near, far, points, slides):
@@ -321,7 +324,7 @@ def rocked(
 def pairs_between(
     n: str, m: str, points: Mapping[str, Mapping[str, complex]], slides: list[Pair], known: set[str]
 ) -> int:
-    """How many pairs two links make with each other, at points that are not known."""
+    """The number of pairs between two links, at unknown points."""
     return len({*points[n]} & {*points[m]} - known) + sum({s.i, s.j} == {n, m} for s in slides)
 
 
@@ -332,7 +335,7 @@ def basic_and_leads(
     slides: list[Pair],
     known: set[str],
 ) -> tuple[str, ...]:
-    """A link and three others that hang on solved ones by one pair each, and on it by another."""
+    """A link and three others, each with one pair on a solved one and another on it."""
     for basic in (n for n in left if not outer[n]):
         joined = {n: pairs_between(basic, n, points, slides, known) for n in left if n != basic}
         leads = [n for n, count in joined.items() if count == outer[n] == 1]
@@ -348,7 +351,7 @@ def basics_in_a_chain(
     slides: list[Pair],
     known: set[str],
 ) -> tuple[str, ...]:
-    """Links on no solved one of three pairs each, hinged to each other, and those on one that lead to them."""
+    """Links without solved neighbours, with three pairs each, hinged to each other, and the leads on them."""
     pairs = functools.partial(pairs_between, points=points, slides=slides, known=known)
     free = [n for n in left if not outer[n]]
     for count in range(2, len(free) + 1):
@@ -367,7 +370,7 @@ def contour(
     slides: list[Pair],
     known: set[str],
 ) -> tuple[str, ...]:
-    """Two links that hang on solved ones by one pair each, and two others that have a pair with both."""
+    """Two links with one pair each on solved ones, and two others that are paired with both."""
 
     def joined(n: str, m: str) -> bool:
         here = any(k not in known for k in points[n].keys() & points[m].keys())

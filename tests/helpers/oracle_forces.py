@@ -202,11 +202,11 @@ def power_balance(sol: Solution) -> tuple[float, float]:
 def unbalanced(sol: Solution) -> float:
     """Largest sum of forces or moments on a link, by `reactions` and `actions`, over the largest term.
 
-    Friction is left out of the actions here: the reactions of sliding pairs hold it already.
+    Friction is omitted from the actions here: the reactions of sliding pairs contain it already.
     """
     parts: dict[str, list[tuple[complex, complex, float]]] = {n: [] for n in sol.links}
     for x in sol.actions:
-        if x.kind != "friction" and x.link in parts:  # the frame takes any
+        if x.kind != "friction" and x.link in parts:  # the frame bears any
             parts[x.link].append((x.place, x.force, x.moment))
     for (i, j), r in sol.reactions.items():
         if isinstance(r, tuple):

@@ -1,4 +1,4 @@
-"""Pins that rub, and guides along a circle, in the independent check: Newton's iteration on all equations at once."""
+"""Pins with friction, and guides along a circle, in the independent check: Newton's iteration on all equations."""
 
 from __future__ import annotations
 
@@ -16,33 +16,35 @@ Vector = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Grip:
-    """The couple of a pin per newton of its force: ``column`` of the equations; the force's parts are the unknowns
-    ``at`` and ``at + 1``."""
+    """The couple of a pin per newton of its force: ``column`` of the equations; unknowns ``at`` and ``at + 1``.
+
+    The unknowns are the components of the force.
+    """
 
     at: int
     column: Vector
 
 
 def place(value: Any) -> complex:
-    """A point's local coordinate in any of the three spellings."""
+    """A point's local coordinate in any of the three notations."""
     if isinstance(value, Mapping):
         return cmath.rect(float(value["r"]), math.radians(float(value["angle"])))
     return complex(*map(float, value)) if isinstance(value, (list, tuple)) else complex(float(value))
 
 
 def radius_of(scene: Mapping[str, Any], point: str, *links: str) -> float:
-    """What the couple of friction at a point is to the force there, m."""
+    """The ratio of the friction couple at a point to the force there, m."""
     said = scene.get("friction") or {}
     for name in links:
         if (found := circle_of(scene, name)) and found[1] == point:
-            tangent = float(said.get(found[0], 0.0))  # N and T = tangent N in the contact; T turns, at the whole radius
+            tangent = float(said.get(found[0], 0.0))  # N and T = tangent N in the contact; T turns, at the full radius
             return found[2] * tangent / math.sqrt(1.0 + tangent**2)
     entry = said.get(point)
     return float(entry["coefficient"]) * float(entry["radius"]) if isinstance(entry, Mapping) else 0.0
 
 
 def circle_of(scene: Mapping[str, Any], link: str) -> tuple[str, str, float] | None:
-    """The round guide a link slides on: its name, its centre, its radius."""
+    """The round guide on which a link slides: its name, its centre, its radius."""
     slides = scene["links"].get(link, {}).get("slides")
     name = str(slides["guide"] if isinstance(slides, Mapping) else slides)
     for body in (scene["frame"], *scene["links"].values()):
@@ -52,7 +54,7 @@ def circle_of(scene: Mapping[str, Any], link: str) -> tuple[str, str, float] | N
 
 
 def without_circles(scene: Mapping[str, Any]) -> dict[str, Any]:
-    """The scene in which what slides on a circle holds its centre, to the left of the way it slides."""
+    """The scene with sliders on a circle holding its centre, to the left of their direction of sliding."""
     links = {}
     for name, link in scene["links"].items():
         links[name] = link
@@ -72,7 +74,7 @@ def without_circles(scene: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def with_pins(a: Vector, b: Vector, grips: list[Grip]) -> Vector | None:
-    """a x + column |force of the pin| for every pin = b; None where Newton's iteration does not settle."""
+    """a x + column |force of the pin| for every pin = b; None if Newton's iteration does not converge."""
     x = np.linalg.solve(a, b)
     for _ in range(60):
         left, slope = b - a.astype(np.longdouble) @ x, a.copy()

@@ -1,7 +1,7 @@
-"""Other programs on the same mechanism, for contrast, where they are installed (the extra ``bench``).
+"""Other programs on the same mechanism, for comparison, if installed (the extra ``bench``).
 
-pylinkage computes places, velocities and accelerations of cranks and of RRR and RRP groups on frame guides by its
-compiled path; kinepy computes places of any group, velocities and accelerations being left to differences.
+pylinkage computes positions, velocities and accelerations of cranks and of RRR and RRP groups on frame guides by its
+compiled path; kinepy computes positions of any group, with velocities and accelerations from differences.
 """
 
 import cmath
@@ -23,17 +23,17 @@ from planes.plans.assur.groups import Group, Pair
 from planes.scene.mechanism import FRAME, Mechanism
 
 Near = Callable[[int], dict[str, complex]]
-PER_STEP = 1e-3  # rad of the crank, of a table in time
+PER_STEP = 1e-3  # rad of the crank, in a timed table
 
 
 def installed() -> list[OtherProgram]:
-    """The programs that are there."""
+    """The installed programs."""
     made = {"pylinkage": _pylinkage, "kinepy": _kinepy}
     return [make(version(name)) for name, make in made.items() if find_spec(name)]
 
 
 def near_of(bench: Comparison, values: Any) -> Near:
-    """Where every point is, by the number of the position."""
+    """The approximate positions of all points, by the number of the position."""
     table = bench.many(values, False)
     rows = {c.name: row for c, row in zip(bench.cycle.columns, table, strict=True)}
     return lambda k: {p: complex(rows[f"r_{p}_x"][k], rows[f"r_{p}_y"][k]) for p in bench.points}
@@ -57,11 +57,11 @@ def _kinepy(number: str) -> OtherProgram:
 
 
 class Pylinkage:
-    """A crank and groups of two links, each point placed from those before it."""
+    """A crank and groups of two links, each point computed from those before it."""
 
     @staticmethod
     def can(plans: Plans) -> bool:
-        """Whether it has all the groups: RRR, and RRP whose slider's hinge runs on a guide of the frame."""
+        """Whether it supports all the groups: RRR, and RRP with the slider's hinge on a guide of the frame."""
         reached = set(plans.mechanism.frame.points) | set(plans.mechanism.links[plans.mechanism.drive.link].points)
         for g in plans.structure.dyads:
             if not (g.kind == 1 or (g.kind == 2 and _on_frame(plans.mechanism, g))):
@@ -80,7 +80,7 @@ class Pylinkage:
         self.named: dict[str, Any] = {p: Ground(z.real, z.imag, name=p) for p, z in m.frame.points.items()}
         self.parts: dict[str, Any] = dict(self.named)
         self.extra: list[Any] = []
-        self.step = step  # rad of the crank from one position to the next
+        self.step = step  # rad of the crank between positions
         self._cranks(value)
         for g in plans.structure.dyads:
             self._group(g, near[g.inner.point])
@@ -97,7 +97,7 @@ class Pylinkage:
         for name, place in points.items():
             arm = place - points[pivot]
             if name != pivot and arm:
-                angle = math.radians(value) + cmath.phase(arm) - self.step  # it steps before it tells
+                angle = math.radians(value) + cmath.phase(arm) - self.step  # it steps before it returns
                 crank = Crank(self.named[pivot], abs(arm), angular_velocity=self.step, initial_angle=angle)
                 self.named[name], self.parts[name] = crank, crank.output
                 self.cranks.append(crank)
@@ -122,11 +122,11 @@ class Pylinkage:
         self.parts[hinge] = self.named[hinge]
 
     def run(self, count: int) -> Any:
-        """Tables of places, velocities and accelerations of so many positions."""
+        """Tables of positions, velocities and accelerations for this number of positions."""
         return self.linkage.step_fast_with_kinematics(count, 1.0)
 
     def triples(self) -> dict[str, Triple]:
-        """Place, velocity and acceleration of every point it knows."""
+        """Position, velocity and acceleration of every point it knows."""
         found = self.run(1)
         rows = [[complex(*table[0, k]) for table in found] for k in range(len(self.named))]
         return {name: (r, v, a) for name, (r, v, a) in zip(self.named, rows, strict=True)}
@@ -143,7 +143,7 @@ def _apart(m: Mechanism, link: str, one: str, two: str) -> float:
 
 
 class Kinepy:
-    """Every link a solid, every pair a joint; which of two assemblies is told by signs."""
+    """Every link a solid, every pair a joint; signs select one of two assemblies."""
 
     def __init__(self, plans: Plans) -> None:
         import kinepy
@@ -168,7 +168,7 @@ class Kinepy:
         return self.system.add_prismatic(one, two, cmath.phase(way), beside, cmath.phase(own), aside)
 
     def places(self, values: Any, points: dict[str, tuple[str, complex]], signs: tuple[int, ...]) -> dict[str, Any]:
-        """Places of points (link, place on it) at values of the drive (rad or m)."""
+        """Positions of points (link, position on it) at values of the drive (rad or m)."""
         self.system.change_signs(dict(zip(self.keys, signs, strict=True)))
         self.system.solve_kinematics(np.array(values, float) + self.shift)
         found = {}
@@ -179,7 +179,7 @@ class Kinepy:
 
 
 def _axis(m: Mechanism, pair: Pair) -> tuple[complex, complex]:
-    """The guide's direction, and a place on it, in the axes of its link."""
+    """The guide's direction, and a point on it, in the axes of its link."""
     guide = m.guide(pair.guide)
     return cmath.exp(1j * math.radians(guide.angle_deg)), guide.through
 
@@ -192,7 +192,7 @@ def _slider(m: Mechanism, pair: Pair) -> tuple[complex, complex]:
 
 
 def _start(m: Mechanism, pair: Pair) -> float:
-    """What is added to the drive's value to make it the joint's own."""
+    """The offset from the drive's value to that of the joint."""
     if pair.kind == "R":
         return 0.0
     (way, along), (own, first) = _axis(m, pair), _slider(m, pair)
@@ -201,7 +201,7 @@ def _start(m: Mechanism, pair: Pair) -> float:
 
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
-    """In SI units, nothing printed."""
+    """In SI units, without printed output."""
     from kinepy import units
 
     units.set_unit_system(units.SI)
@@ -213,7 +213,7 @@ def _quiet() -> Iterator[None]:
 
 
 def pylinkage_at(at: Callable[[int], Plans], values: Any, near: Near) -> list[dict[str, Triple]]:
-    """Triples at every position; ``at`` gives the mechanism, ``near`` where its points are about."""
+    """Triples at every position; ``at`` gives the mechanism, ``near`` the approximate positions of its points."""
     found: list[dict[str, Triple]] = [{} for _ in values]
     for k, value in enumerate(values):
         with contextlib.suppress(ArithmeticError, ValueError, TypeError):
@@ -222,7 +222,7 @@ def pylinkage_at(at: Callable[[int], Plans], values: Any, near: Near) -> list[di
 
 
 def kinepy_at(at: Callable[[int], Plans], values: Any, near: Near) -> list[dict[str, Triple]]:
-    """The same; velocities and accelerations from its places a step before and after, as it takes them itself."""
+    """The same; velocities and accelerations from its positions a step before and after, by its own method."""
     with _quiet():
         return [_kinepy_one(at(k), float(value), near(k)) for k, value in enumerate(values)]
 
@@ -244,13 +244,13 @@ def _kinepy_one(plans: Plans, value: float, near: dict[str, complex]) -> dict[st
 
 
 def pylinkage_run(plans: Plans, value: float, near: dict[str, complex]) -> Callable[[Any], Any]:
-    """As many positions on end as there are values, by its quickest way, to be timed."""
+    """As many consecutive positions as there are values, by its fastest method, for timing."""
     tool = Pylinkage(plans, value, near, 1e-4)
     return lambda values: tool.run(len(values))
 
 
 def kinepy_run(plans: Plans) -> Callable[[Any], Any]:
-    """Places at all values at once, to be timed; differences of them cost next to nothing more."""
+    """Positions at all values at once, for timing; their differences add almost nothing."""
     with _quiet():
         tool = Kinepy(plans)
 

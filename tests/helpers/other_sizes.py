@@ -1,4 +1,4 @@
-"""A mechanism of other dimensions, by the names a page gives them; nothing is asked of what the page reckons by."""
+"""A mechanism with other dimensions, by their names on a page, without the page's calculation."""
 
 import cmath
 from collections.abc import Mapping
@@ -14,8 +14,10 @@ CHOSEN = ("track_", "turning_", "middle_", "half_", "size_", "sense_", "side_", 
 
 
 def drawn_anew(mechanism: Mechanism, numbers: Mapping[str, float], file: str, near: Mapping[str, complex]) -> Drawing:
-    """The mechanism stated again with other dimensions and drawn, in the assembly whose points are ``near`` some places
-    if it is told so; errors as those of :func:`plans_of` and ``run``."""
+    """The mechanism restated with other dimensions and drawn; errors as those of :func:`plans_of` and ``run``.
+
+    If given, ``near`` holds the approximate positions of its points, which select the assembly.
+    """
     told = {n: replace(a, near=near[n]) if n in near else a for n, a in mechanism.assembly.items()}
     plans = plans_of(replace(resized(mechanism, numbers), assembly=told), file)
     given: dict[str, Thing] = {**plans.given}
@@ -26,7 +28,7 @@ def drawn_anew(mechanism: Mechanism, numbers: Mapping[str, float], file: str, ne
 
 
 def resized(mechanism: Mechanism, numbers: Mapping[str, float]) -> Mechanism:
-    """The mechanism with the dimensions that are told, the others as they are."""
+    """The mechanism with the given dimensions, the others unchanged."""
     links = {name: _link(link, numbers) for name, link in mechanism.links.items()}
     frame = _turned(mechanism.frame, numbers)
     places = {p: _place(p, z, numbers) for p, z in frame.points.items()}

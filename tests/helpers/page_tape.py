@@ -1,4 +1,4 @@
-"""An exported tape read with nothing of the engine: what a page shows, in plain floats."""
+"""Reads an exported tape without the engine: the numbers of a page, in plain floats."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ READ: Mapping[str, Callable[..., float]] = {
 
 
 def operations(tape: Json) -> Iterator[tuple[str, list[int]]]:
-    """Each operation with the places of its arguments, as the letters of a tape tell them."""
+    """Each operation with the positions of its arguments, from the letters of a tape."""
     digits, names = map(DIGITS.index, tape["ops"]), [*tape["names"].items()]
     for place, first in enumerate(digits):
         name, count = names[first]
@@ -47,7 +47,7 @@ def _number(digits: Iterator[int]) -> int:
 
 
 class PageTape:
-    """What ``lesson_data`` exports, at one value of the drive and with other numbers given."""
+    """The export of ``lesson_data``, at one value of the drive and with other given numbers."""
 
     def __init__(self, exported: Json, drive: float | None = None, given: Mapping[str, float] | None = None) -> None:
         self.exported, tape = exported, exported["tape"]
@@ -75,10 +75,10 @@ class PageTape:
 
     @property
     def failed(self) -> Json | None:
-        """What is said of the first thing that does not hold."""
+        """The message of the first condition that fails."""
         return next((h["said"] for h in self.exported["holds"] if not self.numbers[h["at"]]), None)
 
     def worst(self, others: Mapping[str, complex]) -> float:
-        """How far its marks are off those of a drawing, mm, the worst of them."""
+        """The largest distance of its marks from those of a drawing, mm."""
         off = [abs(self.mark(name) - others[name]) for name in self.exported["marks"] if name in others]
         return math.nan if any(map(math.isnan, off)) else max(off)

@@ -1,4 +1,4 @@
-"""Pictures of plans on paper as a scanner or a telephone makes them: wobble, light, perspective, noise, letters."""
+"""Pictures of plans on paper as from a scanner or a phone: wobble, light, perspective, noise, letters."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ import numpy as np
 from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
 
 Stroke = tuple[complex, complex]
-PAPER, PRINT = 246, 40  # grey of clean paper and of what is printed
+PAPER, PRINT = 246, 40  # grey of clean paper and of print
 HEADED_MM = 6.0  # shorter vectors have no arrowhead
 
 
 @dataclass(frozen=True)
 class Camera:
-    """How a picture is taken and on what; all shares of one unless they have a unit."""
+    """The taking of a picture and its paper; all are shares of one unless they have a unit."""
 
     dpi: float = 200.0
     perspective: float = 0.0
@@ -30,13 +30,13 @@ class Camera:
     wobble_mm: float = 0.1
     letters: bool = True
     grid: str = ""  # "square": 5 mm, "millimetre"
-    grid_ink: float = 1.0  # how dark the grid is: in one colour of a coloured grid less than in another
-    erased: int = 0  # lines rubbed out again
+    grid_ink: float = 1.0  # darkness of the grid: less in one colour of a coloured grid than in another
+    erased: int = 0  # erased lines
     quality: int = 85
-    corners: bool = True  # the blank's corner marks, or the frame alone
-    turn_deg: float = 0.0  # how askew the sheet lies
-    curl_mm: float = 0.0  # how far the sheet's middle, which curls up, seems pushed towards its upper edge
-    lens: float = 0.0  # how much farther out (in: negative) a picture's corners are seen than by a straight lens
+    corners: bool = True  # the blank's corner marks, or only the frame
+    turn_deg: float = 0.0  # rotation of the sheet
+    curl_mm: float = 0.0  # apparent shift of the curled sheet's middle towards its upper edge
+    lens: float = 0.0  # outward (negative: inward) displacement of a picture's corners by the lens
 
 
 SCAN = Camera()
@@ -58,7 +58,7 @@ def any_scan(rng: random.Random) -> Camera:
 
 
 def any_phone(rng: random.Random) -> Camera:
-    """A telephone's picture of any paper, from somewhere above it, in a lamp's light."""
+    """A phone's picture of any paper, from somewhere above it, in lamplight."""
     return replace(
         PHONE,
         dpi=rng.choice((190, 230, 270)),
@@ -81,7 +81,7 @@ class Page:
         self.grey = np.full((h, w), PAPER, np.uint8)
 
     def px(self, z: complex) -> tuple[int, int]:
-        """Millimetres to sixteenths of a pixel; the middle of the first pixel is at half a pixel."""
+        """Millimetres to sixteenths of a pixel; the centre of the first pixel is at half a pixel."""
         k = self.k
         return round((z.real * k - 0.5) * 16), round(((self.size[1] - z.imag) * k - 0.5) * 16)
 
@@ -99,7 +99,7 @@ class Page:
                 self.line([n * along, n * along + other], round(PAPER - ink * (PAPER - grey)), 0.12)
 
     def stroke(self, a: complex, b: complex, wobble_mm: float, rng: random.Random) -> None:
-        """A pencil's line from a to b, slightly bent, with an arrowhead if it is long enough."""
+        """A pencil line from a to b, slightly bent, with an arrowhead if it is long enough."""
         count = max(2, int(abs(b - a) / 4))
         bend = wobble_mm * rng.gauss(0, 1)
         u = (b - a) / abs(b - a)
@@ -110,7 +110,7 @@ class Page:
             cv2.fillPoly(self.grey, [np.array(tip, np.int32)], 70, cv2.LINE_AA, 4)
 
     def rubbed(self, strokes: list[Stroke], rng: random.Random) -> None:
-        """A line drawn somewhere by mistake and rubbed out: its ghost and a smear."""
+        """A line drawn somewhere by mistake and erased: its ghost and a smear."""
         ends = [z for s in strokes for z in s]
         a = rng.choice(ends)
         b = a + cmath.rect(rng.uniform(20, 60), rng.uniform(0, 2 * math.pi))
@@ -119,7 +119,7 @@ class Page:
         x, y = (v // 16 for v in self.px((a + b) / 2))
         r = int(8 * self.k)
         part = smear[max(y - r, 0) : y + r, max(x - r, 0) : x + r]
-        if part.size:  # it may lead off the sheet
+        if part.size:  # it may leave the sheet
             part[:] = np.minimum(part, cv2.GaussianBlur(part, (0, 0), 3 * self.k).clip(225, 255))
 
     def word(self, text: str, z: complex) -> None:
@@ -190,7 +190,7 @@ def shot(page: Any, camera: Camera, rng: random.Random) -> Any:
         a, b, c, d = (off() for _ in range(4)) if p else ([0.0, 0.0] for _ in range(4))
         corners = np.array([[0, 0], [w, 0], [w, h], [0, h]], np.float32)
         seen = np.array([a, [w - b[0], b[1]], [w - c[0], h - c[1]], [d[0], h - d[1]]], np.float32)
-        room = 1 - abs(math.sin(math.radians(camera.turn_deg))) * w / h * 0.5  # so that nothing is cut off
+        room = 1 - abs(math.sin(math.radians(camera.turn_deg))) * w / h * 0.5  # to avoid cropping
         turn = cv2.getRotationMatrix2D((w / 2, h / 2), camera.turn_deg, min(room, 1.0))
         seen = cv2.transform(seen[None], turn)[0].astype(np.float32)
         small = cv2.warpPerspective(small, cv2.getPerspectiveTransform(corners, seen), (w, h), borderValue=90)
@@ -207,8 +207,11 @@ def shot(page: Any, camera: Camera, rng: random.Random) -> Any:
 
 
 def curled(picture: Any, rise: float) -> Any:
-    """The picture of a sheet that curls up between its left and right edges, seen from before it: pixels in its middle
-    seem ``rise`` higher, and those between its middle and its edges a little nearer to its middle."""
+    """The picture of a sheet that curls up between its left and right edges, seen from the front.
+
+    Pixels in its middle appear ``rise`` higher, and those between its middle and its edges slightly nearer to its
+    middle.
+    """
     h, w = picture.shape
     x, y = np.meshgrid(np.arange(w, dtype=float), np.arange(h, dtype=float))
     arch, slope = np.sin(np.pi * x / w), np.pi / w * np.cos(np.pi * x / w)
@@ -217,7 +220,7 @@ def curled(picture: Any, rise: float) -> Any:
 
 
 def bent(picture: Any, lens: float) -> Any:
-    """The picture as a lens bends it: what is at r of the half diagonal is seen at r (1 + lens r²), nothing cut off."""
+    """The picture with lens distortion: a point at r of the half diagonal moves to r (1 + lens r²), uncropped."""
     h, w = picture.shape
     x, y = np.meshgrid(np.arange(w) - w / 2, np.arange(h) - h / 2)
     half = math.hypot(w, h) / 2
@@ -237,7 +240,7 @@ def coloured(
     seed: int,
     inks: tuple[float, float, float],
 ) -> Any:
-    """A picture of paper with a coloured grid: how dark it is in blue, in green and in red light."""
+    """A picture of paper with a coloured grid: its darkness in blue, in green and in red light."""
     shades = []
     for ink in inks:
         rng = random.Random(seed)

@@ -1,4 +1,4 @@
-"""What files for learning platforms hold: by Moodle 5's importer, PrairieLearn's schema; of STACK's, what ours hold."""
+"""Required contents of files for learning platforms: Moodle 5's importer, PrairieLearn's schema; for STACK, ours."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ NEEDED = {
         ),
     ],
 }
-"""What Moodle's importer reads without asking whether it is there, and what a question for STACK holds in ours."""
+"""Fields that Moodle's importer reads without checking for them, and the fields of our questions for STACK."""
 INFO = {
     "comment",
     "uuid",
@@ -48,4 +48,4 @@ INFO = {
     "partialCredit",
     "options",
 }
-"""Keys that PrairieLearn's schema of info.json allows, of those a question without a server of its own may have."""
+"""Keys of info.json allowed by PrairieLearn's schema, for questions without a separate server."""

@@ -1,6 +1,7 @@
-"""Position plans as a person draws them on a blank: links, hinges, guides and sliders in pencil, right or mistaken.
+"""Position plans drawn by hand on a blank: links, hinges, guides and sliders in pencil, right or wrong.
 
-The places come from the independent solver (`oracle`); with the checker this shares the scene and the printed blank.
+The positions come from the independent solver (`oracle`); only the scene and the printed blank are shared with the
+checker.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ Change = Callable[[dict[str, Any]], None]
 
 @dataclass
 class Scheme:
-    """What is drawn, mm from the scene's origin."""
+    """The drawing, mm from the scene's origin."""
 
     places: dict[str, complex] = field(default_factory=dict)
     strokes: list[Stroke] = field(default_factory=list)
@@ -36,7 +37,7 @@ class Scheme:
     hinges: list[complex] = field(default_factory=list)
     fixed: list[complex] = field(default_factory=list)
     dots: list[complex] = field(default_factory=list)
-    blocks: list[tuple[complex, complex]] = field(default_factory=list)  # middle, direction of the guide
+    blocks: list[tuple[complex, complex]] = field(default_factory=list)  # centre, direction of the guide
 
 
 @cache
@@ -45,7 +46,7 @@ def solved(sample: str) -> Solution:
 
 
 def mistaken(sample: str, change: Change | None, phi: float | None = None, mirrored: str = "") -> Solution:
-    """The scene solved with something in it changed; ``mirrored`` names the hinge that stands on the other side."""
+    """The scene solved after a change; ``mirrored`` names the hinge on the other side."""
     scene, sol = copy.deepcopy(sample_oracle.numeric(sample)), solved(sample)
     if change:
         change(scene)
@@ -109,7 +110,7 @@ def scheme(sample: str, sol: Solution, mu: float) -> Scheme:
 
 
 def bars(points: list[complex]) -> Iterator[Stroke]:
-    """Lines between a link's points: one through all that lie in a row, else from the first to the others."""
+    """Lines between a link's points: one through all if collinear, otherwise from the first to the others."""
     if len(points) < 2:
         return
     u = points[1] - points[0]
@@ -122,7 +123,7 @@ def bars(points: list[complex]) -> Iterator[Stroke]:
 
 
 def picture(one: Scheme, pole: complex, camera: Camera, rng: random.Random, symbols: int = 2) -> Any:
-    """A picture of it on its blank: bare lines, with hinges and dots (1), with sliders and supports too (2)."""
+    """A picture of it on its blank: bare lines, with hinges and dots (1), with sliders and supports, too (2)."""
     page = Page(camera.dpi)
     if camera.grid:
         page.grid(camera.grid)
@@ -151,7 +152,7 @@ def picture(one: Scheme, pole: complex, camera: Camera, rng: random.Random, symb
 
 
 def pencil(page: Page, a: complex, b: complex, wobble: float, rng: random.Random, width: float) -> None:
-    """A line as it is drawn along a ruler, hardly bent."""
+    """A line drawn along a ruler, hardly bent."""
     bend, count = wobble * rng.gauss(0, 1) * 1j * (b - a) / abs(b - a), 12
     points = [a + (b - a) * t / count + bend * math.sin(math.pi * t / count) for t in range(count + 1)]
     page.line(points, rng.randint(50, 90), width)

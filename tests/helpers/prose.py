@@ -1,10 +1,10 @@
-"""Sentences of a page for people, and how long they are."""
+"""Sentences of a page for people, and their lengths."""
 
 import re
 
 
 def sentences(text: str) -> list[str]:
-    """The sentences of a page, and the cells of its tables; code is a word."""
+    """The sentences of a page, and the cells of its tables; code counts as a word."""
     text = re.sub(r"```.*?```|<!--.*?-->", "", text, flags=re.S)
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"`[^`]*`", "Code", text))
     blocks = [block for block in re.split(r"\n\s*\n|\n(?=[-*|#\d])", text) if block.strip()]
@@ -13,5 +13,5 @@ def sentences(text: str) -> list[str]:
 
 
 def words_of(sentence: str) -> int:
-    """How many words it has."""
+    """The number of words."""
     return len(re.findall(r"[\w'’-]+", sentence))

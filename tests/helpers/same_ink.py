@@ -1,4 +1,4 @@
-"""Whether two drawings of a plan leave the same ink on paper, so that nobody could tell them apart on a picture."""
+"""Whether two drawings of a plan leave the same ink on paper, and so cannot be distinguished on a picture."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from tests.helpers import line_drawings, photographs
 from tests.helpers.drawings import NONE, Hand, Mistake
 from tests.helpers.line_drawings import Stroke
 
-DRAWN_MM, STRAIGHT_DEG = 0.3, 15.0  # shorter vectors leave no ink; vectors that turn less are one line
-ALIKE_MM = 1.0  # ink that differs by less is the same to the eye
+DRAWN_MM, STRAIGHT_DEG = 0.3, 15.0  # shorter vectors leave no ink; vectors that turn less form one line
+ALIKE_MM = 1.0  # ink that differs by less looks the same
 
 
 @cache
 def ink(easel: Easel, mistake: Mistake | None, order: tuple[str, ...] = ()) -> list[Stroke]:
-    """What an unerring hand leaves on paper; a force polygon's vectors in an order, where they are in it."""
+    """The ink of a perfect hand; a force polygon's vectors in an order, if they are in it."""
     found, _ = easel.draw(mistake, Hand(NONE, random.Random(0)))
     if not easel.plan.startswith("force"):
         return line_drawings.motion_strokes(motion(easel.sample), found, easel.plan == "acceleration")
@@ -31,7 +31,7 @@ def ink(easel: Easel, mistake: Mistake | None, order: tuple[str, ...] = ()) -> l
 
 
 def same_ink(easel: Easel, one: Mistake | None, two: Mistake | None, order: tuple[str, ...] = ()) -> bool:
-    """Whether two drawings differ in the letters beside them alone, which nobody reads on a picture."""
+    """Whether two drawings differ only in their letters, which are not read on a picture."""
     try:
         pairs = [
             (ink(easel, one, way), ink(easel, two, other))
@@ -44,7 +44,7 @@ def same_ink(easel: Easel, one: Mistake | None, two: Mistake | None, order: tupl
 
 
 def orders(easel: Easel, mistake: Mistake | None, order: tuple[str, ...]) -> list[tuple[str, ...]]:
-    """An order of a polygon's vectors; with those that are not in it anywhere, for the order of forces is free."""
+    """An order of a polygon's vectors, with the missing ones anywhere, since the order of forces is free."""
     if not order:
         return [()]
     more = tuple(n for n in easel.draw(mistake, Hand(NONE, random.Random(0)))[0] if n not in order)
@@ -52,9 +52,9 @@ def orders(easel: Easel, mistake: Mistake | None, order: tuple[str, ...]) -> lis
 
 
 def size_on_paper(easel: Easel, mistake: Mistake, order: tuple[str, ...], reading: float) -> float:
-    """By how many σ of a shaky hand, and of reading both ends, a mistake moves what is seen of a force polygon.
+    """The visible displacement in a force polygon by a mistake, in σ of a shaky hand and of reading both ends.
 
-    Where vectors follow each other in one line and have no heads, nothing shows where one ends: they are seen as one.
+    Where consecutive collinear vectors have no heads, their joint is invisible: they are seen as one.
     """
     wrong = easel.draw(mistake, Hand(NONE, random.Random(0)))[0]
     right, sigma = easel.draw(None, Hand(NONE, random.Random(0)))[0], spread(easel)
@@ -73,7 +73,7 @@ def size_on_paper(easel: Easel, mistake: Mistake, order: tuple[str, ...], readin
 
 
 def _joint_seen(one: complex, two: complex) -> bool:
-    """Whether it shows where a vector ends and the next begins."""
+    """Whether the joint of two consecutive vectors is visible."""
     if abs(one) > photographs.HEADED_MM:
         return True
     return min(abs(one), abs(two)) > DRAWN_MM and abs(cmath.phase(two / one)) > math.radians(STRAIGHT_DEG)
@@ -86,7 +86,7 @@ def _same(easel: Easel, strokes: list[Stroke], lines: list[Stroke]) -> bool:
 
 
 def _same_vectors(strokes: list[Stroke], lines: list[Stroke]) -> bool:
-    """Whether two polygons are of the same vectors in some order: the order of forces is free."""
+    """Whether two polygons have the same vectors in some order: the order of forces is free."""
     left = [b - a for a, b in lines]
     for v in sorted((b - a for a, b in strokes), key=abs, reverse=True):
         near = min(left, key=lambda w: abs(w - v), default=0j)
@@ -98,7 +98,7 @@ def _same_vectors(strokes: list[Stroke], lines: list[Stroke]) -> bool:
 
 
 def _drawn_too(strokes: list[Stroke], lines: list[Stroke]) -> bool:
-    """Whether all ink of the strokes, and every head, is ink of the lines too."""
+    """Whether all ink of the strokes, and every head, is ink of the lines, too."""
     for a, b in strokes:
         alike_ways = (
             abs(b - d) < ALIKE_MM and ((b - a) / (d - c)).real > 0.95 * abs((b - a) / (d - c))

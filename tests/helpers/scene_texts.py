@@ -1,4 +1,4 @@
-"""Scene files the tests of floor 2 start from."""
+"""Basic scene files of the tests of floor 2."""
 
 SIX_LINK = """\
 planes: 1

@@ -1,5 +1,8 @@
-"""What a teacher would circle on a sheet though nothing overlaps: small letters, names that read as one word, figures
-out of the order of the calculation or of their rank, forces drawn upon each other."""
+"""Faults without overlaps that a teacher would circle on a sheet.
+
+These are small letters, names that read as one word, figures out of the order of the calculation or of their rank, and
+coincident forces.
+"""
 
 from __future__ import annotations
 
@@ -17,15 +20,15 @@ from render.sheet import Sheet
 from render.views import View
 
 LEAST_MM = 1.8  # the smallest letters of ГОСТ 2.304
-APART = 0.6  # of a letter between names that stand side by side
+APART = 0.6  # of a letter between adjacent names
 LARGEST_MM = 7.0
-AS_LARGE = 1.01  # figures that differ by less are as large
+AS_LARGE = 1.01  # figures that differ by less are equally large
 AT_ONE_MM, FORKED_MM = 0.1, 1.0
-BESIDE_MM, ASKEW = 4.0, 0.05  # two arrows on one line may share no more; lines that only cross, in radians
+BESIDE_MM, ASKEW = 4.0, 0.05  # maximum overlap of two arrows on one line; angle of lines that only cross, radians
 
 
 def small_letters(sheet: Sheet) -> Iterator[str]:
-    """Texts with letters or indices beneath the smallest of the standard."""
+    """Texts with letters or indices below the smallest of the standard."""
     for text in (m for m in sheet.marks if isinstance(m, Text)):
         if any(run.height < LEAST_MM - 1e-9 for run in layout(text).runs):
             yield f"{text.text!r} has letters under {LEAST_MM} mm"
@@ -50,7 +53,7 @@ def _joined(texts: Sequence[Text]) -> Iterator[str]:
 
 
 def out_of_order(sheet: Sheet) -> Iterator[str]:
-    """Figures that stand before an earlier one, and steps of the calculation begun again."""
+    """Figures before an earlier one, and repeated steps of the calculation."""
     figures = [(v, left, top) for v, left, top in sheet.views if v.figure]
     for (one, x, y), (two, u, v) in combinations(figures, 2):
         if u + two.width < x and v - two.height > y - one.height:
@@ -61,7 +64,7 @@ def out_of_order(sheet: Sheet) -> Iterator[str]:
 
 
 def superposed(sheet: Sheet) -> Iterator[str]:
-    """Forces that are drawn upon each other, in one view, and are not told apart by their numbered ends."""
+    """Coincident forces in one view that their numbered ends do not distinguish."""
     for view, _, _ in sheet.views:
         yield from _upon(view)
 
@@ -70,7 +73,7 @@ def _upon(view: View) -> Iterator[str]:
     shown = ("force", "result") if view.key.startswith("force") else ("force",)
     forces = [m for m in view.marks if m.layer in shown and isinstance(m, (Arrow, Line))]
     arrows = [m for m in forces if isinstance(m, Arrow) and m.name]
-    parts = [m for m in forces if isinstance(m, Line) and m.name.endswith(PART)]  # of what ends outside of a detail
+    parts = [m for m in forces if isinstance(m, Line) and m.name.endswith(PART)]  # of forces that end outside a detail
     ends = [(m.name, m.start, m.end) for m in arrows] + [(m.name, m.points[0], m.points[1]) for m in parts]
     lines = [shapely.LineString([(z.real, z.imag) for z in (a, b)]) for _, a, b in ends]
     texts = [m for m in view.marks if isinstance(m, Text)]
@@ -85,7 +88,7 @@ def _upon(view: View) -> Iterator[str]:
 
 
 def _forked(one: Sequence[complex], two: Sequence[complex]) -> bool:
-    """Whether two forces leave one corner of a polygon and part by more than a millimetre."""
+    """Whether two forces start at one corner of a polygon and diverge by more than a millimetre."""
     joined = [(k, j) for k in (0, 1) for j in (0, 1) if abs(one[k] - two[j]) < AT_ONE_MM]
     for k, j in joined:
         a, b = one[1 - k] - one[k], two[1 - j] - two[j]
@@ -95,7 +98,7 @@ def _forked(one: Sequence[complex], two: Sequence[complex]) -> bool:
 
 
 def longest(view: View) -> float:
-    """The longer side of what is drawn, without its words; of a force plan without its details."""
+    """The longer side of a drawing, without its words; of a force plan without its details."""
     drawn = [m for m in view.marks if not isinstance(m, Text) and m.layer != "text"]
     if view.key.startswith("force"):
         drawn = [m for m in drawn if isinstance(m, Arrow) and not m.name.endswith(PART)]
@@ -104,6 +107,6 @@ def longest(view: View) -> float:
 
 
 def unsightly(sheet: Sheet) -> list[str]:
-    """All of them, but figures out of rank."""
+    """All of these, except figures out of rank."""
     found = small_letters, one_word, out_of_order, superposed
     return [fault for of_kind in found for fault in of_kind(sheet)]

@@ -1,4 +1,4 @@
-"""Sheets of the samples, each composed once in a run whichever tests look at it."""
+"""Sheets of the samples, each composed once in a run for all tests."""
 
 from __future__ import annotations
 
@@ -15,8 +15,10 @@ from tests.helpers import ROOT
 def sheet(
     name: str, lang: Lang = "ru", value: float | None = None, number: int | None = None, **settings: object
 ) -> Sheet:
-    """The sheet of a sample ("six-link", "assignments/05"), or one of its project of two; ``settings`` are laid over
-    its own ``sheet:``."""
+    """The sheet of a sample ("six-link", "assignments/05"), or one of its project of two.
+
+    ``settings`` override its own ``sheet:``.
+    """
     return _composed(name, lang, value, number, tuple(sorted(settings.items())))
 
 

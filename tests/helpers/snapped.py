@@ -1,8 +1,7 @@
-"""Scenes with one exact coincidence: what random numbers meet with probability nothing and teachers try first.
+"""Scenes with one exact coincidence: random numbers practically never have one, and teachers try them first.
 
-``snapped`` makes one of a family; ``faults`` says what is wrong with what the program makes of it: a traceback, a
-number that is none, one that is not that of the independent solver, a direction of a thing that is nothing, a refusal
-where there is an answer.
+``snapped`` makes one of a family; ``faults`` lists the faults of the program's result: a traceback, a NaN, a number
+that differs from the independent solver's, a direction of a zero vector, a rejection of a solvable scene.
 """
 
 from __future__ import annotations
@@ -33,14 +32,14 @@ from tests.helpers.oracle import NoSolution, Solution
 from tests.helpers.oracle import solve as solved_apart
 
 NEAR = 1e-9  # of the largest number of its kind, times the sharpness
-SINGULAR = 1e7  # a condition from which on the independent solver is no judge, and an answer must be warned of
-NOTHING = 1e-12  # of the largest of its kind: no direction of it can be told
-LEAST_FAULT = 1e-6  # of a value: a result that is less wrong than this need not be found out
+SINGULAR = 1e7  # a condition number above which the independent solver is unreliable, and an answer needs a warning
+NOTHING = 1e-12  # of the largest of its kind: it has no direction
+LEAST_FAULT = 1e-6  # of a value: a smaller error need not be detected
 
 
 @dataclass(frozen=True)
 class Snapped:
-    """The text of a scene, its family, and whether it has an answer in any case."""
+    """The text of a scene, its family, and whether it always has an answer."""
 
     family: str
     text: str
@@ -125,9 +124,9 @@ def _parallel_guides(rng: random.Random) -> Snapped:
 
 def _through_pivot(rng: random.Random) -> Snapped:
     a, phi = _two(rng, 0.1, 0.4), rng.choice((0.0, 90.0, 45.0, 180.0, _two(rng, 0, 360)))
-    if rng.random() < 0.5:  # a rod as long as the crank: at a right angle the slider stands on the pivot
+    if rng.random() < 0.5:  # a rod as long as the crank: at a right angle the slider is on the pivot
         return Snapped("guide through the pivot", _crank_slider(a, a, "{through: O, angle: 0}", phi), False)
-    base = rng.choice((0.0, a))  # the rocker's pivot on the crank's own, or on the circle of its pin
+    base = rng.choice((0.0, a))  # the rocker's pivot on the crank's, or on the circle of its pin
     text = (
         f"planes: 1\nframe: {{points: {{O: [0, 0], D: [{base!r}, 0]}}}}\nlinks:\n"
         f"  1: {{points: {{O: 0, A: {a!r}}}, mass: 1}}\n  2: {{points: {{A: 0}}, slides: DE, mass: 1}}\n"
@@ -147,7 +146,7 @@ def _zero_sum(rng: random.Random) -> Snapped:
 
 
 def _static(rng: random.Random) -> Snapped:
-    """A dyad or a triad that hangs on the frame alone, beside a crank-slider."""
+    """A dyad or a triad connected only to the frame, beside a crank-slider."""
     moving = _crank_slider(0.1, 0.4, "{y: 0}", rng.choice((0.0, 90.0, _two(rng, 0, 360))), "gravity: 9.81\n")
     if rng.random() < 0.6:
         points = "O: [0, 0], P: [0.5, 0.3], Q: [0.9, 0.3]"
@@ -172,7 +171,7 @@ def _static(rng: random.Random) -> Snapped:
 
 
 def _on_its_guide(rng: random.Random) -> Snapped:
-    """A slider's hinge at the place its guide goes through."""
+    """A slider's hinge at the defining point of its guide."""
     a, b, phi = _two(rng, 0.1, 0.3), _two(rng, 0.5, 1), rng.choice((0.0, 180.0))
     at = (a if phi == 0 else -a) + b
     guide = rng.choice((f"{{through: [{at!r}, 0], angle: 0}}", "{y: 0}", "{through: O, angle: 0}"))
@@ -200,7 +199,7 @@ def _rounded(value: Any, grid: float, key: str = "") -> Any:
 
 
 def _repeated(rng: random.Random) -> Snapped:
-    """A random scene on a coarse grid: lengths, places, angles and offsets that are the same, or nothing."""
+    """A random scene on a coarse grid: lengths, positions, angles and offsets that are equal or zero."""
     while True:
         case = make(rng, rng.choices(KINDS, k=rng.choice((1, 1, 2))), sliding=False, assembly="near")
         scene = _rounded(case.scene, rng.choice((0.1, 0.25)))
@@ -215,7 +214,7 @@ def _repeated(rng: random.Random) -> Snapped:
 
 
 def _vectors(rng: random.Random) -> Snapped:
-    """Stated vectors that add up to nothing, that are equally long, or whose arcs touch."""
+    """Stated vectors that add up to zero, have equal lengths, or whose arcs touch."""
     p, way = _two(rng, 1, 9), rng.choice((0, 30, 90, _two(rng, -180, 180)))
     rows = [f"P_1: {{value: {p!r}, direction: {way!r}}}"]
     style = rng.randrange(4)
@@ -261,15 +260,15 @@ FAMILIES: tuple[Callable[[random.Random], Snapped], ...] = (
 
 
 def snapped(seed: int) -> Snapped:
-    """A scene of the family whose turn it is."""
+    """A scene of the next family."""
     return FAMILIES[seed % len(FAMILIES)](random.Random(f"snapped {seed}"))
 
 
-# what is wrong
+# faults
 
 
 def faults(one: Snapped) -> Iterator[str]:
-    """What is wrong with a position, and with a run of them."""
+    """The faults of a position, and of a run of them."""
     try:
         found = solve(loads(one.text, "s.yaml"))
     except PlanesError as refused:
@@ -300,7 +299,7 @@ def _numbers(found: Solved, position: Position) -> Iterator[str]:
 
 
 def _truth(text: str) -> Solution | None:
-    """The independent solution at the drawn pose; none where that is singular."""
+    """The independent solution at the drawn pose; None if that is singular."""
     try:
         sol = solved_apart(plain(text), pose(draw(text)))
     except (NoSolution, np.linalg.LinAlgError, ZeroDivisionError):
@@ -310,7 +309,7 @@ def _truth(text: str) -> Solution | None:
 
 def _against(text: str, position: Position) -> Iterator[str]:
     warned, scene = position.results["warnings"], plain(text)
-    if scene.get("find"):  # a part of the plans is compared with nothing
+    if scene.get("find"):  # parts of the plans are not compared
         return
     sol = _truth(text)
     if sol is None:
@@ -367,7 +366,7 @@ def _apart(x: float, y: float, unit: str) -> float:
 
 
 def typed(*line: str) -> tuple[int, str, str]:
-    """A command as it is typed: its exit status and what it says."""
+    """A command as typed: its exit status and its output."""
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         try:
@@ -381,7 +380,7 @@ DOCUMENTS = ("sheet", "lesson", "note", "cycle", "check")
 
 
 def document_faults(one: Snapped, command: str, folder: Path) -> Iterator[str]:
-    """What is wrong with a document of a scene: ``sheet``, ``lesson``, ``note``, ``cycle`` or ``check``."""
+    """The faults of a document of a scene: ``sheet``, ``lesson``, ``note``, ``cycle`` or ``check``."""
     scene = folder / "s.yaml"
     scene.write_text(one.text, "utf-8")
     if command == "check":

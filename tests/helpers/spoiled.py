@@ -1,5 +1,6 @@
-"""Spoiled files: a scene or a drawing with one to three of its lines, words or numbers changed at random. Whatever is
-made of it, a command ends in a result or in sentences: no traceback, no NaN, an exit status that is known.
+"""Corrupted files: a scene or a drawing with one to three of its lines, words or numbers changed at random.
+
+In any case a command ends in a result or in sentences: no traceback, no NaN, a known exit status.
 """
 
 from __future__ import annotations
@@ -36,11 +37,11 @@ STRANGE = (
 )
 NOTHING = re.compile(r"\b(?:nan|inf)\b")
 KNOWN = {0, 1, 2, 3}
-"""Exit statuses there are."""
+"""The exit statuses."""
 
 
 def spoiled(text: str, rng: random.Random) -> str:
-    """The text with one to three faults of a hurried hand."""
+    """The text with one to three typing errors."""
     for _ in range(rng.randint(1, 3)):
         text = rng.choice((_number, _number, _number, _word, _line_lost, _line_twice, _swapped, _letter, _cut))(
             text, rng
@@ -93,7 +94,7 @@ def _cut(text: str, rng: random.Random) -> str:
 
 
 def fault(words: list[str]) -> str:
-    """What is wrong with how a command ends; "" for nothing."""
+    """The fault in how a command ends; "" for none."""
     out, err = io.StringIO(), io.StringIO()
     try:
         with redirect_stdout(out), redirect_stderr(err):
@@ -108,7 +109,7 @@ def fault(words: list[str]) -> str:
     if status == 2 and not said.strip():
         return "refused without a word"
     named = any(NOTHING.search(Path(word).read_text("utf-8")) for word in words if word.endswith((".yaml", ".csv")))
-    if "Traceback" in said or (NOTHING.search(out.getvalue()) and not named):  # unless a link was called so
+    if "Traceback" in said or (NOTHING.search(out.getvalue()) and not named):  # unless a link has that name
         return said[-300:]
     return ""
 

@@ -1,4 +1,4 @@
-"""The studio for tests: its server, or its files behind a plain one; and hands that draw on its canvas."""
+"""The studio for tests: its server, or its files on a plain one; and a hand that draws on its canvas."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SEEN = f"{INNER}?.live ? true : false"
 
 @contextmanager
 def served(*more: str) -> Iterator[str]:
-    """The address of a studio of its own, with the token."""
+    """The address of a separate studio, with the token."""
     command = [sys.executable, "-m", "planes", "studio", "--no-browser", "--lang", "en", *more]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) as started:
         assert started.stdout
@@ -40,7 +40,7 @@ class _Quiet(SimpleHTTPRequestHandler):
 
 @contextmanager
 def behind_files(folder: Path) -> Iterator[str]:
-    """The address of a folder behind a server that knows nothing of it."""
+    """The address of a folder on a plain server."""
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(folder)))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     try:
@@ -51,31 +51,31 @@ def behind_files(folder: Path) -> Iterator[str]:
 
 
 class Hand:
-    """A hand on the canvas: by the places of the mechanism, m."""
+    """A hand on the canvas, in coordinates of the mechanism, m."""
 
     def __init__(self, page: Any) -> None:
         self.page = page
 
     def at(self, x: float, y: float) -> tuple[float, float]:
-        """Where a place of the mechanism is on the screen."""
+        """The position on the screen of a point of the mechanism."""
         told = "(() => { const b = document.getElementById('canvas').getBoundingClientRect(),"
         told += f" q = canvas.view.px([{x!r}, {y!r}]); return [b.left + q[0], b.top + q[1]]; }})()"
         left, top = self.page.evaluate(told)
         return left, top
 
     def tool(self, name: str) -> None:
-        """Take a tool in hand."""
+        """Selects a tool."""
         self.page.locator(f"[data-tool={name}]").click()
 
     def press(self, x: float, y: float) -> None:
-        """Press a place."""
+        """Clicks a point."""
         with self.done():
             self.page.mouse.move(*self.at(x, y))
             self.page.mouse.down()
             self.page.mouse.up()
 
     def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
-        """Drag from one place to another."""
+        """Drags from one point to another."""
         (a, b), (c, d) = self.at(*start), self.at(*end)
         with self.done():
             self.page.mouse.move(a, b)
@@ -86,14 +86,14 @@ class Hand:
 
     @contextmanager
     def done(self) -> Iterator[None]:
-        """A move of the hand, until the page has taken it and nothing more is asked of the engine."""
+        """An action of the hand, until the page has processed it and no request to the engine is open."""
         before = self.page.evaluate("canvas.hands")
         yield
         until(self.page, f"canvas.hands > {before}")
         self.rest()
 
     def rest(self) -> None:
-        """Wait until nothing more is asked of the engine."""
+        """Waits until no request to the engine is open."""
         self.page.wait_for_timeout(60)
         until(self.page, "engine.idle()")
 

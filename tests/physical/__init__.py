@@ -1,1 +1,1 @@
-"""Pictures of drawings made by physics: graphite on grain, pens, printers, paper, lenses, light; and what is read."""
+"""Physically simulated pictures of drawings (graphite, pens, printers, paper, lenses, light), and their reading."""

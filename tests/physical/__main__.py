@@ -1,8 +1,8 @@
-"""`python -m tests.physical [COUNT] [seed=K] [into=DIR] [FACTOR … | held | FOLDER]`: shares of pictures by factor.
+"""`python -m tests.physical [COUNT] [seed=K] [into=DIR] [FACTOR … | held | FOLDER]`: results for pictures by factor.
 
-COUNT drawings of each factor (8), half of them with a mistake; a factor is chosen by words of its name; "held" are the
-factors kept for one count, "held next" those for the count after it. A FOLDER of photographs with their marks is
-counted as a row of its own. ``into=DIR`` keeps pictures and what was found there: the same count begun again goes on.
+COUNT drawings of each factor (8), half of them with a mistake; factors are chosen by words in their names; "held" are
+the factors reserved for one count, "held next" those for the count after it. A FOLDER of photographs with their marks
+is counted as a separate row. ``into=DIR`` keeps pictures and findings there: the same count, restarted, continues.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from tests.physical.setting import Spread
 
 
 def main(words: list[str]) -> None:
-    """Draw, check, count and print, row by row."""
+    """Draws, checks, counts and prints, row by row."""
     numbers = [int(w) for w in words if w.isdigit()]
     told = dict(w.split("=", 1) for w in words if w.startswith(("seed=", "into=")))
     names = [w for w in words if not w.isdigit() and not w.startswith(("seed=", "into="))]
@@ -38,7 +38,7 @@ def main(words: list[str]) -> None:
 
 
 def print_factors(chosen: Mapping[str, Spread], count: int, seed: int, kept: Kept) -> None:
-    """A row for each factor, and one for all; stopped early (Ctrl+C), for those that were counted."""
+    """Prints a row for each factor, and one for all; if stopped early (Ctrl+C), for those counted so far."""
     whole, every = Tally(), [*FACTORS, *HELD, *HELD_NEXT]
     with suppress(KeyboardInterrupt):
         for name, spread in chosen.items():
@@ -50,7 +50,7 @@ def print_factors(chosen: Mapping[str, Spread], count: int, seed: int, kept: Kep
 
 
 def chosen_by(names: list[str]) -> dict[str, Spread]:
-    """The factors that hold one of the words; all but the held without any."""
+    """The factors whose names contain one of the words; without words all except the held ones."""
     if names[:1] == ["held"]:
         return HELD_NEXT if names[1:] == ["next"] else HELD
     return {n: s for n, s in FACTORS.items() if not names or any(w in n for w in names)}

@@ -1,4 +1,4 @@
-"""How a sheet's picture is taken: a scanner's glass or a telephone's lens, light, shadow, motion, noise, JPEG."""
+"""Takes the picture of a sheet: a scanner's glass or a phone's lens, light, shadow, motion, noise, JPEG."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from tests.physical.layout import Box
 from tests.physical.paper import PX_PER_MM, Paper
 from tests.physical.setting import Setting
 
-TABLE = ((92, 118, 140), (60, 62, 66), (150, 160, 165))  # what a photographed sheet lies on
-FILLED = 0.92  # of a picture, by the sheet
-NEAR_MM = 12.0  # about a drawing that is photographed from near by
+TABLE = ((92, 118, 140), (60, 62, 66), (150, 160, 165))  # surfaces under a photographed sheet
+FILLED = 0.92  # share of a picture filled by the sheet
+NEAR_MM = 12.0  # around a drawing photographed at close range
 SHEET = 0j, complex(*SHEET_MM)
-FOCAL = 0.75  # of a telephone's lens, in picture widths
+FOCAL = 0.75  # focal length of a phone, in picture widths
 
 
 @dataclass
 class View:
-    """How places of a sheet (mm, y up) come to pixels (y down): a plane seen by a lens that bends a little."""
+    """The mapping from points of a sheet (mm, y up) to pixels (y down): a plane through a slightly distorting lens."""
 
     plane: Any
     size: tuple[int, int]
@@ -33,7 +33,7 @@ class View:
     quarter: int = 0
 
     def see(self, z: complex) -> complex:
-        """The pixel of a place."""
+        """The pixel of a point."""
         x, y, depth = (self.plane @ np.array([z.real, z.imag, 1.0])).tolist()
         straight = (complex(x, y) / depth - self._middle) / self._half
         pixel: complex = straight * (1 + self.lens * abs(straight) ** 2) * self._half + self._middle
@@ -51,7 +51,7 @@ class View:
         return math.hypot(*self.size) / 2
 
     def places(self) -> Any:
-        """The place on the sheet each pixel sees, mm, as complex numbers."""
+        """The point on the sheet seen by each pixel, mm, as complex numbers."""
         w, h = self.size
         seen = np.arange(w)[None, :] + 1j * np.arange(h)[:, None]
         seen = ((seen - self._middle) / self._half).astype(np.complex64)
@@ -65,7 +65,7 @@ class View:
 
 
 def taken(paper: Paper, setting: Setting, rng: random.Random, drawing: Box = SHEET) -> tuple[Any, View]:
-    """The picture of a sheet, or, from near by, of the drawing on it; and how its places are seen."""
+    """The picture of a sheet or, at close range, of its drawing; and the view of its points."""
     aim = _about(drawing) if setting.close else SHEET
     view = scanner(setting, rng) if setting.camera == "scan" else telephone(setting, rng, aim)
     picture = developed(paper, view, setting, rng)
@@ -77,7 +77,7 @@ def taken(paper: Paper, setting: Setting, rng: random.Random, drawing: Box = SHE
 
 
 def scanner(setting: Setting, rng: random.Random) -> View:
-    """A sheet on the glass, a little askew, a little of the lid about it."""
+    """A sheet on the glass, slightly rotated, with some of the lid around it."""
     scale, margin = setting.dpi / 25.4, rng.uniform(1, 4)
     w, h = SHEET_MM
     turn = math.radians(setting.turn_deg)
@@ -90,7 +90,7 @@ def scanner(setting: Setting, rng: random.Random) -> View:
 
 
 def _about(drawing: Box) -> Box:
-    """What is seen from near by, of a picture's shape: the drawing and a little about it."""
+    """The field of view at close range, in the shape of a picture: the drawing with a margin."""
     low, high = drawing
     middle, wide = (low + high) / 2, max((high - low).real + 2 * NEAR_MM, ((high - low).imag + 2 * NEAR_MM) / 0.75)
     half = complex(wide, 0.75 * wide) / 2
@@ -98,7 +98,7 @@ def _about(drawing: Box) -> Box:
 
 
 def telephone(setting: Setting, rng: random.Random, aim: Box) -> View:
-    """A telephone held over a place of a sheet, tilted about any axis, its picture filled by what it aims at."""
+    """A phone held over a point of a sheet, tilted about any axis, its picture filled by the target."""
     width, height = setting.width_px, round(setting.width_px * 0.75)
     tilt, way, roll = math.radians(setting.tilt_deg), rng.uniform(0, 6.28), math.radians(setting.turn_deg)
     axis = np.array([math.cos(way), math.sin(way), 0.0]) * tilt
@@ -108,7 +108,7 @@ def telephone(setting: Setting, rng: random.Random, aim: Box) -> View:
     corners = np.array([x, y, np.ones(4)])
     ground = np.array([[1, 0, -middle.real], [0, -1, middle.imag], [0, 0, 0]]) + 0.0
     place, seen = np.array([0.0, 0.0, (high - low).real / FILLED * FOCAL]), ground
-    for _ in range(6):  # so held that what is aimed at fills the picture, its middle in the middle
+    for _ in range(6):  # aimed so that the target fills the picture, centred
         seen = turn @ ground + place[:, None] * np.array([0.0, 0.0, 1.0])
         rim = FOCAL * width * (seen @ corners)[:2] / (seen @ corners)[2]
         place[:2] -= (rim.min(axis=1) + rim.max(axis=1)) / 2 * place[2] / (FOCAL * width)
@@ -118,7 +118,7 @@ def telephone(setting: Setting, rng: random.Random, aim: Box) -> View:
 
 
 def developed(paper: Paper, view: View, setting: Setting, rng: random.Random) -> Any:
-    """The colours each pixel sees, smeared over by its own size and by what is out of focus."""
+    """The colour seen by each pixel, blurred by its size and by defocus."""
     places = view.places()
     ratio = float(np.abs(places[0, 1:] - places[0, :-1]).mean()) * PX_PER_MM
     soft = cv2.GaussianBlur(paper.colour, (0, 0), max(0.45 * ratio, 0.3))
@@ -130,7 +130,7 @@ def developed(paper: Paper, view: View, setting: Setting, rng: random.Random) ->
 
 
 def lit(picture: Any, setting: Setting, rng: random.Random) -> Any:
-    """A lamp on one side, the hand that holds the telephone before it, a warm or cold light."""
+    """A lamp on one side, the shadow of the hand with the phone, a warm or cold light."""
     h, w = picture.shape[:2]
     x, y = np.meshgrid(np.linspace(-1, 1, w, dtype=np.float32), np.linspace(-1, 1, h, dtype=np.float32))
     way = rng.uniform(0, 6.28)
@@ -148,7 +148,7 @@ def lit(picture: Any, setting: Setting, rng: random.Random) -> Any:
 
 
 def sensed(picture: Any, setting: Setting, rng: random.Random) -> Any:
-    """Moved while it was taken, with the grain of a small sensor; or copied once before."""
+    """Motion blur and the noise of a small sensor; or an earlier photocopy."""
     if setting.motion_px > 1:
         size = 2 * math.ceil(setting.motion_px / 2) + 3
         kernel, way = np.zeros((size, size), np.float32), rng.uniform(0, 6.28)
@@ -167,7 +167,7 @@ def sensed(picture: Any, setting: Setting, rng: random.Random) -> Any:
 
 
 def save(picture: Any, file: Path, setting: Setting) -> None:
-    """As a file; a scanner tells its resolution in it."""
+    """Saves it as a file; a scanner's includes its resolution."""
     data = bytearray(cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, int(setting.quality)])[1].tobytes())
     if setting.camera == "scan":
         data[13:18] = b"\x01" + 2 * round(setting.dpi).to_bytes(2, "big")

@@ -1,8 +1,8 @@
 """`python -m tests.physical.classroom [STUDENTS] [seed=K] [into=DIR]`: a teacher's hour, by the commands he types.
 
-A course is made, its blanks are filled by physics (some wrong, some askew, some two to a picture), and the folder is
-checked in one run; what a sheet is found to be is held against whose blank it was. Then one is put right by hand.
-What was drawn into DIR is not drawn again, but checked by what the program is now.
+A course is made, its blanks are filled in by simulation (some wrong, some askew, some two to a picture), and the
+folder is checked in one run; the findings are compared with the owners of the blanks. Then one is corrected by hand.
+Drawings already in DIR are not redrawn, but checked by the current program.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ from tests.physical.setting import Setting, varied
 from tests.physical.strokes import Hand
 from tests.picture_corpus import Drawn
 
-ERROR_MM, MOVED_MM = 0.15, 4.0  # σ of a mark's place; how far a mistake moves one at least
+ERROR_MM, MOVED_MM = 0.15, 4.0  # σ of a mark's position; least displacement by a mistake
 WRONG, ASKEW, PHONES, PAIRED = 0.3, 0.2, 0.5, 0.1  # shares of the sheets
 COURSE = """course: 1
 students: students.txt
@@ -63,7 +63,7 @@ seed: {seed}
 
 @dataclass(frozen=True)
 class Filled:
-    """A blank somebody has drawn on: whose, which plan, with which mistake, and its marks, mm from the pole."""
+    """A completed blank: its owner, plan, mistake, and marks, mm from the pole."""
 
     student: str
     plan: str
@@ -73,7 +73,7 @@ class Filled:
 
 
 def made_course(folder: Path, students: int, seed: int) -> Path:
-    """The course, made: where its teacher's files and its students' blanks are."""
+    """Makes the course; returns the folder of the teacher's files and the students' blanks."""
     folder.mkdir(parents=True, exist_ok=True)
     names = "".join(f"Ученик{k:02d} Имя{k:02d}\n" for k in range(1, students + 1))
     (folder / "students.txt").write_text(names, "utf-8")
@@ -84,7 +84,7 @@ def made_course(folder: Path, students: int, seed: int) -> Path:
 
 
 def filled(out: Path, seed: int) -> Iterator[Filled]:
-    """Every page of every blank, drawn on and taken."""
+    """Every page of every blank, drawn on and photographed or scanned."""
     for scene in sorted(out.glob("teacher/*/scene.yaml")):
         student, rng = scene.parent.name, random.Random(f"{seed} {scene.parent.name}")
         asked = load(scene)
@@ -95,12 +95,12 @@ def filled(out: Path, seed: int) -> Iterator[Filled]:
                 grey = cv2.cvtColor(page.render(scale=PX_PER_MM * 25.4 / 72).to_numpy()[..., :3], cv2.COLOR_BGR2GRAY)
                 bench = roomy(prepare(Asked(asked, plan)))
                 mistake, one = drawing(bench, rng)
-                if one.strokes:  # nobody hands in a plan of nothing
+                if one.strokes:  # an empty plan is not submitted
                     yield Filled(student, plan, mistake, taken(bench, one, grey, rng), one.marks)
 
 
 def taken(bench: PreparedPlan, one: Drawn, blank: Any, rng: random.Random) -> Any:
-    """The picture of a blank with that drawing on it, by a pencil or pen, scanner or telephone of its own."""
+    """The picture of a blank with this drawing, by a random pencil or pen, scanner or phone."""
     spread = {**PEOPLE, **(HARD if rng.random() < PHONES else {"dpi": [150.0, 200.0, 300.0]})}
     setting = varied(Setting(), spread, rng)
     if rng.random() < ASKEW:
@@ -113,7 +113,7 @@ def taken(bench: PreparedPlan, one: Drawn, blank: Any, rng: random.Random) -> An
 
 
 def drawing(bench: PreparedPlan, rng: random.Random) -> tuple[str, Drawn]:
-    """A plan as a person draws it, and the mistake in it, "" of a right one."""
+    """A plan as drawn by a person, and its mistake, "" for a right one."""
     true = {POLE: 0j, **bench.true_marks}
     tried = [("", true)]
     if rng.random() < WRONG:
@@ -149,7 +149,7 @@ def _roomy(z: complex) -> bool:
 
 
 def handed_in(sheets: list[Filled], folder: Path, rng: random.Random) -> dict[str, Filled]:
-    """The pictures as files, in no order; some of them two to a picture, called by its parts."""
+    """The pictures as files, in random order; some of them two to a picture, named by its parts."""
     folder.mkdir(exist_ok=True)
     rng.shuffle(sheets)
     paired, count, told = round(len(sheets) * PAIRED / 2) * 2, 0, dict[str, Filled]()
@@ -166,28 +166,28 @@ def handed_in(sheets: list[Filled], folder: Path, rng: random.Random) -> dict[st
 
 
 def _beside(one: Any, two: Any) -> Any:
-    """Two pictures in one, the second under the first."""
+    """Two pictures in one, the second below the first."""
     width = max(one.shape[1], two.shape[1])
     wide = [cv2.resize(p, None, fx=width / p.shape[1], fy=width / p.shape[1]) for p in (one, two)]
     return np.vstack(wide)
 
 
 def kept(true: Mapping[str, Filled], file: Path) -> None:
-    """What the pictures show, written beside them."""
+    """Writes the content of the pictures next to them."""
     marks = {n: {m: [z.real, z.imag] for m, z in one.marks.items()} for n, one in true.items()}
     rows = {n: [one.student, one.plan, one.mistake, marks[n]] for n, one in true.items()}
     file.write_text(json.dumps(rows), "utf-8")
 
 
 def drawn_before(file: Path) -> dict[str, Filled]:
-    """What an earlier run has drawn."""
+    """The drawings of an earlier run."""
     rows = json.loads(file.read_text("utf-8"))
     marks = {n: {m: complex(*z) for m, z in row[3].items()} for n, row in rows.items()}
     return {n: Filled(row[0], row[1], row[2], None, marks[n]) for n, row in rows.items()}
 
 
 def run(out: Path, photos: Path, report: Path) -> tuple[dict[str, Any], float, int]:
-    """The command of a class: what it found of each file, its seconds of the processor, and its exit status."""
+    """Runs the command for a class: the findings for each file, the CPU seconds, and the exit status."""
     said, start = io.StringIO(), time.process_time()
     with contextlib.redirect_stdout(said):
         status = main(["check", str(out), str(photos), "-o", str(report), "--json", "--lang", "en"])
@@ -195,7 +195,7 @@ def run(out: Path, photos: Path, report: Path) -> tuple[dict[str, Any], float, i
 
 
 def told(found: Mapping[str, Any], true: Mapping[str, Filled]) -> str:
-    """How many sheets were found to be whose and which they are, and what was made of right and wrong ones."""
+    """The number of sheets identified correctly, and the verdicts on right and wrong ones."""
     counts: Counter[str] = Counter()
     lost, false = [], []
     for name, sheet in true.items():
@@ -214,14 +214,14 @@ def told(found: Mapping[str, Any], true: Mapping[str, Filled]) -> str:
 
 
 def hour(students: int, seed: int, folder: Path) -> None:
-    """All of it, told as it goes."""
+    """Runs all of it, with progress messages."""
     start = time.perf_counter()
     out, photos, report = made_course(folder / "course", students, seed), folder / "photos", folder / "report"
     print(f"course made in {time.perf_counter() - start:.0f} s", flush=True)
     if not (drawn := folder / "drawn.json").is_file():
         kept(handed_in([*filled(out, seed)], photos, random.Random(seed)), drawn)
     true = drawn_before(drawn)
-    for table in photos.glob("*.csv"):  # marks an earlier run has put right
+    for table in photos.glob("*.csv"):  # marks corrected in an earlier run
         table.unlink()
     print(f"{len(true)} sheets drawn in {len([*photos.iterdir()])} pictures", flush=True)
     found, seconds, status = run(out, photos, report)

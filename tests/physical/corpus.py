@@ -1,6 +1,6 @@
-"""The drawings factors are tried on, their pictures, and what the checker makes of them.
+"""The drawings on which factors are tested, their pictures, and the checker's findings.
 
-Every factor has drawings of its own, right and with a mistake, so that no row tells of the same ones as another.
+Every factor has separate drawings, right and with a mistake, so that rows are independent.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from tests.physical.kept import Kept
 from tests.physical.setting import Setting, Spread, varied
 from tests.picture_corpus import Drawn
 
-MOVED_MM, READING_MM = 4.0, 0.3  # how far a mistake moves a mark at least; σ of reading one
-APART_MM = 6.0  # places of a drawing that stand apart
+MOVED_MM, READING_MM = 4.0, 0.3  # least displacement of a mark by a mistake; σ of reading a mark
+APART_MM = 6.0  # distance of separate points of a drawing
 
 
 @dataclass(frozen=True)
 class Work:
-    """A drawing somebody made: which plan, with which mistake."""
+    """A drawing by a person: its plan and its mistake."""
 
     easel: Easel
     mistake: Mistake | None
@@ -41,7 +41,7 @@ class Work:
 
 
 def works(count: int, seed: int | str = 1, before: int = 0) -> Iterator[Work]:
-    """Drawings by turns right and with a mistake that shows; three in four of them (and of those before) of motion."""
+    """Drawings alternately right and with a visible mistake; three in four of them (and of those before) of motion."""
     every = list(confusion.easels())
     motion = [e for e in every if not e.plan.startswith("force")]
     force = [e for e in every if e.plan.startswith("force")]
@@ -67,7 +67,7 @@ def spread_out(one: Drawn) -> bool:
 
 
 def shows(easel: Easel, mistake: Mistake, one: Drawn) -> bool:
-    """Whether a mistake moves something on paper as far as anybody would see, and leaves other ink than no mistake."""
+    """Whether a mistake moves a mark visibly on paper, and leaves other ink than no mistake."""
     right, wrong = (easel.draw(m, Hand(NONE, random.Random(0)))[0] for m in (None, mistake))
     moved = max(abs(wrong.get(n, 0j) - z) for n, z in right.items())
     return moved > MOVED_MM and picture_corpus.seen_on_paper(easel, mistake, one, READING_MM)
@@ -75,7 +75,7 @@ def shows(easel: Easel, mistake: Mistake, one: Drawn) -> bool:
 
 @dataclass(frozen=True)
 class Picture:
-    """A picture of a work as a file, and what a person who hands it in tells of it."""
+    """A picture of a work as a file, and the data given by the person who submits it."""
 
     work: Work
     file: Path
@@ -85,7 +85,7 @@ class Picture:
 
 
 def picture(work: Work, setting: Setting, seed: str, file: Path) -> Picture | None:
-    """The work on its sheet, taken; None where it finds no room there."""
+    """The picture of the work on its sheet; None if it has no room there."""
     rng = random.Random(seed)
     laid = page.sheet(work.easel, work.one, setting, rng)
     if laid is None:
@@ -101,9 +101,9 @@ def picture(work: Work, setting: Setting, seed: str, file: Path) -> Picture | No
 
 
 def trusted(work: Work) -> str | None:
-    """The mark a scale is taken from: the first long one without the mistake, which is the driver's if it can be.
+    """The mark that sets a scale: the first long one without the mistake, preferably the driver's.
 
-    Vectors of a force plan are laid in any order, so there is none whose end is sure.
+    Vectors of a force plan are laid in any order, so none has a certain end.
     """
     if work.easel.plan.startswith("force"):
         return None
@@ -118,12 +118,12 @@ def _clicked(setting: Setting, rng: random.Random) -> complex:
 
 
 def counted(taken: Picture) -> Tally:
-    """One picture checked."""
+    """The result of checking one picture."""
     return read(taken)[0]
 
 
 def read(taken: Picture) -> tuple[Tally, dict[str, Any]]:
-    """One picture checked; what was drawn, what was found, how far off each mark was read and how surely it was."""
+    """The result of checking one picture; the drawing, the findings, and the error and σ of each mark."""
     work, start = taken.work, time.perf_counter()
     bench = confusion.bench(work.easel.sample, work.easel.plan)
     format_ = "A4" if taken.setting.sheet == "frame" else None
@@ -147,7 +147,7 @@ def read(taken: Picture) -> tuple[Tally, dict[str, Any]]:
 
 
 def truth(work: Work, found: Outcome) -> Truth:
-    """What the drawing is; what leaves the same ink as its mistake is looked for where something else was found."""
+    """The true content of a drawing; if the findings differ, with mistakes that leave the same ink."""
     if work.mistake is None:
         return Truth("right")
     causes = {(work.mistake.name.partition(":")[0], work.mistake.where)}
@@ -157,7 +157,7 @@ def truth(work: Work, found: Outcome) -> Truth:
 
 
 def of_factor(name: str, spread: Spread, made: list[Work], seed: int, kept: Kept) -> Tally:
-    """All works in pictures of one factor; those that were counted before are not looked at again."""
+    """All works in pictures of one factor; those counted before are skipped."""
     whole = Tally()
     for k, work in enumerate(made):
         drawn = f"{seed} {name} {k}"
@@ -184,7 +184,7 @@ def kept_picture(work: Work, setting: Setting, drawn: str, kept: Kept) -> Pictur
 
 
 def _told(made: Picture | None) -> dict[str, Any]:
-    """What a picture's maker tells of it, to be written down; nothing of one that was not made."""
+    """The data of a picture from its maker, for the record; empty for a picture that was not made."""
     if made is None:
         return {}
     pole = [made.pole.real, made.pole.imag] if made.pole is not None else None

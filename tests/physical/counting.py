@@ -1,4 +1,4 @@
-"""Shares of pictures as one table: what was drawn against what was found, and how far off marks were read."""
+"""Results for pictures as one table: the drawing against the findings, and the errors of marks."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ HEAD = ("right", "found", "step", "named", "unread", "false", "misled", "s", "mm
 
 @dataclass(frozen=True)
 class Truth:
-    """What a drawing is: right or wrong; (mistake, mark) pairs that tell its mistake."""
+    """The content of a drawing: right or wrong; (mistake, mark) pairs that identify its mistake."""
 
     verdict: str
     causes: frozenset[tuple[str | None, str | None]] = frozenset()
@@ -17,11 +17,11 @@ class Truth:
 
 @dataclass
 class Tally:
-    """What came of pictures."""
+    """The results for pictures."""
 
     right: int = 0
     accepted: int = 0
-    as_seen: int = 0  # of all: nothing wrong was seen, but not every mark
+    as_seen: int = 0  # of all: no mistake found, but not every mark seen
     wrong: int = 0
     found: int = 0
     step: int = 0
@@ -30,7 +30,7 @@ class Tally:
     false: int = 0  # right called wrong, wrong accepted
     seconds: float = 0.0
     errors: list[float] = field(default_factory=list)
-    inside: int = 0  # marks that are within 2σ, as σ is stated of each
+    inside: int = 0  # marks within 2σ, by the stated σ of each
 
     @staticmethod
     def of(
@@ -42,7 +42,7 @@ class Tally:
         seconds: float,
         inside: int = 0,
     ) -> Tally:
-        """One picture."""
+        """The result for one picture."""
         out = Tally(seconds=seconds, errors=errors, unread=int(verdict == "unreadable"), inside=inside)
         out.as_seen = int(verdict == "right_as_seen")
         out.false = int(verdict in ("right", "wrong") and verdict != truth.verdict)

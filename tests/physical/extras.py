@@ -1,4 +1,4 @@
-"""What else people have on a sheet: title blocks, tables, second plans, names, stamps."""
+"""Other content of sheets: title blocks, tables, second plans, names, stamps."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ NAMES = ("Иванов А. П.", "Ковалёва М. С.", "Дмитриев �
 
 
 def add(page: Page, easel: Easel) -> None:
-    """What else people have on a sheet."""
+    """Adds other content to a sheet."""
     s = page.paper.setting
     if s.title_block:
         _title_block(page)
@@ -32,7 +32,7 @@ def add(page: Page, easel: Easel) -> None:
 
 
 def _title_block(page: Page) -> None:
-    """The main inscription of a drawing, its lines by ruler and its words by hand."""
+    """The title block of a drawing, its lines by ruler and its words by hand."""
     right, left = 292.0, 292 - BLOCK_MM[0]
     rows = [
         (complex(left, 5 + y), complex(left + 65 if 0 < y < 55 and y % 15 else right, 5 + y)) for y in range(5, 60, 5)
@@ -61,7 +61,7 @@ def _table(page: Page) -> None:
 
 
 def _second(page: Page, easel: Easel) -> None:
-    """Another plan of the same mechanism, at whatever scale there is room for."""
+    """Another plan of the same mechanism, at any scale that fits."""
     others = [e for e in confusion.easels() if e.sample == easel.sample and e.plan != easel.plan]
     for other in others:
         one = picture_corpus.drawn(other, None, page.rng)
@@ -84,7 +84,7 @@ def _second(page: Page, easel: Easel) -> None:
 
 
 def _stamp(page: Page) -> None:
-    """A round stamp, put anywhere it is free."""
+    """A round stamp in a random free place."""
     corner = page.free(28 + 28j)
     if corner is None:
         return

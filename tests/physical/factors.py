@@ -1,4 +1,4 @@
-"""What a picture's row differs by: each factor as the fields of a setting it sets."""
+"""The factors of the rows: each as the fields of a setting that it changes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ HARD: Spread = {
     "width_px": [1280, 2000],
     "quality": 60,
 }
-ASIDE: Spread = {**PHONE, "tilt_deg": (3.0, 14.0)}  # as a sheet is photographed by who does not look for it
+ASIDE: Spread = {**PHONE, "tilt_deg": (3.0, 14.0)}  # a careless photograph at an angle
 PAPERS = [(244, 247, 248), (214, 234, 241), (222, 224, 222)]  # white, cream, grey
 FRAME: Spread = {"sheet": "frame", "pole_told": True}
 POINTS: Spread = {"sheet": "paper", "pole_told": True}
@@ -98,7 +98,7 @@ FACTORS: dict[str, Spread] = {
     "points, phone, no edges": {**POINTS, **ASIDE, "close": True},
     "points, phone, text": {**POINTS, **ASIDE, "close": True, "text": ["printed", "written", "form"]},
 }
-HELD: dict[str, Spread] = {  # nobody tunes to these: they are counted once, at the end, by the word "held"
+HELD: dict[str, Spread] = {  # never used for tuning: counted once, at the end, by the word "held"
     "folded": {"crease": 0.25},
     "curled, phone": {**PHONE, "curl_mm": 5.0},
     "cup's ring": {"cup": True},
@@ -112,7 +112,7 @@ HELD: dict[str, Spread] = {  # nobody tunes to these: they are counted once, at 
 }
 
 
-HELD_NEXT: dict[str, Spread] = {  # thought of after the last mending, counted once, by the words "held next"
+HELD_NEXT: dict[str, Spread] = {  # invented after the last correction, counted once, by the words "held next"
     "blunt pencil": {"width_mm": 0.8, "press": 0.8},
     "dim light, phone": {**PHONE, "noise": 11.0, "blur_px": 1.3},
     "thumb on a corner": {**PHONE, "thumb": True},

@@ -1,9 +1,9 @@
-"""Photographs of true drawings, dropped into a folder with their marks, counted as the made ones are.
+"""Photographs of real drawings in a folder with their marks, counted like simulated ones.
 
-Beside a picture `NAME.jpg` lies `NAME.csv`, the marks its report page saved after a person has put them right. The
-first line of that table is the command that checks it; the options that read the picture on paper without print
-(`--pole`, `--mark`, `--format`) may stand in a line of their own after a `#`. A table without a command takes the one
-in the folder's `command.txt`. Scenes are looked for in the folder first.
+Next to a picture `NAME.jpg` lies `NAME.csv`, the marks saved by its report page after manual correction. The first line
+of that table is the command that checks it; the options that read a picture on plain paper (`--pole`, `--mark`,
+`--format`) may stand in a separate line after a `#`. A table without a command uses the one in the folder's
+`command.txt`. Scenes are first looked for in the folder.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from tests.physical.counting import Tally, Truth
 
 @dataclass(frozen=True)
 class Pair:
-    """A picture, the table of its marks, the command that checks the table, and options of the picture alone."""
+    """A picture, the table of its marks, the command that checks the table, and options for the picture only."""
 
     picture: Path
     marks: Path
@@ -34,7 +34,7 @@ class Pair:
 
 
 def pairs(folder: Path) -> Iterator[Pair]:
-    """Every picture of a folder, and of folders in it, that has marks."""
+    """Every picture with marks in a folder and its subfolders."""
     for picture in sorted(folder.rglob("*")):
         marks = picture.with_suffix(".csv")
         if picture.suffix.lower() in PICTURES and marks.is_file():
@@ -42,7 +42,7 @@ def pairs(folder: Path) -> Iterator[Pair]:
 
 
 def paired(picture: Path, marks: Path) -> Pair:
-    """A picture and its marks; ValueError where nothing tells what they are of."""
+    """A picture and its marks; ValueError if their scene is unknown."""
     lines = marks.read_text("utf-8-sig").splitlines()
     told = [shlex.split(line.lstrip("# ")) for line in lines if line.startswith("#")]
     command = next((words for words in told if words[:2] == ["planes", "check"]), None)
@@ -58,7 +58,7 @@ def paired(picture: Path, marks: Path) -> Pair:
 
 
 def checked(pair: Pair, file: Path, *options: str) -> dict[str, Any] | None:
-    """What the command finds in a file, as its object; None where it refuses."""
+    """The findings of the command in a file, as its object; None if it fails."""
     scene, *rest = pair.command
     out = io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
@@ -68,7 +68,7 @@ def checked(pair: Pair, file: Path, *options: str) -> dict[str, Any] | None:
 
 
 def counted(pair: Pair) -> Tally:
-    """One picture against its marks, which are judged as they were put right; ValueError where they cannot be."""
+    """One picture against its corrected marks, which are judged as they are; ValueError if they cannot be."""
     true = checked(pair, pair.marks)
     if true is None or true["verdict"] == "unreadable":
         raise ValueError(f"{pair.marks}: the marks themselves cannot be judged")
@@ -88,7 +88,7 @@ def places(found: dict[str, Any]) -> dict[str, complex]:
 
 
 def off(true: dict[str, complex], found: dict[str, complex]) -> Iterator[float]:
-    """How far marks are from where a person put them."""
+    """The distances of marks from their corrected positions."""
     return (abs(found[name] - z) for name, z in true.items() if name in found)
 
 

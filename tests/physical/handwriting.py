@@ -1,8 +1,8 @@
-"""`python -m tests.physical.handwriting [FOLDER OF FONTS …]`: the net of handwritten letters, trained anew.
+"""`python -m tests.physical.handwriting [FOLDER OF FONTS …]`: trains the net of handwritten letters.
 
-Letters are drawn as hands may draw them: strokes of a drawing lettering set loose, OpenCV's pen fonts, and font files
-(those that matplotlib brings, and handwritings from the folders); bent, slanted, torn by the paper's grain, blurred.
-One font file in five is kept out of the training; the shares it is told right by are printed by how sure they were.
+Letters are drawn with variations: distorted strokes of a drawing lettering, OpenCV's pen fonts, and font files (those
+in matplotlib, and handwritings from the folders); bent, slanted, torn by the paper's grain, blurred. One font file in
+five is kept out of the training; its recognition rates are printed by certainty.
 """
 
 from __future__ import annotations
@@ -46,12 +46,12 @@ CHARS = {
     "5": "5S",
     "N": "NИИ",
 }
-"""Characters of a shape, where there are more than itself."""
+"""Characters of equal shape, for shapes with more than one."""
 Drawing = Callable[[str, random.Random], Any]  # a character, large, light on dark
 
 
 def by_strokes(char: str, rng: random.Random) -> Any:
-    """A single-stroke letter, each place of it gone a little astray."""
+    """A single-stroke letter with all its points slightly displaced."""
     wild = rng.choice([0.3, 0.7, 1.0])
     page, stray = np.zeros((160, 200), np.uint8), 0.12 * wild
     tool, jump = rng.uniform(3, 9), rng.random() < 0.3
@@ -86,7 +86,7 @@ def by_font(file: str) -> Drawing:
 
 
 def scrap(rng: random.Random) -> Any:
-    """What is no letter: bits of lines and arcs, heads, barbs, specks, two letters in one."""
+    """A sample without a letter: pieces of lines and arcs, heads, barbs, specks, two letters in one."""
     page = np.zeros((160, 200), np.uint8)
     kind, wide = rng.randrange(6), rng.randint(3, 9)
     x, y, turn = 100, 80, rng.uniform(0, 6.3)
@@ -128,7 +128,7 @@ def scrap(rng: random.Random) -> Any:
 
 
 def as_seen(page: Any, rng: random.Random) -> Any:
-    """A letter turned, slanted, bent, and as small as on a sheet, with the paper's grain in it."""
+    """A letter rotated, slanted, bent, and as small as on a sheet, with the paper's grain."""
     h, w = page.shape
     slant, turn, scale = rng.gauss(0.1, 0.15), rng.gauss(0, 0.12), rng.uniform(0.13, 0.4)
     across, up = scale * rng.uniform(0.75, 1.25), scale
@@ -160,7 +160,7 @@ def as_seen(page: Any, rng: random.Random) -> Any:
 
 
 def letters(sources: Sequence[Drawing], each: int, rng: random.Random) -> tuple[Any, Any]:
-    """Features of letters as many of every shape, and which shapes they are."""
+    """Features of letters, equally many of every shape, and their shapes."""
     rows, told = [], []
     for number, shape in enumerate(SHAPES):
         for _ in range(each if shape != "*" else 4 * each):
@@ -175,7 +175,7 @@ def letters(sources: Sequence[Drawing], each: int, rng: random.Random) -> tuple[
 
 
 def trained(x: Any, y: Any, rng: Any) -> list[Any]:
-    """Weights of a net of one hidden layer, by Adam."""
+    """Weights of a net with one hidden layer, by Adam."""
     n, count = x.shape[1], len(SHAPES)
     held = [
         rng.standard_normal((n, HIDDEN)) * (2 / n) ** 0.5,
@@ -206,7 +206,7 @@ def trained(x: Any, y: Any, rng: Any) -> list[Any]:
 
 
 def calibration(x: Any, y: Any) -> str:
-    """Shares told rightly by how sure they were."""
+    """Recognition rates by certainty."""
     p = np.exp(letter_net.odds(x))
     best, sure = p.argmax(1), p.max(1)
     lines = [f"{(best == y).mean():.3f} of {len(y)} rightly told"]
@@ -220,7 +220,7 @@ def calibration(x: Any, y: Any) -> str:
 
 
 def main(folders: list[str]) -> None:
-    """Draw, train, store and count."""
+    """Draws, trains, saves and counts."""
     rng = random.Random(1)
     own = Path(matplotlib.get_data_path()) / "fonts" / "ttf"
     found = sorted(f for folder in folders for f in Path(folder).rglob("*.[ot]tf"))

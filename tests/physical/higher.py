@@ -1,7 +1,7 @@
 """`python -m tests.physical.higher [COUNT] [WORDS]`: hand drawings of class III and IV in pictures, counted.
 
-A plan is drawn mark by mark, each with a hand's error that all later ones are drawn from: rightly, or with a mistake
-of the catalogue. Where the marks of the right one should be is held by the independent results, elsewhere.
+A plan is drawn mark by mark, each with a drawing error passed on to all later ones: right, or with a mistake of the
+catalogue. The right positions of the marks are verified by independent results elsewhere.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def easels() -> tuple[Easel, ...]:
 
 
 def mistakes(bench: PreparedPlan) -> list[Variant]:
-    """The mistakes of the catalogue that move a mark as far as anybody would see, one of a name and place."""
+    """The mistakes of the catalogue that move a mark visibly, one for each name and place."""
     right, found = bench.drawn(None, Tool(Arithmetic())) or {}, dict[tuple[str, str], Variant]()
     for one in variants_of(bench, {}, bench.said_mu):
         wrong = bench.drawn(one, Tool(Arithmetic())) or {}
@@ -65,7 +65,7 @@ def mistakes(bench: PreparedPlan) -> list[Variant]:
 
 
 class _ByHand(Tool):
-    """Draws marks a little off where they should be, and goes on from there."""
+    """Draws marks slightly off their positions, and continues from there."""
 
     def __init__(self, marks: Collection[str], rng: random.Random) -> None:
         super().__init__(Arithmetic())
@@ -79,7 +79,7 @@ class _ByHand(Tool):
 
 
 def drawn(easel: Easel, mistake: Variant | None, rng: random.Random) -> Drawn | None:
-    """One drawing by a hand; None where it leads off the sheet."""
+    """One drawing by hand; None if it leaves the sheet."""
     bench = confusion.bench(easel.sample, easel.plan)
     things = bench.drawn(mistake, _ByHand(bench.marks, rng))
     if things is None:
@@ -109,7 +109,7 @@ def _polygon(bench: PreparedPlan, things: Mapping[str, Point]) -> tuple[list[Str
 
 
 def works(easel: Easel, count: int, rng: random.Random) -> Iterator[Work]:
-    """Drawings of a plan, by turns right and with a mistake."""
+    """Drawings of a plan, alternately right and with a mistake."""
     every = mistakes(confusion.bench(easel.sample, easel.plan))
     for k in range(count):
         rng.shuffle(every)
@@ -121,7 +121,7 @@ def works(easel: Easel, count: int, rng: random.Random) -> Iterator[Work]:
 
 
 def looked_at(taken: Picture) -> tuple[Outcome | str, float]:
-    """What the checker makes of a picture, or says of one it refuses; and the seconds of processor time it took."""
+    """The checker's outcome for a picture, or its error message; and the CPU seconds."""
     bench, start = confusion.bench(taken.work.easel.sample, taken.work.easel.plan), time.process_time()
     try:
         found: Outcome | str = check(bench.asked, read_paper(str(taken.file), bench.asked, Known()))
@@ -133,7 +133,7 @@ def looked_at(taken: Picture) -> tuple[Outcome | str, float]:
 def pictures(
     condition: str, names: Iterable[str], count: int, folder: Path, chosen: Container[str] | None = None
 ) -> Iterator[Picture]:
-    """Pictures of drawings of the plans whose words hold all names, ``count`` of each, by turns right and wrong."""
+    """Pictures of drawings of the plans whose words contain all names, ``count`` each, alternately right and wrong."""
     for easel in easels():
         words = f"{condition} {easel.sample} {easel.plan}"
         if not all(n in words for n in names) or (chosen is not None and easel.sample not in chosen):
@@ -147,7 +147,7 @@ def pictures(
 
 
 def row(taken: Picture) -> tuple[str, str]:
-    """What a picture holds, and what was made of it: accepted, as seen, false, unread; found, at its step, named."""
+    """The content of a picture, and its result: accepted, as seen, false, unread; found, at its step, named."""
     found, mistake = looked_at(taken)[0], taken.work.mistake
     verdict = "unreadable" if isinstance(found, str) else found.verdict
     if mistake is None or verdict != "wrong" or isinstance(found, str):
@@ -157,7 +157,7 @@ def row(taken: Picture) -> tuple[str, str]:
 
 
 def main(words: list[str]) -> None:
-    """Draw, check, print each and count."""
+    """Draws, checks, prints each and counts."""
     count, table = int(next((w for w in words if w.isdigit()), "2")), Counter[tuple[str, ...]]()
     for condition in CONDITIONS:
         with tempfile.TemporaryDirectory() as folder:

@@ -1,8 +1,7 @@
-"""A count that can be broken off: pictures and what was found in each are kept in a folder, and not made or read twice.
+"""A count that can be interrupted: pictures and their findings are kept in a folder, and not made or read twice.
 
-`pictures/` holds each picture with what its maker tells of it; a line of `counted.jsonl` is a picture that was read:
-its share of the table, what was drawn and found, and how far off each mark was read. Without that file all are read
-anew.
+`pictures/` holds each picture with the data from its maker; a line of `counted.jsonl` is a picture that was read: its
+part of the table, the drawing, the findings, and the error of each mark. Without that file all are read again.
 """
 
 from __future__ import annotations
@@ -26,26 +25,26 @@ class Kept:
         self.counted: dict[str, dict[str, Any]] = {row["picture"]: row for row in map(json.loads, lines)}
 
     def file(self, drawn: str) -> Path:
-        """Where a picture is kept."""
+        """The file of a picture."""
         return self.pictures / f"{hashlib.sha256(drawn.encode()).hexdigest()[:16]}.jpg"
 
     def told(self, drawn: str) -> dict[str, Any] | None:
-        """What was told of a picture that was made before; None if it was not."""
+        """The data of a picture made before; None if it was not."""
         file = self.file(drawn).with_suffix(".json")
         found: dict[str, Any] | None = json.loads(file.read_text("utf-8")) if file.is_file() else None
         return found
 
     def tell(self, drawn: str, told: dict[str, Any]) -> None:
-        """Keep what is told of a picture."""
+        """Saves the data of a picture."""
         self.file(drawn).with_suffix(".json").write_text(json.dumps(told, ensure_ascii=False), "utf-8")
 
     def tally(self, drawn: str) -> Tally | None:
-        """What came of a picture that was read before."""
+        """The result for a picture read before."""
         row = self.counted.get(drawn)
         return Tally(**row["tally"]) if row else None
 
     def add(self, drawn: str, tally: Tally, what: dict[str, Any]) -> None:
-        """Write down what came of a picture."""
+        """Records the result for a picture."""
         row = {"picture": drawn, **what, "tally": asdict(tally)}
         self.counted[drawn] = row
         with self._file.open("a", encoding="utf-8") as out:

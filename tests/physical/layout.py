@@ -1,4 +1,4 @@
-"""A sheet with room on it: what is taken, and where there is still place."""
+"""The layout of a sheet: occupied and free areas."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ GAP_MM = 9.0
 
 @dataclass
 class Page:
-    """A sheet of paper, the hand that draws on it, where the pole is, and the boxes that are taken."""
+    """A sheet of paper, the hand that draws on it, its pole, and the occupied boxes."""
 
     paper: Paper
     hand: Hand
@@ -26,10 +26,10 @@ class Page:
     rng: random.Random
     pole: complex
     taken: list[Box] = field(default_factory=list)
-    seen: Box = ROOM  # the drawing, and the text about it
+    seen: Box = ROOM  # the drawing, and the text around it
 
     def free(self, size: complex) -> complex | None:
-        """A lower left corner for a box of a size that touches no other; None where there seems to be none."""
+        """A lower left corner for a box of this size that touches no other; None if none is found."""
         low, high = ROOM[0], ROOM[1] - size
         if high.real < low.real or high.imag < low.imag:
             return None

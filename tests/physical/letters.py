@@ -1,4 +1,4 @@
-"""Names and numbers as a hand writes them: single strokes of a drawing lettering set loose, or a script's letters."""
+"""Handwritten names and numbers: distorted single strokes of a drawing lettering, or a script's letters."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from render.paper.lettering import strokes as pen_paths
 from tests.physical.paper import PX_PER_MM
 from tests.physical.strokes import Hand
 
-WILD = {"neat": 0.35, "wild": 1.0, "script": 0.5, "indices": 0.7}  # how far letters stray
-PIECE = 10  # steps of a letter's line laid at once: a letter is bent
+WILD = {"neat": 0.35, "wild": 1.0, "script": 0.5, "indices": 0.7}  # displacement of letters
+PIECE = 10  # steps of a letter's line drawn at once: a letter is bent
 
 
 class Writer:
-    """One hand's letters, all of one slant."""
+    """One hand's letters, all with the same slant."""
 
     def __init__(self, hand: Hand, rng: random.Random) -> None:
         self.hand, self.rng, self.style = hand, rng, hand.s.letters
@@ -26,7 +26,7 @@ class Writer:
         self.wild = WILD.get(self.style, 0.0)
 
     def word(self, text: str, corner: complex, height: float = 3.5) -> None:
-        """Letters one by one, none like another."""
+        """Letters one by one, all different."""
         if self.style == "none":
             return
         tilt, x = cmath.rect(1, self.rng.gauss(0, 0.03 * self.wild)), 0.0
@@ -40,7 +40,7 @@ class Writer:
                 x += self.letter(char, start, size * height) + size * height * self.rng.uniform(0.1, 0.22)
 
     def placed(self, text: str) -> Iterator[tuple[str, float, float]]:
-        """Characters, how large and how high beside the first: as they stand, or with indices lowered, parts raised."""
+        """Characters, their relative size and height: unchanged, or with indices lowered, parts raised."""
         name, low, index = text.partition("_")
         if self.style != "indices" or not low:
             yield from ((char, 1.0, 0.0) for char in text)
@@ -69,7 +69,7 @@ class Writer:
             paper.lay(piece if len(piece) > 1 else [piece[0], piece[0] + 0.3], [press, press], wide, hand.ink, even)
 
     def script(self, char: str, start: complex, height: float) -> float:
-        """A letter of a script with thick and thin strokes, turned and stretched; its width."""
+        """A letter of a script with thick and thin strokes, rotated and stretched; its width."""
         paper, size = self.hand.paper, height * PX_PER_MM / 21 * self.rng.uniform(0.9, 1.15)
         (w, h), _ = cv2.getTextSize(char, cv2.FONT_HERSHEY_SCRIPT_COMPLEX, size, 4)
         pad = h

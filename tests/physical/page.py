@@ -1,4 +1,4 @@
-"""A sheet as it is handed in: what was printed on it, the drawing, and what else stands on it."""
+"""A submitted sheet: its print, the drawing, and other content."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ PRINT = (42, 40, 40)
 
 
 def sheet(easel: Easel, one: Drawn, setting: Setting, rng: random.Random) -> Page | None:
-    """A drawing on its sheet; None where there is no room for it."""
+    """A drawing on its sheet; None if there is no room for it."""
     paper = Paper(SHEET_MM, setting, rng)
     hand = Hand(paper, rng)
     page = Page(paper, hand, Writer(hand, rng), rng, 0j)
@@ -49,7 +49,7 @@ def sheet(easel: Easel, one: Drawn, setting: Setting, rng: random.Random) -> Pag
 
 
 def _pole(page: Page, easel: Easel, one: Drawn) -> complex | None:
-    """Where the pole is: where it is printed, else where the drawing finds room."""
+    """The pole: the printed one, otherwise where the drawing fits."""
     low, high = extent(one)
     if page.paper.setting.sheet == "blank":
         pole = _scaled(picture_corpus.pole_of(easel), page.paper.setting.print_scale)
@@ -63,21 +63,21 @@ def _pole(page: Page, easel: Easel, one: Drawn) -> complex | None:
 
 
 def _scaled(z: complex, scale: float) -> complex:
-    """Where a printer that makes everything smaller about the sheet's middle puts a place."""
+    """A point after printing at a reduced scale about the sheet's middle."""
     middle = complex(*SHEET_MM) / 2
     return middle + (z - middle) * scale
 
 
 @cache
 def _blank(sample: str, plan: str) -> Any:
-    """The blank as the program prints it, grey."""
+    """The blank as printed by the program, grey."""
     marks, title = blank_marks(confusion.bench(sample, plan).asked, "ru")
     data = pdf.write_png(marks, SHEET_MM, title, dpi=PX_PER_MM * 25.4)
     return cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_GRAYSCALE)
 
 
 def _print(page: Page, easel: Easel) -> None:
-    """What a printer has put on the sheet."""
+    """The print on the sheet."""
     s, paper = page.paper.setting, page.paper
     if s.sheet == "frame":
         frame = [20 + 5j, 292 + 5j, 292 + 205j, 20 + 205j, 20 + 5j]
@@ -87,7 +87,7 @@ def _print(page: Page, easel: Easel) -> None:
 
 
 def printed_on(paper: Paper, blank: Any) -> None:
-    """A blank, grey, as a printer lays it on the sheet."""
+    """A blank, grey, as put on the sheet by a printer."""
     h, w = paper.colour.shape[:2]
     blank = cv2.resize(blank, (w, h), interpolation=cv2.INTER_AREA)
     if paper.setting.print_scale != 1:
@@ -100,12 +100,12 @@ def printed_on(paper: Paper, blank: Any) -> None:
 
 
 def drawn_on(page: Page, one: Drawn) -> None:
-    """The drawing: what is rubbed out lies under it, what is smeared over it."""
+    """The drawing, over erased lines and under smears."""
     s, pole = page.paper.setting, page.pole
     ends = [z + pole for stroke in one.strokes for z in stroke]
     for _ in range(s.rubbed):
         page.hand.rubbed_out(ends)
-    if s.sheet == "paper":  # nothing is printed: a person marks the pole
+    if s.sheet == "paper":  # without print, a person marks the pole
         for d in (1.5, 1.5j):
             page.hand.line(pole - d, pole + d)
     for a, b in one.strokes:
@@ -118,7 +118,7 @@ def drawn_on(page: Page, one: Drawn) -> None:
 
 
 def _spoil(page: Page) -> None:
-    """What happens to a sheet afterwards: a fold, a cup, a curl."""
+    """Later damage to a sheet: a fold, a cup, a curl."""
     s, paper = page.paper.setting, page.paper
     h, w = paper.colour.shape[:2]
     if s.ticked:

@@ -1,4 +1,4 @@
-"""A sheet of paper as colours on a fine raster: its tint and grain, its printed grid, and how ink is laid on it."""
+"""A sheet of paper as colours on a fine raster: its tint and grain, its printed grid, and ink applied to it."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from tests.physical.setting import Colour, Setting
 
 PX_PER_MM = 12.0
 GRID_INKS: dict[str, Colour] = {"squared": (226, 205, 188), "millimetre": (168, 186, 238), "ruled": (224, 208, 190)}
-TILE, SEAM = 1024, 32  # side of the grain's pattern, px; how far its sides run into each other
+TILE, SEAM = 1024, 32  # side of the grain's pattern, px; blending width at its edges
 
 
 @cache
 def grain() -> Any:
-    """Heights of the paper's tooth, evenly between 0 and 1: fibres and hollows of a tenth to a half of a millimetre."""
+    """Heights of the paper's tooth, uniform from 0 to 1: fibres and hollows of a tenth to a half of a millimetre."""
     rough = np.random.default_rng(7)
     sum_ = np.zeros((TILE, TILE), np.float32)
     for size_mm, share in ((0.03, 0.8), (0.07, 1.0), (0.16, 0.5)):
@@ -33,7 +33,7 @@ def grain() -> Any:
 
 
 class Paper:
-    """A sheet seen straight from above; millimetres from its lower left corner, y up."""
+    """A sheet seen from straight above; millimetres from its lower left corner, y up."""
 
     def __init__(self, size_mm: tuple[float, float], setting: Setting, rng: random.Random) -> None:
         self.size, self.setting = size_mm, setting
@@ -45,7 +45,7 @@ class Paper:
             self._grid(setting.grid, setting.grid_ink, rng)
 
     def _shade(self) -> None:
-        """Fibres show a little, whatever is drawn."""
+        """Fibres are slightly visible under any drawing."""
         tile = 1 - 0.02 * self.setting.tooth * (grain() - 0.5)
         h, w = self.colour.shape[:2]
         whole = np.tile(tile, (h // TILE + 1, w // TILE + 1))[:h, :w]
@@ -68,16 +68,16 @@ class Paper:
                 self.printed([place, place + side], GRID_INKS[kind], 0.15, ink * heavy)
 
     def printed(self, points: list[complex], ink: Colour, width_mm: float, cover: float = 1.0) -> None:
-        """An even line of a printer."""
+        """An even printed line."""
         self.lay(points, [1.0, 1.0], width_mm, ink, even=cover)
 
     def lay(
         self, points: list[complex], press: list[float], width_mm: float, ink: Colour, even: float | None = None
     ) -> None:
-        """A line along points, pressed as told at even steps along it.
+        """A line along points, with this pressure at even steps.
 
-        Graphite stays on the heights of the grain a pencil's point touches, the more the harder it is pressed; an
-        ``even`` ink covers everything alike.
+        Graphite stays on the heights of the grain touched by a pencil's point, the more the higher the pressure; an
+        ``even`` ink covers everything equally.
         """
         path = np.array([self.px(z) for z in points])
         rows, columns, along, off = self._near(path, width_mm)
@@ -97,7 +97,7 @@ class Paper:
         self.colour[rows, columns] = mixed.astype(np.uint8)
 
     def _near(self, path: Any, width_mm: float) -> tuple[Any, Any, Any, Any]:
-        """Pixels near a path: rows, columns, how far along it (a share), and how far off (px)."""
+        """Pixels near a path: rows, columns, positions along it (a share), and distances from it (px)."""
         reach = math.ceil(width_mm * PX_PER_MM * 0.7) + 2
         low = np.floor(path.min(axis=0)).astype(int) - reach
         high = np.ceil(path.max(axis=0)).astype(int) + reach
@@ -111,7 +111,7 @@ class Paper:
         spots = np.stack([columns, rows], axis=1) + low
         steps = np.linalg.norm(np.diff(path, axis=0), axis=1)
         starts, best, along = np.concatenate([[0], np.cumsum(steps)]), np.full(len(rows), 1e9), np.zeros(len(rows))
-        if len(path) > 12:  # hardly bent: the nearest piece by the way along its chord
+        if len(path) > 12:  # almost straight: the nearest piece follows from the position along its chord
             return rows + low[1], columns + low[0], *_along_chord(path, spots, starts)
         for a, b, start, length in zip(path, path[1:], starts, steps, strict=False):
             t = np.clip((spots - a) @ (b - a) / max(length**2, 1e-9), 0, 1)
@@ -122,7 +122,7 @@ class Paper:
 
 
 def _along_chord(path: Any, spots: Any, starts: Any) -> tuple[Any, Any]:
-    """How far along a nearly straight path pixels are, and how far off it."""
+    """Positions of pixels along an almost straight path, and distances from it."""
     chord = path[-1] - path[0]
     length = float(np.linalg.norm(chord))
     u = chord / length

@@ -1,4 +1,4 @@
-"""A hand on paper: graphite and pens, tremor and bow, overshoot, lines drawn twice, rubbed out and smeared."""
+"""A hand on paper: graphite and pens, tremor and bow, overshoot, double lines, erased and smeared lines."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ PENS = ((120, 52, 28), (46, 42, 40), (96, 30, 24))  # blue, black, dark blue
 
 
 class Hand:
-    """Somebody who draws on a sheet: pressure, tremor and pen are his own all over it."""
+    """A person drawing on a sheet, with the same personal pressure, tremor and pen all over it."""
 
     def __init__(self, paper: Paper, rng: random.Random) -> None:
         self.paper, self.s, self.rng = paper, paper.setting, rng
         self.ink = self.s.ink if self.s.tool == "pencil" else rng.choice(PENS)
 
     def path(self, a: complex, b: complex) -> list[complex]:
-        """Along a ruler: a slight bow, and a tremor of low and of high frequency."""
+        """The path along a ruler: a slight bow, and a tremor of low and of high frequency."""
         count = max(14, int(abs(b - a) / STEP_MM))
         across = 1j * (b - a) / abs(b - a)
         bow, tremor = self.s.bow_mm * self.rng.gauss(0, 1), self.s.tremor_mm
@@ -39,7 +39,7 @@ class Hand:
         return found
 
     def pressure(self, length: float, press: float) -> list[float]:
-        """Along a line: it wanders, and fades where the pencil is lifted."""
+        """The pressure along a line: it varies, and fades where the pencil is lifted."""
         count = max(6, int(length / 3))
         found, slow, over = [], self.rng.gauss(0, self.s.wander), max(min(self.s.fade_mm, length / 2), 1e-6)
         for k in range(count + 1):
@@ -84,7 +84,7 @@ class Hand:
             self.dot(b)
 
     def head(self, tip: complex, u: complex) -> None:
-        """An arrowhead as it is drawn: two barbs, filled with more strokes or not."""
+        """A hand-drawn arrowhead: two barbs, filled with more strokes or not."""
         size = self.rng.uniform(3, 4)
         spread = [self.rng.uniform(0.17, 0.26) * side for side in (1, -1)]
         barbs = [tip - size * u * cmath.rect(1, angle) for angle in spread]
@@ -99,7 +99,7 @@ class Hand:
             self.line(z + 0.35 * 1j**k, z - 0.35 * 1j**k)
 
     def rubbed_out(self, near: list[complex]) -> None:
-        """A line drawn by mistake and rubbed out again: its ghost, its groove and a smear about it."""
+        """A line drawn by mistake and erased: its ghost, its groove and a smear around it."""
         a = self.rng.choice(near)
         b = a + cmath.rect(self.rng.uniform(20, 60), self.rng.uniform(0, 6.28))
         before = self.paper.colour.copy()
@@ -110,7 +110,7 @@ class Hand:
         self.smear((a + b) / 2, cmath.phase(b - a), abs(b - a) / 2, self.rng.uniform(0.02, 0.05))
 
     def smear(self, middle: complex, way: float, long_mm: float, dark: float) -> None:
-        """Graphite dust carried over paper by a finger or a sleeve."""
+        """Graphite dust spread over paper by a finger or a sleeve."""
         x, y = self.paper.px(middle)
         h, w = self.paper.colour.shape[:2]
         small = np.zeros((h // 8, w // 8), np.float32)

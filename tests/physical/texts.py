@@ -1,4 +1,4 @@
-"""Text on a sheet about its drawing: a printed task, lines of a solution by hand, a printed form with its rules."""
+"""Text on a sheet around its drawing: a printed task, handwritten lines of a solution, a form with its rules."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ APART_MM = 7.0  # of a text from the drawing
 
 
 def add(page: Page, drawing: Box) -> Box:
-    """Texts above and beneath a drawing or beside it, all of one kind; the box of all."""
+    """Texts above and below a drawing or beside it, all of one kind; the box of all."""
     kind, rng = page.paper.setting.text, page.rng
     low, high, placed = *drawing, 0
     for where in rng.sample(("above", "beneath"), 2) + rng.sample(("left", "right"), 2):
@@ -51,7 +51,7 @@ def add(page: Page, drawing: Box) -> Box:
 
 
 def _beside(drawing: Box, size: complex, where: str, rng: random.Random) -> complex:
-    """The lower left corner of a box of a size on a side of a drawing."""
+    """The lower left corner of a box of this size on a side of a drawing."""
     (low, high), along = drawing, rng.uniform(-0.2, 0.2)
     x, y = (low + high).real / 2 - size.real / 2, high.imag - size.imag
     if where in ("above", "beneath"):
@@ -71,14 +71,14 @@ def _touch(one: Box, two: Box) -> bool:
 
 @cache
 def face(name: str, height_px: int) -> Any:
-    """A font, its letters x so high."""
+    """A font with this x-height."""
     file = Path(matplotlib.get_data_path()) / "fonts" / "ttf" / name
     x = ImageFont.truetype(str(file), 400).getbbox("x")
     return ImageFont.truetype(str(file), round(400 * height_px / (x[3] - x[1])))
 
 
 def _print(page: Page, text: str, corner: complex, font: Any, most_mm: float = 1e9) -> None:
-    """Words in a printer's ink, their baseline at a place; as many as fit."""
+    """Words in a printer's ink, their baseline at a point; as many as fit."""
     while text and font.getlength(text) > most_mm * PX_PER_MM:
         text = text.rpartition(" ")[0]
     if not text:
@@ -97,7 +97,7 @@ def _sentence(rng: random.Random, count: int = 40) -> str:
 
 
 def _printed(page: Page, box: Box, rows: int) -> None:
-    """A paragraph of a font; sometimes with a title of a larger one."""
+    """A paragraph of a font; sometimes with a title in a larger one."""
     (low, high), rng = box, page.rng
     pitch, name = (high - low).imag / rows, rng.choice(FACES)
     size = rng.uniform(0.28, 0.36) * pitch
@@ -110,7 +110,7 @@ def _printed(page: Page, box: Box, rows: int) -> None:
 
 
 def _written(page: Page, box: Box, rows: int) -> None:
-    """Rows of a hand: none quite straight, none quite parallel to another, all drifting a little."""
+    """Handwritten rows: none quite straight, none quite parallel to another, all drifting slightly."""
     (low, high), rng = box, page.rng
     pitch, height = (high - low).imag / rows, rng.uniform(0.4, 0.5) * (high - low).imag / rows
     way, drift = rng.gauss(0, 0.012), rng.gauss(0, 0.003)
@@ -128,7 +128,7 @@ def _written(page: Page, box: Box, rows: int) -> None:
 
 
 def _form(page: Page, box: Box, rows: int) -> None:
-    """A printed form: rules both ways, names of its columns in print, what is filled in by hand."""
+    """A printed form: rules both ways, printed column names, handwritten entries."""
     (low, high), rng, columns = box, page.rng, page.rng.randint(3, 6)
     size, name = high - low, page.rng.choice(FACES)
     at = [0.0, *sorted(rng.uniform(0.15, 0.9) for _ in range(columns - 1)), 1.0]

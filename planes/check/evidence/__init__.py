@@ -1,2 +1,4 @@
-"""What a drawing shows, by place and way: ink along a line, a head at its end, ink that no line explains. It knows no
-plan."""
+"""The evidence of a drawing, by place and direction: ink along a line, a head at its end, unexplained ink.
+
+It knows no plan.
+"""

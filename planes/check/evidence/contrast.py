@@ -1,9 +1,9 @@
-"""How dark ink is by the line it is of: a hard pencil's, a fading stroke's and a pen's lines come out alike.
+"""Normalises ink by its line: lines of a hard pencil, a fading stroke and a pen come out equally dark.
 
-How strongly a line runs through a place is felt, at every angle, by the ink along it against the paper to either side.
-What is felt over much of a sheet is its paper, with a grid. Strokes plainly drawn are followed, at their angle, as far
-as they can be told from that; the ink of a line is held against that line, all other ink against what lines usually
-are on the sheet, or, where it is darker, against itself.
+The strength of a line through a point is felt, at every angle, as the ink along it minus the paper on both sides. The
+level felt over most of a sheet is its paper, with a grid. Clear strokes are followed, at their angle, as far as they
+stand out from that; the ink of a line is normalised by that line, all other ink by the usual line of the sheet or, if
+darker, by itself.
 """
 
 import math
@@ -15,30 +15,32 @@ import numpy
 from planes.check.vision.image.opencv import cv, pieces, shrunk
 from planes.geometry.arrays import Array, Booleans, Greys, Indices
 
-PX_PER_MM = 3.0  # of the smaller picture on which lines are felt
-FINE = 64  # parts of a grey in which they are counted, in whole numbers: half the room and time of fractions
+PX_PER_MM = 3.0  # of the reduced picture for line detection
+FINE = 64  # integer steps per grey level: half the memory and time of floats
 ANGLES = 12
-ALONG_MM, ACROSS_MM, ASIDE_MM = 3.0, 0.2, 0.85  # of a line that is felt: its length, σ of its width, where paper is
-TILE_MM, COVERED, ABOVE = (20.0, 0.93, 1.6)  # paper: in most parts of a sheet this share is felt less; a line, more
-PLAIN, FIRM, FAINTEST = 0.4, 0.28, 0.06  # of a usual line: what is plainly drawn, not faint, and nothing anywhere
-FOREMOST = 0.9  # of what is felt at any angle, at a line's own
-APART, AMONG, AMONG_MM = 0.5, 0.5, 1.5  # of a stroke's ink, what its darker side lacks; of the most about it, a stroke
-STROKE_MM, LONG_MM = 5.0, 7.5  # of what is plainly drawn; of lines that tell what is usual
-FEW, MAINLY, USUAL = 60, 0.7, 65.0 * FINE  # places that tell it, the share rubbed out or less; a firm pencil
-TAIL_MM, ENDS = 7.0, 0.5  # a line that is faint for longer was rubbed out; how far apart are the strokes it leads to
-NEAR_MM, BESIDE_MM = 1.0, 0.5  # how far what is followed goes on under other ink; how far aside its ink is
-PEAK, SHARPEST, EVEN = 1.35, 2.5, 0.85  # how much darker a line's middle is than it is felt: of a pencil's line, of a
-# thin one; of the darkest middle, what counts
-MOST, BLOT = 1.3, 0.7  # of a usual line: the most a line is held against; of other ink, that it is
-FILLED_MM = 1.2  # of a line, over which the pits of paper's grain are filled
-HELD = 0.4  # of its line's darkness: ink that surely is a followed line's
+ALONG_MM, ACROSS_MM, ASIDE_MM = 3.0, 0.2, 0.85  # of a detected line: length, σ of width, offset of the paper
+TILE_MM, COVERED, ABOVE = (20.0, 0.93, 1.6)  # paper: most tiles have less over this share; factor for a line
+PLAIN, FIRM, FAINTEST = 0.4, 0.28, 0.06  # relative to a usual line: clear, not faint, and the minimum anywhere
+FOREMOST = 0.9  # relative to the response at the best angle
+APART, AMONG, AMONG_MM = 0.5, 0.5, 1.5  # stroke: more ink than on its darker side; than around
+STROKE_MM, LONG_MM = 5.0, 7.5  # of clear strokes; of lines that determine the usual one
+FEW, MAINLY, USUAL = 60, 0.7, 65.0 * FINE  # samples that determine it, quantile above erased lines; a firm pencil
+TAIL_MM, ENDS = 7.0, 0.5  # a longer faint line was erased; distance between the strokes that it connects
+NEAR_MM, BESIDE_MM = 1.0, 0.5  # continuation of a followed line under other ink; width of its ink to the side
+PEAK, SHARPEST, EVEN = 1.35, 2.5, 0.85  # ratio of a line's middle to its response: of a pencil line, of a
+# thin one; factor on their median
+MOST, BLOT = 1.3, 0.7  # relative to a usual line: maximum normalisation of a line; threshold of other ink
+FILLED_MM = 1.2  # along a line, over which gaps of the paper's grain are filled
+HELD = 0.4  # relative darkness of ink that surely belongs to a followed line
 
 Place = tuple[slice, slice]
 
 
 def inked(dark: Greys, scale: float, middle_dark: int, print_mm: float = 0.0) -> tuple[Greys, Booleans]:
-    """The darkness of a picture's pixels by that of the line each is of (``middle_dark``: in the middle of a line), and
-    where lines are followed; so much of the sheet's top is printed, and tells of no pencil."""
+    """The darkness of a picture's pixels relative to their lines (``middle_dark``: in the middle), and followed lines.
+
+    The uppermost ``print_mm`` of the sheet are printed, and say nothing about the pencil.
+    """
     cv2, size = cv(), dark.shape[::-1]
     even, against, lines = _evened_along(dark, scale, print_mm)
     against = cv2.resize(against, size, interpolation=cv2.INTER_LINEAR)
@@ -48,7 +50,7 @@ def inked(dark: Greys, scale: float, middle_dark: int, print_mm: float = 0.0) ->
 
 
 def _evened_along(dark: Greys, scale: float, print_mm: float) -> tuple[Greys, Greys, Booleans]:
-    """The picture with its lines filled; on a smaller one what ink is held against, and where lines are followed."""
+    """The picture with its lines filled; on a reduced one the normalisation of ink, and the followed lines."""
     cv2, felt = cv(), FeltLines(dark, scale, print_mm)
     strength, even, peaks = numpy.zeros_like(felt.most), dark.copy(), [numpy.full(1, PEAK)]
     for k in range(ANGLES):
@@ -66,16 +68,16 @@ def _evened_along(dark: Greys, scale: float, print_mm: float) -> tuple[Greys, Gr
 
 
 class FeltLines:
-    """What is felt of lines at every angle: their ink, and the most of it less that of the paper beside."""
+    """The response of lines at every angle: their ink, and its maximum minus that of the paper beside."""
 
     def __init__(self, dark: Greys, scale: float, print_mm: float = 0.0) -> None:
-        """Lines felt on a picture; if those below what is printed on its top are lighter, they tell what is usual."""
+        """Detects lines on a picture; if those below its printed top are lighter, they determine the usual line."""
         cv2, factor = cv(), PX_PER_MM / scale
         small = shrunk(dark, factor).astype(numpy.int16) * FINE
         self.most: Array = numpy.zeros_like(small)
         self.darkest = self.most
         self.along = list[Array]()
-        self.best: Indices = numpy.zeros(small.shape, numpy.int8)  # the angle at which it is
+        self.best: Indices = numpy.zeros(small.shape, numpy.int8)  # the angle of the maximum
         for k in range(ANGLES):
             self.along.append(cv2.filter2D(small, -1, _kernel(k)))
             response = self.at(k)[0]
@@ -83,17 +85,17 @@ class FeltLines:
             self.most, self.darkest = numpy.maximum(self.most, response), numpy.maximum(self.darkest, self.along[k])
         self.nearby = cv2.dilate(self.most, numpy.ones((2 * round(AMONG_MM * PX_PER_MM) + 1,) * 2, numpy.uint8))
         self.paper = ABOVE * _usual_on_paper(self.most)
-        self.own = [self._strokes(k) for k in range(ANGLES)]  # of strokes by themselves
+        self.own = [self._strokes(k) for k in range(ANGLES)]  # of single strokes
         self.usual = min(self._usual_below(top) for top in {0, round(print_mm * PX_PER_MM)})
 
     def _usual_below(self, top: int) -> float:
-        """What lines usually are below a row."""
+        """The usual line below a row."""
         drawn = [own[top:] for own in self.own]
         strong = numpy.concatenate([own[_long(own > 2 * self.paper / FINE, LONG_MM)] for own in drawn])
         return float(numpy.quantile(strong, MAINLY)) * FINE if len(strong) > FEW else USUAL
 
     def at(self, k: int) -> tuple[Array, Array, Array]:
-        """The ink of lines at an angle less that of the paper to both sides; less that of the darker side; and it."""
+        """The ink of lines at an angle: minus the paper on both sides; minus that of the darker side; and itself."""
         along = self.along[k]
         across = ASIDE_MM * PX_PER_MM * numpy.exp(1j * math.pi * (k / ANGLES + 0.5))
         shift = round(float(across.imag)), round(float(across.real))
@@ -101,21 +103,20 @@ class FeltLines:
         return along - (one + other) // 2, along - numpy.maximum(one, other), along
 
     def foremost(self, k: int, response: Array) -> Booleans:
-        """Where a line runs at an angle; if between two, at both."""
+        """Where a line runs at an angle; at both angles if between two."""
         turn = (self.best - k + ANGLES + 1) % ANGLES
         return (turn <= 2) | (response > FOREMOST * self.most)
 
     def _strokes(self, k: int) -> Greys:
-        """What is felt of strokes by themselves: both sides of a row of letters' foot are not paper."""
+        """The response of single strokes: the foot of a row of letters has no paper on both sides."""
         response, alone, along = self.at(k)
         own = self.foremost(k, response) & (alone > APART * along) & (alone > AMONG * self.nearby)
         return numpy.where(own, alone // FINE, 0).astype(numpy.uint8)
 
     def followed(self, k: int) -> Iterator[tuple[Place, Array, Booleans]]:
-        """Lines at an angle as far as they hang together with strokes plainly drawn: the box of each, what is felt of
-        it there, and where it is the foremost.
+        """Lines at an angle, as far as they are connected to clear strokes: box, response, where they are strongest.
 
-        What is faint ends a stroke soon or leads from one to another; else it was rubbed out.
+        A faint part ends a stroke soon or connects it to another; otherwise it was erased.
         """
         plain = _long(self.own[k] > PLAIN * self.usual / FINE, STROKE_MM)
         if not plain.any():
@@ -132,7 +133,7 @@ class FeltLines:
 
 
 def _drop_long(line: Booleans, faint: Booleans, plain: Booleans) -> None:
-    """Take out of a line what is faint for long and does not lead from stroke to stroke."""
+    """Removes long faint parts of a line that do not connect strokes."""
     strokes, _ = pieces(line & ~faint)
     drawn = numpy.setdiff1d(strokes[plain & line], 0)
     parts, boxes = pieces(faint)
@@ -147,7 +148,7 @@ def _drop_long(line: Booleans, faint: Booleans, plain: Booleans) -> None:
 
 
 def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale: float) -> Greys:
-    """Fill the pits that paper's grain leaves in a line, from the ink along it to both sides; how dark it is."""
+    """Fills gaps of the paper's grain in a line from the ink along it on both sides; returns its darkness."""
     cv2, up = cv(), scale / PX_PER_MM
     rows, columns = (slice(int(side.start * up), int(side.stop * up)) for side in place)
     part, reach = dark[rows, columns], max(round(FILLED_MM / 2 * scale), 1)
@@ -157,7 +158,7 @@ def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale
     ahead = numpy.where(local.real > 0, kernel, 0) + 0.5 * numpy.where(local.real == 0, kernel, 0)
     ahead = (ahead / (2 * ahead.sum())).astype(numpy.float32)
     one, other = cv2.filter2D(part, -1, ahead), cv2.filter2D(part, -1, ahead[::-1, ::-1])
-    smooth = numpy.minimum(one, 2 * other) + numpy.minimum(other, 2 * one)  # beyond a line's end one of them is none
+    smooth = numpy.minimum(one, 2 * other) + numpy.minimum(other, 2 * one)  # beyond a line's end one of them is zero
     inside = cv2.resize(of_it.view(numpy.uint8), part.shape[::-1], interpolation=cv2.INTER_NEAREST).view(bool)
     numpy.maximum(even[rows, columns], smooth, out=even[rows, columns], where=inside)
     del inside
@@ -167,7 +168,7 @@ def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale
 
 
 def _usual_on_paper(felt: Array) -> float:
-    """What is felt on paper: more covers little of most parts of the sheet."""
+    """The usual response of paper: in most tiles of a sheet only little area exceeds it."""
     side = int(TILE_MM * PX_PER_MM)
     tops, lefts = (range(0, max(n - side // 2, 1), side) for n in felt.shape)
     parts = (felt[top : top + side, left : left + side] for top in tops for left in lefts)
@@ -175,7 +176,7 @@ def _usual_on_paper(felt: Array) -> float:
 
 
 def _long(places: Booleans, least_mm: float) -> Booleans:
-    """The places that hang together over a length."""
+    """The connected pixels of at least this length."""
     labels, boxes = pieces(places)
     long = boxes[:, 2:4].max(axis=1) >= least_mm * PX_PER_MM
     long[0] = False
@@ -189,7 +190,7 @@ def _box(box: Indices, rim: int = 0) -> Place:
 
 
 def _disk(reach_mm: float) -> Greys:
-    """The places within reach."""
+    """A disk of this radius."""
     side = 2 * round(reach_mm * PX_PER_MM) + 1
     disk: Greys = cv().getStructuringElement(cv().MORPH_ELLIPSE, (side, side))
     return disk

@@ -1,6 +1,6 @@
-"""Names written by hand beside vectors: letters told by their shapes, words by the names a plan has.
+"""Handwritten names beside vectors: letters recognised by shape, words by the names of the plan.
 
-A net tells the shapes. A name that stands far from the vector laid for it speaks against that, no more.
+A net classifies the shapes. A name far from its assumed vector is evidence against that vector, no more.
 """
 
 import math
@@ -17,34 +17,34 @@ from planes.words.frozen import frozen
 
 SAME = {"I": "|1Ф", "1": "1|", "F": "FR", "0": "0D", "O": "0D", "p": "P", "τ": "t", "S": "5", "Q": "0", "C": "G"}
 SAME |= {"s": "5", "c": "G", "'": "|_*"}
-"""By letter, the shapes it may have where that is not its own."""
-SOFTENED_MM, ABOUT_MM = 0.12, 1.5  # by which the paper's grain is smoothed; in which ink is held against the darkest
-DARK, LEAST_DARK = 0.45, 0.3  # the shares of the darkest ink about, and of lines' ink, that are ink
+"""For each letter, the shapes it may have besides its own."""
+SOFTENED_MM, ABOUT_MM = 0.12, 1.5  # smoothing of the paper's grain; neighbourhood of the darkest ink
+DARK, LEAST_DARK = 0.45, 0.3  # ink threshold relative to the darkest ink around, and to that of lines
 LEAST_MM, MOST_MM = 0.5, 7.5  # of a piece of a letter
 WIDE_MM, WIDEST_MM = 2.2, 5.0  # a wider piece may be two letters; no letter is wider
-BESIDE_MM, HIGH_MM = 2.0, 6.5  # how far apart letters of a word may be; how high a word is
-AROUND_MM, ERASED_MM = 15.0, 0.35  # how far from lines names are looked for; what is a line's own beside it
-HALF = 0.3  # of a head's length, to either side of it, what is the head's own
-IN_LETTER, IN_WORD, MOST = 3, 16, 400  # pieces at the most: of a letter, of a word, of all that is read
-STRAY, LOST, TORN = math.log(0.06), math.log(0.04), math.log(0.7)  # a stray piece, a letter not there, one more piece
-NEVER, OTHER = math.log(1e-3), 0.7  # of a shape, the least; how much likelier a word is none of the names than one
-ROUNDS = 8  # in which it is settled which word is whose
-SURE = 0.85  # how likely a name is read that stands there, at the most
-WARMTH = 1.2  # by which logarithms are divided: what is told with 90 % is right in 90 %
-BY_MM = 7.0  # how far off a place a name stands by it
-NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # how far off its vector a name is, how surely; how likely it is elsewhere
+BESIDE_MM, HIGH_MM = 2.0, 6.5  # maximum distance between letters of a word; maximum height of a word
+AROUND_MM, ERASED_MM = 15.0, 0.35  # search distance of names from lines; width of a line's ink to the side
+HALF = 0.3  # half width of a head, relative to its length
+IN_LETTER, IN_WORD, MOST = 3, 16, 400  # maximum number of pieces: of a letter, of a word, in all
+STRAY, LOST, TORN = math.log(0.06), math.log(0.04), math.log(0.7)  # a stray piece, a missing letter, one more piece
+NEVER, OTHER = math.log(1e-3), 0.7  # minimum probability of a shape; odds that a word is none of the names
+ROUNDS = 8  # iterations that assign words to names
+SURE = 0.85  # maximum probability of reading a name correctly
+WARMTH = 1.2  # divisor of logarithms, for calibration: readings at 90 % are right in 90 %
+BY_MM = 7.0  # maximum distance of a name from its point
+NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # of a name from its vector; softness; probability of a name elsewhere
 
 
 @frozen
 class HandWord:
-    """Letters in a row: where they lie, mm, and how likely they are each name."""
+    """A row of letters: its position, mm, and its probability for each name."""
 
     low: complex
     high: complex
     likely: Mapping[str, float]
 
     def off(self, a: complex, b: complex) -> float:
-        """How far the word's middle line is from the way from a to b."""
+        """The distance of the word's middle line from the segment from a to b."""
         up, u = 1j * (self.low + self.high).imag / 2, b - a
         spots = [x + up for x in (self.low.real, (self.low + self.high).real / 2, self.high.real)]
         along = (((z - a) * u.conjugate()).real / abs(u) ** 2 if u else 0.0 for z in spots)
@@ -53,13 +53,13 @@ class HandWord:
 
 @dataclass
 class HandWords:
-    """The words on a sheet, as they tell vectors apart; what was asked of them is remembered."""
+    """The words on a sheet as evidence for vectors; answers are cached."""
 
     words: Sequence[HandWord] = ()
     known: dict[tuple[str, complex, complex], float] = field(default_factory=dict)
 
     def price(self, name: str, a: complex, b: complex) -> float:
-        """What it costs to believe that the vector of a name leads from a to b, for where that name stands."""
+        """The cost of assuming that the vector of a name runs from a to b, from the position of that name."""
         if (key := (name, a, b)) not in self.known:
             read = [(w.likely.get(name, 0.0), w.off(a, b)) for w in self.words]
             near = sum(p * max(math.exp(-0.5 * max((off - NEAR_MM) / SOFT_MM, 0.0) ** 2), AWAY) for p, off in read)
@@ -68,17 +68,17 @@ class HandWords:
         return self.known[key]
 
     def told(self, rows: Iterable[tuple[str, complex, complex]]) -> float:
-        """What it costs to believe that vectors of names lead so."""
+        """The cost of assuming these ends of named vectors."""
         return sum(self.price(n, a, b) for n, a, b in rows)
 
     def by(self, name: str, z: complex) -> float:
-        """How likely a name stands by a place."""
+        """The probability of a name beside a point."""
         return max((one.likely.get(name, 0.0) for one in self.words if one.off(z, z) < BY_MM), default=0.0)
 
 
 @frozen
 class LetterPiece:
-    """A piece of ink that may be a letter, or part of one: its box in pixels, and a mask of its ink there."""
+    """A piece of ink that may be a letter or part of one: its box in pixels and a mask of its ink."""
 
     left: int
     top: int
@@ -89,7 +89,7 @@ class LetterPiece:
 
 @frozen
 class Erased:
-    """A drawn line that is no letter: its path in mm, how wide it is, and its heads (tip, the way back to its rear)."""
+    """A drawn line, not a letter: its path in mm, its width, and its heads (tip, and vector back to the rear)."""
 
     path: Sequence[complex]
     width_mm: float
@@ -97,13 +97,13 @@ class Erased:
 
 
 def words_beside(ink: Ink, lines: Sequence[Erased], names: Iterable[str]) -> HandWords:
-    """The words about some lines of a sheet as they may be some names."""
+    """The words around some lines of a sheet, with their probabilities for some names."""
     known = tuple(names)
     return HandWords(_each_once(_words(ink, lines, known), known))
 
 
 def _words(ink: Ink, lines: Sequence[Erased], known: Sequence[str]) -> list[HandWord]:
-    """The words of a sheet, each as it may be any of the names."""
+    """The words of a sheet, with their probabilities for each of the names."""
     flat, hand_words = ink.flat, list[HandWord]()
     for row in _rows(_pieces(ink, lines), flat.scale):
         shapes = _shapes(ink.dark, row, WIDEST_MM * flat.scale)
@@ -116,7 +116,7 @@ def _words(ink: Ink, lines: Sequence[Erased], known: Sequence[str]) -> list[Hand
 
 
 def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord]:
-    """The words, where each name stands but once: what is surely another word's is less likely this one's."""
+    """The words with each name used only once: the more certain a name is for another word, the less for this one."""
     likely = numpy.array([[word.likely[name] for name in names] for word in words]).reshape(len(words), len(names))
     none = 1 - likely.sum(axis=1, keepdims=True)
     for _ in range(ROUNDS):
@@ -140,7 +140,7 @@ def _pieces(ink: Ink, lines: Sequence[Erased]) -> list[LetterPiece]:
 
 
 def _off_lines(ink: Ink, lines: Sequence[Erased]) -> Greys:
-    """Where there is ink near lines that is not theirs."""
+    """Ink near lines that does not belong to them."""
     cv2, flat = cv(), ink.flat
     dark = cv2.GaussianBlur(ink.dark, (0, 0), SOFTENED_MM * flat.scale)
     about = numpy.ones((round(ABOUT_MM * flat.scale),) * 2, numpy.uint8)
@@ -159,7 +159,7 @@ def _off_lines(ink: Ink, lines: Sequence[Erased]) -> Greys:
 
 
 def _cut(piece: LetterPiece, wide: float) -> list[LetterPiece]:
-    """A wide piece in two (and again), cut where it has least ink: letters that touch."""
+    """A wide piece split (recursively) where it has least ink: touching letters."""
     h, w = piece.mask.shape
     if w < wide or h < w / 4:
         return [piece]
@@ -170,7 +170,7 @@ def _cut(piece: LetterPiece, wide: float) -> list[LetterPiece]:
 
 
 def _rows(pieces: Iterable[LetterPiece], scale: float) -> list[list[LetterPiece]]:
-    """Pieces beside each other, from left to right."""
+    """Adjacent pieces, from left to right."""
     rows: list[list[LetterPiece]] = []
     for one in sorted(pieces, key=lambda p: p.left + p.right):
         near = [r for r in rows if len(r) < IN_WORD and one.left - max(p.right for p in r) < BESIDE_MM * scale]
@@ -183,7 +183,7 @@ def _rows(pieces: Iterable[LetterPiece], scale: float) -> list[list[LetterPiece]
 
 
 def _shapes(dark: Greys, row: Sequence[LetterPiece], widest: float) -> dict[tuple[int, int], Array]:
-    """The logarithms of how likely pieces from one to before another, as one letter, are each of the shapes."""
+    """The log probabilities of each shape for consecutive pieces, from one to before another, as one letter."""
     spans = [(i, j) for i in range(len(row)) for j in range(i + 1, min(i + IN_LETTER, len(row)) + 1)]
     spans = [(i, j) for i, j in spans if j == i + 1 or max(p.right for p in row[i:j]) - row[i].left < widest]
     seen = odds(numpy.array([features(_joined(dark, row[i:j])) for i, j in spans]))
@@ -201,7 +201,7 @@ def _joined(dark: Greys, pieces: Sequence[LetterPiece]) -> Greys:
 
 
 def _aligned(count: int, shapes: Mapping[tuple[int, int], Array], name: str) -> float:
-    """The logarithm of how likely so many pieces in a row are a name: its letters in order, and stray pieces."""
+    """The log probability that this many pieces in a row are a name: its letters in order, and stray pieces."""
     ways = [[SHAPES.index(c) for c in SAME.get(char, char) if c in SHAPES] for char in name if char not in "_^"]
     best = {(0, k): LOST * k for k in range(len(ways) + 1)}
     for j in range(1, count + 1):

@@ -1,4 +1,4 @@
-"""Ink on a flat picture: its light made even, printed marks taken out, and how dark any place of the sheet is."""
+"""Ink on a rectified picture: lighting evened out, printed marks removed, and the darkness anywhere on the sheet."""
 
 import numpy
 
@@ -9,34 +9,34 @@ from planes.check.vision.image.picture import Flat
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
 from planes.words.frozen import frozen, replace
 
-LETTER_MM = 7.5  # smaller separate marks of ink are letters
-DARK = 0.4  # of a line's darkness: less is paper, a grid's line, or a line rubbed out
-LIGHT = 0.3  # of a line's darkness: is paper
-PENCIL = 75  # the grey of a line's middle
-PAPER = 255 - LIGHT * (255 - PENCIL)  # the grey at which paper (with a grid or what was rubbed out) ends
-EDGE = PAPER - DARK * (PAPER - PENCIL)  # and at which ink begins
-RIM_MM = 0.35  # about a place where the darkest ink is looked for
-WHITE = 250  # the grey of paper in even light
-TITLE_MM = INSET_MM[1] + SIDE_MM / 2 + 2  # a blank's title stands between its upper marks
-PRINTED, FULL = 0.6, 0.2  # of paper's grey, what is printed; the share of a code that is black
-FRAME_MM = (21.5, 8.5)  # how much of a sheet is its frame: at the left, and at the other edges
+LETTER_MM = 7.5  # smaller separate pieces of ink are letters
+DARK = 0.4  # relative to a line: less is paper, a grid line or an erased line
+LIGHT = 0.3  # relative to a line: paper
+PENCIL = 75  # grey level in the middle of a line
+PAPER = 255 - LIGHT * (255 - PENCIL)  # the limit of paper (with a grid or erased lines)
+EDGE = PAPER - DARK * (PAPER - PENCIL)  # the limit of ink
+RIM_MM = 0.35  # search radius of the darkest ink around a point
+WHITE = 250  # grey level of paper in even light
+TITLE_MM = INSET_MM[1] + SIDE_MM / 2 + 2  # a blank's title is between its upper marks
+PRINTED, FULL = 0.6, 0.2  # relative to paper, printed; black share of a code
+FRAME_MM = (21.5, 8.5)  # width of a sheet's frame: at the left, and at the other edges
 
 
 @frozen
 class Ink:
-    """A sheet's ink: in ``even`` lines are all as dark, and it is 255 where there is none but lines may be."""
+    """The ink of a sheet: in ``even`` all lines are equally dark, with 255 where lines without ink are possible."""
 
     flat: Flat
     even: Greys
-    dark: Greys  # how much darker than paper the picture is
+    dark: Greys  # darkness relative to paper
 
     @property
     def mask(self) -> Greys:
-        """Where there is ink: ones and zeros, a pixel each."""
+        """Where there is ink: ones and zeros, one per pixel."""
         return (self.even < EDGE).astype(numpy.uint8)
 
     def darkest(self, z: Complexes) -> Array:
-        """How much darker than paper the picture is about places in mm, at the most."""
+        """The maximum darkness relative to paper around points in mm."""
         wide = round(2 * RIM_MM * self.flat.scale) | 1
         dark, local = cv().dilate(self.dark, numpy.ones((wide, wide), numpy.uint8)), (z - self.flat.corner)
         h, w = dark.shape
@@ -46,7 +46,7 @@ class Ink:
 
 
 def ink_of(flat: Flat) -> Ink:
-    """The ink of a flat picture, without letters and printed marks."""
+    """The ink of a rectified picture, without letters and printed marks."""
     dark = darkness(flat)
     shares, followed = inked(dark, flat.scale, 255 - PENCIL, TITLE_MM * (flat.by == "marks"))
     every = Ink(flat, 255 - shares, dark)
@@ -55,7 +55,7 @@ def ink_of(flat: Flat) -> Ink:
 
 
 def darkness(flat: Flat) -> Greys:
-    """How much darker than paper the picture is, as if the light were the same everywhere."""
+    """The darkness of the picture relative to paper, corrected for uneven light."""
     even = cv().divide(flat.grey, light_of(flat), scale=float(WHITE))
     even = cv().GaussianBlur(even, (0, 0), 0.8)
     if flat.by in ("marks", "frame"):
@@ -65,7 +65,7 @@ def darkness(flat: Flat) -> Greys:
 
 
 def light_of(flat: Flat) -> Greys:
-    """The picture as if nothing were drawn on its paper."""
+    """The picture of the paper without the drawing."""
     cv2 = cv()
     light = cv2.dilate(shrunk(flat.grey, 0.25), numpy.ones((7, 7), numpy.uint8))
     light = cv2.GaussianBlur(light, (0, 0), 0.7 * flat.scale)
@@ -74,8 +74,7 @@ def light_of(flat: Flat) -> Greys:
 
 
 def _pieces(flat: Flat, mask: Greys) -> tuple[Indices, Array]:
-    """Separate pieces of ink: the number of each pixel's, and how large each is below a blank's title, mm (0: no
-    ink)."""
+    """Separate pieces of ink: the number of each pixel's, and their sizes below a blank's title, mm (0: no ink)."""
     labels, stats = pieces(mask)
     sizes, title = numpy.maximum(stats[:, 2], stats[:, 3]), round(TITLE_MM * flat.scale)
     for k in numpy.flatnonzero(stats[:, 1] < title) if flat.by == "marks" else ():
@@ -87,13 +86,13 @@ def _pieces(flat: Flat, mask: Greys) -> tuple[Indices, Array]:
 
 
 def _spread(where: Booleans) -> Booleans:
-    """The places, and those around them where ink fades."""
+    """The pixels and their surroundings where ink fades."""
     wider: Greys = cv().dilate(where.astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8))
     return wider > 0
 
 
 def printed_on(flat: Flat) -> list[Square]:
-    """Squares of a sheet on which a mark is printed; whether there is a code, it shows itself."""
+    """Squares of a sheet with printed marks; a code is detected by its ink."""
     if flat.by != "marks":
         return []
     *marks, (z, reach) = squares(flat.size_mm)
@@ -104,7 +103,7 @@ def printed_on(flat: Flat) -> list[Square]:
 
 
 def _whiten_printed(flat: Flat, even: Greys) -> None:
-    """Paint over the corner marks, the frame and what lies outside of it."""
+    """Paints over the corner marks, the frame and the area outside it."""
     for z, reach in printed_on(flat):
         (x, y), r = flat.px(z), reach * flat.scale
         cv().rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)

@@ -1,5 +1,7 @@
-"""A small net that tells the shapes of letters written by hand (`letter_net.npz`, trained by `python -m
-tests.physical.handwriting`)."""
+"""A small neural net for the shapes of handwritten letters.
+
+`letter_net.npz` was trained by `python -m tests.physical.handwriting`.
+"""
 
 from functools import cache
 from pathlib import Path
@@ -10,18 +12,18 @@ from planes.check.vision.image.opencv import cv
 from planes.geometry.arrays import Array, Greys
 
 SHAPES = "0123456789FRGPNФABDEHKTMabdefghknqrtπ_|*"  # Cyrillic and Latin letters of one shape are one; * is none
-SIDE_PX, RIM_PX, CELLS = 24, 2, 6  # of a letter's picture as the net sees it, and of what it takes means of
+SIDE_PX, RIM_PX, CELLS = 24, 2, 6  # of a letter's picture as input, and the averaging cells
 
 
 @cache
 def _net() -> tuple[Array, ...]:
-    """The net's weights."""
+    """The weights of the net."""
     with numpy.load(Path(__file__).with_suffix(".npz")) as held:
         return tuple(held[k].astype(numpy.float32) for k in ("w1", "b1", "w2", "b2"))
 
 
 def odds(seen: Array) -> Array:
-    """The logarithms of how likely what the net sees is each of the shapes: a row each."""
+    """The log probabilities of the shapes, one row for each input."""
     w1, b1, w2, b2 = _net()
     z = numpy.maximum(seen @ w1 + b1, 0) @ w2 + b2
     log_odds: Array = z - numpy.log(numpy.exp(z).sum(axis=1, keepdims=True))
@@ -29,7 +31,7 @@ def odds(seen: Array) -> Array:
 
 
 def features(picture: Greys) -> Array:
-    """What the net sees of a letter's picture (ink is light): its ink and which way it gets darker, part by part."""
+    """The input for a letter's picture (light ink): its ink and the direction of its gradient, cell by cell."""
     cv2, (h, w) = cv(), picture.shape
     scale = (SIDE_PX - 2 * RIM_PX) / max(h, w)
     size, how = (max(round(w * scale), 1), max(round(h * scale), 1)), cv2.INTER_AREA if scale < 1 else cv2.INTER_LINEAR

@@ -1,4 +1,4 @@
-"""The lines of a file, asked as a sheet's ink is: where they end, their heads and texts are known, not felt."""
+"""The lines of a file with the interface of a sheet's ink: their ends, heads and texts are exact, not detected."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from planes.check.reading.strokes import ReadDrawing, headed
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from planes.words.naming import Names
 
-RIM_MM = 30.0  # of paper about the lines
-FELT = (math.cos(0.25), 1.0), (math.cos(0.45), 0.5)  # turned so much (its cosine) from a way a line is felt so much
-ABOUT_MM = 1 / 3, 1 / 2, 5 / 6  # how far aside, as of ink that is felt just there, and one or two pixels about
-AT_ONCE, MOST_PIECES = 1_000_000, 20_000  # pairs of lines; pieces: of seven metres of lines, as long as a pixel
-FEWEST_PLACES, CROWD = 60, 0.03  # where lines end or cross, a mm apart; of more on a mm² any would do for a mark
-HEADLESS = 0.5  # how much a line without a head is a vector, where vectors have heads
-HEAD_RANGE = -2.5, 2.5  # what speaks against a head that is not there, and for one that is
-TIP_MM, ALONG = 1.2, 0.97  # a head is no farther from the end of its line, and points along it (the cosine)
-FEW, LEAST_TURN = 60, 0.1  # lines of which crossings are looked for; sine of their angle
-STRANGE_MM = 12.0  # a vector that is none of the plan's counts for no more: there may be others beside it
-WHOLE = 0.9  # the share of a vector that must be explained for all of it to be
-SHORT_MM = 1.5  # of a line whose head tells nothing
+RIM_MM = 30.0  # of paper around the lines
+FELT = (math.cos(0.25), 1.0), (math.cos(0.45), 0.5)  # response to a line turned by this angle (its cosine)
+ABOUT_MM = 1 / 3, 1 / 2, 5 / 6  # offset of felt lines: exactly there, and within one or two pixels
+AT_ONCE, MOST_PIECES = 1_000_000, 20_000  # pairs of lines; pieces: seven metres of lines at one pixel each
+FEWEST_PLACES, CROWD = 60, 0.03  # line ends and crossings a mm apart; with more of them per mm², any would match a mark
+HEADLESS = 0.5  # factor of a line without a head as a vector, where vectors have heads
+HEAD_RANGE = -2.5, 2.5  # evidence against a missing head, and for one present
+TIP_MM, ALONG = 1.2, 0.97  # maximum distance of a head from the end of its line; cosine of its direction
+FEW, LEAST_TURN = 60, 0.1  # maximum number of lines for crossings; sine of their angle
+STRANGE_MM = 12.0  # limit for a vector outside the plan: there may be others beside it
+WHOLE = 0.9  # share of a vector explained for it to count as a whole
+SHORT_MM = 1.5  # of a line whose head is no evidence
 
 
 class LineInk(SheetInk):
@@ -50,7 +50,7 @@ class LineInk(SheetInk):
         self.tip_ways: Complexes = (
             numpy.r_[self.u[ahead], -self.u[back]] if self.headed else numpy.stack([-self.u, self.u], axis=1).ravel()
         )
-        if not self.headed and len(self.lines) < FEW:  # lines may run on past where vectors end
+        if not self.headed and len(self.lines) < FEW:  # lines may extend beyond the ends of vectors
             k, j = numpy.triu_indices(len(self.lines), 1)
             met, crossed = crossings(self.lines[k], self.lines[j])
             ways = numpy.stack([self.u[k], -self.u[k], self.u[j], -self.u[j]])[:, crossed]
@@ -63,7 +63,7 @@ class LineInk(SheetInk):
 
     @property
     def crowded(self) -> int:
-        """At how many places lines end or cross, if these are so many that anything would match."""
+        """The number of line ends and crossings, if these are so dense that anything would match."""
         k, j = numpy.triu_indices(len(self.lines), 1)
         met, crossed = crossings(self.lines[k], self.lines[j])
         count = len(numpy.unique(numpy.r_[self.lines.ravel(), met[crossed]].round(0)))
@@ -71,8 +71,7 @@ class LineInk(SheetInk):
         return count if count > max(FEWEST_PLACES, CROWD * area) else 0
 
     def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
-        """The share of each line from a to b that is drawn, as of a sheet's ink; of lines without heads, under the
-        vectors, less."""
+        """The drawn share of each line from a to b, as for a sheet's ink; less for headless lines under vectors."""
         ways, begun = (numpy.nan_to_num(z, posinf=0.0, neginf=0.0).ravel() for z in (b - a, a))
         shares, step = numpy.zeros(len(ways)), max(AT_ONCE // len(self.lines), 1)
         for k in range(0, len(ways), step):
@@ -80,7 +79,7 @@ class LineInk(SheetInk):
         return shares.reshape(a.shape)
 
     def _drawn(self, a: Complexes, way: Complexes, aside: float) -> Array:
-        """The share of each way from a that has a line so far aside at the most."""
+        """The share of each segment from a with a line within this offset."""
         length = numpy.maximum(abs(way), 1e-9)
         u = way / length
         turned = abs(u.real[:, None] * self.u.real + u.imag[:, None] * self.u.imag)
@@ -89,7 +88,7 @@ class LineInk(SheetInk):
             (self.lines[line, k] + on * aside * self.u[line] - a[asked]) * u[asked].conj()
             for k, on in ((0, -1), (1, 1))
         )
-        off = numpy.where(abs(q.imag - p.imag) < 1e-9, 1e-9, q.imag - p.imag)  # where on the line it is so far aside
+        off = numpy.where(abs(q.imag - p.imag) < 1e-9, 1e-9, q.imag - p.imag)  # where on the line the offset is reached
         one, two = (-aside - p.imag) / off, (aside - p.imag) / off
         first, last = numpy.maximum(numpy.minimum(one, two), 0.0), numpy.minimum(numpy.maximum(one, two), 1.0)
         s, t = (p.real + (q.real - p.real) * share for share in (first, last))
@@ -105,8 +104,10 @@ class LineInk(SheetInk):
         return share
 
     def _pieces(self, length: Array) -> tuple[Complexes, Complexes, Array]:
-        """Pieces of the lines by their middles, with their ways and how long they are; of lines without heads, where
-        vectors have them, nothing is to be explained."""
+        """Pieces of the lines: middles, directions and lengths.
+
+        Lines without heads need no explanation where vectors have them.
+        """
         fine = min(PX_PER_MM, MOST_PIECES / float(length.sum()))
         counts = numpy.ceil(length * fine).astype(int).clip(1)
         line_of = numpy.repeat(numpy.arange(len(length)), counts)
@@ -123,7 +124,7 @@ class LineInk(SheetInk):
         return float(every[own < WHOLE * every].clip(max=STRANGE_MM).sum())
 
     def head(self, a: Complexes, b: Complexes) -> Array:
-        """How much speaks for a line's ending at b: a tip there or, where no line has a head, an end."""
+        """The evidence that a line ends at b: a tip there or, if no line has a head, an end."""
         length = abs(b - a)
         u = (b - a) / numpy.maximum(length, 1e-9)
         aside = (u[..., None] * self.tip_ways.conj()).real < ALONG
@@ -131,7 +132,7 @@ class LineInk(SheetInk):
         return numpy.where(length > SHORT_MM, _told(off), 0.0)
 
     def point(self, z: Complexes) -> Array:
-        """How much speaks for a point's being at each place: a small circle there."""
+        """The evidence for a point at each position: a small circle there."""
         if not self.rounds.size:
             return super().point(z)
         return _told(abs(z[..., None] - self.rounds).min(axis=-1))
@@ -142,17 +143,17 @@ class LineInk(SheetInk):
 
 
 def _joined(asked: Indices, low: Array, high: Array, held: Booleans, count: int) -> Array:
-    """How much the pieces that are held cover together, of each line; they are in order."""
+    """The total length covered on each line by the pieces held; they are in order."""
     asked, low, high = asked[held], low[held], high[held]
     if not asked.size:
         return numpy.zeros(count)
-    apart = 1.0 + float(high.max())  # the pieces of one line after those of another
+    apart = 1.0 + float(high.max())  # offset that keeps the pieces of different lines apart
     before = numpy.r_[-apart, numpy.maximum.accumulate(high + apart * asked)[:-1]] - apart * asked
     return numpy.asarray(numpy.bincount(asked, (high - numpy.maximum(low, before)).clip(min=0.0), count), float)
 
 
 def crossings(one: Complexes, two: Complexes) -> tuple[Complexes, Booleans]:
-    """Where lines cross, row by row, and whether they do, well inside of both."""
+    """The intersections of lines, row by row, and whether they are well inside both lines."""
     v, u, off = one[:, 1] - one[:, 0], two[:, 1] - two[:, 0], two[:, 0] - one[:, 0]
     turn = (v.conj() * u).imag
     with numpy.errstate(all="ignore"):
@@ -162,7 +163,7 @@ def crossings(one: Complexes, two: Complexes) -> tuple[Complexes, Booleans]:
 
 
 def _told(off: Array) -> Array:
-    """How much a sign tells that is so far off."""
+    """The evidence of a sign at this distance."""
     low, high = HEAD_RANGE
     said: Array = high - (high - low) * numpy.minimum(off / TIP_MM, 1.0)
     return said

@@ -1,4 +1,4 @@
-"""The texts of a file as they tell marks and vectors: each is nearest to what it names, or a line leads from it."""
+"""The texts of a file as evidence for marks and vectors: each is nearest to its own, or has a leader line to it."""
 
 from __future__ import annotations
 
@@ -11,29 +11,29 @@ from planes.check.reading.written import Stroke, Words
 from planes.words.frozen import frozen
 from planes.words.naming import Names
 
-SOFT_MM = 1.5  # by which a text is nearer to what it names than to anything else
-SURELY = 0.98  # how surely a text is read
-LEADER_MM, INDEX, SHY_MM = 2.5, 0.3, 1.0  # a line from a text begins so near, or under its index; and ends so near
+SOFT_MM = 1.5  # margin by which a text is nearer to its own mark than to any other
+SURELY = 0.98  # certainty of reading a text
+LEADER_MM, INDEX, SHY_MM = 2.5, 0.3, 1.0  # start of a leader: from its text, or under its index; its end
 SAME_MM = 0.1
-MOST, FAR_MM = 9.0, 9.0  # of what a text may cost; of 436 on right sheets nine in ten stood within 6 mm
+MOST, FAR_MM = 9.0, 9.0  # maximum cost of a text; of 436 on right sheets nine in ten stood within 6 mm
 
 
 @frozen
 class LineWord:
-    """A text, how likely it is each name, and where a line from it leads."""
+    """A text, its probability for each name, and the end of its leader line."""
 
     word: Words
     likely: dict[str, float]
     led: complex | None = None
 
     def off(self, a: complex, b: complex) -> float:
-        """How far it is from the way from a to b, or from the place a."""
+        """The distance from the segment from a to b, or from the point a."""
         if self.led is not None:
             return _off(self.led, a, b)
         return self.word.distance(a) if a == b else self.word.beside((a, b))
 
     def nearest(self, own: float, others: Iterable[float], soft_mm: float = SOFT_MM) -> float:
-        """What it costs that it names what is so far off, with others farther or nearer."""
+        """The cost of naming an element at the distance ``own``, with ``others`` nearer or farther."""
         return min(math.log(1 + sum(math.exp(min((own - d) / soft_mm, 50.0)) for d in others)), MOST)
 
 
@@ -43,7 +43,7 @@ class LineWords(HandWords):
     words: Sequence[LineWord] = ()  # type: ignore[assignment]
 
     def told(self, rows: Iterable[tuple[str, complex, complex]]) -> float:
-        """What it costs that marks or vectors are there, by whether each text is nearest to its own."""
+        """The cost of assuming these marks or vectors, by whether each text is nearest to its own."""
         every, cost = list(rows), 0.0
         places = {(a, b) for _, a, b in every}
         for word in self.words:
@@ -65,7 +65,7 @@ def words_of(sketch: ReadDrawing, names: Names, known: Iterable[str]) -> LineWor
 
 
 def _leads(sketch: ReadDrawing) -> dict[int, complex]:
-    """Where lines without heads lead from texts, by text: from beside it, where no other line ends."""
+    """The ends of leader lines, by text: lines without heads that begin beside it, where no other line ends."""
     ends = [(k, z) for k, s in enumerate(sketch.strokes) for z in s]
     leads, vectors = dict[int, complex](), [s for k, s in enumerate(sketch.strokes) if sketch.way(k)]
     for k, s in enumerate(sketch.strokes if headed(sketch) else ()):
@@ -80,7 +80,7 @@ def _leads(sketch: ReadDrawing) -> dict[int, complex]:
 
 
 def _along(line: Stroke, vector: Stroke) -> bool:
-    """Whether a line lies along a vector, as construction lines do."""
+    """Whether a line runs along a vector, as construction lines do."""
     (a, b), length = line, abs(line[1] - line[0])
     p, q = ((z - a) / (b - a) * length for z in vector)
     near = max(abs(p.imag), abs(q.imag)) < SHY_MM
@@ -88,6 +88,6 @@ def _along(line: Stroke, vector: Stroke) -> bool:
 
 
 def _off(z: complex, a: complex, b: complex) -> float:
-    """How far a place is from the way from a to b."""
+    """The distance of a point from the segment from a to b."""
     t = 0.0 if a == b else min(max(((z - a) / (b - a)).real, 0.0), 1.0)
     return abs(a + t * (b - a) - z)

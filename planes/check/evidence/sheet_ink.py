@@ -1,8 +1,7 @@
-"""The ink of one sheet, asked by lines: what share of the way from a to b is drawn, whether there is a head at b, and
-how many millimetres of ink no line of a drawing explains.
+"""The ink of one sheet, queried by lines: the drawn share from a to b, a head at b, and the ink left unexplained (mm).
 
-Ink is felt by a bank of ridge filters, each for one direction (steerable filters: Freeman and Adelson, IEEE PAMI 13,
-1991). Places are complex numbers, mm of the sheet, y up; lines are arrays of their ends, one row a drawing.
+Ink is detected by a bank of ridge filters, one for each direction (steerable filters: Freeman and Adelson, IEEE PAMI
+13, 1991). Points are complex numbers, mm of the sheet, y up; lines are arrays of their ends, one row per drawing.
 """
 
 from __future__ import annotations
@@ -20,26 +19,26 @@ from planes.check.vision.image.opencv import cv, pieces, shrunk
 from planes.check.vision.image.picture import Flat
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 
-PX_PER_MM = 3.0  # of the small picture in which ink is felt
-WAYS = 16  # directions in which it is felt, over half a turn
-LONG_PX, WIDE_PX, REACH_PX = 2.6, 1.0, 7  # of the filter: σ along, σ across, how far it reaches
-FULL, NONE = 0.60, 0.15  # shares of a plain line's response at which a line is wholly there, or not at all
-PLAIN, STRONG, FAINTEST = 0.6, 0.99, 0.02  # quantiles of the strong responses, which are of plain lines; the least one
-RIDGE, INKED = 0.45, 0.25  # the share of it that makes a ridge; of full darkness, ink
+PX_PER_MM = 3.0  # of the reduced picture for ink detection
+WAYS = 16  # directions of detection over half a turn
+LONG_PX, WIDE_PX, REACH_PX = 2.6, 1.0, 7  # of the filter: σ along, σ across, radius
+FULL, NONE = 0.60, 0.15  # responses, relative to a clear line, for a line fully there, and not at all
+PLAIN, STRONG, FAINTEST = 0.6, 0.99, 0.02  # quantiles of the strong responses, from clear lines; the minimum
+RIDGE, INKED = 0.45, 0.25  # share of it that makes a ridge; of full darkness, ink
 LETTER_MM = 9.0  # smaller pieces of ink are letters: they explain nothing and need no explanation
-DARKEST = 180.0  # how much darker than paper a plain line is, of 255
-BESIDE_MM, TURNED = 0.8, 0.3  # how far aside, and at what sine, ink is still a line's own
-SLOPE = 0.004  # radians by which a drawn line may lie turned
-BEFORE_MM, BEYOND_MM, LESS = 10.0, 22.0, 0.55  # construction lines run on so far; the share they count as unexplained
-CROSS_MM = 3.2  # about the pole's printed cross ink needs no explanation
-HEAD_MM, BEHIND_MM = (1.6, 4.0), (5.5, 7.5)  # from a line's end, where a head is wider than its line; where it is over
+DARKEST = 180.0  # darkness of a clear line relative to paper, of 255
+BESIDE_MM, TURNED = 0.8, 0.3  # offset and sine of the angle within which ink belongs to a line
+SLOPE = 0.004  # angular tolerance of a drawn line, radians
+BEFORE_MM, BEYOND_MM, LESS = 10.0, 22.0, 0.55  # extension of construction lines; weight of it as unexplained ink
+CROSS_MM = 3.2  # around the pole's printed cross, ink needs no explanation
+HEAD_MM, BEHIND_MM = (1.6, 4.0), (5.5, 7.5)  # from a line's end, where a head is wider than its line; behind it
 ASIDE_MM, BESIDE_STEP_MM = (-0.85, -0.6, 0.6, 0.85), 0.4  # where beside a line its head is felt
 SHORTEST_MM = 9.0  # of a line whose head is felt
-LEAST_HEAD, HEAD_GAIN, HEAD_RANGE = 0.12, 6.0, (-1.2, 1.8)  # darkness beside a line with none; to units of evidence
-LINE_MM, USUAL_HEAD_MM = 0.8, 4.0  # of what is a drawn line's own and no letter
-GAP_STEP_MM, GONE = 0.5, 0.25  # by which a line is followed; the share of one below which it is not there
+LEAST_HEAD, HEAD_GAIN, HEAD_RANGE = 0.12, 6.0, (-1.2, 1.8)  # darkness beside a headless line; factor to evidence
+LINE_MM, USUAL_HEAD_MM = 0.8, 4.0  # of a drawn line, as opposed to a letter
+GAP_STEP_MM, GONE = 0.5, 0.25  # step along a line; share below which a line is missing
 SHORT_MM = 1.0  # of a line that explains ink
-TURNS, ACROSS, EDGE_TO_EDGE, LEAST_EDGE_MM = 720, 0.2, 0.6, 120.0  # of lines that are the paper's own: see below
+TURNS, ACROSS, EDGE_TO_EDGE, LEAST_EDGE_MM = 720, 0.2, 0.6, 120.0  # of lines that belong to the paper: see below
 
 
 class Box(NamedTuple):
@@ -49,19 +48,21 @@ class Box(NamedTuple):
     high: complex
 
     def holds(self, z: Complexes) -> Booleans:
-        """Which places lie in it."""
+        """Which points lie in it."""
         held: Booleans = (z.real > self.low.real) & (z.real < self.high.real)
         return held & (z.imag > self.low.imag) & (z.imag < self.high.imag)
 
 
 class SheetInk:
-    """The ink of one sheet. ``dark``: 0 of paper, 1 of a plain line, ``PX_PER_MM`` pixels to a millimetre; its lower
-    left corner is at ``corner``, its upper edge ``high_mm`` above."""
+    """The ink of one sheet. ``dark``: 0 for paper, 1 for a clear line, ``PX_PER_MM`` pixels per millimetre.
 
-    reach_mm = 0.0  # how far apart its lines lie, where that is known to be all of one drawing
-    exact = False  # whether its lines and their heads are known, not felt
-    ends: Complexes = numpy.zeros(0, complex)  # of its lines, where they are known
-    most_head = HEAD_RANGE[1]  # the most that speaks for a head
+    Its lower left corner is at ``corner``, its upper edge ``high_mm`` above.
+    """
+
+    reach_mm = 0.0  # spacing of its lines, where it is known to be all of one drawing
+    exact = False  # whether its lines and their heads are exact, not detected
+    ends: Complexes = numpy.zeros(0, complex)  # of its lines, where known
+    most_head = HEAD_RANGE[1]  # maximum evidence for a head
 
     def __init__(self, dark: Array, corner: complex, high_mm: float, source: Ink | None = None) -> None:
         self.source = source  # the ink it was made from, with its letters
@@ -72,7 +73,7 @@ class SheetInk:
         strong = most[most > max(float(numpy.quantile(most, STRONG)), FAINTEST)]
         plain = float(numpy.quantile(strong, PLAIN)) if strong.size else 1.0
         share = (numpy.clip((felt / plain - NONE) / (FULL - NONE), 0, 1) * 255).astype(numpy.uint8)
-        # by direction, row and column what share of a line is there: just there, a third of a mm about, two thirds
+        # drawn share of a line by direction, row and column: exactly there, within a third of a mm, within two thirds
         wider = (numpy.stack([cv().dilate(s, numpy.ones((n, n))) for s in share]).ravel() for n in (3, 5))
         self.shares = (share.ravel(), *wider)
         ridge = (most > RIDGE * plain) & _sharpest(most, way) & _of_lines(dark)
@@ -80,29 +81,33 @@ class SheetInk:
         turn = math.pi * way[rows, columns] / WAYS
         self.points: Complexes = corner.real + (columns + 0.5) / PX_PER_MM + 1j * (self.top - (rows + 0.5) / PX_PER_MM)
         self.ways: Complexes = numpy.exp(-1j * turn)
-        self.mm: Array = 1 / numpy.maximum(abs(numpy.cos(turn)), abs(numpy.sin(turn))) / PX_PER_MM  # of line, a point
+        self.mm: Array = 1 / numpy.maximum(abs(numpy.cos(turn)), abs(numpy.sin(turn))) / PX_PER_MM  # of line, per point
         self.mm[self._paper_own()] = 0.0
         usual = float(numpy.quantile(dark[ridge], 0.5)) if ridge.any() else 1.0
         self.even = numpy.minimum(dark / max(usual, 0.05), 1.0).ravel()
 
     @classmethod
     def of_picture(cls, flat: Flat) -> SheetInk:
-        """Of a flat picture."""
+        """From a rectified picture."""
         ink, share = ink_of(flat), PX_PER_MM / flat.scale
         dark = ((255.0 - ink.even) / DARKEST).astype(numpy.float32)
         return cls(shrunk(dark, share), flat.corner, flat.size_mm[1], ink)
 
     def _at(self, z: Complexes) -> tuple[Indices, Booleans]:
-        """Where places are in the picture's rows laid end to end, and which are on it: those of lines that cannot be
-        drawn are not numbers, and nowhere."""
+        """Indices of points in the flattened picture, and which are on it.
+
+        Points of impossible lines are NaN, and nowhere.
+        """
         x, y = (z.real - self.corner.real) * PX_PER_MM, (self.top - z.imag) * PX_PER_MM
         inside = (x > -1) & (y > -1) & (x < self.width) & (y < self.height)
         column, row = (numpy.where(inside, part, 0.0).astype(numpy.int32) for part in (x, y))
         return row * self.width + column, inside
 
     def _paper_own(self) -> Booleans:
-        """Which points lie on a line that runs from edge to edge of the sheet, as folds and ruling do: found by its
-        angle and its distance from the middle (Duda and Hart, Comm. ACM 15, 1972)."""
+        """Points on lines from edge to edge of the sheet, such as folds and ruling.
+
+        These are found by their angle and their distance from the middle (Duda and Hart, Comm. ACM 15, 1972).
+        """
         half = complex(self.width, self.height) / PX_PER_MM / 2
         z, own = self.points - (self.corner.real + half.real + 1j * (self.top - half.imag)), self.mm > math.inf
         bins = math.ceil(abs(half)) * 2 + 1
@@ -118,8 +123,10 @@ class SheetInk:
         return own
 
     def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
-        """The share of each line from a to b that is drawn, 0 to 1, felt at so many places of it, so many pixels
-        (:data:`PX_PER_MM`) about."""
+        """The drawn share of each line from a to b, 0 to 1, from ``samples`` points within ``about`` pixels.
+
+        For pixels see :data:`PX_PER_MM`.
+        """
         way, share = b - a, (numpy.arange(samples) + 0.5) / samples
         k = numpy.rint(-numpy.nan_to_num(numpy.angle(way)) / math.pi * WAYS).astype(numpy.int32) % WAYS
         at, inside = self._at(a[..., None] + way[..., None] * share)
@@ -128,14 +135,14 @@ class SheetInk:
         return drawn
 
     def longest_gap(self, a: complex, b: complex) -> float:
-        """The longest piece of a line from a to b that is not drawn, mm."""
+        """The longest gap in a line from a to b, mm."""
         share = numpy.linspace(0.0, 1.0, max(int(abs(b - a) / GAP_STEP_MM), 1) + 1)
         places: Complexes = (a + (b - a) * share).astype(numpy.complex128)
         drawn = numpy.r_[True, self.along(places[:-1], places[1:], 2, 2) > GONE, True]
         return float(numpy.diff(numpy.flatnonzero(drawn)).max() - 1) * GAP_STEP_MM
 
     def head(self, a: Complexes, b: Complexes) -> Array:
-        """How much speaks for a head at b of each line from a, in :data:`HEAD_RANGE`; 0 of short ones."""
+        """The evidence for a head at b of each line from a, in :data:`HEAD_RANGE`; 0 for short ones."""
         length = abs(b - a)
         way = (b - a) / numpy.maximum(length, 1e-9)
         there, behind = (self._beside(b, way, mm) for mm in (HEAD_MM, BEHIND_MM))
@@ -143,18 +150,18 @@ class SheetInk:
         return numpy.where(length > SHORTEST_MM, felt, 0.0)
 
     def point(self, z: Complexes) -> Array:
-        """How much speaks for a point's being at places: on a picture nothing."""
+        """The evidence for a point at positions: none on a picture."""
         return numpy.zeros(z.shape)
 
     def _beside(self, b: Complexes, way: Complexes, mm: tuple[float, float]) -> Array:
-        """How dark it is beside lines, so far back from their ends."""
+        """The darkness beside lines, at distances back from their ends."""
         back, off = numpy.meshgrid(numpy.arange(*mm, BESIDE_STEP_MM), ASIDE_MM)
         at, inside = self._at(b[..., None] + way[..., None] * (1j * off - back).ravel())
         dark: Array = numpy.where(inside, self.even[at], 0.0).mean(axis=-1)
         return dark
 
     def words(self, a: Complexes, b: Complexes, headed: bool, names: Iterable[str]) -> HandWords:
-        """The words about some lines, as they may be some names; none of what has no letters."""
+        """The words around some lines, with their probabilities for some names; none without letters."""
         if self.source is None or not a.size:
             return HandWords()
         lines = []
@@ -167,8 +174,10 @@ class SheetInk:
     def unexplained(
         self, a: Complexes, b: Complexes, box: Box, pole: complex, loose_mm: float, signs: Complexes, reach: Array
     ) -> Array:
-        """mm of ink in a box that no line of each row explains (``loose_mm`` aside at the most), nor any sign, by its
-        middle and how far it reaches; of what only carries a line on, a share."""
+        """mm of ink in a box that no line of each row explains (within ``loose_mm``), nor any sign (centre, radius).
+
+        The continuation of a line counts in part.
+        """
         kept = box.holds(self.points) & (abs(self.points - pole) > CROSS_MM)
         z, ways, mm = self.points[kept], self.ways[kept], self.mm[kept]
         rows = numpy.round(numpy.stack([a, b], axis=-1), 2).reshape(-1, 2)
@@ -190,12 +199,12 @@ class SheetInk:
         return left
 
     def _left(self, mm: Array, mine: Booleans, running: Booleans, kept: Booleans) -> float:
-        """How much of some ink is left by lines it is ``mine`` of, and some it only carries on."""
+        """The ink left over by lines it is ``mine`` of, and by those it only continues."""
         return float(mm[~running].sum() + LESS * mm[running & ~mine].sum())
 
 
 def _filter(angle: float) -> Array:
-    """Feels a thin line at an angle (of a picture, y down): long along it, a Mexican hat across."""
+    """A filter for a thin line at an angle (of a picture, y down): long along it, a Mexican hat across."""
     x, y = numpy.meshgrid(*[numpy.arange(-REACH_PX, REACH_PX + 1)] * 2)
     along, across = x * math.cos(angle) + y * math.sin(angle), y * math.cos(angle) - x * math.sin(angle)
     hat = (1 - (across / WIDE_PX) ** 2) * numpy.exp(-0.5 * (across / WIDE_PX) ** 2)
@@ -206,7 +215,7 @@ def _filter(angle: float) -> Array:
 
 
 def _chord_mm(half: complex, u: complex, off: float) -> float:
-    """How long a line is inside a rectangle by its middle, that leads along u and passes ``off`` to its left."""
+    """The chord of a rectangle about its middle, in the direction u, ``off`` to the left."""
     ends = ((off * 1j + sign * abs(half)) * u for sign in (1, -1))
     inside = LineString([(z.real, z.imag) for z in ends]).intersection(
         box(-half.real, -half.imag, half.real, half.imag)
@@ -215,7 +224,7 @@ def _chord_mm(half: complex, u: complex, off: float) -> float:
 
 
 def _sharpest(most: Array, way: Indices) -> Booleans:
-    """Pixels that feel more of a line than those to either side of it."""
+    """Pixels with a stronger line response than those on both sides of it."""
     sharpest = numpy.zeros(most.shape, bool)
     for eighth, (x, y) in enumerate(((0, 1), (-1, 1), (-1, 0), (1, 1))):  # across 0, 45, 90 and 135 degrees
         one, two = (numpy.roll(most, (s * y, s * x), (0, 1)) for s in (1, -1))
@@ -224,7 +233,7 @@ def _sharpest(most: Array, way: Indices) -> Booleans:
 
 
 def _of_lines(dark: Array) -> Booleans:
-    """Pixels of ink, and those beside it, in pieces too large for letters."""
+    """Pixels of ink, and their neighbours, in pieces too large for letters."""
     labels, stats = pieces(dark > INKED)
     large = numpy.hypot(stats[:, 2], stats[:, 3]) > LETTER_MM * PX_PER_MM
     large[0] = False

@@ -1,4 +1,4 @@
-"""What was drawn, by drawing it again: the right plan, and every way it may have gone wrong, laid on a sheet's ink.
+"""Explains a drawing by synthesis: lays the right plan and every possible wrong one on the ink of a sheet.
 
-It knows the program and its variants, and asks the evidence of lines; it knows no pixels and no file.
+It knows the construction program and its variants, and queries the ink for lines; it knows no pixels and no files.
 """

@@ -1,5 +1,4 @@
-"""What is settled before the search: how a plan's lines are felt, at what share of its size its sheet was printed, in
-which order a polygon's sides are laid."""
+"""Decisions before the search: how a plan's lines are detected, the print scale, the order of a polygon's sides."""
 
 import math
 
@@ -19,8 +18,10 @@ LOST = -1e9
 def covered(
     plan: PlanLines, ink: SheetInk, pole: complex, a: Complexes, b: Complexes, about: int, gain: float = w.GAINED
 ) -> tuple[Array, Array]:
-    """The score of lines of each row (on the sheet) that are there or not, so many pixels about, and the share of the
-    needed ones that is; :data:`LOST` where some are off the sheet."""
+    """The score of the lines of each row (on the sheet), drawn or not, felt ``about`` pixels around, and a share.
+
+    The share is that of the needed lines found; the score is :data:`LOST` where some are off the sheet.
+    """
     seen = to_be_seen(a, b)
     length = numpy.where(seen, abs(b - a), 0.0)
     ends = numpy.where(seen, a, 0j), numpy.where(seen, b, 1 + 0j)
@@ -34,7 +35,7 @@ def covered(
 
 
 def omitted(plan: PlanLines, ink: SheetInk, a: Complexes, b: Complexes) -> float:
-    """How much likelier it is that some lines of a drawing were not drawn at all than that their ink was lost."""
+    """The log odds that some lines were never drawn, against their ink being lost."""
     seen = to_be_seen(a[None], b[None])[0] & plan.needed
     share = ink.along(numpy.where(seen, a, 0j), numpy.where(seen, b, 1 + 0j), w.FINE)
     gain = numpy.where(seen, w.MISSING * abs(b - a) * (1 - share) - w.OMITTED, 0.0)
@@ -42,8 +43,10 @@ def omitted(plan: PlanLines, ink: SheetInk, a: Complexes, b: Complexes) -> float
 
 
 def shares_of_print(plan: PlanLines, ink: SheetInk, pole: complex) -> list[tuple[float, Hypothesis]]:
-    """At what shares of its size a sheet may have been printed, each with the drawing that is likeliest there, the plan
-    rightly drawn or a mistake's of the catalogue: what is told alone, or its full size and the likeliest others."""
+    """Possible print scales of a sheet, each with its likeliest drawing: the right plan or a mistake of the catalogue.
+
+    A given scale stands alone; otherwise full size and the likeliest others.
+    """
     if plan.share != 1 or not plan.to_fit:
         return [(plan.share, Hypothesis())]
     shares, best = [1.0, *numpy.arange(*w.SHARES).tolist()], dict[float, tuple[float, Hypothesis]]()
@@ -62,8 +65,10 @@ def shares_of_print(plan: PlanLines, ink: SheetInk, pole: complex) -> list[tuple
 
 
 def orders(plan: PlanLines, ink: SheetInk, pole: complex, words: HandWords | None = None) -> list[Hypothesis]:
-    """The right plan, and each mistake of the catalogue, with a force polygon's sides in the order the ink has (and
-    the ``words`` beside it, if they were read), the likeliest first."""
+    """The right plan and each mistake of the catalogue, with a force polygon's sides in the order of the ink.
+
+    The ``words`` beside the ink count too, if they were read; the likeliest comes first.
+    """
     scored: list[tuple[float, Hypothesis]] = []
     for h in (Hypothesis(), *catalogue(plan)) if plan.sides else ():
         drawn = plan.draw(h, {}, 1)
@@ -78,7 +83,7 @@ def orders(plan: PlanLines, ink: SheetInk, pole: complex, words: HandWords | Non
 def _likeliest_order(
     plan: PlanLines, ink: SheetInk, pole: complex, drawn: Complexes, words: HandWords | None
 ) -> tuple[float, tuple[int, ...]]:
-    """What it is worth to lay a polygon's sides end to end from the pole in the order that finds the most ink; it."""
+    """The score and the order of a polygon's sides, laid end to end from the pole, that finds the most ink."""
     a, b = plan.laid(drawn)
     sides = (b - a)[0, : len(plan.sides)]
     beams: list[tuple[float, tuple[int, ...], complex]] = [(0.0, (), pole)]

@@ -1,4 +1,4 @@
-"""Marks of a drawing of lines where its own lines end: the search tells which line is which, the file where it is."""
+"""Exact marks of a vector drawing: the search tells which line is which, the line ends in the file give the place."""
 
 import math
 from collections.abc import Iterator
@@ -13,15 +13,15 @@ from planes.check.grading.paper import ReadMark
 from planes.geometry.arrays import Booleans, Complexes
 from planes.words.names import POLE
 
-NEAR_MM, JOINED_MM = 1.2, 0.15  # from a mark as it settled; of ends that are one
+NEAR_MM, JOINED_MM = 1.2, 0.15  # from the settled mark; between ends that coincide
 ASKEW, WOBBLE_MM, ASIDE_MM = 0.04, 0.5, 0.8  # of a line drawn to a mark: radians, mm at its end, mm aside
-SPREAD_MM = 0.4  # by how much an end may be farther off than another for each line more that ends there
-ROUND = 3  # lines that a circle counts for
-LEAST_TURN = 0.1  # sine of the angle of lines that cross
+SPREAD_MM = 0.4  # extra distance allowed to an end for each additional line that ends there
+ROUND = 3  # a circle counts for this many lines
+LEAST_TURN = 0.1  # sine of the angle between crossing lines
 
 
 def exact_marks(seen: Explanation, ink: LineInk, laid: Laid) -> dict[str, ReadMark]:
-    """The marks of a drawing that settled, each where lines drawn to it end; else where they cross or a circle is."""
+    """The marks of a settled drawing, each where its lines end; otherwise at their crossing or at a circle."""
     plan, marks = seen.plan, dict[str, ReadMark]()
     places = numpy.array([laid.places[n] for n in plan.names]) + seen.pole
     for n in (POLE, *plan.labels):
@@ -42,7 +42,7 @@ def exact_marks(seen: Explanation, ink: LineInk, laid: Laid) -> dict[str, ReadMa
 
 
 def _drawn_to(seen: Explanation, ink: LineInk, places: Complexes, m: int) -> Booleans:
-    """Which lines are along those of the plan that begin or end at a mark, and reach it."""
+    """Which lines run along the plan's lines at a mark and reach it."""
     plan, z = seen.plan, places[m]
     mine = numpy.zeros(len(ink.lines), bool)
     local = (z - ink.lines[:, 0]) * ink.u.conj()
@@ -56,7 +56,7 @@ def _drawn_to(seen: Explanation, ink: LineInk, places: Complexes, m: int) -> Boo
 
 
 def _crossings(lines: Complexes) -> Iterator[complex]:
-    """Where lines cross, or would."""
+    """The crossings of lines, extended if needed."""
     for k, (a, b) in enumerate(lines.tolist()):
         for c, d in lines[:k].tolist():
             turn = ((b - a).conjugate() * (d - c)).imag

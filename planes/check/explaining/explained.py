@@ -1,4 +1,4 @@
-"""What a sheet shows of a plan, by the likeliest of all drawings of it: its marks with their errors, and the odds."""
+"""A plan as seen on a sheet, by the likeliest of all its drawings: its marks with their errors, and the odds."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -24,7 +24,7 @@ from planes.words.names import POLE
 
 @dataclass
 class Explanation:
-    """The hypotheses of a plan settled on a sheet's ink, the likeliest first; its pole is about ``pole``."""
+    """The hypotheses of a plan settled on the ink of a sheet, the likeliest first; its pole is near ``pole``."""
 
     plan: PlanLines
     ink: SheetInk
@@ -41,12 +41,12 @@ class Explanation:
 
     @cached_property
     def right(self) -> Laid:
-        """The plan rightly drawn, as it lies on the ink."""
+        """The right plan, settled on the ink."""
         return next(one for one in self.laid if one.hypothesis.right)
 
     @cached_property
     def wrong(self) -> Laid | None:
-        """The likeliest drawing with a mistake that moves something."""
+        """The likeliest drawing with a mistake that moves a mark."""
         true = self.plan.true
         mistakes = (one for one in self.laid if not one.hypothesis.right)
         moved = (one for one in mistakes if any(abs(z - true[n]) > w.MOVED_MM for n, z in one.places.items()))
@@ -54,7 +54,7 @@ class Explanation:
 
     @property
     def chance_wrong(self) -> float:
-        """How likely a mistake was made, by these two."""
+        """The probability of a mistake, from these two."""
         if self.wrong is None:
             return 0.0
         return logistic(w.ODDS[0] + w.ODDS[1] * (self.wrong.score - self.right.score))
@@ -66,12 +66,12 @@ class Explanation:
 
     @property
     def doubt(self) -> float:
-        """How likely it is the other one."""
+        """The probability of the other one."""
         return min(self.chance_wrong, 1 - self.chance_wrong)
 
     @property
     def share(self) -> float:
-        """At what share of its size the sheet is seen: as it was printed, or as the mark was drawn that tells it."""
+        """The scale of the sheet as seen: its print scale, or that of the mark that determines it."""
         if self.plan.held is None:
             return self.plan.share
         free = replace(self.plan, held=None).draw(self.best.hypothesis, {}, 1)
@@ -80,13 +80,13 @@ class Explanation:
 
     @property
     def explained(self) -> float:
-        """The share of the ink about the likeliest drawing that is its own."""
+        """The share of the ink around the likeliest drawing that it explains."""
         box = self.scorer.box
         every = float(self.ink.mm[box.holds(self.ink.points)].sum()) if box else 0.0
         return 1 - self.best.strange / every if every else 0.0
 
     def exchanged(self) -> list[SignFault]:
-        """Two letters each by the other's mark alone, of a plan that is right."""
+        """Pairs of swapped letters in a right plan, detected by the marks beside them."""
         words, right = self.scorer.words, self.best
         if not right.hypothesis.right or self.doubt > w.ASKED:
             return []
@@ -100,7 +100,7 @@ class Explanation:
         return []
 
     def whole_fault(self) -> list[SignFault]:
-        """That the whole plan is mirrored, turned or at another scale than its sheet's, its marks else right."""
+        """The fault of a plan mirrored, turned or at a wrong scale as a whole, its marks being right otherwise."""
         h, bench = self.best.hypothesis, self.plan.bench
         if h.kind == "scaled" and bench.asked.mu:
             return [plan_scaled(bench, bench.said_mu * abs(h.turn), 1 - self.doubt)]
@@ -111,7 +111,7 @@ class Explanation:
         return [fault] if h.kind == "turned_whole" else []
 
     def undone(self, z: complex) -> complex:
-        """A place of a plan that is mirrored or turned as a whole, as if it were not."""
+        """A point of a plan that was mirrored or turned as a whole, transformed back."""
         h, pole = self.best.hypothesis, self.pole + self.best.places.get(POLE, 0j)
         if h.mirrored:
             return pole + ((z - pole) / h.turn).conjugate()
@@ -119,7 +119,7 @@ class Explanation:
         return pole + (z - pole) / h.turn if as_one else z
 
     def spots(self) -> list[ReadMark]:
-        """The marks that are seen, from the pole; of a force polygon its sides' ends, in the order they are laid."""
+        """The marks seen, from the pole; for a force polygon the ends of its sides in the order of laying."""
         best, doubt = self.best, self.doubt if self.doubt > w.NO_DOUBT else 0.0
         pole = ReadMark(POLE, self.pole + best.places.get(POLE, 0j), w.POLE_MM)
         if self.plan.kind == "force":
@@ -130,7 +130,7 @@ class Explanation:
 
     @property
     def _left_out(self) -> str | None:
-        """The mark of what the likeliest drawing leaves out."""
+        """The mark omitted in the likeliest drawing."""
         hypothesis = self.best.hypothesis
         return hypothesis.mark if hypothesis.kind.endswith(LEFT_OUT) else None
 
@@ -144,20 +144,22 @@ class Explanation:
                 yield ReadMark(side.name, self.undone(self.pole + complex(b[k])), self._error_mm(best, end), doubt)
 
     def _error_mm(self, best: Laid, name: str) -> float:
-        """σ of a mark's place."""
+        """σ of a mark's position."""
         sigma = min(best.sigmas.get(name, 0.0), w.UNSEEN_MM)
         return math.hypot(w.READ_MM, w.SIGMAS * sigma, w.ASTRAY * best.moved.get(name, 0.0))
 
     def named(self) -> list[str]:
-        """Marks that no ink tells, but their names, which stand by where they should be."""
+        """Marks without ink whose names stand beside their expected positions."""
         if self.plan.kind == "force" or not self.best.hypothesis.right:
             return []
         hidden = (n for n in self.plan.labels if self.best.sigmas.get(n, math.inf) >= w.UNSEEN_MM)
         return [n for n in hidden if self.scorer.words.by(n, self.pole + self.best.places[n]) > w.LIKELY]
 
     def untold(self) -> list[str]:
-        """Marks, or sides of a force polygon, that lie elsewhere in the other drawing where the two are in doubt; else
-        those far off in one that fits the ink as well: how seldom its mistake is made is no evidence."""
+        """Marks, or sides of a force polygon, that lie elsewhere in the other drawing where the two are in doubt.
+
+        Otherwise, those far off in a drawing that fits the ink as well: that its mistake is rare is no evidence.
+        """
         if not self.right.places:
             return []
         if self.wrong and (self.best is self.wrong or self.doubt >= w.ASKED):
@@ -165,13 +167,13 @@ class Explanation:
         return self._elsewhere(self.rivals(), w.FAR_OFF_MM)
 
     def rivals(self) -> list[Laid]:
-        """Drawings that fit the ink as well as the best of those with every mark in its place."""
+        """Drawings that fit the ink as well as the best of those with every mark in place."""
         laid = [one for one in self.laid if one.places]
         here = max(one.evidence for one in laid if (self._off_mm(one) <= w.FAR_OFF_MM).all())
         return [one for one in laid if here - one.evidence < w.TELLING]
 
     def _elsewhere(self, drawings: Sequence[Laid], apart_mm: float, blamed: str = "") -> list[str]:
-        """Names of what lies farther than that from the right plan in any of the drawings, and of what is blamed."""
+        """Marks or sides farther than ``apart_mm`` from the right plan in any of the drawings, and those blamed."""
         off = numpy.array([self._off_mm(one) > apart_mm for one in (self.right, *drawings)])
         ends, names = self.plan.labels, self.plan.labels
         if self.plan.sides:
@@ -179,29 +181,28 @@ class Explanation:
         return [name for name, end, far in zip(names, ends, off.T, strict=True) if far.any() or end == blamed]
 
     def _off_mm(self, one: Laid) -> Array:
-        """How far each mark, or each side of a force polygon, lies from that of the right plan."""
+        """The distance of each mark, or each side of a force polygon, from that of the right plan."""
         return numpy.asarray(abs(self._drawn(one) - self._drawn(self.right)))
 
     def _drawn(self, one: Laid) -> Complexes:
-        """The marks of a drawing from the pole; of a force polygon its sides, in whatever order they are laid."""
+        """The marks of a drawing from the pole; for a force polygon its sides, in any order."""
         places, count = numpy.array([one.places[n] for n in self.plan.names]), len(self.plan.sides)
         sides = places[self.plan.ends[:count]] - places[self.plan.starts[:count]]
         return sides if count else places[: len(self.plan.labels)]
 
     def faint(self) -> list[str]:
-        """Lines of the likeliest drawing that are hardly there, and those whose heads seem to be at their starts, by
-        the names of the vectors."""
+        """Vectors whose lines are hardly visible in the likeliest drawing, or whose heads seem to be reversed."""
         return [self._name(k) for k in numpy.flatnonzero(self._faint).tolist()]
 
     def unled(self) -> list[str]:
-        """Marks all of whose own lines are faint: their places are those of the plan, not of the drawing."""
+        """Marks with faint lines only: their positions come from the plan, not from the drawing."""
         plan, needed = self.plan, self.plan.needed
         every = ((n, needed & ((plan.starts == k) | (plan.ends == k))) for k, n in enumerate(plan.names))
         return [n for n, own in every if n in plan.labels and own.any() and self._faint[own].all()]
 
     @cached_property
     def _faint(self) -> Booleans:
-        """Which lines these are."""
+        """Which lines are faint."""
         places = numpy.array([[self.best.places[n] for n in self.plan.names]])
         a, b = (z + self.pole for z in self.plan.laid(places, self.best.hypothesis.order))
         length, needed = abs(b - a)[0], self.plan.needed
@@ -215,7 +216,7 @@ class Explanation:
         headed &= ~_beside_another(a[0], b[0])
         turned = headed & (here < w.NO_HEAD) & (there - here > w.TURNED)
         usual = headed.sum() >= w.FEWEST and float(numpy.median(here[headed])) >= w.USUAL_HEAD
-        if self.plan.kind == "force":  # few sides meet at a place: of 114 on right pictures none was felt turned
+        if self.plan.kind == "force":  # few sides meet at a point: of 114 on right pictures none was found reversed
             usual = bool(((here - there)[headed & ~turned]).sum() > w.TURNED)
         return numpy.asarray(gone | (turned & usual))
 
@@ -225,7 +226,7 @@ class Explanation:
 
 
 def _beside_another(a: Complexes, b: Complexes) -> Booleans:
-    """Lines that begin where another one begins or ends that leads nearly the same way: its ink looks like a head."""
+    """Lines that begin at an end of another one with nearly the same direction: its ink looks like a head."""
     ways, z = numpy.r_[b - a, a - b], numpy.r_[a, b]
     near = abs(a[:, None] - z) < w.HEADED_MM / 4
     turned = abs(numpy.angle(ways / numpy.where((b - a)[:, None] == 0, 1, (b - a)[:, None]))) < w.NARROW

@@ -1,4 +1,4 @@
-"""Marks where the lines drawn to them meet: each line fitted to its ink, each mark to its lines (least squares)."""
+"""Marks at the intersections of their lines: each line fitted to its ink, each mark to its lines (least squares)."""
 
 from collections.abc import Mapping
 
@@ -13,12 +13,14 @@ from planes.geometry.arrays import Complexes
 def fitted_marks(
     plan: PlanLines, ink: SheetInk, pole: complex, places: Complexes, own_mm: Mapping[str, float]
 ) -> Complexes:
-    """Places of the marks (in the order of the plan's names, mm from the pole) moved to where the ink of their lines
-    meets; along a line that no other crosses they stay, as surely as ``own_mm`` tells."""
+    """The positions of the marks (in the order of the plan's names, mm from the pole), moved to where their lines meet.
+
+    Along a line that no other line crosses they stay, with the uncertainty ``own_mm``.
+    """
     a, b = (z[0] + pole for z in plan.laid(places[None]))
     weight = numpy.array([1 / max(own_mm.get(n, 1.0), w.READ_MM) ** 2 for n in plan.names])
-    rows = numpy.zeros((len(plan.names), 3))  # of each mark's normal matrix: xx, xy, yy
-    right = numpy.zeros(len(plan.names), complex)  # by how much it is to be moved
+    rows = numpy.zeros((len(plan.names), 3))  # normal matrix of each mark: xx, xy, yy
+    right = numpy.zeros(len(plan.names), complex)  # right-hand side: displacements
     rows[:, 0] = rows[:, 2] = weight
     for k in numpy.flatnonzero(to_be_seen(a[None], b[None])[0]).tolist():
         length = abs(b[k] - a[k])

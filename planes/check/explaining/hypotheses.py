@@ -1,4 +1,4 @@
-"""What may have been drawn: the catalogue's mistakes, each step with a size of its own, the whole plan otherwise."""
+"""Possible drawings: the mistakes of the catalogue, each step with a free size, the whole plan transformed."""
 
 import math
 from collections.abc import Iterator
@@ -23,11 +23,11 @@ from planes.words.frozen import replace
 from planes.words.names import POLE
 
 Free = tuple[str, str, complex]
-"""A free size: of which kind, at which mark, by how much it moves that (mm)."""
-SMALLEST_PLAN_MM, SHEET_MM = 30.0, 420.0  # no larger plan is weighed more finely than one of a sheet of A3
-SCALES = 1.7, 1.2  # of a whole plan: the logarithm of the largest, steps in mm at its rim
-PRINTERS = 0.9, 1.06  # a plan larger or smaller by so much may be its printer's doing
-WAYS_DIFFER = 0.17  # sine of the angle between ways that differ
+"""A free size: kind, mark, and displacement of the mark (mm)."""
+SMALLEST_PLAN_MM, SHEET_MM = 30.0, 420.0  # a larger plan is weighed no more finely than one on an A3 sheet
+SCALES = 1.7, 1.2  # of a whole plan: logarithm of the largest, steps in mm at its rim
+PRINTERS = 0.9, 1.06  # a plan within this range of sizes may be due to its printer
+WAYS_DIFFER = 0.17  # sine of the angle between different directions
 
 
 def catalogue(plan: PlanLines) -> list[Hypothesis]:
@@ -38,7 +38,7 @@ def catalogue(plan: PlanLines) -> list[Hypothesis]:
 
 
 def wholes(plan: PlanLines) -> list[Hypothesis]:
-    """The whole plan mirrored, turned, or at another scale than any printer makes it."""
+    """The whole plan mirrored, turned, or at a scale that no printer produces."""
     if plan.kind == "position":
         return []
     reach = min(max(SMALLEST_PLAN_MM, *map(abs, plan.true.values())), SHEET_MM)
@@ -46,7 +46,7 @@ def wholes(plan: PlanLines) -> list[Hypothesis]:
     top, step = SCALES
     sizes = [k for k in numpy.exp(numpy.arange(-top, top, step / reach)).tolist() if not PRINTERS[0] < k < PRINTERS[1]]
     turns = [complex(t) for t in (1j, -1, -1j, *numpy.exp(1j * small), *numpy.exp(-1j * small))]
-    free = not plan.held and _of_many_ways(plan)  # of a plan of one way all of it and its first length are one
+    free = not plan.held and _of_many_ways(plan)  # with one direction, whole plan and first length are the same
     scaled = [] if not free else [Hypothesis("scaled", "", COSTS["whole"], turn=k + 0j) for k in sizes]
     turned = [] if not free else [Hypothesis("turned_whole", "", COSTS["whole"], turn=t) for t in turns]
     mirrors = [Hypothesis("mirrored", "", COSTS["whole"], turn=t, mirrored=True) for t in (1 + 0j, -1 + 0j)]
@@ -54,7 +54,7 @@ def wholes(plan: PlanLines) -> list[Hypothesis]:
 
 
 def _of_many_ways(plan: PlanLines) -> bool:
-    """Whether a plan's longer lines lead more than one way."""
+    """Whether the longer lines of a plan have more than one direction."""
     places = numpy.array([plan.true[n] for n in plan.names])
     ways = (places[plan.ends] - places[plan.starts])[plan.needed]
     ways = ways[abs(ways) > LONG_MM]
@@ -62,7 +62,7 @@ def _of_many_ways(plan: PlanLines) -> bool:
 
 
 def free_sizes(plan: PlanLines, base: Hypothesis) -> list[Free]:
-    """Every mark of a drawing a size or an angle off, or anywhere near."""
+    """Every mark of a drawing with a wrong length or angle, or anywhere near."""
     drawn = plan.draw(base, {}, 1)
     if drawn is None or not numpy.isfinite(drawn).all():
         return []

@@ -1,4 +1,4 @@
-"""A plan's lines as they lie on paper under any hypothesis, many drawings at once by one run of the program."""
+"""The lines of a plan on paper under any hypothesis, many drawings in one run of the program."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -18,17 +18,19 @@ from planes.geometry.arrays import Array, Booleans, Complexes
 from planes.words.frozen import frozen
 from planes.words.names import POLE, at, kind_of, label_of
 
-END = "end"  # of a force polygon's last side: at the pole, if the polygon is closed
-HINGE_MM, SUPPORT_MM = 3.0, 9.5  # about a point of a scheme, and a support or slider, ink is their signs'
-HIDDEN_MM, RUNS_ON_MM = 0.8, 30.0  # of a link's line, under the signs at its ends; guides are drawn so far past sliders
-UPON_MM = 0.6  # lines upon each other are no farther apart
+END = "end"  # end of a force polygon's last side: at the pole, if the polygon closes
+HINGE_MM, SUPPORT_MM = 3.0, 9.5  # around a point of a scheme, and a support or slider, ink belongs to symbols
+HIDDEN_MM, RUNS_ON_MM = 0.8, 30.0  # part of a link's line under symbols at its ends; overrun of guides beyond sliders
+UPON_MM = 0.6  # coincident lines are no farther apart
 Line = tuple[str, str]
 
 
 @frozen
 class Hypothesis:
-    """What was done: of which kind, at which mark, how unlikely it is beforehand (a cost: minus a logarithm); the steps
-    it swaps, how far it moves marks (mm, by label), what it does to the whole plan, in which order sides are laid."""
+    """A possible drawing: the kind and the mark of its mistake, its prior cost (minus a logarithm), and its effects.
+
+    Effects are steps swapped, marks moved (mm, by label), the transformation of the whole plan, and the order of sides.
+    """
 
     kind: str = "right"
     mark: str = ""
@@ -41,12 +43,12 @@ class Hypothesis:
 
     @property
     def right(self) -> bool:
-        """Whether nothing was done wrongly."""
+        """Whether there is no mistake."""
         return self.kind == "right"
 
 
 class _Nudging(Tool):
-    """Draws many plans at once, some marks moved."""
+    """Draws many plans at once, with some marks moved."""
 
     def __init__(self, nudges: Mapping[str, Point], count: int) -> None:
         super().__init__(Many(), True, shape=(count,))
@@ -61,20 +63,22 @@ class _Nudging(Tool):
 
 @dataclass
 class PlanLines:
-    """The lines of a plan by their ends' labels; which of them must be there (a sum beside its parts need not). On a
-    sheet printed at a ``share`` of its size all is larger by as much; ``held`` is a mark by which its scale was told,
-    and where that lies, mm from the pole."""
+    """The lines of a plan by the labels of their ends, and which of them are needed (a sum beside its parts is not).
+
+    On a sheet printed at a ``share`` of its size all is larger by that factor. ``held`` is a mark that determines the
+    scale, with its position, mm from the pole.
+    """
 
     bench: PreparedPlan
     share: float = 1.0
     held: tuple[str, complex] | None = None
-    to_fit: bool = True  # whether a printer may have made the sheet smaller than it should be
+    to_fit: bool = True  # whether a printer may have shrunk the sheet
     sides: list[Side] = field(default_factory=list)  # of a force polygon, from the pole round to its end
 
     def __post_init__(self) -> None:
         self.kind = kind_of(self.bench.asked.plan)
         self.labels = [label_of(m) for m in self.bench.marks]
-        self.names = [*self.labels, *([END] if self.kind == "force" else []), POLE]  # no step makes the last ones
+        self.names = [*self.labels, *([END] if self.kind == "force" else []), POLE]  # the last ones have no steps
         self.lines, needed = self._lines()
         self.needed: Booleans = numpy.array(needed)
         self.starts, self.ends = (numpy.array([self.names.index(line[k]) for line in self.lines]) for k in (0, 1))
@@ -97,7 +101,7 @@ class PlanLines:
         return lines, [not any((a, m) in own and (m, b) in own for m in corners) for a, b in lines]
 
     def _links(self) -> tuple[list[Line], list[bool]]:
-        """The sides of links: of a straight one the longest, of another the first must be there."""
+        """The sides of links and which are needed: the longest of a straight link, the first of any other."""
         lines: dict[Line, bool] = {}
         for link in self.bench.plans.mechanism.links.values():
             points = [n for n in link.points if n in self.labels and n != link.centre]
@@ -109,8 +113,7 @@ class PlanLines:
         return [*lines], [*lines.values()]
 
     def signs(self, places: Complexes) -> tuple[Complexes, Complexes, Complexes, Array]:
-        """What a scheme shows beside its links, of each row: guides by two ends, and signs by middles and how far they
-        reach, mm."""
+        """The symbols of a scheme, row by row: guides by their two ends, the others by centre and radius, mm."""
         none, count = numpy.zeros((len(places), 0), complex), len(places)
         if self.kind != "position":
             return none, none, none, numpy.zeros(0)
@@ -134,8 +137,10 @@ class PlanLines:
         return a, b, numpy.stack([at_[n] for n in shown], axis=1), numpy.array([reach[n] for n in shown])
 
     def draw(self, hypothesis: Hypothesis, nudges: Mapping[str, Array], count: int) -> Complexes | None:
-        """Places of the marks (count × names, the pole last), mm from the sheet's pole, with further nudges; NaN where
-        they cannot be drawn, None where none can."""
+        """Positions of the marks (count × names, the pole last), mm from the sheet's pole, with extra displacements.
+
+        NaN where they cannot be constructed, None if none can.
+        """
         both = {n: hypothesis.nudges.get(n, 0j) + nudges.get(n, 0j) for n in {*hypothesis.nudges, *nudges}}
         moved = {at(self.bench.asked.plan, n): v for n, v in both.items() if n not in (END, POLE)}
         things = self.bench.drawn(hypothesis.variant, _Nudging(moved, count))
@@ -151,11 +156,11 @@ class PlanLines:
                 places *= (where / places[:, self.labels.index(mark)])[:, None]
         places = numpy.where(numpy.isfinite(places), places, complex(numpy.nan, numpy.nan))
         places = numpy.concatenate([places, numpy.stack(rest, axis=1)], axis=1)
-        places[:, :-1] += places[:, -1:]  # the pole may lie aside, with all that is drawn from it
+        places[:, :-1] += places[:, -1:]  # the pole may be shifted, with the whole drawing
         return places
 
     def each(self, every: Sequence[Hypothesis]) -> Iterator[tuple[Hypothesis, Complexes | None]]:
-        """Hypotheses with their drawings; one drawing serves for all that only turn, mirror or scale it."""
+        """Hypotheses with their drawings; those that only turn, mirror or scale a drawing share it."""
         right = None if self.held else self.draw(Hypothesis(), {}, 1)
         for h in every:
             if right is None or h.variant or h.nudges:
@@ -175,12 +180,12 @@ class PlanLines:
             sides = (b - a)[:, list(order)]
             tips = places[:, -1:] + numpy.cumsum(sides, axis=1)
             a[:, :count], b[:, :count] = (tips - sides)[:, back], tips[:, back]
-            b[:, count:] = a[:, count:]  # where its inner vectors lie then, nobody knows
+            b[:, count:] = a[:, count:]  # the positions of its inner vectors are then unknown
         return a, b
 
 
 def longest_round(sides: Sequence[Side], way: tuple[Side, ...] = ()) -> list[Side]:
-    """The longest way round by a polygon's sides, from the pole and back; what is not on it lies inside."""
+    """The longest closed path along a polygon's sides, from the pole and back; the other sides lie inside."""
     here, passed, longest = way[-1].end if way else POLE, {s.end for s in way}, list[Side]()
     for side in (s for s in sides if s.start == here and s.end not in passed):
         rest = [side] if side.end == POLE else [side, *longest_round(sides, (*way, side))]
@@ -190,13 +195,13 @@ def longest_round(sides: Sequence[Side], way: tuple[Side, ...] = ()) -> list[Sid
 
 
 def upon_others(a: Complexes, b: Complexes) -> Booleans:
-    """Lines of each row that lie upon an earlier one, either way."""
+    """Lines of each row that coincide with an earlier one, in either direction."""
     apart = numpy.maximum(abs(a[:, :, None] - a[:, None, :]), abs(b[:, :, None] - b[:, None, :]))
     return numpy.asarray(numpy.tril(apart < UPON_MM, -1).any(axis=2))
 
 
 def behind_others(a: Complexes, b: Complexes, felt: Array) -> Booleans:
-    """Lines of each row that end where another one does along its way that feels more of a head, or as much before."""
+    """Lines ending with another one, in its direction, where that has a stronger head, or an equal and earlier one."""
     way = numpy.exp(1j * numpy.angle(numpy.nan_to_num(b - a)))
     along = (way[:, :, None].conj() * way[:, None, :]).real > math.cos(NARROW)
     together = along & (abs(b[:, :, None] - b[:, None, :]) < HEADS_MM)

@@ -1,7 +1,7 @@
-"""Every hypothesis laid on a sheet's ink: what it covers, misses and leaves unexplained, heads, and a hand's errors.
+"""Scores every hypothesis on the ink of a sheet: ink covered, missing and unexplained, heads, drawing errors.
 
-First all of them roughly, then the best of each kind by all ink, then the best few settled mark by mark: each mark may
-be a little off where the steps before it lead, and what follows is drawn from there.
+First all of them roughly, then the best of each kind on all ink, then the best few settled mark by mark: each mark may
+be slightly off its constructed point, and the steps after it continue from there.
 """
 
 import math
@@ -20,47 +20,46 @@ from planes.geometry.arrays import Array, Complexes
 from planes.words.frozen import replace
 
 Moves = Mapping[str, complex | Array]
-"""By how much marks are moved, mm."""
+"""Displacements of marks, mm."""
 
 
 def rounded(z: complex) -> complex:
-    """A place to a tenth of a millimetre, by which what was found there is remembered."""
+    """A point to a tenth of a millimetre, as a key of the cache."""
     return complex(round(z.real, 1), round(z.imag, 1))
 
 
 @dataclass
 class Laid:
-    """A hypothesis settled on the ink: its score, the share of its lines that is there, its marks, mm from the pole, by
-    label, and how surely each lies there (σ, mm)."""
+    """A hypothesis settled on the ink: score, share of its lines found, marks by label (mm from the pole), σ (mm)."""
 
     hypothesis: Hypothesis
     score: float
     cover: float = 0.0
     places: dict[str, complex] = field(default_factory=dict)
     sigmas: dict[str, float] = field(default_factory=dict)
-    strange: float = 0.0  # ink that none of its lines explains, mm
-    moved: dict[str, float] = field(default_factory=dict)  # by how much from where steps lead, mm
-    erred: float = 0.0  # what that costs
+    strange: float = 0.0  # ink explained by none of its lines, mm
+    moved: dict[str, float] = field(default_factory=dict)  # distances from the constructed points, mm
+    erred: float = 0.0  # the cost of those
 
     @property
     def evidence(self) -> float:
-        """What the sheet alone tells for it, whatever is likelier beforehand."""
+        """The evidence of the sheet alone, without the prior."""
         return self.score + self.hypothesis.cost
 
 
 @dataclass
 class Scorer:
-    """Weighs hypotheses of one plan on one sheet, its pole at a place."""
+    """Scores the hypotheses of one plan on one sheet, with its pole at a given point."""
 
     plan: PlanLines
     ink: SheetInk
     pole: complex
     words: HandWords = field(default_factory=HandWords)
-    far: dict[str, float] = field(default_factory=dict)  # of each mark from the pole, as it was to be drawn, mm
-    box: Box | None = None  # where ink is to be explained: the same for all, or they could not be compared
+    far: dict[str, float] = field(default_factory=dict)  # distance of each mark from the pole as it should be drawn, mm
+    box: Box | None = None  # where ink must be explained: the same for all, to keep scores comparable
 
     def weighed(self) -> list[Laid]:
-        """The likeliest hypotheses settled, the best first; the right plan is one of them."""
+        """The likeliest hypotheses, settled, the best first; the right plan is one of them."""
         if plain := self._plainly() if self.ink.exact else []:
             before, named = plain[0].score, self._by_names(plain)
             if before - named[0].score < w.TELLING:  # no name stands elsewhere
@@ -81,7 +80,7 @@ class Scorer:
         return self._by_names(sorted(laid, key=lambda one: -one.score))
 
     def _plainly(self) -> list[Laid]:
-        """The right plan and mistakes of the catalogue, if one leaves nothing to be explained: no other is likelier."""
+        """The right plan and mistakes of the catalogue, if one leaves no ink unexplained: no other is likelier."""
         rough = self._rough([Hypothesis(), *catalogue(self.plan)])
         if not rough or not rough[0][1].right:
             return []
@@ -96,8 +95,10 @@ class Scorer:
         return []
 
     def _full(self, one: Laid) -> bool:
-        """Whether a drawing has its lines with all heads and leaves nothing, or its points with all signs: beside a
-        scheme there are guides, sizes and more."""
+        """Whether all lines and heads, or all points and symbols, of a drawing are found and no ink is left.
+
+        Beside a scheme there may be guides, dimensions and more.
+        """
         if not one.places:
             return False
         ends, scheme = self._lines(one.hypothesis, self._row(one)), self.plan.kind == "position"
@@ -107,7 +108,7 @@ class Scorer:
         return bool(short - one.erred < w.TELLING and not (one.hypothesis.right and short > w.COSTS["length"]))
 
     def _rough(self, every: list[Hypothesis]) -> list[tuple[float, Hypothesis, Complexes]]:
-        """Hypotheses of one order that can be drawn, with what their lines are worth at a glance."""
+        """Hypotheses of one order that can be drawn, with rough scores of their lines."""
         could = [(h, drawn) for h, drawn in self.plan.each(every) if drawn is not None]
         if not could:
             return []
@@ -115,7 +116,7 @@ class Scorer:
         return [(score - h.cost, h, drawn) for score, (h, drawn) in zip(scores.tolist(), could, strict=True)]
 
     def _printed_at(self) -> float:
-        """At what share of its size the sheet was printed: where some drawing, settled there, is likeliest."""
+        """The print scale of the sheet: the one with the likeliest settled drawing."""
         shares = shares_of_print(self.plan, self.ink, self.pole)
         best, most = shares[0][0], -math.inf
         for share, h in shares if len(shares) > 1 else ():
@@ -125,7 +126,7 @@ class Scorer:
         return best
 
     def _by_names(self, laid: list[Laid]) -> list[Laid]:
-        """The same with what the names written beside the lines tell, of a force polygon its order, too."""
+        """The same drawings scored with the names beside the lines, and for a force polygon with its order, too."""
         best = laid[0]
         a, b = (z[0] for z in self._lines(best.hypothesis, self._row(best)))
         seen, force = abs(b - a) > w.SHORT_MM, self.plan.kind == "force"
@@ -146,7 +147,7 @@ class Scorer:
         return numpy.array([[one.places[n] for n in self.plan.names]])
 
     def likeliest(self, base: Hypothesis, alone: bool = False) -> list[Hypothesis]:
-        """The best hypotheses of each kind and mark upon one; ``alone``, of its free sizes only."""
+        """The best hypotheses of each kind and mark added to one; with ``alone``, only its free sizes."""
         others = [] if alone else [replace(h, order=base.order) for h in (*catalogue(self.plan), *wholes(self.plan))]
         rough = [*self._rough([base, *others]), *self._free(base)]
         rough = sorted((r for r in rough if r[0] > LOST / 2), key=lambda r: -r[0])[: w.WEIGHED]
@@ -161,7 +162,7 @@ class Scorer:
         return [*best.values()][: w.SETTLED]
 
     def _free(self, base: Hypothesis) -> list[tuple[float, Hypothesis, Complexes]]:
-        """The best free sizes upon a hypothesis, no two of a kind and mark alike."""
+        """The best free sizes added to a hypothesis, no two alike for a kind and mark."""
         sizes = free_sizes(self.plan, base)
         moves = {n: numpy.array([z if mark == n else 0j for _, mark, z in sizes]) for n in self.plan.names}
         drawn = self.plan.draw(base, moves, len(sizes)) if sizes else None
@@ -179,29 +180,29 @@ class Scorer:
         return best
 
     def covered(self, a: Complexes, b: Complexes, about: int, gain: float = w.GAINED) -> tuple[Array, Array]:
-        """What lines of each row are worth that are there or not, and the share of the needed ones that is."""
+        """The score of the lines of each row, drawn or not, and the share of the needed ones found."""
         return covered(self.plan, self.ink, self.pole, a, b, about, gain)
 
     def heads(self, a: Complexes, b: Complexes) -> Array:
-        """What heads at the ends of the needed lines of each row tell."""
+        """The score of the heads at the ends of the needed lines of each row."""
         if self.plan.kind == "position":
             return numpy.zeros(len(a))
-        there = to_be_seen(a, b) & self.plan.needed  # of lines upon each other one head speaks
+        there = to_be_seen(a, b) & self.plan.needed  # of coincident lines one head counts
         felt = numpy.where(there, self.ink.head(numpy.where(there, a, 0j), numpy.where(there, b, 0j)), 0.0)
-        if not self.ink.exact:  # each head is felt by all lines that end there along one way; it is one line's
+        if not self.ink.exact:  # every line that ends there in one direction feels the head; it belongs to one of them
             felt = numpy.minimum(felt, numpy.where(behind_others(a, b, felt), 0.0, math.inf))
         said: Array = w.HEAD * felt.sum(axis=1)
         return said
 
     def points(self, drawn: Complexes) -> Array:
-        """What signs of points tell of the marks of each row of a scheme."""
+        """The score of the symbols of points at the marks of each row of a scheme."""
         if self.plan.kind != "position":
             return numpy.zeros(len(drawn))
         said: Array = w.HEAD * self.ink.point(drawn[:, : len(self.plan.labels)] + self.pole).sum(axis=1)
         return said
 
     def scored(self, h: Hypothesis, drawn: Complexes, roughly: bool = False) -> tuple[Array, Array, Array]:
-        """The whole score of each row, the share of its needed lines that is there, and the ink it leaves, mm."""
+        """The full score of each row, the share of its needed lines found, and the ink left over, mm."""
         a, b = self._lines(h, drawn)
         score, cover = self.covered(a, b, 1 + roughly, 0.0)
         score = score + self.heads(a, b) + self.points(drawn)
@@ -215,22 +216,22 @@ class Scorer:
 
     @property
     def _most_strange(self) -> float:
-        """How much unexplained ink is weighed at most, mm: of a scheme in a file no more than a view of one has."""
+        """The maximum unexplained ink that is weighed, mm: for a scheme in a file, as much as beside a single view."""
         return w.BESIDE_SCHEME_MM if self.ink.exact and self.plan.kind == "position" else math.inf
 
     def erred(self, moves: Moves) -> Array:
-        """What it costs that a hand put marks so far from where steps lead."""
+        """The cost of drawing errors: marks off their constructed points."""
         cost = numpy.zeros(())
         for n, v in moves.items():
             cost = cost + w.HAND * numpy.abs(v) ** 2 / self._spread(n) ** 2
         return cost
 
     def _spread(self, name: str) -> float:
-        """How far a hand puts a mark from where steps lead, σ in mm."""
+        """The usual drawing error of a mark, σ in mm."""
         return w.HAND_MM + w.HAND_SHARE * self.far[name]
 
     def settled(self, h: Hypothesis) -> Laid:
-        """A hypothesis with each mark where its ink is."""
+        """A hypothesis with each mark settled on its ink."""
         held, scores = dict.fromkeys(self.plan.names, 0j), numpy.zeros(0)
         if (drawn := self.plan.draw(h, {}, 1)) is None:
             return Laid(h, LOST)
@@ -248,7 +249,7 @@ class Scorer:
         return [(n, mm * way) for n in self.plan.names for mm in sizes for way in ways]
 
     def _to_ends(self, h: Hypothesis, held: dict[str, complex]) -> None:
-        """Each mark to the end of a line about it; what follows is drawn from there."""
+        """Moves each mark to a nearby end of a line; the steps after it continue from there."""
         for m, n in enumerate(self.plan.labels):
             drawn = self.plan.draw(h, {n: numpy.array([v]) for n, v in held.items()}, 1)
             if drawn is not None and self.ink.ends.size:
@@ -258,7 +259,7 @@ class Scorer:
                 held[n] += nearest if abs(nearest) < about else 0j
 
     def _moved(self, h: Hypothesis, held: dict[str, complex], about: int, moves: list[tuple[str, complex]]) -> Array:
-        """What it is worth to move each mark on from where it is ``held``, once no move gains anything."""
+        """The scores of moving each mark from where it is ``held``, once no move improves the score."""
         best, scores = -math.inf, numpy.zeros(0)
         for _ in range(w.ROUNDS):
             tried = {n: numpy.full(len(moves) + 1, v) for n, v in held.items()}
@@ -287,15 +288,15 @@ class Scorer:
         return Laid(h, score, cover, places, self._sigmas(scores), strange, moved, erred)
 
     def _sigmas(self, scores: Array) -> dict[str, float]:
-        """How surely ink tells each mark where it settled, by how much worse it is elsewhere: a parabola's σ."""
+        """How well the ink locates each settled mark, by the drop of the score around it: σ of a parabola."""
         sizes, sigmas = w.MOVES_MM[-1][1], dict[str, float]()
         worse = (scores[0] - scores[1:]).reshape(len(self.plan.names), len(sizes), 8)[:, 0]  # at the largest move
         for name, off in zip(self.plan.names, worse, strict=True):
-            own = w.HAND * (sizes[0] / self._spread(name)) ** 2  # what but a hand's habit speaks against it
-            least = float((off[:4] + off[4:]).min()) / 2 - own  # along the way it is known least
+            own = w.HAND * (sizes[0] / self._spread(name)) ** 2  # the prior against a drawing error alone
+            least = float((off[:4] + off[4:]).min()) / 2 - own  # in the least certain direction
             sigmas[name] = min(sizes[0] / math.sqrt(2 * max(least, 1e-3)), w.REACH_MM)
             if self.plan.kind == "position" and any(name in line for line in self.plan.lines):
-                sigmas[name] = min(sigmas[name], w.SIGN_MM)  # its sign hides where its line ends
+                sigmas[name] = min(sigmas[name], w.SIGN_MM)  # its symbol hides the end of its line
         return sigmas
 
     def _lines(self, h: Hypothesis, places: Complexes) -> tuple[Complexes, Complexes]:
@@ -303,7 +304,7 @@ class Scorer:
         return a + self.pole, b + self.pole
 
     def _room(self, z: Complexes) -> Box:
-        """About all that may have been drawn."""
+        """The box around all that may have been drawn."""
         z = z[numpy.isfinite(z) & (abs(z - self.pole) < max(w.ROOM_MM, self.ink.reach_mm))]
         rim = w.MARGIN_MM * (1 + 1j)
         return Box(complex(z.real.min(), z.imag.min()) - rim, complex(z.real.max(), z.imag.max()) + rim)

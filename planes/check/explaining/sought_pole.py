@@ -1,4 +1,4 @@
-"""Where a plan's pole is that nobody told of: where its lines, laid from there, find the most ink."""
+"""Locates the unknown pole of a plan: the point from which its lines cover the most ink."""
 
 import numpy
 
@@ -8,15 +8,17 @@ from planes.check.explaining.hypotheses import catalogue
 from planes.check.explaining.plan_lines import Hypothesis, PlanLines, to_be_seen
 from planes.geometry.arrays import Array, Complexes
 
-CELL_MM, NEAR_MM = 1.5, 1.0  # of places that are tried, where there is ink; about the best of them
+CELL_MM, NEAR_MM = 1.5, 1.0  # grid of candidates on ink; refinement around the best of them
 STEPS = numpy.arange(-NEAR_MM, NEAR_MM + 0.1, 0.5)
-PLAINLY = 0.9  # the share of its lines by which the right plan is plainly there
+PLAINLY = 0.9  # share of its lines at which the right plan is clearly there
 AT_ONCE = 2000
 
 
 def sought_pole(plan: PlanLines, ink: SheetInk, cells: Complexes | None = None, price: Array | float = 0.0) -> complex:
-    """The likeliest pole of the right plan; where that is not plainly there, of a mistake's; there must be ink. Its
-    places may be known, with what each costs."""
+    """The likeliest pole of the right plan, or of a mistake's if that is not clearly there; there must be ink.
+
+    Candidates may be given, each with its cost.
+    """
     known = cells is not None
     cells = numpy.unique(numpy.round(ink.points / CELL_MM)) * CELL_MM if cells is None else cells
     best, most = complex(cells[0]), -numpy.inf
@@ -38,8 +40,10 @@ def sought_pole(plan: PlanLines, ink: SheetInk, cells: Complexes | None = None, 
 
 
 def _laid_from(plan: PlanLines, ink: SheetInk, drawn: Complexes, poles: Complexes) -> tuple[Array, Array]:
-    """What it is worth to lay a drawing's lines from each of some poles, and the share of them that is there; of a
-    force polygon those sides that begin or end there, in whatever order it is laid."""
+    """The score of a drawing's lines laid from each of some poles, and the share of them found.
+
+    For a force polygon only the sides at the pole count, whatever the order.
+    """
     a, b = plan.laid(drawn)
     seen = (to_be_seen(a, b) & plan.needed)[0]
     a, b = a[0, seen], b[0, seen]

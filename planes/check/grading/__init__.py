@@ -1,1 +1,1 @@
-"""Marks judged step by step, and the mistakes that explain them."""
+"""Judges marks step by step and finds the mistakes that explain them."""

@@ -1,4 +1,4 @@
-"""Which results of a position nobody can judge as they are drawn by hand: so near a dead point is it."""
+"""Results of a position that cannot be judged by hand drawing, so close to a dead point."""
 
 from collections.abc import Iterator
 
@@ -13,7 +13,7 @@ RATES = ("v", "a", "omega", "epsilon")
 
 
 def unsure(position: Position) -> Iterator[str]:
-    """The names of rates that a hand's errors leave nothing sure of, as a check of them says too."""
+    """The names of rates that drawing errors make unreliable; a check of them agrees."""
     asked = [f.quantity for f in position.found if f.quantity.group in MOTION and f.quantity.key in RATES]
     needs = [n for q in asked for n in q.needs]
     plans = position.plans

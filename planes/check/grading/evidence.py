@@ -1,8 +1,8 @@
-"""How much a drawing shows, and how sure a verdict on it is.
+"""The evidence in a drawing, and the certainty of a verdict on it.
 
-Its scale, where that was not told; what marks put down anywhere would pass for by chance is not judged right. What was
-read is explained by a right drawing; by one mistake of the catalogue; by a mark that is wrong for a reason of its own;
-or, of a picture, by another place taken for the mark that seems wrong. Priors are stated as shares of marks.
+The scale, if not given, is estimated. Marks that random ones would match by chance are not judged right. The readings
+are explained by a right drawing; by one mistake of the catalogue; by a mark wrong for its individual reason; or, in a
+picture, by another point misread as the mark that seems wrong. Priors are shares of marks.
 """
 
 import math
@@ -16,30 +16,30 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.steps import LayOff, Same
 from planes.words.names import POLE, at, kind_of
 
-MOST_BY_CHANCE = 0.02  # how likely marks put anywhere may be to pass: one vector of 50 mm at a scale of its own
-SURE_LENGTHS = 0.05  # the same of lengths, each of which shows half of what a mark does
-SMALLEST = 10.0  # a drawing this many times the error of a mark shows nothing
+MOST_BY_CHANCE = 0.02  # acceptable probability that random marks pass: one vector of 50 mm at a free scale
+SURE_LENGTHS = 0.05  # the same for lengths, each of which carries half the evidence of a mark
+SMALLEST = 10.0  # a drawing smaller than this many times the error of a mark shows nothing
 LEAST_MM = 5.0  # shorter vectors tell little about the scale
-AGREE = 0.02  # vectors whose scales differ by less speak of one
+AGREE = 0.02  # vectors whose scales differ by less have a common scale
 MOST = 8
-SLIP = 0.02  # the share of marks that are wrong for a reason of their own; so likely is each mistake of the catalogue
-MISREAD_MM = 0.7  # half of the places taken for a mark by error are no more than 1.7 times this from it
-ANYWHERE = 0.2  # the share of them that may be anywhere on the drawing
-LIKELY = 0.5  # a verdict no less likely than its opposite; a drawing that is called wrong must be
-SURE = 0.98  # what is less likely is only said to be likely
-ASKED = 0.8  # what is less likely is not said of a picture: it is asked
+SLIP = 0.02  # share of marks wrong for individual reasons; prior of each mistake of the catalogue
+MISREAD_MM = 0.7  # half of the misread points lie within 1.7 times this of the mark
+ANYWHERE = 0.2  # share of misread points anywhere on the drawing
+LIKELY = 0.5  # minimum probability of a verdict; a drawing called wrong must reach it
+SURE = 0.98  # a less certain verdict is called likely
+ASKED = 0.8  # a less certain verdict on a picture becomes a question
 
 
 def size_of(hand: Hand, marks: Iterable[str]) -> float:
-    """How far the person's own marks reach from the pole, mm."""
+    """The extent of the person's own marks from the pole, mm."""
     return max((abs(hand.taken[m].place) for m in marks if m in hand.taken), default=0.0)
 
 
 def by_chance(hand: Hand, misses: dict[str, Miss], limit: float, free: bool, gap_mm: float | None = None) -> float:
-    """How likely marks put anywhere on a drawing of this size are to be as right; ``free``: so is the scale.
+    """The probability that random marks on a drawing of this size are as right; ``free``: the scale is free, too.
 
-    A mark that stands where another does (or the pole) is not seen by itself; a polygon that closes within ``gap_mm``
-    shows as much as a mark does.
+    A mark that coincides with another (or the pole) is no separate evidence; a polygon that closes within ``gap_mm``
+    is as much evidence as a mark.
     """
     size = size_of(hand, misses)
     shares, stand = [] if gap_mm is None else [min(gap_mm / size, 1.0) ** 2], [0j]
@@ -50,20 +50,20 @@ def by_chance(hand: Hand, misses: dict[str, Miss], limit: float, free: bool, gap
         stand.append(place)
     if not free or not shares:
         return math.prod(shares)
-    surest = min(shares)  # what the scale is taken from, of which the direction alone is left
+    surest = min(shares)  # the scale is taken from it, only its direction is left
     return math.prod(shares) / surest * min(math.sqrt(surest) / math.pi, 1.0)
 
 
 def lengths_by_chance(shares: Iterable[float], free: bool) -> float:
-    """The same for lengths, by the share of the longest that each may be wrong by."""
+    """The same for lengths, from the tolerance of each as a share of the longest."""
     chances = [min(s, 1.0) for s in shares]
     return math.prod(chances) / (min(chances) if free else 1.0)
 
 
 def own_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
-    """Scales (mm per unit) worth trying with their relative errors, the stated one first.
+    """Candidate scales (mm per unit) with their relative errors: the stated one first.
 
-    Then what most vectors agree on, taken from the one drawn most surely.
+    Then the scale on which most vectors agree, taken from the most accurate of them.
     """
     scales = [(bench.said_mu, 0.0)]
     if bench.asked.mu:
@@ -80,8 +80,7 @@ def own_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple
 
 
 def _ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
-    """Drawn to true lengths, with what drafting and reading may have done to them: of the vectors of a force plan,
-    of others from the pole."""
+    """Ratios of drawn to true lengths with their errors: of the vectors in a force plan, else from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
     force, pole = kind_of(bench.asked.plan) == "force", at(bench.asked.plan, POLE)
     ratios = []
@@ -99,12 +98,12 @@ def _ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[fl
 
 
 def breadth(extent_mm: float) -> float:
-    """Logarithm of the density of a mark that may be anywhere on the drawing."""
+    """Logarithm of the density of a mark anywhere on the drawing."""
     return -2 * math.log(2 * max(extent_mm, 20.0))
 
 
 def misread(off: complex, broad: float, doubt: float) -> float:
-    """Logarithm of the density of a place taken for a mark by error: near by most often, now and then anywhere."""
+    """Logarithm of the density of a misread point: mostly near the mark, sometimes anywhere."""
     if not doubt:
         return -math.inf
     near = -math.log(2 * math.pi * MISREAD_MM**2) - 1.5 * math.log1p(abs(off) ** 2 / MISREAD_MM**2)
@@ -112,26 +111,27 @@ def misread(off: complex, broad: float, doubt: float) -> float:
 
 
 def density(miss: Miss, broad: float, doubt: float) -> float:
-    """Logarithm of the density of a miss of a mark that is right, but for the errors of hand and reading."""
+    """Logarithm of the density of the miss of a right mark, with drawing and reading errors."""
     if not math.isfinite(miss.sigmas):
         return -math.inf
     return float(numpy.logaddexp(miss.log_density + math.log1p(-doubt), misread(miss.off, broad, doubt)))
 
 
 def mixed(miss: Miss, broad: float, doubt: float) -> float:
-    """The same of any mark: now and then it slipped."""
+    """The same for any mark, including occasional slips."""
     return float(numpy.logaddexp(density(miss, broad, doubt) + math.log1p(-SLIP), broad + math.log(SLIP)))
 
 
 def all_drawn(misses: Mapping[str, Miss], broad: float, doubts: Mapping[str, float]) -> float:
-    """Logarithm of how likely it is that none of the marks slipped."""
+    """Logarithm of the probability that none of the marks slipped."""
     return sum(density(m, broad, doubts[n]) + math.log1p(-SLIP) - mixed(m, broad, doubts[n]) for n, m in misses.items())
 
 
 def chance_wrong(right: float, otherwise: float, mistakes: Iterable[float]) -> float:
-    """How likely a drawing is wrong: against all that makes up its marks' densities, of which ``right`` is the share
-    where none slipped, ``otherwise`` weighs another reading under which it is right, ``mistakes`` each mistake (all as
-    logarithms)."""
+    """The probability that a drawing is wrong, from the logarithms of the parts of its marks' densities.
+
+    ``right`` is the part without slips, ``otherwise`` another reading under which it is right, ``mistakes`` one each.
+    """
     named = math.log(SLIP) + float(numpy.logaddexp.reduce([-math.inf, *mistakes]))
     slipped = math.log(-math.expm1(right)) if right < 0 else -math.inf
     good = float(numpy.logaddexp(right, otherwise))
@@ -139,12 +139,12 @@ def chance_wrong(right: float, otherwise: float, mistakes: Iterable[float]) -> f
 
 
 def chance_off(off: float, sigma: float, size: float) -> float:
-    """How likely a number of a known size is wrong that is so far off, and not only measured with an error σ."""
+    """The probability that a number of a known size is wrong, not only measured with an error σ, if it is ``off``."""
     drawn = -0.5 * (off / sigma) ** 2 - math.log(sigma * math.sqrt(2 * math.pi)) if sigma else -math.inf
     slipped = math.log(SLIP) - math.log(2 * max(size, off, sigma))
     return logistic(slipped - drawn)
 
 
 def logistic(odds: float) -> float:
-    """How likely something is, by the logarithm of its odds."""
+    """The probability from the logarithm of its odds."""
     return (1 + math.tanh(odds / 2)) / 2

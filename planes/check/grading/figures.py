@@ -1,4 +1,4 @@
-"""Numbers a person wrote down, as they are read off a drawing: lengths of segments, results."""
+"""Numbers written by a person, with their measurement on a drawing: lengths of segments, results."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -21,14 +21,14 @@ Things = Mapping[str, Real]
 
 @frozen
 class WrittenNumber:
-    """One number: as written (SI or mm), and how it is read off a drawing (an array over the errors' columns)."""
+    """One number: as written (SI or mm), and as measured on a drawing (an array over the error columns)."""
 
     name: str
     given: float
     read: Callable[[Things], Real]
     signed: bool = False
     plan: str = ""
-    value: str = ""  # the program's name of it, if it has one
+    value: str = ""  # its name in the program, if any
     unit: str = ""  # of a result
 
 
@@ -37,8 +37,7 @@ Written = tuple[str, float, str]  # a name, a value and its unit, as written
 
 @dataclass
 class Figures:
-    """What a table holds: its figures; names that mean nothing here, with the nearest there is; what is wrong with the
-    units of other numbers; and what is asked and not there."""
+    """The content of a table: figures; unknown names with the nearest known; faulty units; and missing results."""
 
     figures: list[WrittenNumber]
     unknown: dict[str, str]
@@ -47,13 +46,13 @@ class Figures:
 
     @property
     def notes(self) -> list[Phrase]:
-        """What is said of the numbers left out."""
+        """Notes on the numbers left out."""
         unknown = [Phrase("check_unknown_results", names=offers(self.unknown))] if self.unknown else []
         return [*self.strange.values(), *unknown]
 
 
 def offers(unknown: Mapping[str, str]) -> tuple[Told, ...]:
-    """Names that mean nothing here, each with the nearest there is."""
+    """Unknown names, each with the nearest known one."""
     return tuple(Phrase("check_name_near", name=name, near=near) if near else name for name, near in unknown.items())
 
 
@@ -65,7 +64,7 @@ def _nearest(written: str, names: Names) -> str:
 def read_results(
     known: Mapping[str, Quantity], names: Names, written: Sequence[Written], asked: Iterable[str]
 ) -> Figures:
-    """The figures of a table of results, in SI; a name of two that are one quantity means that."""
+    """The figures of a table of results, in SI; two names of one quantity are equivalent."""
     meant = {text: names.meant(text) for text, *_ in written}
     sure = {text: one[0] for text, one in meant.items() if len({known[n].path for n in one}) == 1}
     figures, unknown, strange = list[WrittenNumber](), dict[str, str](), dict[str, Phrase]()
@@ -86,7 +85,7 @@ def read_results(
 
 
 def figure(name: str, q: Quantity, value: float) -> WrittenNumber:
-    """How a quantity of the catalogue is read off a drawing."""
+    """The measurement of a quantity of the catalogue on a drawing."""
     one = q.whole
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
     return WrittenNumber(name, value, lambda things: one.take(things, Many()), not one.part, plan, one.value, one.unit)
@@ -113,5 +112,5 @@ def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Real]:
 
 
 def first_of(value: Real) -> float:
-    """A value without the columns of its errors."""
+    """A value without its error columns."""
     return float(value[0] if getattr(value, "shape", None) else value)

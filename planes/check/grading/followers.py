@@ -1,7 +1,7 @@
-"""What shows where a mark is: itself, or marks drawn from it that cannot all stay in their places while it moves.
+"""Evidence for the position of a mark: itself, or marks drawn from it that cannot all stay in place while it moves.
 
-A Coriolis end may slide along its own line, and nothing drawn from it moves; so that end is not seen in them. How the
-followers move with a mark is the Jacobian of the steps between: it must have full rank.
+A Coriolis end may slide along its own line without moving any mark drawn from it, so these do not show that end. The
+Jacobian of the steps between relates a mark to its followers: it must have full rank.
 """
 
 from collections.abc import Collection, Iterable
@@ -16,13 +16,13 @@ from planes.geometry.arithmetic import Arithmetic
 from planes.geometry.arrays import Array
 from planes.words.errors import PlanesError
 
-MOVED_MM = 0.01  # a mark is moved so little that lines stay lines
-SEEN = 0.25  # a follower that moves less than this part of a mark's way lies within a hand's error
+MOVED_MM = 0.01  # step small enough for lines to stay lines
+SEEN = 0.25  # a follower that moves by a smaller share of a mark's displacement lies within the drawing error
 Showing = list[tuple[str, ...]]
 
 
 def roots_of(program: Program) -> dict[str, set[str]]:
-    """Every thing drawn with the marks it was drawn from, itself among them."""
+    """Every element with the marks from which it was drawn, including itself."""
     roots: dict[str, set[str]] = {}
     for step in program.steps:
         marks = (n for n, kind in step.reads() if kind == "mark")
@@ -31,7 +31,7 @@ def roots_of(program: Program) -> dict[str, set[str]]:
 
 
 def showing(truth: Drawing, mark: str, marks: Iterable[str]) -> Showing:
-    """The sets of ``marks`` that tell where one is, itself first; each one or two of those drawn from it."""
+    """The sets of ``marks`` that determine the position of one: itself, then one or two of those drawn from it."""
     moves = _moves(truth, mark, [m for m in marks if m != mark])
     alone = [m for m, jacobian in moves.items() if _full(jacobian)]
     rest = [m for m in moves if m not in alone]
@@ -40,7 +40,7 @@ def showing(truth: Drawing, mark: str, marks: Iterable[str]) -> Showing:
 
 
 def _moves(truth: Drawing, mark: str, others: Collection[str]) -> dict[str, Array]:
-    """By follower the matrix of how it moves with a mark, mm a mm."""
+    """For each follower the matrix of its displacement with a mark, mm per mm."""
     columns = []
     steps = truth.program.touched([mark])
     for way in (1.0, 1j):
@@ -56,5 +56,5 @@ def _moves(truth: Drawing, mark: str, others: Collection[str]) -> dict[str, Arra
 
 
 def _full(jacobian: Array) -> bool:
-    """Whether no way of the mark leaves these followers where they are."""
+    """Whether every displacement of the mark moves some of these followers."""
     return bool(numpy.linalg.svd(jacobian, compute_uv=False)[-1] >= SEEN)

@@ -1,4 +1,4 @@
-"""Check a person's drawing of one plan: align it, find its scale, grade every mark, name the first mistake."""
+"""Checks a person's drawing of one plan: aligns it, finds its scale, grades every mark, names the first mistake."""
 
 import math
 from collections.abc import Mapping
@@ -21,11 +21,11 @@ from planes.plans.scales import ZERO_MM, extent
 from planes.words import Phrase, Written
 from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
 
-OWN_SCALE = -3.0  # the logarithm of how unlikely a scale other than the stated one is, before looking
-LONG_MM = 3.0  # a shorter vector shows no scale, and may not be seen at all
-NAMELESS = "?"  # begins the name of a line that has none
-FAR_MM = 3.0  # a mark this far off was not merely misread
-FITTING = 0.9  # the share of the other marks that must be seen, and right, before one of them is blamed
+OWN_SCALE = -3.0  # logarithm of the prior odds of a scale other than the stated one
+LONG_MM = 3.0  # a shorter vector shows no scale, and may be invisible
+NAMELESS = "?"  # prefix of the names of unnamed lines
+FAR_MM = 3.0  # an error this large is no misreading
+FITTING = 0.9  # share of the other marks that must be seen and right before a single one is blamed
 
 
 @dataclass
@@ -43,16 +43,16 @@ class Grading:
     said_mu: bool
     rebuilt: Rebuilt | None
     notes: list[Phrase] = field(default_factory=list)
-    unknown: list[str] = field(default_factory=list)  # names of marks that the plan has not
+    unknown: list[str] = field(default_factory=list)  # names of marks that the plan lacks
 
     @property
     def gap(self) -> complex:
-        """By how much a force polygon fails to close, mm."""
+        """The closing error of a force polygon, mm."""
         return self.rebuilt.gap.place if self.rebuilt and self.rebuilt.gap else 0j
 
     @property
     def gap_wrong(self) -> float | None:
-        """How far that is, where it is more than a hand's error and short forces that nobody saw make up."""
+        """The size of the closing error, where drawing errors and short unseen forces do not account for it."""
         return abs(self.gap) if self._gap_past > sum(self._unseen_mm.values()) else None
 
     @property
@@ -61,25 +61,25 @@ class Grading:
 
     @property
     def _unseen_mm(self) -> dict[str, float]:
-        """How long the short forces are that nobody saw, by their marks."""
+        """Lengths of the short unseen forces, by their marks."""
         absent = [m for m in self.marks if self.rebuilt and label_of(m) in self.rebuilt.absent]
         lengths = {label_of(m): self.laid_mm(m) for m in absent}
         return {m: mm for m, mm in lengths.items() if ZERO_MM <= mm <= LONG_MM}
 
     def laid_mm(self, mark: str) -> float:
-        """How long a vector is that is laid off; 0 of what is drawn in another way."""
+        """The length of a vector that is laid off; 0 for other constructions."""
         step = self.hand.program.makers[mark]
         return float(abs(self.truth[mark] - self.truth[step.start])) if isinstance(step, LayOff) else 0.0
 
     @property
     def gap_sigma(self) -> float | None:
-        """The hand's error of closing a polygon, mm; None where nothing is there to close it."""
+        """The drawing error at the closure of a polygon, mm; None if there is no closure."""
         gap = self.rebuilt.gap if self.rebuilt else None
         return math.sqrt(2 * self.hand.tool.skill.point_mm**2 + 2 * gap.error_mm**2) if gap else None
 
     @property
     def chance_wrong(self) -> float:
-        """How likely it is that something is wrong: a mark, a force left out, a polygon that does not close."""
+        """The probability of an error: in a mark, a force left out, a polygon that does not close."""
         if self._confused():
             return 0.5
         if self.left_out:
@@ -91,7 +91,7 @@ class Grading:
         return max(self.judgement.chance_wrong, chance_wrong(closed, -math.inf, ()))
 
     def _confused(self) -> bool:
-        """Whether what is wrong with a polygon may only be that its vectors were told wrongly."""
+        """Whether the fault of a polygon may only be a confusion of its vectors."""
         named = self.judgement.named
         missing = named.blames if named and named.mistake.endswith(LEFT_OUT) else self.left_out
         if self.rebuilt is None or not (missing or (self.judgement.wrong and not named)):
@@ -102,14 +102,14 @@ class Grading:
 
     @property
     def left_out(self) -> str | None:
-        """A known force that is not in the polygon and that nothing read was drawn from."""
+        """A known force that is missing in the polygon, with no read mark drawn from it."""
         if self.rebuilt is None or self.judgement.wrong:
             return None
         roots = roots_of(self.hand.program)
         used = set[str]().union(*(roots[m] for m in self.judgement.misses))
         for mark in self.marks:
             step = self.hand.program.makers[mark]
-            if isinstance(step, LayOff) and self.laid_mm(mark) > LONG_MM:  # what is short may be there, unseen
+            if isinstance(step, LayOff) and self.laid_mm(mark) > LONG_MM:  # a short one may be there, unseen
                 miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
                 if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
                     return label_of(mark)
@@ -117,7 +117,7 @@ class Grading:
 
     @property
     def otherwise(self) -> Phrase | None:
-        """What is wrong though no mark is: a force that is not there, a polygon that does not close."""
+        """An error though no mark is wrong: a missing force, a polygon that does not close."""
         if left := self.left_out:
             return Phrase(f"mistake_{'weight' if letter_of(left) == 'G' else 'force'}_missing", mark=left)
         gap, closing = self.gap_wrong, self.rebuilt.closing if self.rebuilt else ""
@@ -125,7 +125,7 @@ class Grading:
 
     @property
     def fault(self) -> Phrase | None:
-        """What goes wrong first and how to mend it."""
+        """The first error and its correction."""
         named, wrong = self.judgement.named, self.judgement.wrong
         if named:
             return named.sentence
@@ -137,8 +137,10 @@ class Grading:
 
     @property
     def unseen(self) -> list[str]:
-        """Marks not read whose place no read ones tell, short forces without which a polygon does not close, a mark
-        that a mistake explains as well as a hand's error, and names that mean nothing here."""
+        """Unread marks not determined by others, short forces needed for a polygon to close, and unknown names.
+
+        A mark counts, too, if a mistake explains it as well as a drawing error.
+        """
         read = self.judgement.misses.keys()
         hidden = [label_of(m) for m, ways in self.shown_by.items() if not any(read >= {*way} for way in ways)]
         doubted = [self.judgement.as_well.blames] if self.judgement.as_well else []
@@ -146,38 +148,40 @@ class Grading:
 
     @cached_property
     def shown_by(self) -> dict[str, Showing]:
-        """By mark what shows where it is: it, or marks drawn from it. What stands on another one needs no look."""
+        """For each mark the evidence of its position: itself, or marks drawn from it; coincident marks need none."""
         there = [m for m in self.marks if not self._upon_another(self.hand.program.makers[m])]
         absent = self.rebuilt.absent if self.rebuilt else ()
         return {m: showing(self.truth, m, self.marks) for m in there if label_of(m) not in absent}
 
     def _upon_another(self, step: Step) -> bool:
-        """Whether a mark is another's, or so near to where it is laid off from that no such hand sets them apart."""
+        """Whether a mark coincides with another, or its laid-off length is within the drawing error."""
         return isinstance(step, Same) or (
             isinstance(step, LayOff) and self.laid_mm(step.makes) < SIGMAS * self.hand.tool.skill.point_mm
         )
 
     @property
     def first_wrong(self) -> str | None:
-        """The mark where it goes wrong: drawn wrongly, left out, or where a polygon should close."""
+        """The mark of the first error: drawn wrongly, left out, or where a polygon should close."""
         return str(self.fault.parts["mark"]) if self.fault else None
 
     @property
     def runner_up(self) -> str | None:
-        """The mistake that explains what is drawn wrongly next best."""
+        """The second most likely mistake."""
         judgement = self.judgement
         return judgement.runner_up.mistake if judgement.runner_up and judgement.first_wrong else None
 
     @property
     def chance(self) -> float:
-        """How likely marks put anywhere on the drawing would be as right."""
+        """The probability that random marks on the drawing would be as right."""
         j, sigma = self.judgement, self.gap_sigma
         return by_chance(self.hand, j.misses, j.limit, not self.said_mu, j.limit * sigma if sigma else None)
 
     @property
     def sure_by_itself(self) -> bool:
-        """Whether marks read with no pole named show by themselves that they were told rightly: there are several, and
-        what is wrong is so by far, while nearly all others were seen and are right."""
+        """Whether marks read without a named pole prove themselves rightly identified.
+
+        There are several; the wrong ones are far off, while nearly all others were seen and are right.
+        """
         judgement, apart = self.judgement, [0j]
         for place in (self.hand.taken[m].place for m in judgement.misses):
             apart += [place] if all(abs(place - z) > FAR_MM for z in apart) else []
@@ -195,7 +199,7 @@ class Grading:
 
 
 def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
-    """Grade a paper of marks at the scale that explains it best; None when no mark of the plan was read."""
+    """Grades a paper of marks at the scale that explains it best; None if no mark of the plan was read."""
     spots, rebuilt, unknown = align(bench, bench.asked.plan, paper)
     if not spots:
         return None
@@ -216,7 +220,7 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
 
 
 def _rescaled(grading: Grading) -> bool:
-    """Whether another scale may be behind the wrong marks: of a force plan all forces would be wrong, not one."""
+    """Whether another scale may cause the wrong marks: in a force plan all forces would be wrong, not one."""
     if not grading.judgement.wrong or kind_of(plan_of(grading.marks[0])) != "force":
         return bool(grading.judgement.wrong)
     laid = [m for m in grading.judgement.misses if grading.laid_mm(m) > LONG_MM]
@@ -226,24 +230,24 @@ def _rescaled(grading: Grading) -> bool:
 def _grade_at(
     bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, ReadMark], rebuilt: Rebuilt | None = None
 ) -> Grading:
-    """Grade at one scale."""
+    """Grades at one scale."""
     skill, name = bench.asked.skill, mu_of(bench.asked.plan)
     given = {**bench.given, name: mu}
     unsure = {name: share} if share and name in bench.program.givens else {}
     hand, truth = Hand(bench.program, given, skill, taken, unsure), run(bench.program, given)
     free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
-    own = {m: taken[m] for m in bench.marks if m in taken}  # how far from where drafting alone may lead a person
+    own = {m: taken[m] for m in bench.marks if m in taken}  # the largest error from drafting alone
     apart = {m: free.miss(free.things[m], t.place).blurred(t.error_mm) for m, t in own.items()}
     absent = rebuilt.absent if rebuilt else ()
     judgement = judge(hand, bench.marks, variants_of(bench, hand.taken, mu), extent(truth, bench.asked.plan), absent)
     wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
-    judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but where it should be
+    judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but in the right place
     doubtful = any(t.doubt for t in own.values()) and judgement.chance_wrong < 1 - SURE and at_home >= apart.keys()
     if doubtful and not judgement.named and all(apart[m].sigmas < 1 for m in judgement.wrong):
-        judgement.wrong = []  # all are where they should be: what the first was drawn from was read a little off
+        judgement.wrong = []  # all are in the right place: the base of the first was misread slightly
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free, mu == bench.said_mu, rebuilt)
 
 
 def empty(bench: PreparedPlan) -> Grading:
-    """The grading of a drawing of which no mark is read yet, at the stated scale."""
+    """The grading of a drawing before any mark is read, at the stated scale."""
     return _grade_at(bench, bench.said_mu, 0.0, earlier(bench))

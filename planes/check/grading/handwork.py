@@ -1,7 +1,7 @@
-"""The hand: runs a program on a person's own marks; what a step misses by is its grade.
+"""The hand: runs a program on a person's own marks and grades each step by its miss.
 
-Each mark that was read is looked up instead of drawn, so the next step starts from where the person really was and
-one early mistake is blamed once. A variant of some steps (a mistake supposed) re-draws only what it touches.
+Each mark that was read is looked up instead of drawn, so the next step starts from the person's actual mark and one
+early mistake is blamed once. A variant of some steps (an assumed mistake) redraws only the steps it affects.
 """
 
 from __future__ import annotations
@@ -25,44 +25,44 @@ from planes.geometry.arithmetic import Point, Truth
 from planes.words.frozen import field, frozen, replace
 from planes.words.names import POLE, label_of, plan_of
 
-LEAST_MM = 0.1  # no mark on paper is surer than this
+LEAST_MM = 0.1  # minimum error of a mark on paper
 
 
 @frozen
 class Miss:
-    """By how much a mark (complex, mm) or a value (real) is off what its step makes, with its covariance."""
+    """The miss of a mark (complex, mm) or a value (real) from the result of its step, with its covariance."""
 
     off: complex
     cov: tuple[float, float, float]  # xx, xy, yy
-    change: Point = field(default=None, compare=False, repr=False)  # what each error of the drawing adds to it
+    change: Point = field(default=None, compare=False, repr=False)  # contribution of each error of the drawing
 
     @property
     def sigmas(self) -> float:
-        """Mahalanobis distance: how many standard deviations, in whatever direction it is."""
+        """Mahalanobis distance: the miss in standard deviations, in its direction."""
         xx, xy, yy = self.cov
         det = xx * yy - xy * xy
         x, y = self.off.real, self.off.imag
         return math.sqrt(max((yy * x * x - 2 * xy * x * y + xx * y * y) / det, 0.0))
 
     def reach(self, limit: float) -> float:
-        """The tolerance in mm in the direction of the miss (if none: the largest)."""
+        """The tolerance in mm in the direction of the miss (if zero: the largest)."""
         sigmas, off = self.sigmas, abs(self.off)
         return limit * (off / sigmas if sigmas > 1e-9 and off > 1e-9 else self.worst)
 
     def blurred(self, error_mm: float) -> Miss:
-        """The same of a mark that was read with an error (each way)."""
+        """The same with an additional reading error of the mark (in each direction)."""
         xx, xy, yy = self.cov
         return replace(self, cov=(xx + error_mm**2, xy, yy + error_mm**2))
 
     @property
     def worst(self) -> float:
-        """The standard deviation in the direction where it is largest, mm."""
+        """The largest standard deviation over all directions, mm."""
         xx, xy, yy = self.cov
         return math.sqrt((xx + yy) / 2 + math.hypot((xx - yy) / 2, xy))
 
     @property
     def mean(self) -> float:
-        """The standard deviation of a round error of the same area, mm."""
+        """The standard deviation of a circular error of the same area, mm."""
         xx, xy, yy = self.cov
         return math.sqrt(math.sqrt(max(xx * yy - xy * xy, 0.0)))
 
@@ -79,19 +79,21 @@ def by_protractor(step: Step, given: Mapping[str, Point]) -> bool:
 
 
 class Person(Tool):
-    """How a person draws, with whatever numbers: marks that were ``read`` are looked up, not drawn; what has an angle
-    no set square has is drawn by the protractor; his own segment is measured as it lies, only its sign is by the
-    direction."""
+    """A person's drawing, for any kind of numbers: marks that were ``read`` are looked up, not drawn.
 
-    own: dict[str, Point]  # his marks, with the errors of reading them
-    values: Mapping[str, Point]  # what was given
+    An angle that no set square has is drawn by protractor; the person's own segment is measured as drawn, and the
+    direction determines only its sign.
+    """
+
+    own: dict[str, Point]  # the person's marks with reading errors
+    values: Mapping[str, Point]  # the given values
 
     def is_read(self, mark: str) -> Truth:
         """Whether a mark is the person's own (the pole is)."""
         return mark in self.own or (label_of(mark) == POLE and any(plan_of(m) == plan_of(mark) for m in self.own))
 
     def sure(self, thing: Point) -> Point:
-        """A thing without the errors of hand and ruler."""
+        """An element without drawing and ruler errors."""
         return thing
 
     def draw(self, step: Step, things: Env) -> Point:
@@ -112,19 +114,19 @@ class Person(Tool):
 
 
 class _Marking(Person, Nudged):
-    """A person at work, each error in its own column."""
+    """A person at work, each error in a separate column."""
 
     def sure(self, thing: Point) -> Point:
         return self.spread(thing + 0j)[0]
 
 
 def _changes(row: Point) -> Point:
-    """What each error adds to a thing."""
+    """The contribution of each error to an element."""
     return numpy.nan_to_num(row[1:] - row[0], nan=0.0, posinf=0.0, neginf=0.0)
 
 
 class Hand:
-    """A program run on a person's marks (``taken``), with the errors of ``skill`` carried through it."""
+    """A program run on a person's marks (``taken``), with the errors of ``skill`` propagated through it."""
 
     def __init__(
         self,
@@ -135,7 +137,7 @@ class Hand:
         unsure: Mapping[str, float] = MappingProxyType({}),
     ) -> None:
         self.program, self.taken = program, taken
-        self.given, self.unsure = given, unsure  # a result may be of a given, or need a scale no step asks
+        self.given, self.unsure = given, unsure  # a result may be of a given, or need a scale used by no step
         shared = max((len(t.shared) for t in taken.values()), default=0)
         columns, width = columns_of(program.steps, [*taken, *self.unsure], shared)
         self.tool = _Marking(skill, columns, width)
@@ -144,19 +146,19 @@ class Hand:
         self.tool.own = {n: self.tool.taken(n, t.place, errors[n], t.shared) for n, t in taken.items()}
         self.tool.values = self.given
         self.things: Env = dict(self.given)
-        for name, share in self.unsure.items():  # a given that is itself only estimated: its relative error
+        for name, share in self.unsure.items():  # relative error of an estimated given
             value = self.tool.spread(float(self.things[name]))
             value[columns[f"read {name}"]] *= 1 + share
             self.things[name] = value
         self.made = draw_steps(program.steps, self.things, self.tool)
 
     def misses(self, marks: Sequence[str], made: Env | None = None) -> dict[str, Miss]:
-        """What each of the marks misses by, for the steps as they are (or as ``made`` by a variant)."""
+        """The miss of each mark, for the original steps (or those ``made`` by a variant)."""
         made = self.made if made is None else made
         return {m: self.miss(made[m], self.things[m]) for m in marks if m in self.taken and m in made}
 
     def miss(self, drawn: Point, read: Point) -> Miss:
-        """How far two arrays of columns are apart."""
+        """The difference between two arrays of columns."""
         off = self.tool.spread(read - drawn + 0j)
         change = _changes(off)
         floor = LEAST_MM**2
@@ -169,10 +171,10 @@ class Hand:
         return math.sqrt(float(change @ change))
 
     def number(self, name: str) -> Point:
-        """A thing of the drawing without its columns."""
+        """An element of the drawing without its columns."""
         value = self.things[name]
         return value[0].item() if getattr(value, "shape", None) else value
 
     def under(self, variant: Variant) -> Env:
-        """What the steps touched by a variant make of the person's marks, everything else unchanged."""
+        """The person's marks redrawn by the steps that a variant affects, everything else unchanged."""
         return variant.drawn(self.program, self.things, self.tool, self.taken)

@@ -1,11 +1,11 @@
-"""Judging a hand's misses: which mark is the first wrong one, and which mistake of the catalogue explains it.
+"""Judges misses: finds the first wrong mark and the mistake of the catalogue that explains it.
 
 Every mistake is a hypothesis with the likelihood of the drawing under it, every mark given those before it; "correct
-but for noise" and "wrong there for some other cause" are hypotheses too. A mistake is named when it beats them and the
-runner-up. Where all marks are within limits, close calls are looked at again for a mistake that explains them.
+but for noise" and "wrong there for some other cause" are hypotheses, too. A mistake is named if it beats them and the
+runner-up. If all marks are within limits, close calls are examined again for a mistake that explains them.
 
-Marks share errors: a scheme drawn a little askew is seen in a force of inertia, and again in the reaction reckoned
-from that force's moment. What one mark shows of such an error is expected in the next, and is no news there.
+Marks share errors: a slight skew of a scheme appears in a force of inertia, and again in the reaction computed from the
+moment of that force. The part of such an error shown by one mark is expected in the next, and is no new evidence there.
 """
 
 import math
@@ -22,30 +22,30 @@ from planes.drafting.steps.reckoning import Calculate
 from planes.words.frozen import frozen
 from planes.words.names import label_of
 
-FALSE_ALARM = 0.02  # of right drawings, how many a hand as shaky as supposed would see refused
+FALSE_ALARM = 0.02  # share of right drawings with the assumed unsteadiness of hand that would be rejected
 WARN = 2.486  # as rare in two dimensions as 2σ in one
-OTHER_CAUSE = 0.1  # the weight of "some other cause" beside a named mistake
-UNDRAWN = 0.1  # the weight of "drawn wrongly" beside "left out", for a mark that is not on the drawing
+OTHER_CAUSE = 0.1  # weight of "some other cause" against a named mistake
+UNDRAWN = 0.1  # weight of "drawn wrongly" against "left out", for a mark missing in the drawing
 LEFT_OUT = ("_missing", "_along_loaded_link")
-MARGIN = 0.7  # the logarithm of how much better than the runner-up a mistake must be
-TOO_WELL = math.log(20)  # the logarithm of how much better than chance a mistake must explain what is within limits
-# a mark this many σ off may as well show a mistake that explains it so much (a logarithm) better than a hand's error
+MARGIN = 0.7  # minimum logarithm of a mistake's odds over the runner-up
+TOO_WELL = math.log(20)  # minimum logarithm of a mistake's odds over chance, for marks within limits
+# a mark this many σ off may show a mistake whose odds over a drawing error (a logarithm) reach this value
 NEAR, AS_WELL = 1.8, math.log(8)
 
 
 @dataclass
 class Judgement:
-    """What was found: misses of every mark, the wrong ones in order of drawing, and what explains the first."""
+    """The findings: misses of every mark, the wrong ones in order of drawing, and the explanation of the first."""
 
     limit: float
     misses: dict[str, Miss]
     wrong: list[str] = field(default_factory=list)
     named: Variant | None = None
     runner_up: Variant | None = None
-    as_well: Variant | None = None  # of marks within limits, the mistake that explains them as well as a hand's error
-    explained: Mapping[str, Miss] = field(default_factory=dict)  # by how much marks miss where the mistake puts them
-    score: float = 0.0  # logarithm of how likely the drawing is, with the mistake that is named or without any
-    chance_wrong: float = 0.0  # how likely it is that some mark is wrong
+    as_well: Variant | None = None  # for marks within limits, the mistake that explains them as well as a drawing error
+    explained: Mapping[str, Miss] = field(default_factory=dict)  # misses of marks under the mistake
+    score: float = 0.0  # log likelihood of the drawing, with the named mistake or without any
+    chance_wrong: float = 0.0  # probability that some mark is wrong
 
     @property
     def first_wrong(self) -> str | None:
@@ -55,7 +55,7 @@ class Judgement:
         return label_of(self.wrong[0]) if self.wrong else None
 
     def missed(self, mark: str, verdict: str) -> Miss | None:
-        """By how much a mark misses what its step makes; what the mistake named makes, where it follows from that."""
+        """The miss of a mark from its step's result; from the named mistake's result, if it follows from that."""
         own = self.misses.get(mark)
         return self.explained.get(mark, own) if verdict == "follows" else own
 
@@ -63,7 +63,7 @@ class Judgement:
 def judge(
     hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_mm: float, absent: Collection[str] = ()
 ) -> Judgement:
-    """Grade the marks of a hand, in order of drawing, and name the first mistake; ``absent`` are not there at all."""
+    """Grades marks in order of drawing and names the first mistake; ``absent`` marks are missing."""
     weighing = _Weighing(hand, marks, breadth(extent_mm))
     judgement = Judgement(weighing.limit, weighing.misses)
     judgement.wrong = [m for m, miss in judgement.misses.items() if not miss.sigmas <= judgement.limit]
@@ -72,7 +72,7 @@ def judge(
     suspects = judgement.wrong[:1] or [m for m, miss in judgement.misses.items() if miss.sigmas > NEAR]
     close = any(judgement.misses[m].sigmas > WARN for m in suspects)
     ranked = weighing.ranked(variants, drawn, suspects) if suspects else []
-    if ranked and judgement.wrong:  # is the likeliest mistake good enough to explain the first wrong mark?
+    if ranked and judgement.wrong:  # does the likeliest mistake explain the first wrong mark well enough?
         _keep(judgement, ranked, ranked[0].score >= max(0.0, weighing.unknown(judgement.wrong[0])))
     elif ranked and close and ranked[0].score >= TOO_WELL:  # it explains close calls too well for chance
         judgement.wrong = [m for m in judgement.misses if label_of(m) == ranked[0].variant.blames]
@@ -101,7 +101,7 @@ class _Weighing:
         self.hand, self.broad = hand, broad
         self.order = order_of_reckoning(hand.program.steps, marks)
         self.plain = hand.misses(marks)
-        # how many σ a mark may miss by: 3σ of a lone one, more where many could each be the unlucky one
+        # limit of a miss in σ: 3σ for a single mark, more where many could each be the unlucky one
         self.limit = math.sqrt(-2 * math.log(FALSE_ALARM / max(len(self.plain), 4)))
         self.misses = given_before(self.plain, self.order, self.limit)
         self.doubts = {m: hand.taken[m].doubt for m in self.plain}
@@ -111,17 +111,17 @@ class _Weighing:
         return mixed(miss, self.broad, self.doubts[mark])
 
     def unknown(self, mark: str) -> float:
-        """What the score of a mistake must be to explain a mark better than "some other cause", or a misreading."""
+        """The score a mistake needs to explain a mark better than "some other cause" or a misreading."""
         miss = self.misses[mark]
         taken = misread(miss.off, self.broad, self.doubts[mark]) - math.log(SLIP)
         return float(numpy.logaddexp(math.log(OTHER_CAUSE) + self.broad, taken)) - self.mixed(mark, miss)
 
     def gain(self, misses: Mapping[str, Miss]) -> float:
-        """By how much likelier misses are than those of the steps as they are, as a logarithm."""
+        """The log likelihood ratio of misses to those of the original steps."""
         return sum(self.mixed(m, miss) - self.mixed(m, self.misses[m]) for m, miss in misses.items())
 
     def right(self, suspect: str | None) -> float:
-        """Logarithm of how likely it is that no mark slipped, and that a suspected one was rightly read."""
+        """Log probability that no mark slipped and a suspected one was read correctly."""
         share = all_drawn(self.misses, self.broad, self.doubts)
         if suspect is None or not math.isfinite(self.misses[suspect].sigmas):
             return share
@@ -129,7 +129,7 @@ class _Weighing:
         return share + density(miss, self.broad, 0.0) - density(miss, self.broad, doubt)
 
     def misread(self, mark: str) -> float:
-        """The same with another place taken for the suspected one, so that what was drawn from it tells where it is."""
+        """The same with another point misread as the suspected mark, located instead by the marks drawn from it."""
         hand, own = self.hand, self.hand.taken[mark]
         left = {m: t for m, t in hand.taken.items() if m != mark}
         other = Hand(hand.program, hand.given, hand.tool.skill, left, hand.unsure)
@@ -139,7 +139,7 @@ class _Weighing:
         return self.gain(misses) + off - own_miss + all_drawn(misses, self.broad, self.doubts)
 
     def ranked(self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]) -> list[ScoredHypothesis]:
-        """The mistakes that touch a suspected mark, the likeliest first."""
+        """The mistakes that affect a suspected mark, the likeliest first."""
         scored = []
         for variant in variants:
             touched = self.hand.misses(list(self.plain), self.hand.under(variant))
@@ -148,21 +148,23 @@ class _Weighing:
                 continue
             under = given_before({**self.plain, **touched}, self.order, self.limit)
             if any(label_of(m) == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
-                continue  # the mark it is made at is nearer to where it should be than to where the mistake puts it
+                continue  # its mark is nearer to its right position than to the one under the mistake
             score = self.gain(under) + math.log(variant.weight * _likely(variant, drawn))
             scored.append(ScoredHypothesis(score, variant, under))
         return _by_mistake(scored)
 
     def _shows(self, variant: Variant, touched: Mapping[str, Miss]) -> bool:
-        """Whether a mistake puts the mark it is made at (else, where that was not read, some mark), the others known,
-        farther off than a hand's error does; what was left out shows by not being there."""
+        """Whether a mistake moves its mark beyond the drawing error, given the others (if unread: moves some mark).
+
+        A mark left out shows by its absence.
+        """
         own = [m for m in touched if label_of(m) == variant.blames] or touched
         apart = (replace(self.misses[m], off=touched[m].off - self.plain[m].off) for m in own)
         return variant.mistake.endswith(LEFT_OUT) or any(not miss.sigmas <= self.limit for miss in apart)
 
 
 def _keep(judgement: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> None:
-    """Name the likeliest mistake if it is good enough and well ahead of the next."""
+    """Names the likeliest mistake if it is good enough and well ahead of the next."""
     best, rest = ranked[0], ranked[1:]
     if not good or (rest and best.score - rest[0].score < MARGIN):
         judgement.runner_up = best.variant
@@ -173,12 +175,12 @@ def _keep(judgement: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) 
 
 
 def _likely(variant: Variant, drawn: set[str]) -> float:
-    """What is not on the drawing was most likely left out, what is on it was not."""
+    """The weight of a variant: marks missing in the drawing were most likely left out, others were not."""
     return 1.0 if (variant.blames in drawn) != variant.mistake.endswith(LEFT_OUT) else UNDRAWN
 
 
 def _by_mistake(scored: Sequence[ScoredHypothesis]) -> list[ScoredHypothesis]:
-    """The best variant of every mistake, the best mistake first; its variants' likelihoods added up."""
+    """The best variant of every mistake, the best mistake first, with the likelihoods of its variants added up."""
     groups: dict[str, list[ScoredHypothesis]] = {}
     for one in scored:
         groups.setdefault(one.variant.mistake, []).append(one)
@@ -206,7 +208,7 @@ def verdicts(judgement: Judgement, order: Sequence[str], strayed: Mapping[str, b
 
 
 def given_before(misses: Mapping[str, Miss], order: Sequence[str], limit: float) -> dict[str, Miss]:
-    """Every miss with those before it known; a mark off by more than ``limit`` σ tells nothing of others."""
+    """Every miss given those before it; a mark off by more than ``limit`` σ is no evidence about others."""
     names = [m for m in order if m in misses]
     if not names:
         return {}
@@ -226,7 +228,7 @@ def given_before(misses: Mapping[str, Miss], order: Sequence[str], limit: float)
 
 
 def order_of_reckoning(steps: Iterable[Step], marks: Sequence[str]) -> list[str]:
-    """Marks in order of drawing, but that a force reckoned from other ones (F^t, from moments) comes after them."""
+    """Marks in order of drawing, except that a force computed from others (F^t, from moments) comes after them."""
     made = {s.makes: s for s in steps}
     laid = {m: s.length for m in marks if isinstance(s := made[m], LayOff)}
     late = []

@@ -1,4 +1,4 @@
-"""The catalogue of mistakes of velocity and acceleration plans, as variants of the program's own steps."""
+"""The catalogue of mistakes of velocity and acceleration plans, as variants of the program's steps."""
 
 from collections.abc import Iterator, Sequence
 
@@ -33,7 +33,7 @@ def motion_variants(w: PlanSteps) -> Iterator[Variant]:
 
 
 def _driver(w: PlanSteps, quick: bool) -> Iterator[Variant]:
-    """The driver's own motion taken with the wrong sense, or left out."""
+    """The driver's motion taken with the wrong sense, or left out."""
     drive = w.plans.mechanism.drive
     spin, name = "epsilon" if quick else "omega", drive.rates[quick]
     mark = next((s.makes for s in w.own if isinstance(s, LayOff) and _leads(w, name, s.length)), None)
@@ -51,7 +51,7 @@ def _leads(w: PlanSteps, value: str, length: str) -> bool:
 
 
 def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
-    """A mark where two lines cross: one of them in a wrong direction, or from a wrong place."""
+    """An intersection of two lines: one of them in a wrong direction or from a wrong point."""
     sides = (("along", step.along), ("across", step.across))
     for side, direction in sides:
         line, guide = w.link_line(direction), guide_of(direction)
@@ -77,7 +77,7 @@ def _crossed(w: PlanSteps, step: Cross, quick: bool) -> Iterator[Variant]:
 
 
 def _displaced(w: PlanSteps, step: Cross) -> Iterator[Variant]:
-    """The two lines drawn from each other's ends, or the relative velocity laid off backwards."""
+    """Two lines drawn from each other's ends, or the relative velocity laid off backwards."""
     starts = (step.start, step.other)
     if w.pole in starts and step.start != step.other:
         yield w.variant("relative_from_pole", step, replace(step, start=step.other, other=step.start))
@@ -94,7 +94,7 @@ def _similar(w: PlanSteps, step: Similar | Image, quick: bool) -> Iterator[Varia
     start, end = (step.start, step.end) if isinstance(step, Similar) else step.image
     yield from _mirrored(w, step)
     if isinstance(step, Image) and step.start != start:
-        return  # carried from a mark of its own: there is no other end to begin from
+        return  # carried over from a single mark: there is no other end to start from
     about = {"start": label_of(start), "end": label_of(end)}
     if not quick:
         yield w.variant("divided_from_wrong_end", step, _on(step, end, start), about=about)
@@ -118,7 +118,7 @@ def _on(step: Similar | Image, start: str, end: str) -> Step:
 
 
 def _normals(w: PlanSteps, start: str, end: str) -> Iterator[str]:
-    """Ends of normal parts laid off from ``start`` on the way to ``end``."""
+    """Ends of normal components laid off from ``start`` on the way to ``end``."""
     meets = w.steps.get(end)
     for step in w.own:
         normal = step.quantity == "normal" and isinstance(step, LayOff) and step.start == start
@@ -127,7 +127,7 @@ def _normals(w: PlanSteps, start: str, end: str) -> Iterator[str]:
 
 
 def _mirrored(w: PlanSteps, step: Similar | Image) -> Iterator[Variant]:
-    """The similar figure turned over about its base."""
+    """The similar figure mirrored about its base."""
     name, label = f"mirrored {step.makes}", label_of(step.makes)
     if isinstance(step, Similar):
         ratio = complex(w.plans.given[step.ratio]).conjugate()
@@ -140,7 +140,7 @@ def _mirrored(w: PlanSteps, step: Similar | Image) -> Iterator[Variant]:
 
 @frozen
 class Mirror(Step):
-    """The second of the marks ``of`` mirrored in the line through the first along ``like``."""
+    """The second of the marks ``of``, mirrored in the line through the first along ``like``."""
 
     of: tuple[str, str]
     like: tuple[str, str]
@@ -155,7 +155,7 @@ class Mirror(Step):
 
 
 def _normal(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
-    """A normal part: outward, left out, with another velocity, from the pole."""
+    """A normal component: outward, left out, with another velocity, from the pole."""
     yield w.variant("normal_outward", step, *w.reversed_length(step))
     yield w.variant("normal_missing", step, Same(step.makes, step.start))
     if step.start != w.pole:
@@ -173,14 +173,14 @@ def _normal(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
 
 
 def _reckoned(step: LayOff, formula: Calculate, old: Sequence[str], new: str, tag: str) -> tuple[Step, Step]:
-    """A length laid off that is reckoned with another value in the place of some factors."""
+    """A laid-off length computed with another value in place of some factors."""
     factors = tuple((new if n in old else n, power) for n, power in formula.terms[0].factors)
     formula_with_slip = Calculate(f"{step.makes} {tag}", (replace(formula.terms[0], factors=factors),))
     return formula_with_slip, replace(step, length=formula_with_slip.makes)
 
 
 def _velocities(w: PlanSteps, step: LayOff, but: str) -> Iterator[tuple[str, tuple[Step, ...]]]:
-    """Other speeds of the velocity plan, with the step that reads each where none does yet."""
+    """Other speeds of the velocity plan, with a step that reads each if there is none yet."""
     for name, made in w.steps.items():
         plain = isinstance(made, Measure) and plan_of(made.start) == "velocity" and "slide" not in name
         if name != but and plain and w.before(name, step):
@@ -192,7 +192,7 @@ def _velocities(w: PlanSteps, step: LayOff, but: str) -> Iterator[tuple[str, tup
 
 
 def _coriolis(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
-    """A Coriolis part: left out, reversed, halved, with another ω, along the guide."""
+    """A Coriolis component: left out, reversed, halved, with another ω, along the guide."""
     yield w.variant("coriolis_missing", step, Same(step.makes, step.start))
     yield w.variant("coriolis_reversed", step, *w.reversed_length(step))
     yield w.variant("coriolis_half", step, *w.reversed_length(step, 0.5))

@@ -40,7 +40,7 @@ def _force(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
 
 
 def _both(w: PlanSteps, step: LayOff, mistake: str, swap: tuple[Step, ...], factor: float) -> Iterator[Variant]:
-    """A force wrong in the polygon alone, or in the equation of moments too."""
+    """A force wrong in the polygon only, or in the moment equation, too."""
     alone = w.variant(mistake, step, *swap, weight=0.5)
     yield alone
     swaps = _in_moments(w, step, factor)
@@ -49,7 +49,7 @@ def _both(w: PlanSteps, step: LayOff, mistake: str, swap: tuple[Step, ...], fact
 
 
 def _in_moments(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[Step, ...]]:
-    """The plan's moment equations with the terms of one force multiplied."""
+    """The plan's moment equations with the terms of one force multiplied by a factor."""
     arms = {n for n, m in w.plans.means.items() if m.quantity == "arm" and step.means and m.of == step.means.of}
     equations: dict[str, tuple[Step, ...]] = {}
     laid = (s for s in w.own if isinstance(s, LayOff) and s.quantity == "tangential")
@@ -64,7 +64,7 @@ def _in_moments(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[St
 
 
 def _mass(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
-    """Kilograms laid off for newtons."""
+    """A mass in kilograms laid off as a force in newtons."""
     weight = w.formula(step)
     factors = weight.terms[0].factors if weight else ()
     if mass := next((n for n, _ in factors if letter_of(n) == "m"), None):
@@ -75,7 +75,7 @@ def _mass(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
 
 
 def _moments(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
-    """Mistakes of the equation of moments behind a tangential reaction."""
+    """Mistakes of the moment equation for a tangential reaction."""
     if not (formula := w.formula(step)):
         return
     terms = formula.terms
@@ -93,18 +93,18 @@ def _moments(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
 
 
 def _drop(w: PlanSteps, term: Product) -> Drop | None:
-    """How the arm of a term is drawn, if it has one."""
+    """The construction of a term's arm, if it has one."""
     return next((s for n, _ in term.factors if isinstance(s := w.steps.get(n), Drop)), None)
 
 
 def _longer(w: PlanSteps, term: Product) -> Product:
-    """A term with its arm in millimetres of paper."""
+    """A term with its arm in millimetres on paper."""
     drop = _drop(w, term)
     return replace(term, factors=(*term.factors, (drop.mu, 1))) if drop else term
 
 
 def _arm(w: PlanSteps, step: LayOff, term: Product) -> Iterator[Variant]:
-    """The distance between two points, or the wrong leg of the triangle, taken for the arm."""
+    """The distance between two points, or the wrong leg of the triangle, taken as the arm."""
     formula, drop = w.formula(step), _drop(w, term)
     if not formula or not drop:
         return
@@ -141,7 +141,7 @@ def _reaction(w: PlanSteps, step: Cross) -> Iterator[Variant]:
 
 
 def _friction(w: PlanSteps) -> Iterator[Variant]:
-    """Friction drawn the way of the motion."""
+    """Friction drawn in the direction of motion."""
     used = {n for s in w.own if isinstance(s, Cross) for n in (s.along, s.across)}
     leans = [s for s in w.program.steps if isinstance(s, Lean) and s.makes in used]
     trial = next((s for s in w.own if label_of(s.makes)[-1:] in "+-" and isinstance(s, Cross)), None)

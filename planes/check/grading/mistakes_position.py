@@ -1,4 +1,4 @@
-"""Mistakes of a position plan: the other assembly, the angle's sense, a link in another scale, an offset ignored."""
+"""Mistakes of a position plan: other assembly, sense of the angle, a link at another scale, an offset ignored."""
 
 import cmath
 import math
@@ -18,13 +18,13 @@ from planes.plans.assur.groups import Group
 from planes.words import Phrase, Told, Written
 from planes.words.names import label_of, letter_of
 
-ELSEWHERE = 1e-6  # of a link's size: nearer than this is the same assembly
+ELSEWHERE = 1e-6  # of a link's size: within this, the assemblies are the same
 LEAST_OFFSET = 1e-6  # relative: a guide nearer to the pivot passes through it
-LEAST_SCALE = 0.04  # a link drawn longer or shorter by less is a matter of care, not of scale
+LEAST_SCALE = 0.04  # a smaller error of a link's length is inaccuracy, not scale
 
 
 def position_variants(w: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
-    """Mistakes of a position plan; the person's own marks say in which scale a link may have been drawn."""
+    """Mistakes of a position plan; the person's own marks show the scale at which a link may have been drawn."""
     yield from _angle(w)
     for name, value in w.plans.given.items():
         if name not in w.program.givens:
@@ -41,7 +41,7 @@ def position_variants(w: PlanSteps, taken: Mapping[str, ReadMark], mu: float) ->
 
 
 def _centred(w: PlanSteps) -> Iterator[Variant]:
-    """A guide of the frame drawn through the driver's pivot, as if it were not offset."""
+    """A guide of the frame drawn through the driver's pivot, its offset ignored."""
     mechanism = w.plans.mechanism
     driver = mechanism.links[mechanism.drive.link].points if w.plans.moves else ()
     pivot = next((f"place_{n}" for n in driver if n in mechanism.frame.points), "")
@@ -52,7 +52,7 @@ def _centred(w: PlanSteps) -> Iterator[Variant]:
 
 
 def _reassembled(w: PlanSteps) -> Iterator[Variant]:
-    """A group of class III put together otherwise: its basic link elsewhere on the same three leads."""
+    """Another assembly of a class III group: its basic link elsewhere on the same three leads."""
     cuts = {step.holds: step for step in w.program.steps if isinstance(step, CutTrack) and step.kind == "mark"}
     for holds, cut in cuts.items():
         program = w.program.sliced([name for hold in holds for name, _ in hold.reads()])
@@ -108,14 +108,14 @@ def _marked(
     weight: float = 1.0,
     about: Mapping[str, Told | Written] | None = None,
 ) -> Iterator[Variant]:
-    """A variant blamed at the first mark of the plan that the changed givens lead to."""
+    """A variant blamed at the first mark of the plan that depends on the changed givens."""
     touched = w.program.touched((), instead={u.makes for u in users})
     for step in [step for step in touched if step.kind == "mark" and not step.helper][:1]:
         yield Variant(mistake, label_of(step.makes), {}, dict(givens), weight, about or {})
 
 
 def _scales(w: PlanSteps, step: Step, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
-    """A length drawn in another scale, the one the person's own mark shows."""
+    """A length drawn at another scale, the one shown by the person's own mark."""
     own, label, ends = taken.get(step.makes), label_of(step.makes), list[tuple[str, str]]()
     if isinstance(step, LayOff):
         ends.append((step.start, step.length))

@@ -1,4 +1,4 @@
-"""What is said of a vector that is wrong for no known cause: what it measures, and what it should."""
+"""The message about a vector that is wrong for no known cause: its measured and its right value."""
 
 import math
 
@@ -7,11 +7,11 @@ from planes.drafting.steps import LayOff
 from planes.words import Phrase, Written
 from planes.words.names import POLE, at, kind_of, label_of, plan_of
 
-SENTENCE = "mark", "vector", "mm", "angle", "true_mm", "true_angle"  # what the sentence is made of
+SENTENCE = "mark", "vector", "mm", "angle", "true_mm", "true_angle"  # parts of the sentence
 
 
 def off_sentence(hand: Hand, mark: str, off: complex) -> Phrase:
-    """Of a mark so far (mm) from where the person's own marks lead: its vector's size and angle, drawn and right."""
+    """The message for a mark ``off`` (mm) the person's construction: its vector's size and angle, drawn and right."""
     start = drawn_from(hand, mark)
     if start is None:
         return Phrase("check_unclear", mark=label_of(mark), off=Written(f"{abs(off):.1f}"))
@@ -22,7 +22,7 @@ def off_sentence(hand: Hand, mark: str, off: complex) -> Phrase:
 
 
 def drawn_from(hand: Hand, mark: str) -> str | None:
-    """Where the vector to a mark begins, by its label: the pole, or a mark that was read; None of a scheme's."""
+    """The start of the vector to a mark, by its label: the pole or a mark that was read; None in a scheme."""
     if kind_of(plan_of(mark)) == "position":
         return None
     step = hand.program.makers[mark]
@@ -41,6 +41,6 @@ def _size(z: complex) -> str:
 
 
 def _angle(z: complex) -> str:
-    """From the x axis, whole degrees."""
+    """From the x axis, in whole degrees."""
     degrees = round(math.degrees(math.atan2(z.imag, z.real)))
     return str(degrees).replace("-", "−")

@@ -1,4 +1,4 @@
-"""What a person handed in, read from a table: ends of vectors, lengths of segments, or results."""
+"""A person's submission read from a table: ends of vectors, lengths of segments, or results."""
 
 import csv
 import json
@@ -16,24 +16,26 @@ from planes.words.names import POLE
 from planes.words.records import table_text
 
 TABLES = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
-"""The columns each table must have."""
+"""The required columns of each table."""
 _KEYS = ("mark", "x_mm", "y_mm", "segment", "mm", "result", "value", "unit", "error_mm")
 COLUMNS = {key: (key, *(way for lang in langs() for way in say(f"written_{key}", lang).split(", "))) for key in _KEYS}
-"""The names of the columns of tables, and how people write them in every language."""
+"""The names of table columns, and how people write them in every language."""
 _PARTS = {"rows": "mark", "marks": "mark", "segments": "segment", "results": "result"}  # of JSON
-_ROUNDED = math.sqrt(12)  # a number rounded to r is wrong by r/√12
+_ROUNDED = math.sqrt(12)  # a number rounded to r has the error r/√12
 LARGEST = 2 * MB
 MOST = 2000  # rows
 LARGEST_MM = 10_000.0  # no sheet is larger
-TOLD_MM = 0.3  # how surely a person points to a mark
+TOLD_MM = 0.3  # accuracy of a mark pointed to by a person
 Box = tuple[float, float, float, float]  # left, bottom, right, top, mm from the pole
 
 
 @frozen
 class ReadMark:
-    """A mark where it was read, mm of paper, y up, any origin, with the error of its reading (each way) and how likely
-    it was read at a place that is not the person's mark at all. Part of the error it may share with all marks: what
-    each common cause, one σ of it, moves it by."""
+    """A mark as read, mm on paper, y up, any origin, with its reading error (in each direction).
+
+    It also has the probability that it was read at a point that is not the person's mark at all. Part of its error may
+    be shared with all marks: the displacement by one σ of each common cause.
+    """
 
     name: str
     place: complex
@@ -43,20 +45,19 @@ class ReadMark:
 
     @property
     def alone_mm(self) -> float:
-        """The part of its error that is its own."""
+        """The individual part of its error."""
         return math.sqrt(max(self.error_mm**2 - sum(abs(z) ** 2 for z in self.shared) / 2, 0.0))
 
 
 def with_told(spots: Iterable[ReadMark], pointed: Mapping[str, complex]) -> list[ReadMark]:
-    """Marks that were read, and those that were pointed to instead, which are in no doubt."""
+    """The marks read, with those pointed to by a person, which are certain, in place of their readings."""
     read = [s for s in spots if s.name not in pointed]
     return [*read, *(ReadMark(n, z, TOLD_MM) for n, z in pointed.items())]
 
 
 @frozen
 class Known:
-    """What is told of a drawing: its pole, some marks (pixels, or its own units; y down), the format of its frame, its
-    page, counted from 0."""
+    """Given data of a drawing: its pole, some marks (pixels or drawing units; y down), frame size, page (from 0)."""
 
     pole: complex | None = None
     marks: Mapping[str, complex] = field(default_factory=dict)
@@ -66,35 +67,35 @@ class Known:
 
 @dataclass
 class ReadPaper:
-    """Everything read from what was handed in, in its order. It is ``whole`` if nothing can have been overlooked."""
+    """Everything read from a submission, in its order. It is ``whole`` if nothing can have been overlooked."""
 
     file: str = ""
     spots: list[ReadMark] = field(default_factory=list)
     segments: list[tuple[str, float]] = field(default_factory=list)
     results: list[tuple[str, float, str]] = field(default_factory=list)
-    scale_mark: str | None = None  # the vector the picture's scale was taken from
-    mu: float | None = None  # the scale its title says
+    scale_mark: str | None = None  # the vector that set the scale of the picture
+    mu: float | None = None  # the scale in its title
     whole: bool = True
-    pole_told: bool = True  # whether it was named, printed or drawn as such, not guessed from what a picture shows
-    picture: bytes = b""  # the flat picture, for the report
-    box: Box | None = None  # where it lies
-    look: str = ""  # what stands for all that it shows
-    strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a drawing of lines, from the pole
-    signs: list[SignFault] = field(default_factory=list)  # letters and arrowheads that are wrong
-    left: list[str] = field(default_factory=list)  # columns of a table that nobody reads, vectors that are not drawn
-    untold: list[str] = field(default_factory=list)  # vectors that may as well be others, with a mistake
-    named: list[str] = field(default_factory=list)  # marks not read, but whose names stand where they should be
+    pole_told: bool = True  # whether it was named, printed or drawn as such, not guessed from a picture
+    picture: bytes = b""  # the rectified picture, for the report
+    box: Box | None = None  # its position
+    look: str = ""  # hash of its content
+    strokes: list[tuple[complex, complex]] = field(default_factory=list)  # lines of a vector drawing, from the pole
+    signs: list[SignFault] = field(default_factory=list)  # wrong letters and arrowheads
+    left: list[str] = field(default_factory=list)  # ignored columns of a table, vectors not drawn
+    untold: list[str] = field(default_factory=list)  # vectors that, with a mistake, may be others
+    named: list[str] = field(default_factory=list)  # marks not read, but with names at their expected positions
     apart: bool = False  # whether a mistake explains its force polygon, and no right one nearly as well
     notes: list[Phrase] = field(default_factory=list)
     reason: Phrase | None = None  # why none of its marks could be read
 
     def refuse(self, key: str, **parts: object) -> PlanesError:
-        """A refusal that names the file."""
+        """An error that names the file."""
         return PlanesError(Phrase(key, file=self.file, **parts))
 
 
 def read_table(path: str | Path) -> ReadPaper:
-    """A CSV or JSON file as a paper; :class:`PlanesError` where it cannot be read."""
+    """A CSV or JSON file as a paper; :class:`PlanesError` if it cannot be read."""
     paper = ReadPaper(str(path))
     try:
         text = table_text(contents(path, LARGEST))
@@ -108,7 +109,7 @@ def read_table(path: str | Path) -> ReadPaper:
 
 
 def _split(text: str) -> list[tuple[int, list[str]]]:
-    """Rows with their numbers; the separator is the one the first row uses."""
+    """Rows with their numbers; the first row determines the separator."""
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
     first = lines[0] if lines else ""
     mark = next((c for c in (";", "\t") if c in first), ",")
@@ -118,7 +119,7 @@ def _split(text: str) -> list[tuple[int, list[str]]]:
 
 
 def _read_rows(paper: ReadPaper, rows: Sequence[tuple[int, list[str]]]) -> None:
-    """Rows under one header or more: a new header begins a new table."""
+    """Rows under one or more headers: a new header begins a new table."""
     columns = _header(rows[0][1]) if rows else None
     if columns is None:
         raise paper.refuse("check_columns")
@@ -141,7 +142,7 @@ def _header(row: Sequence[str]) -> list[str] | None:
 
 
 def _add(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
-    """One row of whichever table."""
+    """One row of any table."""
 
     def once(name: str, before: Iterable[str]) -> None:
         if name in before:
@@ -192,14 +193,14 @@ def _length(paper: ReadPaper, cell: object, line: int) -> float:
 
 
 def _rounding(cell: object) -> float:
-    """The error of a number as it is rounded: 12.5 by 0.1/√12 mm."""
+    """The rounding error of a number: for 12.5, 0.1/√12 mm."""
     text = str(cell).replace(",", ".")
     digits = len(text.partition(".")[2])
     return 0.02 if "e" in text.lower() else float(max(10.0**-digits / _ROUNDED, 0.02))
 
 
 def _read_json(paper: ReadPaper, text: str) -> None:
-    """The same tables as JSON: a list of rows, or an object of "marks", "segments" and "results"."""
+    """The same tables as JSON: a list of rows, or an object with "marks", "segments" and "results"."""
     try:
         data = json.loads(text)
     except (ValueError, RecursionError) as error:

@@ -1,7 +1,7 @@
-"""Errors of hand and ruler one at a time: a drawing made in many columns, each with a single error made.
+"""Drawing and ruler errors one at a time: a drawing made in many columns, each with a single error.
 
-Column 0 of every mark, direction and value is without error; column k has the k-th error alone, of one standard
-deviation. So the differences of a run's columns are its first-order derivatives times the errors' sizes.
+Column 0 of every mark, direction and value has no error; column k has only the k-th error, of one standard deviation.
+So the differences between a run's columns are its first-order derivatives times the sizes of the errors.
 """
 
 import math
@@ -14,15 +14,14 @@ from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Many, Point, Real
 
-_COLUMNS = {"mark": 8, "value": 2, "direction": 1}  # errors a step of the kind may make: marks, rays, readings
+_COLUMNS = {"mark": 8, "value": 2, "direction": 1}  # errors of a step by kind: marks, rays, readings
 
 
-SHARED = "shared"  # the name of errors that all marks share
+SHARED = "shared"  # name of the errors shared by all marks
 
 
 def columns_of(steps: Iterable[Step], read: Iterable[str], shared: int = 0) -> tuple[dict[str, int], int]:
-    """The first column of every step that can err, of every name read with an error, of errors that marks share; how
-    many there are."""
+    """The first error column of every step, of every name read with an error and of shared errors; the column count."""
     columns, width = dict[str, int](), 1
     drawn = ((s.makes, _COLUMNS[s.kind]) for s in steps if s.kind in _COLUMNS)
     for name, count in (*drawn, *((f"read {n}", 2) for n in read), (SHARED, shared)):
@@ -32,20 +31,20 @@ def columns_of(steps: Iterable[Step], read: Iterable[str], shared: int = 0) -> t
 
 
 class Nudged(Tool):
-    """The tool: makes each error in its own column."""
+    """A tool that makes each error in a separate column."""
 
     def __init__(self, skill: Skill, columns: Mapping[str, int], width: int) -> None:
         super().__init__(Many(), True)
         self.skill, self.columns, self.width, self.at, self.end = skill, columns, width, 0, 0
 
     def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
-        """The errors of every step of the way are those of the one it makes."""
+        """The errors of all steps on the way are those of the step they make."""
         self.at = self.columns.get(step.makes, 0)
         self.end = self.at + 8 if self.at else 0
         return super().make(step, way, things)
 
     def spread(self, value: Point) -> Point:
-        """The value as an array of all columns, to be nudged."""
+        """The value as an array over all columns, ready for errors."""
         return numpy.array(numpy.broadcast_to(value, (self.width,)))
 
     def _next(self) -> int:
@@ -76,7 +75,7 @@ class Nudged(Tool):
         return out
 
     def taken(self, name: str, place: complex, error_mm: float, shared: Sequence[complex] = ()) -> Point:
-        """A mark read from a person's drawing, with the error of the reading, its own and what others share."""
+        """A mark read from a person's drawing, with its individual and its shared reading errors."""
         out = self.spread(complex(place))
         column = self.columns[f"read {name}"]
         out[column] += error_mm

@@ -1,4 +1,4 @@
-"""One plan of a program, and what a mistake in it may take for something else."""
+"""One plan of a program, and the elements that a mistake in it may confuse."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -17,7 +17,7 @@ Words = Mapping[str, Told]  # names for the sentence about a mistake
 
 @dataclass
 class PlanSteps:
-    """One plan of a program, and what a mistake in it may take for something else."""
+    """One plan of a program, and the elements that a mistake in it may confuse."""
 
     plans: Plans
     program: Program
@@ -30,20 +30,20 @@ class PlanSteps:
         self.own = [s for s in self.program.steps if s.kind == "mark" and plan_of(s.makes) == self.plan]
 
     def readers(self, name: str) -> list[Step]:
-        """The steps that use a thing."""
+        """The steps that use an element."""
         return [s for s in self.program.steps if any(n == name for n, _ in s.reads())]
 
     def before(self, name: str, step: Step) -> bool:
-        """Whether a thing is there when the step is drawn."""
+        """Whether an element exists when the step is drawn."""
         return name in self.order and self.order[name] < self.order[step.makes]
 
     def formula(self, step: LayOff) -> Calculate | None:
-        """How the length a step lays off is reckoned, if it is."""
+        """The computation of the length that a step lays off, if any."""
         maker = self.steps.get(step.length)
         return maker if isinstance(maker, Calculate) else None
 
     def link_line(self, direction: str) -> str | None:
-        """The direction a perpendicular was raised on, if the direction is one."""
+        """The direction to which this one is perpendicular, if any."""
         step = self.steps.get(direction)
         return step.of if isinstance(step, Turn) and step.quarter == 1 and not step.angle else None
 
@@ -52,12 +52,12 @@ class PlanSteps:
         return [d for d in self.steps if (line := self.link_line(d)) and guide_of(line) is None]
 
     def reversed_length(self, step: LayOff, factor: float = -1.0) -> tuple[Step, ...]:
-        """The same length laid off times a number (backwards, twice, half)."""
+        """The same length laid off times a number (backwards, double, half)."""
         name = f"{step.makes} ×{factor:g}"
         return Calculate(name, (Product(factor, ((step.length, 1),)),)), replace(step, length=name)
 
     def square(self, line_name: str, name: str) -> Turn:
-        """A perpendicular of another name."""
+        """A perpendicular with another name."""
         return Turn(name, line_name, 1, means=replace(self.plans.means[line_name], quantity="across"))
 
     def variant(
@@ -69,5 +69,5 @@ class PlanSteps:
 
 
 def along_another(step: Cross, side: str, direction: str) -> Cross:
-    """A mark where two lines cross, one of them in another direction."""
+    """An intersection of two lines, one of them in another direction."""
     return replace(step, along=direction) if side == "along" else replace(step, across=direction)

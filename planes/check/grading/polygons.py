@@ -1,7 +1,7 @@
-"""A paper's marks laid over a plan: by label, from the pole; a force polygon put into the order of the program.
+"""Aligns a paper's marks with a plan: by label, from the pole; a force polygon in the order of the program.
 
-A polygon's order is free, so each vector is taken by its name and the marks of the program's own polygon are rebuilt
-from the person's vectors. What is left when all of them are laid end to end is the gap.
+The order of a polygon is free, so each vector is taken by its name, and the marks of the program's polygon are rebuilt
+from the person's vectors. The remainder when all of them are laid end to end is the closing error.
 """
 
 from collections.abc import Collection, Mapping, Sequence
@@ -20,14 +20,14 @@ from planes.words.names import POLE, at, end_of, kind_of, label_of, mu_of, plan_
 from planes.words.naming import Naming
 
 Vectors = dict[str, ReadMark]  # a person's
-IN_LINE, AS_LONG = 0.05, 0.9  # between vectors of one line, the tangent of the angle; how long one is to hide another
-SEEN_MM = 3.0  # a shorter vector may not be seen at all
+IN_LINE, AS_LONG = 0.05, 0.9  # collinear: tangent of the angle; relative length of a vector that hides another
+SEEN_MM = 3.0  # a shorter vector may be invisible
 NO_VECTOR = ReadMark("", 0j, 0.0)
 
 
 @frozen
 class Side:
-    """A vector of a force plan: its name, and the labels of the program's marks it leads between."""
+    """A vector of a force plan: its name, and the labels of the program's marks at its ends."""
 
     name: str
     start: str
@@ -36,22 +36,24 @@ class Side:
 
 @dataclass
 class Rebuilt:
-    """Marks of the program's polygon by label, and what does not close."""
+    """Marks of the program's polygon by label, and its closing errors."""
 
     spots: dict[str, ReadMark] = field(default_factory=dict)
     gap: ReadMark | None = None
     closing: str = ""
-    absent: set[str] = field(default_factory=set)  # known forces that are not there
+    absent: set[str] = field(default_factory=set)  # known forces that are missing
     unknown: list[str] = field(default_factory=list)
-    vectors: list[ReadMark] = field(default_factory=list)  # as they were read
-    closers: set[str] = field(default_factory=set)  # those that may be of any length
+    vectors: list[ReadMark] = field(default_factory=list)  # as read
+    closers: set[str] = field(default_factory=set)  # those of free length
     left: list[Side] = field(default_factory=list)  # not read, though they may be there
     polygons: list[Collection[str]] = field(default_factory=list)  # the vectors of each
-    apart: bool = False  # whether no right drawing explains what was read nearly as well
+    apart: bool = False  # whether no right drawing explains the readings nearly as well
 
     def confused(self, missing: complex | None) -> bool:
-        """Whether vectors that were told by their likeness, as on a picture, may as well be others: where no mistake
-        explains them, or the one said to be ``missing`` may lie within one that takes up its length, or unseen."""
+        """Whether vectors identified by likeness, as in a picture, may as well be others.
+
+        That is so where no mistake explains them, or the ``missing`` one may be invisible or hidden in one as long.
+        """
         if not any(v.doubt for v in self.vectors) or (missing is not None and self.apart):
             return False
         if missing is not None and abs(missing) <= SEEN_MM:
@@ -60,15 +62,17 @@ class Rebuilt:
         return missing is None or any(z.real > AS_LONG and abs(z.imag) < IN_LINE * z.real for z in over)
 
     def unread(self, places: Mapping[str, complex]) -> list[str]:
-        """Vectors nobody saw that should be long, by the true ``places``; no closing one where a polygon has but short
-        ones unseen."""
+        """Unseen vectors that should be long, by the true ``places``.
+
+        A closing vector does not count where only short ones of its polygon are unseen.
+        """
         long = {s.name: abs(places[s.end] - places[s.start]) for s in self.left}
         seen = any(sum(long.get(n, 0.0) for n in polygon) <= SEEN_MM for polygon in self.polygons)
         return [n for n, mm in long.items() if mm > SEEN_MM and not (seen and n in self.closers)]
 
 
 def sides_of(plans: Plans, plan: str) -> list[Side]:
-    """All vectors of a force plan as the program draws them, the closing ones last."""
+    """All vectors of a force plan as drawn by the program, the closing ones last."""
     sides: dict[str, Side] = {}
     terms = (t for e in plans.equations if e.plan == plan for t in e.terms)
     for t in (t for t in terms if not {at(plan, t.start), at(plan, t.end)} & plans.helpers):
@@ -78,15 +82,15 @@ def sides_of(plans: Plans, plan: str) -> list[Side]:
 
 
 def loads_of(plans: Plans, plan: str) -> set[str]:
-    """Labels of the marks where forces known beforehand end."""
+    """Labels of the marks at the ends of known forces."""
     return {label_of(s.makes) for s in plans.program.steps if isinstance(s, LayOff) and plan_of(s.makes) == plan}
 
 
 def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, complete: bool = True) -> Rebuilt:
     """The person's vectors, each from the end of the row before it, laid off in the program's order.
 
-    After the last row of a polygon one that is not of it begins another, where that begins.
-    Of a ``complete`` polygon what is not listed is not there; else it may have been overlooked.
+    After the last row of a polygon, one that is not part of it begins another, where that begins.
+    In a ``complete`` polygon an unlisted vector is missing; otherwise it may have been overlooked.
     """
     sides = {s.name: s for s in sides_of(plans, plan)}
     names, out = naming.names(sides), Rebuilt()
@@ -113,12 +117,12 @@ def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, 
 
 
 def _whole(polygon: Mapping[str, str], seen: Collection[str]) -> bool:
-    """Whether all sides of a polygon are seen but one that leads back to the pole."""
+    """Whether all sides of a polygon are seen except one that leads back to the pole."""
     return all(name in seen or end == POLE for name, end in polygon.items())
 
 
 def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], complete: bool) -> None:
-    """Marks from vectors: a side of which one end is known gives the other; a second way to a mark gives the gap."""
+    """Marks from vectors: a side with one known end gives the other; a second path to a mark, the closing error."""
     places: dict[str, complex] = {POLE: 0j}
     hidden: set[str] = set()  # left out, or hidden in the next vector
     left = dict(sides)
@@ -148,13 +152,13 @@ def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str]
 
 
 def _ready(side: Side, places: dict[str, complex], read: bool, loads: set[str]) -> bool:
-    """Whether a side can be laid now: read and reached, or a load that nobody read."""
+    """Whether a side can be laid now: read and reached, or an unread load."""
     load, begun, ended = side.end in loads, side.start in places, side.end in places
     return begun or (ended and not load) if read else load and begun and not ended
 
 
 def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, ReadMark], Rebuilt | None, list[str]]:
-    """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are no marks."""
+    """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are not marks."""
     names = mark_names(bench.plans, plan, bench.naming)
     pole = next((s for s in paper.spots if names.find(s.name) == POLE), None)
     if kind_of(plan) == "force":
@@ -179,7 +183,7 @@ def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, R
 
 
 def _origin(bench: PreparedPlan, plan: str, spots: Mapping[str, ReadMark]) -> complex:
-    """Where the pole is when it was not read: from a fixed point of the scheme."""
+    """The position of an unread pole, from a fixed point of the scheme."""
     if plan != "position":
         raise PlanesError(Phrase("check_no_pole"))
     for name, place in bench.plans.mechanism.frame.points.items():
@@ -189,6 +193,6 @@ def _origin(bench: PreparedPlan, plan: str, spots: Mapping[str, ReadMark]) -> co
 
 
 def earlier(bench: PreparedPlan) -> dict[str, ReadMark]:
-    """Marks of earlier plans that were handed in too."""
+    """Marks of earlier plans in the submission."""
     aligned = ((plan, align(bench, plan, paper)[0]) for plan, paper in bench.asked.others.items())
     return {at(plan, n): replace(s, doubt=0.0) for plan, spots in aligned for n, s in spots.items()}

@@ -1,4 +1,4 @@
-"""A plan of a scene made ready for checking drawings of it: program, marks, scale, and the mistakes it may hold."""
+"""A plan of a scene prepared for checking drawings of it: program, marks, scale, and possible mistakes."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from planes.words.units import mu_text
 
 @frozen
 class Asked:
-    """What is checked: a plan of a scene at a value of the drive, and what is known of the drawing beforehand."""
+    """The subject of a check: a plan of a scene at a drive value, with what is given of the drawing."""
 
     scene: Scene
     plan: str
@@ -41,10 +41,10 @@ class Asked:
     mu: float | None = None
     skill: Skill = HAND
     others: Mapping[str, ReadPaper] = field(default_factory=dict)  # drawings of earlier plans
-    answers: tuple[str, ...] = ()  # the results a whole work has, where they are known
+    answers: tuple[str, ...] = ()  # results of a complete work, where known
 
     def line(self, file: str) -> list[str]:
-        """The words of the command that checks a file so."""
+        """The words of the command that checks a file in this way."""
         words = ["planes", "check", self.scene.file, file, "--plan", self.plan]
         words += ["--variant", self.scene.variant] if self.scene.variant else []
         drive = self.scene.mechanism.drive if self.scene.mechanism and self.value is not None else None
@@ -53,7 +53,7 @@ class Asked:
 
 @dataclass
 class PreparedPlan:
-    """All that does not depend on the drawing's scale."""
+    """All that is independent of the drawing's scale."""
 
     asked: Asked
     plans: Plans
@@ -69,7 +69,7 @@ class PreparedPlan:
 
     @cached_property
     def naming(self) -> Naming:
-        """How the scene's sheets letter its names."""
+        """The lettering of names on the scene's sheets."""
         return Naming(**lettering(self.asked.scene, self.plans))
 
     @cached_property
@@ -80,7 +80,7 @@ class PreparedPlan:
 
     @cached_property
     def mistakes(self) -> list[Variant]:
-        """The mistakes of the catalogue, at the stated scale, with no mark of a person's own."""
+        """The mistakes of the catalogue, at the stated scale, without a person's marks."""
         return variants_of(self, {}, self.said_mu)
 
     @cached_property
@@ -91,7 +91,7 @@ class PreparedPlan:
 
     @cached_property
     def _before_marks(self) -> tuple[int, Env]:
-        """The number of the first step that makes a mark of the plan, and what is drawn before it."""
+        """The number of the first step that makes a mark of the plan, and the drawing before it."""
         own = next((k for k, step in enumerate(self.program.steps) if step.makes in self.marks), 0)
         things = dict(self.given)
         try:
@@ -102,13 +102,15 @@ class PreparedPlan:
 
     @cached_property
     def _first_use(self) -> dict[str, int]:
-        """By thing the number of the first step that makes or reads it."""
+        """For each element the number of the first step that makes or reads it."""
         steps = [*enumerate(self.program.steps)]
         return {name: k for k, step in reversed(steps) for name in (step.makes, *(n for n, _ in step.reads()))}
 
     def drawn(self, variant: Variant | None, tool: Tool) -> Env | None:
-        """The program drawn by a tool, rightly or with a mistake; None where that cannot be done. What comes before the
-        plan's marks, and before all that the mistake touches, is not drawn anew."""
+        """The program drawn by a tool, right or with a mistake; None if that is impossible.
+
+        The part before the plan's marks, and before all that the mistake affects, is not redrawn.
+        """
         swaps, givens = (variant.swaps, variant.givens) if variant else ({}, {})
         first, before = self._before_marks
         first = min([first, *(self._first_use[n] for n in (*swaps, *givens) if n in self._first_use)])
@@ -120,24 +122,26 @@ class PreparedPlan:
         return things
 
     def mu_said(self, mu: float) -> Written:
-        """A scale of the plan as a sentence has it."""
+        """A scale of the plan as written in a sentence."""
         kind, convention = kind_of(self.asked.plan), self.asked.scene.mu_convention
         return Written(lambda lang: mu_text(mu, kind, lang, convention))
 
     def pointed(self, marks: Mapping[str, complex], place: Callable[[complex], complex]) -> dict[str, complex]:
-        """The places of marks that a person pointed to, by label; none of a force plan, whose marks stand where its
-        vectors end, in any order."""
+        """The positions of marks that a person pointed to, by label.
+
+        None in a force plan, where the order of vectors, and so the positions of marks, is free.
+        """
         force = kind_of(self.asked.plan) == "force"
         return {} if force else {n: place(z) for k, z in marks.items() if (n := self.names.find(k))}
 
     def at(self, mu: float, fixed: bool = False) -> PreparedPlan:
-        """The same at another scale; ``fixed``, if no other is to be thought of."""
+        """The same at another scale; ``fixed`` if no other is considered."""
         asked = replace(self.asked, mu=mu) if fixed else self.asked
         return replace(self, asked=asked, given={**self.given, mu_of(asked.plan): mu}, said_mu=mu)
 
 
 def prepare(asked: Asked) -> PreparedPlan:
-    """The program of the plan, its marks and its stated scale. Errors name the plans there are."""
+    """The program of the plan, its marks and its stated scale. Errors list the available plans."""
     plans = scene_plans(asked.scene)
     known = known_plans(plans)
     if asked.plan not in known:
@@ -148,31 +152,31 @@ def prepare(asked: Asked) -> PreparedPlan:
     if asked.mu:
         given[mu_of(asked.plan)] = asked.mu
     marks = marks_of(plans, asked.plan)
-    speeds = marks_of(plans, "velocity") if asked.plan == "acceleration" else []  # any may be taken for another
+    speeds = marks_of(plans, "velocity") if asked.plan == "acceleration" else []  # any may be confused with another
     program = plans.program.sliced([*marks, *speeds])
     return PreparedPlan(asked, plans, given, program, marks, given[mu_of(asked.plan)])
 
 
 def known_plans(plans: Plans) -> list[str]:
-    """The plans a person draws."""
+    """The plans drawn by a person."""
     return [p for p in plans.drawn if p not in ("lever", "motion")]
 
 
 def marks_of(plans: Plans, plan: str) -> list[str]:
-    """The marks of a plan that a person draws, in order of drawing."""
+    """The marks of a plan drawn by a person, in order of drawing."""
     own = [s.makes for s in plans.program.steps if s.kind == "mark" and plan_of(s.makes) == plan and not s.helper]
     return [m for m in own if label_of(m) != POLE]
 
 
 def mark_names(plans: Plans, plan: str, naming: Naming) -> Names:
-    """Names of a plan's marks; the normal part of a driven point, n_A, may be written with its pivot too: n_AO."""
+    """Names of a plan's marks; the normal component of a driven point, n_A, may include its pivot: n_AO."""
     means = ((label_of(mark), m) for mark, m in plans.means.items() if m.quantity == "normal" and m.about)
     normal = {label: (f"n_{m.of}{m.about}",) for label, m in means}
     return naming.names([label_of(m) for m in marks_of(plans, plan)], more=normal)
 
 
 def catalogue(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
-    """Every mistake that could be made in a plan, drawn at a scale with some marks of a person's own."""
+    """Every possible mistake in a plan, drawn at a scale with some of a person's own marks."""
     kind = kind_of(ways.plan)
     if kind == "position":
         return position_variants(ways, taken, mu)
@@ -180,13 +184,13 @@ def catalogue(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iter
 
 
 def variants_of(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float, plan: str = "") -> list[Variant]:
-    """Every mistake that could be made in a plan, by default the one that is checked."""
+    """Every possible mistake in a plan, by default the one checked."""
     drive = bench.plans.drive_given
     there = replace(bench.plans, given={**bench.plans.given, drive: bench.given[drive]})
     return list(catalogue(PlanSteps(there, bench.program, plan or bench.asked.plan), taken, mu))
 
 
 def drawn_at(bench: PreparedPlan, variant: Variant | None, label: str) -> complex | None:
-    """Where a mark is, mm from the pole, in the plan drawn so; None where that cannot be drawn."""
+    """The position of a mark, mm from the pole, in this drawing of the plan; None if it cannot be drawn."""
     things = bench.drawn(variant, Tool(Arithmetic()))
     return complex(things[at(bench.asked.plan, label)]) if things else None

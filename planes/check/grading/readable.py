@@ -1,4 +1,4 @@
-"""Whether enough was read to judge by, and surely enough; if not, a sentence that says what is missing or asks."""
+"""Whether enough was read, and reliably enough, for a verdict; otherwise, a sentence about the missing parts."""
 
 from collections.abc import Collection
 
@@ -14,30 +14,29 @@ from planes.words import Phrase, Written
 from planes.words.lettering import plan_phrase
 from planes.words.names import kind_of, label_of
 
-READABLE = 0.5  # the share of a plan's crossings that must be read
-MOST_ASKED = 3  # marks asked about at once
+READABLE = 0.5  # share of a plan's intersections that must be read
+MOST_ASKED = 3  # maximum number of marks in a question
 
 
 def key_marks(grading: Grading) -> list[str]:
-    """The marks a plan cannot be judged without: its crossings, or all that are drawn."""
+    """The marks needed to judge a plan: its intersections, or all that are drawn."""
     steps = grading.plans.program.makers
     key = [m for m in grading.marks if isinstance(steps[m], Cross | CrossArc | CrossArcs)]
     return key or [m for m in grading.marks if not isinstance(steps[m], Same)]
 
 
 def readable(grading: Grading, named: Collection[str] = ()) -> Phrase | None:
-    """None when enough was read to judge, be it but the names of some marks, else a sentence that says what is
-    missing."""
+    """None if enough was read to judge, if only the names of some marks; otherwise what is missing, as a sentence."""
     key = key_marks(grading)
     read_marks = [m for m in key if m in grading.judgement.misses or label_of(m) in named]
     if len(read_marks) < READABLE * len(key):
         missing, steps = ", ".join(label_of(m) for m in key if m not in read_marks), grading.plans.program.makers
-        drawn = [m for m in grading.marks if not isinstance(steps[m], Same)]  # on a line of marks only one may be key
+        drawn = [m for m in grading.marks if not isinstance(steps[m], Same)]  # of coincident marks only one may be key
         read = sum(m in grading.judgement.misses for m in drawn)
         return asking("check_too_little", found=read, count=len(drawn), names=missing)
     reach, count = size_of(grading.hand, grading.marks), len(grading.judgement.misses)
     size = Written(f"{reach:.1f}")
-    if reach < SMALLEST * grading.hand.tool.skill.point_mm:  # all lies within the error of a pencil from the pole
+    if reach < SMALLEST * grading.hand.tool.skill.point_mm:  # all lies within the pencil error of the pole
         return asking("check_nothing_drawn", size=size)
     if not grading.fault and grading.chance > MOST_BY_CHANCE:
         return Phrase("check_by_chance", size=size, count=count)
@@ -48,19 +47,19 @@ def readable(grading: Grading, named: Collection[str] = ()) -> Phrase | None:
 
 
 def _unsure_marks(grading: Grading) -> list[str]:
-    """The marks to ask a person about, where what was read may be misread and is not sure enough to judge by."""
+    """Marks to ask a person about: possible misreadings, too uncertain for a verdict."""
     judgement = grading.judgement
     wrong = grading.chance_wrong if grading.fault else 1 - grading.chance_wrong
     doubted = [m for m in judgement.misses if grading.hand.taken[m].doubt]
     loose = judgement.named is None and any(grading.hand.taken[m].doubt > ASKED for m in doubted)
     if (wrong > ASKED and not (loose and grading.fault)) or not doubted:
-        return []  # a mark of lines that do not show where they end is not called wrong for a cause of its own
+        return []  # a mark of lines without visible ends is not called wrong for an individual cause
     odd = sorted(doubted, key=lambda m: (m not in judgement.wrong[:1], -judgement.misses[m].sigmas))
     return [m for m in odd if m in judgement.wrong or judgement.misses[m].sigmas > WARN][:MOST_ASKED] or odd[:1]
 
 
 def doubts_of(grading: Grading) -> Phrase | None:
-    """Whether some marks were rightly read, and how to tell; None where that is sure enough."""
+    """Whether some marks were read correctly, and how to tell; None if certain enough."""
     marks = _unsure_marks(grading)
     if not marks or grading.rebuilt:
         return asking("check_force_unsure") if marks else None
@@ -71,7 +70,7 @@ def doubts_of(grading: Grading) -> Phrase | None:
 
 
 def of_another(bench: PreparedPlan, paper: ReadPaper) -> Phrase | None:
-    """That a table is of another plan: all its marks are called as there, and not as here."""
+    """The message that a table is of another plan: all its mark names belong there, and not here."""
     written, plan = [s.name for s in paper.spots], bench.asked.plan
     if paper.picture or all(map(bench.names.exactly, written)):
         return None

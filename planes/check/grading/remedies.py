@@ -1,20 +1,20 @@
-"""Sentences that ask for marks to be put right: each says the way that is open where it is read."""
+"""Sentences that ask for corrections of marks: each names the method available to its reader."""
 
 from typing import Literal
 
 from planes.words import Phrase
 
 Reader = Literal["here", "sheet", "table"]
-"""Who reads of a way: one before the drawing itself, or a row of a class, or one without a picture to move marks on."""
+"""The reader of a method: at the drawing itself, at a row of a class, or without a picture for moving marks."""
 
 
 def asking(key: str, way: str = "report", /, **parts: object) -> Phrase:
-    """A sentence with a way of putting marks right, told to a person at the command line."""
+    """A sentence with a method of correcting marks, for a user of the command line."""
     return Phrase(key, **parts, way=Phrase(f"check_way_{way}", **parts))
 
 
 def told_to(reader: Reader, phrase: Phrase) -> Phrase:
-    """The same sentence with the way that is open to another reader; any other as it is."""
+    """The same sentence with the method available to another reader; any other sentence unchanged."""
     way = phrase.parts.get("way")
     if not isinstance(way, Phrase):
         return phrase

@@ -1,4 +1,4 @@
-"""Signs of a drawing that are wrong though its lines are right: exchanged letters, arrowheads."""
+"""Wrong signs in a drawing with right lines: swapped letters, arrowheads."""
 
 from collections.abc import Iterator, Mapping
 from typing import Literal, NamedTuple
@@ -8,12 +8,11 @@ from planes.words.frozen import frozen
 from planes.words.names import POLE
 
 Vector = tuple[str, str]  # the labels of its ends
-FEWEST = 2  # so many heads at the ends of their vectors, and most of all heads, show that the person draws them there
+FEWEST = 2  # this many heads at the ends of their vectors, and most of all heads, show that the person draws them there
 
 
 class DrawnVector(NamedTuple):
-    """How a vector is drawn: with its head at its end, at its start or with none; ``off`` mm astray from its marks;
-    or not at all."""
+    """A vector as drawn: head at its end, at its start or none; ``off`` mm astray from its marks; or not drawn."""
 
     how: Literal["end", "start", "none", "astray", "missing"]
     off: float = 0.0
@@ -21,10 +20,12 @@ class DrawnVector(NamedTuple):
 
 @frozen
 class SignFault:
-    """A sign that is wrong: the letters of ``mark`` and ``other`` are exchanged, or the vector from ``other`` to
-    ``mark`` (a force by its name alone) has its head at the wrong end or none, or is ``off`` mm astray; or the whole
-    plan, whose first is ``mark``, is mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale
-    ``other``."""
+    """A wrong sign of a drawing.
+
+    The letters of ``mark`` and ``other`` are swapped; or the vector from ``other`` to ``mark`` (a force by its name
+    alone) has its head at the wrong end or none, or is ``off`` mm astray; or the whole plan, whose first mark is
+    ``mark``, is mirrored, turned by ``off`` degrees, or ``off`` times its size, at the scale ``other``.
+    """
 
     mistake: Literal[
         "names_exchanged",
@@ -44,25 +45,24 @@ class SignFault:
 
     @property
     def first_wrong(self) -> str:
-        """The mark it is made at."""
+        """The mark where it is made."""
         return self.mark
 
     @property
     def marks(self) -> tuple[str, ...]:
-        """The marks that are wrong."""
+        """The wrong marks."""
         return (self.mark, str(self.other)) if self.mistake == "names_exchanged" else (self.mark,)
 
     @property
     def fault(self) -> Phrase:
-        """What it is, and how to mend it."""
+        """The fault and its correction."""
         off = f"{self.off:.3g}" if self.mistake == "plan_scaled" else f"{self.off:.1f}"
         vector = Phrase("vector_from_to", start=self.other, end=self.mark) if self.other else self.mark
         return Phrase(f"mistake_{self.mistake}", mark=self.mark, other=self.other, vector=vector, off=Written(off))
 
 
 def arrow_faults(vectors: Mapping[Vector, DrawnVector]) -> Iterator[SignFault]:
-    """Vectors that are astray, and those whose heads are at the wrong end, or not there, where those of most others are
-    as they should be."""
+    """Vectors astray, and those with a head at the wrong end or missing where most others have it right."""
     ends = [one.how for one in vectors.values() if one.how in ("end", "start", "none")]
     good = ends.count("end")
     usual = good >= FEWEST and 2 * good > len(ends)

@@ -1,4 +1,4 @@
-"""What alone is wrong of a drawing that is right else: two letters exchanged, or its scale."""
+"""The single fault of an otherwise right drawing: two letters swapped, or its scale."""
 
 from dataclasses import replace
 from itertools import combinations
@@ -11,15 +11,17 @@ from planes.plans.scales import fitting
 from planes.words.names import POLE, kind_of, label_of
 
 APART_MM = 3.0  # marks nearer to each other may share their letters
-NEAR = 0.02  # how near a scale told by vectors is to a standard one that is meant
+NEAR = 0.02  # relative difference at which a scale shown by vectors stands for a standard one
 
 
 def exchanged(bench: PreparedPlan, paper: ReadPaper, grading: Grading) -> tuple[Grading, SignFault] | None:
-    """The grading of a drawing that is right once two of its letters are exchanged, and which; None where that does not
-    mend it, or a mistake of the catalogue explains every mark."""
+    """The grading of a drawing that is right once two of its letters are swapped, and which.
+
+    None if swapping does not mend it, or a mistake of the catalogue explains every mark.
+    """
     judged = grading.judgement
     explained = judged.named is not None and judged.explained.keys() >= judged.misses.keys()
-    by_search = bool(paper.picture) and kind_of(bench.asked.plan) == "force"  # so its sides have their names
+    by_search = bool(paper.picture) and kind_of(bench.asked.plan) == "force"  # the search has named its sides
     if not judged.wrong or explained or by_search:
         return None
     names = {s.name: n for s in paper.spots if (n := bench.names.find(s.name)) and n != POLE}
@@ -37,7 +39,7 @@ def exchanged(bench: PreparedPlan, paper: ReadPaper, grading: Grading) -> tuple[
 
 
 def plan_scaled(bench: PreparedPlan, mu: float, chance: float = 1.0) -> SignFault:
-    """That a whole plan is drawn at another scale than asked, mm per unit: a standard one, if it is near to that."""
+    """The fault of a whole plan drawn at another scale than asked, mm per unit: a standard one, if close to it."""
     standard = fitting(bench.asked.plan, 1.0, mu * (1 + NEAR))
     drawn = bench.mu_said(standard if abs(standard / mu - 1) <= NEAR else float(f"{mu:.3g}"))
     return SignFault("plan_scaled", label_of(bench.marks[0]), drawn, chance, mu / bench.said_mu)

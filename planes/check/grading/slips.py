@@ -1,4 +1,4 @@
-"""Slips of reckoning: a number that a right drawing does not give, and what was done to it instead."""
+"""Calculation slips: a number that a right drawing does not give, and the slip that does."""
 
 from collections.abc import Iterable
 from functools import partial
@@ -16,7 +16,7 @@ SHARE = 0.03  # a number within 3 % is right, however steady the hand
 
 
 def number_mistake(f: WrittenNumber, true: float, sigma: float, free: Hand) -> Phrase | None:
-    """Slips of reckoning that leave the drawing as it is."""
+    """Calculation slips that leave the drawing unchanged."""
     if not true or not f.given:
         return None
     near = min(max(SHARE, 3 * sigma / abs(true)), 0.25)
@@ -56,12 +56,12 @@ def _slips(f: WrittenNumber, true: float, free: Hand) -> Iterable[tuple[str, flo
 
 
 def number_of(free: Hand, name: str) -> float:
-    """A value of a drawing; 0 where it has none of the name."""
+    """A value of a drawing; 0 if it has none of that name."""
     return float(free.number(name)) if name in free.things else 0.0
 
 
 def _from_total(name: str, free: Hand) -> float:
-    """ε from the whole relative acceleration instead of its tangential part."""
+    """ε from the total relative acceleration instead of its tangential component."""
     steps = free.program.makers
     step = steps.get(name)
     for value, power in step.terms[0].factors if isinstance(step, Calculate) else ():

@@ -1,4 +1,4 @@
-"""A mistake supposed: some steps of a program done another way, and what they make."""
+"""An assumed mistake: some steps of a program done differently, and their result."""
 
 from collections.abc import Container, Mapping
 
@@ -13,8 +13,10 @@ from planes.words.frozen import field, frozen
 
 @frozen
 class Variant:
-    """Some steps done another way: ``swaps`` puts steps in the place of the one that makes the name (the last of
-    them makes it too); ``givens`` are values changed or added. ``blames`` is the mark the mistake is made at."""
+    """Some steps done differently: ``swaps`` replaces the step that makes the name by steps of which the last makes it.
+
+    ``givens`` are values changed or added. ``blames`` is the mark at which the mistake is made.
+    """
 
     mistake: str
     blames: str
@@ -25,10 +27,10 @@ class Variant:
 
     @property
     def sentence(self) -> Phrase:
-        """What the mistake is, and how to mend it."""
+        """The mistake and its correction."""
         return Phrase(f"mistake_{self.mistake}", **{"mark": self.blames, **self.about})
 
     def drawn(self, program: Program, things: Env, tool: Tool, fixed: Container[str]) -> Env:
-        """What the steps it touches make of things drawn without it; marks that are ``fixed`` stay where they are."""
+        """The result of the affected steps from elements drawn without it; ``fixed`` marks stay in place."""
         steps = program.touched(self.givens, self.swaps, fixed)
         return draw_steps(steps, {**things, **self.givens}, tool, self.swaps)

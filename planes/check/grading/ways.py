@@ -1,4 +1,4 @@
-"""A program drawn without a person's marks, and every mistake that may be made on its way to some results."""
+"""A program drawn without a person's marks, and every possible mistake on its way to some results."""
 
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
@@ -10,18 +10,17 @@ from planes.check.grading.slips import number_of
 from planes.check.grading.variants import Variant
 from planes.words.names import mu_of, plan_of
 
-EARLIER = 0.25  # the weight of a mistake in a plan that none of the results is of: its own are thought to be right
+EARLIER = 0.25  # weight of a mistake in a plan without any of the results: its own results are assumed to be right
 
 
 def free_hand(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, ReadMark]) -> Hand:
-    """The true plan with the errors of drafting carried through it, all its mistakes may read, and the wanted names."""
+    """The true plan with propagated drafting errors, all that its mistakes may read, and the wanted names."""
     program = bench.plans.program.sliced([*bench.program.made, *(n for n in wanted if n)])
     return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
 
 
 def on_the_way(bench: PreparedPlan, free: Hand, shown: Collection[str]) -> Iterator[Variant]:
-    """The mistakes that could be made in each of the plans a program draws on the way to its results, which are of
-    the plans ``shown``."""
+    """The possible mistakes in each plan on the way to the results, which belong to the plans ``shown``."""
     ways, scales = replace(bench, program=free.program), {plan: mu_of(plan) for plan in known_plans(bench.plans)}
     for plan in dict.fromkeys(plan_of(made) for made in free.program.makers):
         if scales.get(plan) in free.things:

@@ -1,4 +1,4 @@
-"""Numbers a person wrote down, lengths of segments or results, against what the plans, mistakes and slips give."""
+"""Written numbers, lengths of segments or results, compared with those of the plans, mistakes and slips."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -16,44 +16,44 @@ from planes.words import Phrase, Written
 from planes.words.names import mu_of
 from planes.words.units import number
 
-ROUNDED = 0.005  # of a number reckoned in three digits
-LEAST = 0.1  # of the true value: smaller numbers are not written more exactly
-PRIOR_NUMBERS = 4  # the weight of what is known before: a careful draughtsman has half of a pupil's errors
-LIKELY = -4.5  # the logarithm of how unlikely a number 3σ off is
+ROUNDED = 0.005  # of a number calculated with three digits
+LEAST = 0.1  # of the true value: smaller numbers are not written more precisely
+PRIOR_NUMBERS = 4  # weight of the prior: a careful draughtsman has half of a pupil's errors
+LIKELY = -4.5  # log likelihood limit: a number 3σ off
 
 
 @dataclass
 class Scored:
-    """A figure judged: true value, its standard deviation, right, wrong or follows, and a close call or not."""
+    """A judged figure: true value, its standard deviation, right, wrong or follows, and whether it is a close call."""
 
     figure: WrittenNumber
     true: float
     sigma: float
     verdict: str
     close: bool = False
-    mine: float | None = None  # what the person's own drawing gives
-    slip: Phrase | None = None  # the slip of reckoning that gives the number
+    mine: float | None = None  # the value from the person's own drawing
+    slip: Phrase | None = None  # the calculation slip that gives the number
     error_scale: float = 1.0  # the person's errors relative to a pupil's
 
     @property
     def error(self) -> float:
-        """Standard deviation of the number as a pupil measures and writes it."""
+        """Standard deviation of the number as measured and written by a pupil."""
         return max(self.sigma, SHARE * abs(self.true) / 3)
 
     @property
     def off(self) -> float:
-        """How far it is from the true value."""
+        """Its difference from the true value."""
         return _off(self.figure, self.true)
 
     @property
     def chance_wrong(self) -> float:
-        """How likely it is that the number is wrong, and not only badly measured."""
+        """The probability that the number is wrong, not only badly measured."""
         return 1.0 if self.slip else chance_off(self.off, self.error_scale * self.error, abs(self.true))
 
 
 @dataclass
 class Account:
-    """All figures of a table judged."""
+    """All figures of a table, judged."""
 
     scored: list[Scored] = field(default_factory=list)
     lengths: bool = False  # of the drawing, not results
@@ -67,19 +67,19 @@ class Account:
 
     @property
     def unsure(self) -> list[str]:
-        """The figures that nobody can judge, so near is a dead point."""
+        """The figures too close to a dead point to be judged."""
         return [s.figure.name for s in self.scored if s.verdict == "too_near"]
 
     @property
     def first_wrong(self) -> str | None:
-        """Its name, or the mark a mistake known by its lengths is made at."""
+        """Its name, or the mark of a mistake identified by its lengths."""
         if self.named and self.lengths:
             return self.named.blames
         return self.first.figure.name if self.first else None
 
     @property
     def fault(self) -> Phrase | None:
-        """What goes wrong first and how to mend it."""
+        """The first error and its correction."""
         if self.named or not (s := self.first):
             return self.named.sentence if self.named else None
         if s.slip:
@@ -91,7 +91,7 @@ class Account:
 def account(
     figures: Sequence[WrittenNumber], free: Hand, own: Hand | None, variants: Iterable[Variant], ruler_mm: float = 0.0
 ) -> Account:
-    """Judge figures against the true plan; name the mistake of the first wrong one."""
+    """Judges figures against the true plan; names the mistake of the first wrong one."""
     own_account = Account([_judged(f, free, own, ruler_mm) for f in figures], ruler_mm > 0)
     for s in own_account.scored:
         if s.verdict == "wrong":
@@ -106,8 +106,10 @@ def account(
 
 
 def error_scale(scored: Iterable[Scored]) -> float:
-    """The person's errors relative to a pupil's, estimated from the right numbers of the table. A number far off among
-    exact ones is therefore wrong, rather than badly measured."""
+    """The person's errors relative to a pupil's, estimated from the right numbers of the table.
+
+    So a number far off among exact ones is wrong, rather than badly measured.
+    """
     squares = [(s.off / s.error) ** 2 for s in scored if s.verdict == "right" and s.error]
     return math.sqrt((PRIOR_NUMBERS + sum(squares)) / (PRIOR_NUMBERS + len(squares)))
 
@@ -128,7 +130,7 @@ def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> 
 
 
 def _by_own_marks(f: WrittenNumber, own: Hand | None, true: float, sigma: float) -> Scored:
-    """A number of a plan near a dead point: a person's own marks may tell it nevertheless."""
+    """A number of a plan near a dead point, which the person's own marks may still determine."""
     mine, spread = drawn_by(f, own) if own else (true, sigma)
     if own is None or too_near(mine, spread):
         return Scored(f, true, sigma, "too_near")
@@ -138,13 +140,13 @@ def _by_own_marks(f: WrittenNumber, own: Hand | None, true: float, sigma: float)
 
 
 def drawn_by(f: WrittenNumber, free: Hand, ruler_mm: float = 0.0) -> tuple[float, float]:
-    """The true value of a number, and by how much (1σ) it is off as it is drawn and read."""
+    """The true value of a number, and its error (1σ) as drawn and read."""
     read = f.read(free.things)
     return first_of(read), math.hypot(free.spread_of(read), _ruler(f, free, ruler_mm))
 
 
 def _ruler(f: WrittenNumber, free: Hand, ruler_mm: float) -> float:
-    """The error of reading the segment itself: in mm of a segment, in SI of a result measured on a plan."""
+    """The error of reading the segment itself: in mm for a segment, in SI for a result measured on a plan."""
     if ruler_mm or f.value:
         return ruler_mm
     mu = number_of(free, mu_of(f.plan)) if f.plan else 0.0
@@ -156,9 +158,11 @@ def _off(f: WrittenNumber, true: float) -> float:
 
 
 def _name(own_account: Account, free: Hand, variants: Iterable[Variant], means: Sequence[bool]) -> None:
-    """The mistake in a plan that gives all the numbers as they are written, drawn by hand or reckoned (``means``); what
-    it explains beyond the first wrong figure follows from it. Of one wrong result a construction is told only by the
-    digits."""
+    """Names the mistake in a plan that gives all the numbers as written, drawn by hand or calculated (``means``).
+
+    Other errors it explains after the first wrong figure follow from it. With a single wrong result, only the digits
+    show a construction.
+    """
     best: dict[str, tuple[float, Variant, list[float]]] = {}
     for variant in variants:
         things = {**free.things, **variant.givens, **free.under(variant)}
@@ -182,14 +186,14 @@ def _name(own_account: Account, free: Hand, variants: Iterable[Variant], means: 
 
 
 def _by_other_cause(scored: Sequence[Scored], means: Sequence[bool]) -> float:
-    """How likely numbers are to be written where wrong ones may be any of their size, the rest as they should."""
+    """Log density of numbers of which the wrong ones may have any value of their size, the others as expected."""
     rest = [s for s in scored if s.verdict != "wrong"]
     anywhere = sum(math.log(max(abs(s.figure.given), s.sigma, 1e-12)) for s in scored if s.verdict == "wrong")
     return math.log(OTHER_CAUSE) - anywhere + max(_explained(rest, [s.true for s in rest], m)[0] for m in means)
 
 
 def _explained(scored: Sequence[Scored], values: Sequence[float], by_hand: bool) -> tuple[float, list[float]]:
-    """How likely numbers are to be written for these values (a log density), and how well each fits."""
+    """The log density of written numbers given these values, and the fit of each."""
     sigmas = [
         max(s.sigma if by_hand else 0.0, (SHARE / 2 if by_hand else ROUNDED) * max(abs(v), LEAST * abs(s.true)), 1e-12)
         for s, v in zip(scored, values, strict=True)

@@ -1,1 +1,1 @@
-"""Marks read out of drawings written by other programs."""
+"""Reads marks from drawings written by other programs."""

@@ -1,7 +1,7 @@
-"""Arrowheads of a drawing of lines, however a program wrote them: filled or hollow, open, or a marker of the line.
+"""Arrowheads of a vector drawing, however a program wrote them: filled or hollow, open, or a line marker.
 
-A head is a tip and the way it points. It tells which end of a stroke is the vector's, keeps a vector too short to be
-told from a tick, and is itself no part of the plan.
+A head is a tip and a direction. It shows which end of a stroke is the vector's, distinguishes a short vector from a
+tick, and is itself no part of the plan.
 """
 
 import cmath
@@ -12,27 +12,29 @@ from itertools import islice, pairwise
 from planes.check.reading.strokes import Arrowhead, ReadDrawing, goes_on
 from planes.check.reading.written import Stroke
 
-LARGEST_MM = 8.0  # a closed figure no larger may be a head
-LARGEST_FILLED_MM, SLENDER = 24.0, 0.7  # nor a filled one, which is no polygon, if it is so narrow between equal sides
+LARGEST_MM = 8.0  # maximum size of a closed figure as a head
+LARGEST_FILLED_MM, SLENDER = 24.0, 0.7  # the same if filled and no polygon, when this narrow between equal sides
 NEAR_MM = 0.7  # a tip is at the end of its stroke, or that end is within the head
-TURNED = 10.0  # how much better it is for a stroke to point as its head does than to end at the tip, mm per radian
-MOST_PAIRS = 1_000_000  # of more strokes and heads none is told whose it is
-BOTH, BOTH_FAR = 2, 1.0  # heads at both ends make a dimension line, if the second is its own so surely
+TURNED = 10.0  # weight of a head's direction against the distance of its tip, mm per radian
+MOST_PAIRS = 1_000_000  # with more pairs of strokes and heads none is assigned
+BOTH, BOTH_FAR = 2, 1.0  # heads at both ends make a dimension line, if the second surely belongs to it
 MOST_JOINED, SAME_MM = 500, 0.02
-EVEN = 0.03  # how unequal sides may be that meet in a tip, of their sum
-SLIM = 0.1  # how far from a head's middle line its shaft may end, in lengths of the head
-ASKEW = 0.02  # radians, by which a shaft drawn in pieces may turn
-# a shaft in lengths of its open head's sides; a shorter one ends in its very tip
+EVEN = 0.03  # maximum difference of the sides that meet in a tip, relative to their sum
+SLIM = 0.1  # distance of a shaft's end from a head's centre line, in lengths of the head
+ASKEW = 0.02  # radians, maximum turn of a shaft drawn in pieces
+# minimum length of a shaft in sides of its open head; a shorter one ends exactly in its tip
 LONGER, SHORTER, EXACT = 1.3, 0.6, 0.3
-STRAIGHT = 0.94  # the cosine of the angle between a head and its stroke, at the least
-TURNS = tuple(cmath.rect(1, k * math.tau / 3) for k in range(3))  # ways a head of equal sides may point
-AGAIN_MM, AGAIN = 0.1, 0.01  # a head so near another one that points as it does is that head: filled, then outlined
-NARROW_MM = 1.5  # a drawn arrow's shaft is no wider
+STRAIGHT = 0.94  # minimum cosine of the angle between a head and its stroke
+TURNS = tuple(cmath.rect(1, k * math.tau / 3) for k in range(3))  # possible directions of an equilateral head
+AGAIN_MM, AGAIN = 0.1, 0.01  # a head this close to another one in its direction is a duplicate: filled, then outlined
+NARROW_MM = 1.5  # maximum width of a drawn arrow's shaft
 
 
 def head_of(points: Sequence[complex], filled: bool = False) -> Arrowhead | None:
-    """The head a small closed figure is: its tip is the corner farthest from the middle, or between equal sides; one
-    that is ``filled`` may be larger."""
+    """The head formed by a small closed figure, or a larger one if ``filled``.
+
+    Its tip is the corner farthest from the middle, or the one between equal sides.
+    """
     corners = [a for a, b in pairwise([*points, *points[:1]]) if abs(b - a) > 0.02]
     if not 3 <= len(corners) <= 12:
         return None
@@ -56,7 +58,7 @@ def head_of(points: Sequence[complex], filled: bool = False) -> Arrowhead | None
 
 
 def _apexes(corners: Sequence[complex]) -> list[complex]:
-    """The corners of a triangle between equal sides: one, or of an equilateral one all three."""
+    """The corners of a triangle between equal sides: one, or all three if it is equilateral."""
     if len(corners) != 3:
         return []
     sides = [(abs(corners[k - 1] - corners[k]), abs(corners[k - 2] - corners[k])) for k in range(3)]
@@ -64,7 +66,7 @@ def _apexes(corners: Sequence[complex]) -> list[complex]:
 
 
 def figure_of(points: Sequence[complex], filled: bool = False) -> tuple[Sequence[complex], Arrowhead] | None:
-    """What a closed figure is, if it is one: a whole arrow, its vector and its head; or a head alone."""
+    """The meaning of a closed figure, if any: a whole arrow (vector and head) or only a head."""
     if arrow := _arrow_of(points):
         return arrow
     head = head_of(points, filled)
@@ -88,7 +90,7 @@ def _arrow_of(points: Sequence[complex]) -> tuple[Stroke, Arrowhead] | None:
 
 
 def settle(sketch: ReadDrawing) -> None:
-    """Open heads become heads; each goes to its stroke; short strokes that have none, and dimension lines, go."""
+    """Forms open heads; assigns each head to its stroke; removes short strokes without heads, and dimension lines."""
     sketch.heads = _once(sketch.heads)
     sketch.strokes = list({tuple((round(z.real, 2), round(z.imag, 2)) for z in s): s for s in sketch.strokes}.values())
     shafts = given(sketch.strokes, sketch.heads)[0] if sketch.heads else []
@@ -107,8 +109,10 @@ def settle(sketch: ReadDrawing) -> None:
 
 
 def _reached(strokes: Sequence[Stroke], owned: Sequence[int], tips: dict[int, complex]) -> dict[int, complex]:
-    """Tips up to which shafts that end within their heads are drawn: all, unless heads stand out beyond the places
-    that are meant, where other strokes end as these do."""
+    """Tips to which shafts that end within their heads are extended.
+
+    All are, unless heads extend beyond the intended points, where other strokes end as these do.
+    """
     if len(strokes) > MOST_JOINED:
         return tips
     ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
@@ -121,7 +125,7 @@ def _reached(strokes: Sequence[Stroke], owned: Sequence[int], tips: dict[int, co
 
 
 def _once(heads: Sequence[Arrowhead]) -> list[Arrowhead]:
-    """The heads without those drawn twice."""
+    """The heads without duplicates."""
     by_place: dict[tuple[int, int], list[Arrowhead]] = {}
     for head in heads:
         near = by_place.setdefault((round(head.tip.real), round(head.tip.imag)), [])
@@ -131,7 +135,7 @@ def _once(heads: Sequence[Arrowhead]) -> list[Arrowhead]:
 
 
 def _join(sketch: ReadDrawing) -> None:
-    """Strokes without heads that a stroke with a head goes straight on from, where nothing else meets, join it."""
+    """Joins strokes without heads to a stroke with a head that continues them straight on, where nothing else meets."""
     if len(sketch.strokes) > MOST_JOINED:
         return
     gone = set[int]()
@@ -152,9 +156,9 @@ def _join(sketch: ReadDrawing) -> None:
 
 
 def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[int], dict[int, complex]]:
-    """Which end of each stroke has a head: +1 the second, -1 the first, 0 neither, 2 both; a head has one stroke.
+    """The end with a head of each stroke: +1 the second, -1 the first, 0 neither, 2 both; a head has one stroke.
 
-    With them the tips of those strokes that end within their heads.
+    Also the tips of those strokes that end within their heads.
     """
     import numpy
 
@@ -179,15 +183,14 @@ def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[i
 
 
 def _turns(head: Arrowhead) -> Iterator[Arrowhead]:
-    """A head; one of equal sides whichever way its stroke may show it to point."""
+    """A head; an equilateral one in every direction that its stroke may determine."""
     middle = head.tip - head.way * head.length * 2 / 3
     for turn in TURNS if head.even else TURNS[:1]:
         yield head._replace(tip=middle + (head.tip - middle) * turn, way=head.way * turn) if turn != 1 else head
 
 
 def _candidates(strokes: Sequence[Stroke], head: Arrowhead, held: Iterable[int]) -> list[tuple[float, int, int]]:
-    """Ends of the strokes ``held`` a head may belong to: how far it is (less than nothing if within it), which stroke,
-    which end."""
+    """Ends of the strokes ``held`` to which a head may belong: distance (negative within the head), stroke, end."""
     tip, way, long, _ = head
     ends = []
     for k in map(int, held):
@@ -203,7 +206,7 @@ def _candidates(strokes: Sequence[Stroke], head: Arrowhead, held: Iterable[int])
 
 
 def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Arrowhead, tuple[Stroke, Stroke]]]:
-    """Pairs of short strokes, of those ``free``, that spread alike from the end of a longer one."""
+    """Pairs of short strokes, among those ``free``, that spread symmetrically from the end of a longer one."""
     short = [s for s in free if abs(s[1] - s[0]) <= LARGEST_MM]
     pairs = [(one, two) for i, one in enumerate(short) for two in short[:i]] if len(short) <= 400 else []
     spread = [(head, wings, far) for wings in pairs for head, far in _spread(*wings)]
@@ -218,7 +221,7 @@ def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Arrow
 
 
 def _spread(one: Stroke, two: Stroke) -> Iterator[tuple[Arrowhead, float]]:
-    """The open head two strokes make, and how long it is, if they spread alike from where they meet."""
+    """The open head of two strokes that spread symmetrically from their common end, and its length."""
     ways = ((a, b, d) for a, b in (one, one[::-1]) for c, d in (two, two[::-1]) if abs(a - c) < 0.15 < abs(b - d))
     for tip, b, d in islice(ways, 1):
         far, middle = abs(b - tip), tip - (b + d) / 2
@@ -227,13 +230,13 @@ def _spread(one: Stroke, two: Stroke) -> Iterator[tuple[Arrowhead, float]]:
 
 
 def tapered(points: Sequence[complex], widths: Sequence[tuple[float, float]]) -> tuple[list[complex], list[Arrowhead]]:
-    """A polyline some of whose segments narrow to nothing: those are heads, the line goes on to their tips."""
+    """A polyline with segments that taper to zero: those are heads, and the line continues to their tips."""
     kept, heads = [points[0]], list[Arrowhead]()
     for (a, b), (wide, narrow) in zip(pairwise(points), widths, strict=False):
         small = 0 < abs(b - a) <= LARGEST_MM
         if small and wide == 0 < narrow:
             heads.append(Arrowhead(a, (a - b) / abs(a - b)))
-            continue  # the shaft goes on from the tip
+            continue  # the shaft continues from the tip
         if small and narrow == 0 < wide:
             heads.append(Arrowhead(b, (b - a) / abs(b - a)))
             if len(kept) > 1 and (kept[-2] == kept[-1] or goes_on(kept[-2], kept[-1], b, ASKEW)):

@@ -1,24 +1,26 @@
-"""Construction lines told from the vectors upon them, where no arrowheads tell: they run on to where nothing ends."""
+"""Distinguishes construction lines from the vectors on them, without arrowheads: they run on to where nothing ends."""
 
 from collections.abc import Iterator, Sequence
 
 from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, headed
 from planes.check.reading.written import Stroke
 
-UPON_MM = 0.1  # a vector is drawn upon its line
-ASKEW = 0.02  # radians, by which lines along each other may part
-MEETING = 0.5  # of the ends of lines that are drawn from end to end, how many meet others
-ALONG_MM = 0.9  # a stroke no farther off runs along a way
-NAMED_MM = 6.0  # a word is nearer to the end it names
-MISREAD = 0.05  # for which share of a drawing's marks another place is taken
-CONFUSED = 0.0005  # for which share of the marks of such lines, without heads, another place is taken
-LOOSE = 0.9  # the same of lines that run past each other, or of which three and more lie upon each other
-PAST_MM, PAST = 20.0, 2  # how far lines run past where they meet; so many ends tell that they do
+UPON_MM = 0.1  # a vector is drawn on its line
+ASKEW = 0.02  # maximum angle between parallel lines, radians
+MEETING = 0.5  # share of ends that meet others, for lines drawn from end to end
+ALONG_MM = 0.9  # maximum offset of a stroke along a segment
+NAMED_MM = 6.0  # maximum distance of a word from the end it names
+MISREAD = 0.05  # share of a drawing's marks that are misread
+CONFUSED = 0.0005  # the same for marks of such lines without heads
+LOOSE = 0.9  # the same for lines that overrun each other, or three and more on top of each other
+PAST_MM, PAST = 20.0, 2  # maximum overrun of lines; number of ends that prove it
 
 
 def doubt_of(sketch: ReadDrawing) -> float:
-    """For which share of the marks of a drawing of lines another place is taken: hardly any where arrowheads tell; of
-    those without heads that end beyond where they meet, or lie in rows, so many that a mark by itself tells of none."""
+    """The share of misread marks in a vector drawing: hardly any with arrowheads.
+
+    Without heads, and with lines that overrun or lie in rows, it is so high that a single mark proves nothing.
+    """
     if any(sketch.ways):
         return 0.0
     ends = [(k, z) for k in vectors_of(sketch) or range(len(sketch.strokes)) for z in sketch.strokes[k]]
@@ -29,18 +31,18 @@ def doubt_of(sketch: ReadDrawing) -> float:
 
 
 def meeting(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]], near: float = SNAPPED_MM) -> float:
-    """Which share of the ends of strokes meet others."""
+    """The share of the ends of strokes that meet others."""
     return sum(_met(strokes, z, (k,), near) for k, z in ends if len(ends) < CROSSINGS) / max(len(ends), 1)
 
 
 def past(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]]) -> int:
-    """How many ends lie a little past where another stroke crosses theirs, or ends upon it, and meet none."""
+    """The number of ends slightly beyond a crossing with another stroke, or its end on theirs, that meet none."""
     free = ((k, z) for k, z in ends if not _met(strokes, z, (k,), SNAPPED_MM))
     return sum(any(at < PAST_MM for at in crossed(strokes, k, z)) for k, z in free)
 
 
 def crossed(strokes: Sequence[Stroke], k: int, z: complex) -> Iterator[float]:
-    """How far from its end a stroke is crossed by others, or these end upon it."""
+    """The distances from the end of a stroke at which others cross it or end on it."""
     other = next(w for w in strokes[k] if w != z)
     length, u = abs(other - z), (other - z) / abs(other - z)
     for i, (a, b) in enumerate(strokes):
@@ -53,14 +55,16 @@ def crossed(strokes: Sequence[Stroke], k: int, z: complex) -> Iterator[float]:
 
 
 def _in_rows(strokes: Sequence[Stroke]) -> bool:
-    """Whether three strokes and more lie upon a longer one, so that nothing tells which of them are vectors."""
+    """Whether three or more strokes lie on a longer one, so that the vectors among them are unknown."""
     few = len(strokes) < CROSSINGS
     return few and any(sum(upon(one, line) for one in strokes if one is not line) > 2 for line in strokes)
 
 
 def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
-    """The strokes that are vectors: those with heads, else those that are no construction line of another; none where
-    nothing tells. Of a ``closed`` figure a vector begins and ends where others do."""
+    """The strokes that are vectors: those with heads, otherwise those that are no construction line of another.
+
+    None if there is no evidence. In a ``closed`` figure a vector begins and ends where others do.
+    """
     strokes = sketch.strokes
     if with_heads := headed(sketch):
         return with_heads
@@ -72,12 +76,12 @@ def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
 
 
 def vectors_alone(sketch: ReadDrawing, vectors: Sequence[int]) -> ReadDrawing:
-    """The drawing with its ``vectors`` alone, where these are told though no stroke has a head."""
+    """The drawing with its ``vectors`` only, if these are known though no stroke has a head."""
     return sketch.only(vectors) if vectors and not headed(sketch) else sketch
 
 
 def _named(sketch: ReadDrawing) -> list[complex]:
-    """Ends of strokes that alone stand beside a word."""
+    """Ends of strokes that are the only ones beside a word."""
     ends_named, ends = list[complex](), [z for stroke in sketch.strokes for z in stroke]
     for word in sketch.words:
         near = [z for z in ends if word.distance(z) < NAMED_MM]
@@ -87,8 +91,10 @@ def _named(sketch: ReadDrawing) -> list[complex]:
 
 
 def _is_line(strokes: Sequence[Stroke], k: int, closed: bool, named: Sequence[complex]) -> bool:
-    """Whether a stroke runs on from a shorter one upon it to where nothing is ``named`` and no other begins or ends,
-    but for lines along it."""
+    """Whether a stroke extends a shorter one on it to an unnamed point where no other begins or ends.
+
+    Other lines along it do not count; ``named`` are the named points.
+    """
     for i, vector in enumerate(strokes):
         if i == k or not upon(vector, strokes[k]):
             continue
@@ -101,18 +107,18 @@ def _is_line(strokes: Sequence[Stroke], k: int, closed: bool, named: Sequence[co
 
 
 def _stopped(strokes: Sequence[Stroke], z: complex, line: Stroke) -> bool:
-    """Whether a stroke that is not along a line begins or ends at a place."""
+    """Whether a stroke in another direction than a line begins or ends at a point."""
     return any(any(abs(z - w) < SNAPPED_MM for w in stroke) and not _along(stroke, line) for stroke in strokes)
 
 
 def _along(one: Stroke, line: Stroke) -> bool:
-    """Whether a stroke has the direction of a line, either way."""
+    """Whether a stroke is parallel to a line, in either direction."""
     turn = (one[1] - one[0]) / (line[1] - line[0])
     return abs(turn.imag) < ASKEW * abs(turn)
 
 
 def upon(one: Stroke, line: Stroke) -> bool:
-    """Whether a stroke lies upon a longer one."""
+    """Whether a stroke lies on a longer one."""
     a, b = line
     local = [(z - a) / (b - a) * abs(b - a) for z in one]
     return abs(one[1] - one[0]) < abs(b - a) - SNAPPED_MM and all(
@@ -121,12 +127,12 @@ def upon(one: Stroke, line: Stroke) -> bool:
 
 
 def _met(strokes: Sequence[Stroke], z: complex, but: Sequence[int], near: float = SNAPPED_MM) -> bool:
-    """Whether another stroke begins or ends at a place."""
+    """Whether another stroke begins or ends at a point."""
     return any(abs(z - w) < near for i, stroke in enumerate(strokes) if i not in but for w in stroke)
 
 
 def covered(strokes: Sequence[Stroke], a: complex, b: complex) -> float:
-    """The share of the way from ``a`` to ``b`` that some stroke runs along."""
+    """The share of the segment from ``a`` to ``b`` with a stroke along it."""
     length, spans, reach = abs(b - a), [], ALONG_MM
     if length < 2 * reach:
         return 1.0

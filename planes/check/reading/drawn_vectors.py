@@ -1,6 +1,6 @@
-"""How the vectors of a motion plan are drawn in a file of lines: from mark to mark, past it, with which head, or not.
+"""How a vector drawing shows the vectors of a motion plan: from mark to mark, past it, with which head, or not.
 
-A mark is read where lines meet, and a vector may be wrong though others meet at its end rightly.
+A mark is read where lines meet, and a vector may be wrong though others meet correctly at its end.
 """
 
 import math
@@ -15,15 +15,15 @@ from planes.check.reading.written import Stroke
 from planes.drafting.skill import SIGMAS
 from planes.words.names import kind_of
 
-ALONG = 0.7  # the share of a vector without a head that must be drawn
-HALF = 0.51  # of its length: what is farther off is no attempt at a vector
-LEAST_MM = 8.0  # a shorter vector may have no head, or be all head
+ALONG = 0.7  # minimum drawn share of a vector without a head
+HALF = 0.51  # of its length: anything farther off is no attempt at a vector
+LEAST_MM = 8.0  # a shorter vector may have no head, or consist of its head only
 Line = tuple[Stroke, bool]
 """A stroke and whether it has a head, which then is at its end."""
 
 
 def vectors_drawn(sketch: ReadDrawing, paper: ReadPaper, bench: PreparedPlan) -> dict[Vector, DrawnVector]:
-    """Every longer vector whose two marks are read; where none has a head, any line along it will do."""
+    """Every longer vector with both marks read; where none has a head, any line along it counts."""
     if kind_of(bench.asked.plan) in ("position", "force"):
         return {}
     marks = {n: s.place for s in paper.spots if (n := bench.names.find(s.name))}
@@ -48,14 +48,16 @@ def vectors_drawn(sketch: ReadDrawing, paper: ReadPaper, bench: PreparedPlan) ->
         aim = min(aims, key=lambda v: _off(arrow, vectors[v]), default=None) if free else None
         if aim and (off := _off(arrow, vectors[aim])) <= HALF * abs(vectors[aim][1] - vectors[aim][0]):
             others = [w for other in arrows if other != arrow for w in other]
-            misread = any(abs(z - w) <= near for z in free for w in others)  # a mark, where others end too
+            misread = any(abs(z - w) <= near for z in free for w in others)  # a mark at which others end, too
             drawn_as[aim] = DrawnVector("missing") if misread else DrawnVector("astray", off)
     return {v: drawn_as.get(v, DrawnVector("missing")) for v in vectors}
 
 
 def _from_end_to_end(joined: Sequence[Line], way: Stroke, near: float) -> DrawnVector | None:
-    """How a vector is drawn that reaches from its one end to the other, by one of the lines that are ``joined`` to
-    marks or by several of which the last has its head at its end; None if nothing does."""
+    """How a vector is drawn from end to end: by a line among those ``joined`` to marks, or by several.
+
+    The last of several has its head at its end; None if nothing reaches from end to end.
+    """
     tied = [line for line, headed in joined if headed]
     if any(_off(line, way) < near for line in tied):
         return DrawnVector("end")
@@ -68,7 +70,7 @@ def _from_end_to_end(joined: Sequence[Line], way: Stroke, near: float) -> DrawnV
 
 
 def _off(line: Stroke, way: Stroke) -> float:
-    """How far a line's ends are from where they should be."""
+    """The distance of a line's ends from their right positions."""
     return max(abs(z - w) for z, w in zip(line, way, strict=True))
 
 

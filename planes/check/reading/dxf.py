@@ -1,4 +1,4 @@
-"""Strokes and words of a DXF file: lines, polylines, blocks inside blocks, arrowheads, texts; no dimensions."""
+"""Strokes and words of a DXF file: lines, polylines, nested blocks, arrowheads, texts; no dimensions."""
 
 import cmath
 import io
@@ -17,16 +17,16 @@ from planes.words.errors import guarded
 
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 13: 1e-3, 14: 100.0}
 LARGEST = 12 * MB
-MOST = 60_000  # entities, blocks among them
-DEEPEST = 30  # blocks within blocks
+MOST = 60_000  # entities, including blocks
+DEEPEST = 30  # nesting depth of blocks
 FILLINGS = ("SOLID", "TRACE", "HATCH")
 MEASURES = ("DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "TOLERANCE", "VIEWPORT")  # no vectors
 
 
 def read_dxf(path: str | Path) -> ReadDrawing:
-    """The strokes of a file's model space in mm, of its sheets where that is empty.
+    """The strokes of a file's model space in mm, or of its sheets if that is empty.
 
-    :class:`PlanesError` where it is not a DXF.
+    :class:`PlanesError` if it is not a DXF.
     """
     from ezdxf import recover
 
@@ -55,7 +55,7 @@ def _sketch(document: Any, space: Any, scale: float, file: str) -> ReadDrawing:
 
 
 def _seen(document: Any, space: Any, file: str) -> Iterator[Any]:
-    """The entities that can be seen, blocks as what they hold; all are counted as they pass, seen or not."""
+    """The visible entities, with blocks expanded; all are counted, visible or not."""
     unseen, passed = {x.dxf.name.casefold() for x in document.layers if x.is_off() or x.is_frozen()}, count(1)
 
     def counted(entities: Iterable[Any]) -> Iterator[Any]:
@@ -81,7 +81,7 @@ def _seen(document: Any, space: Any, file: str) -> Iterator[Any]:
 
 
 def _outlined(block: Any) -> bool:
-    """Whether a block is one figure and its filling: a head, which is to be found once."""
+    """Whether a block is one figure and its filling: a head, to be counted once."""
     kinds = [e.dxftype() for e in block] if block is not None and len(block) == 2 else []
     return sum(kind in FILLINGS for kind in kinds) == 1
 
@@ -116,7 +116,7 @@ def _entity(drawing: ReadDrawing, entity: Any, scale: float) -> None:
 
 
 def _told(text: str) -> str:
-    """The words of an MTEXT; of two indices the lower one first, as names are told."""
+    """The words of an MTEXT; of two indices the lower one first, as names are written."""
     from ezdxf.tools.text import MTextParser, TokenType
 
     def said(token: Any) -> str:
@@ -134,7 +134,7 @@ def _told(text: str) -> str:
 
 
 def _polyline(drawing: ReadDrawing, entity: Any, scale: float) -> None:
-    """A polyline: a vector or several, perhaps with heads of its own, or a hollow head."""
+    """A polyline: one or more vectors, perhaps with heads, or a hollow head."""
     if entity.dxftype() == "LWPOLYLINE":
         points, closed = [_z(p, scale) for p in entity.vertices_in_wcs()], bool(entity.closed)
         rows = [tuple(w) for w in entity.get_points("seb")]
@@ -166,7 +166,7 @@ def _boundary(entity: Any, path: Any, scale: float) -> list[complex]:
 
 
 def _text(drawing: ReadDrawing, entity: Any, scale: float) -> None:
-    """A line of text: where its lower left corner is depends on how it is aligned."""
+    """A line of text: the position of its lower left corner depends on its alignment."""
     along = cmath.rect(1, math.radians(entity.dxf.get("rotation", 0.0)))
     across, up = entity.dxf.get("halign", 0), entity.dxf.get("valign", 0)
     fitted = entity.dxf.get("align_point") if across in (3, 5) else None
@@ -174,7 +174,7 @@ def _text(drawing: ReadDrawing, entity: Any, scale: float) -> None:
     at = entity.ocs().to_wcs(placed if placed is not None else entity.dxf.insert)
     height, text = entity.dxf.height * scale, entity.plain_text()
     width = height * breadth(text)
-    if fitted is not None:  # between two places
+    if fitted is not None:  # between two points
         span = _z(fitted, scale) - _z(entity.dxf.insert, scale)
         width, along = abs(span) or width, span / abs(span) if span else along
     back = {1: 0.5, 2: 1.0, 4: 0.5}.get(across, 0.0) if placed is not None else 0.0

@@ -1,5 +1,7 @@
-"""The vectors of a force plan in a file of lines, wherever on the plan they lie: every arrow is the vector it is like
-and whose name stands beside it, in the right plan or in a mistake's."""
+"""The vectors of a force plan in a vector drawing, wherever on the plan they lie.
+
+Every arrow is the vector that it resembles and whose name stands beside it, in the right plan or in a mistake's.
+"""
 
 from __future__ import annotations
 
@@ -30,38 +32,38 @@ from planes.geometry.arrays import Array
 from planes.words.names import POLE, end_of
 
 HEADLESS_MM = 2.0  # a shorter vector may have no head
-NAMELESS, AGAINST, BARE = 2.0, 4.0, 1.0  # what it costs: to have no name; numbers the other way; no head
-LEFT = 2.5, 9.0  # without heads and with them, that an arrow is no vector of the plan, at the most
-HEAD = 0.0, 4.0  # the least of it
-SHARE = 0.02  # of its length, by which a force reckoned from others may be off
-SOFT_MM, MIDDLE, TIP = 0.5, 0.15, 8.0  # of names of vectors there and back
-NARROW = 0.2  # how far apart, of their length, vectors there and back may be
-MEET_MM, LOOSE = 1.0, 0.7  # ends that meet; of how far they are apart, the error of each
-HIDDEN_MM = 0.7  # shorter vectors nobody draws
-SAME_MM = 0.3  # vectors that are one
-UPON = 0.7  # the share of a vector that may lie within others' lines, so that its own is not missed
-EXACT_MM = 0.05  # how exactly a program draws
+NAMELESS, AGAINST, BARE = 2.0, 4.0, 1.0  # cost of having no name; numbers in reverse; no head
+LEFT = 2.5, 9.0  # maximum cost of an arrow outside the plan, without heads and with them
+HEAD = 0.0, 4.0  # the minimum of it
+SHARE = 0.02  # of its length, the error of a force computed from others
+SOFT_MM, MIDDLE, TIP = 0.5, 0.15, 8.0  # for names of opposite vectors
+NARROW = 0.2  # maximum distance between opposite vectors, relative to their length
+MEET_MM, LOOSE = 1.0, 0.7  # ends that meet; share of their distance that is the error of each
+HIDDEN_MM = 0.7  # shorter vectors are not drawn
+SAME_MM = 0.3  # vectors that coincide
+UPON = 0.7  # share of a vector within the lines of others at which it need not be visible
+EXACT_MM = 0.05  # accuracy of a program
 MOST = 120  # arrows
-LEAST, ALIKE, OTHER_SIZE = 0.2, 1.03, 3.0  # sizes of a plan whose scale was not told: the smallest; no two alike
+LEAST, ALIKE, OTHER_SIZE = 0.2, 1.03, 3.0  # sizes of a plan of unknown scale: the smallest; ratio of equal ones
 NEVER = 1e6
 Known = dict[str, complex]
 
 
 @dataclass
 class Reading:
-    """Which arrow is which vector, under a hypothesis, and what that costs; what each vector should be, mm."""
+    """The assignment of arrows to vectors under a hypothesis, and its cost; the expected vectors, mm."""
 
     cost: float
     hypothesis: Hypothesis
     known: Known
-    taken: dict[str, int]  # of all the ways that arrows may go, by its vector's name
+    taken: dict[str, int]  # index among all directions of arrows, by vector name
     left: list[int]
     off: list[float] = field(default_factory=list)
 
 
 @dataclass
 class ForceArrows:
-    """The arrows of a drawing, each with the ways it may go, and what names say of them."""
+    """The arrows of a drawing in each possible direction, and the evidence of names for them."""
 
     sketch: ReadDrawing
     bench: PreparedPlan
@@ -72,7 +74,7 @@ class ForceArrows:
         self.headed = many or bool(headed(sketch))
         self.plan = PlanLines(self.bench, to_fit=False)
         self.written = self.needed = numpy.zeros(0, bool)  # names on the drawing; vectors that must be there
-        self.prices = numpy.zeros((0, 0))  # what it costs each way of an arrow to have each name
+        self.prices = numpy.zeros((0, 0))  # cost of each name for each direction of an arrow
         self.sides = sides_of(self.bench.plans, self.bench.asked.plan)
         own, loads = {s.name for s in self.sides}, loads_of(self.bench.plans, self.bench.asked.plan)
         segments = self.bench.plans.segments_of.get(self.bench.asked.plan, ())
@@ -100,7 +102,7 @@ class ForceArrows:
         return {n: places.get(b, 0j) - places.get(a, 0j) for n, (a, b) in self.ends.items()}
 
     def beside(self) -> Array:
-        """What it costs each way of an arrow to have each name, by where that is written."""
+        """The cost of each name for each direction of an arrow, by its position."""
         words = words_of(self.sketch, self.bench.naming.names(self.names), self.names).words
         words = [one for one in words if min(one.off(*s) for _, s in self.flat) < NEAR_WORD_MM]
         written = {n for one in words for n in one.likely}
@@ -116,10 +118,10 @@ class ForceArrows:
         return cost
 
     def _price(self, one: LineWord, off: Sequence[float], k: int, i: int, s: Stroke, back: int | None) -> float:
-        """What it costs that a text names a vector, and no other one."""
+        """The cost of a text naming this vector, and no other one."""
         pair = i if back is None else self.flat[back][0]
         price = one.nearest(off[k], [mm for mm, (j, _) in zip(off, self.flat, strict=True) if j not in (i, pair)])
-        if back is not None:  # it is by its own tip, or nearer to its own
+        if back is not None:  # it is at its own tip, or nearer to its own
             z = one.word.middle if one.led is None else one.led
             ahead = ((z - s[0]) / (s[1] - s[0])).real - 0.5
             by_tip = math.log(1 + math.exp(min(-2 * TIP * ahead, 40.0)))
@@ -127,7 +129,7 @@ class ForceArrows:
         return price + AGAINST * (not one.word.runs(s, self.sketch.words))
 
     def readings(self) -> Iterator[Reading]:
-        """Of the right plan and of every mistake's, the likeliest reading."""
+        """The likeliest reading of the right plan and of each mistake's."""
         right = self.known(Hypothesis())
         if right is None:
             return
@@ -144,7 +146,7 @@ class ForceArrows:
                 yield min((self.read(h, known, beside, size, s) for s in (w.HAND_MM, EXACT_MM)), key=lambda r: r.cost)
 
     def _sizes(self, known: Known) -> list[float]:
-        """Sizes of the plan, to what is stated: the drawer's choice unless it was told."""
+        """Sizes of the plan relative to the stated one: the drawer's choice unless given."""
         sizes, lengths = [1.0], [abs(v) for v in known.values() if abs(v) > HEADLESS_MM]
         for ratio in sorted(float(abs(v)) / t for v in self.v for t in lengths) if not self.bench.asked.mu else ():
             if LEAST < ratio < 1 / LEAST and ratio > ALIKE * (sizes[-1] if len(sizes) > 1 else 0.0):
@@ -179,7 +181,7 @@ class ForceArrows:
 
 
 def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
-    """The vectors of a force plan, each a row from where it begins."""
+    """The vectors of a force plan, each a row from its start."""
     paper, seen = ReadPaper(sketch.file, whole=False), ForceArrows(sketch, bench)
     if not 0 < len(seen.arrows) <= MOST:
         paper.reason = asking("check_force_unsure") if seen.arrows else None
@@ -200,7 +202,7 @@ def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     exchanged, elsewhere = _named(seen, best)
     paper.signs = [*exchanged, *arrow_faults({("", n): how for n, how in heads.items()})]
     paper.untold = [n for n in elsewhere if n in own]
-    ring = {s.name for s in seen.plan.sides} & {*compress(seen.names, seen.needed)}  # what lies within need not be
+    ring = {s.name for s in seen.plan.sides} & {*compress(seen.names, seen.needed)}  # vectors inside are optional
     unread = (n for n in true if n in ring and n not in rows and abs(true[n]) > HEADLESS_MM)
     paper.left = [n for n in unread if not _into_a_head(seen, true[n], rows)]
     error = max(sketch.error_mm, LOOSE * _gap(rows))
@@ -214,7 +216,7 @@ def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 
 
 def _shared(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
-    """The vectors with their arrows: a reaction and its only part, or two inner ones, may share one."""
+    """The vectors with their arrows: a reaction and its only component, or two inner vectors, may share one."""
     rows, known = {n: seen.flat[k][1] for n, k in best.taken.items()}, best.known
     for n in (s.name for s in seen.sides):
         alike = [m for m in rows if abs(known[m] - known[n]) < SAME_MM]
@@ -225,7 +227,7 @@ def _shared(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
 
 
 def _turned_round(seen: ForceArrows, best: Reading, own: Collection[str]) -> Iterator[tuple[str, Stroke]]:
-    """Vectors without an arrow of their own, each where one lies that is it the other way round; and sums that do."""
+    """Vectors without an arrow, each at a reversed one; and sums that have one."""
     left = [seen.arrows[i][0] for i in best.left if len(seen.arrows[i]) == 1]
     left = [(a, b) for a, b in left if all(abs(b - a - v) > _near(v) for v in best.known.values())]
     for n, v in best.known.items():
@@ -237,7 +239,7 @@ def _turned_round(seen: ForceArrows, best: Reading, own: Collection[str]) -> Ite
 
 
 def _named(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]]:
-    """Two names each by the other's arrow; vectors whose names stand rather by another's, and another's by theirs."""
+    """Pairs of names at each other's arrows; vectors whose names fit another's place better, and vice versa."""
     left = [k for k, i in enumerate(seen.of) if i in best.left]  # some, as their names stand elsewhere
     ways = {n: k for k in left for n, v in best.known.items() if abs(seen.v[k] - v) < SAME_MM} | best.taken
     names, v = [*ways], numpy.array([best.known[n] for n in ways])
@@ -253,7 +255,7 @@ def _named(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]
 
 
 def _headless(seen: ForceArrows, unread: Known, rows: Mapping[str, Stroke]) -> Iterator[tuple[str, Stroke]]:
-    """Vectors that are lines without heads from where one ends to where another begins, where others have heads."""
+    """Vectors that are headless lines from the end of one to the start of another, where others have heads."""
     ends = numpy.array([*rows.values()]).ravel()
     lines = [s for k, s in enumerate(seen.sketch.strokes) if seen.headed and not seen.sketch.way(k)]
     joined = [s for s in lines if all((abs(ends - z) < MEET_MM).any() for z in s)]
@@ -263,7 +265,7 @@ def _headless(seen: ForceArrows, unread: Known, rows: Mapping[str, Stroke]) -> I
 
 
 def _into_a_head(seen: ForceArrows, v: complex, rows: Mapping[str, Stroke]) -> bool:
-    """Whether a vector may end in the head of another that comes along its way, so that it has none of its own."""
+    """Whether a vector may end in the head of another in the same direction, so that it has none."""
     headed = [one[0] for one in seen.arrows if len(one) == 1]
     along = [(a, b) for a, b in headed if abs(cmath.phase((b - a) / v)) < w.NARROW]
     ends = [b for _, b in rows.values()]
@@ -271,13 +273,15 @@ def _into_a_head(seen: ForceArrows, v: complex, rows: Mapping[str, Stroke]) -> b
 
 
 def _near(v: complex) -> float:
-    """How far a vector drawn may be off."""
+    """The tolerance of a drawn vector."""
     return max(MEET_MM, SHARE * abs(v))
 
 
 def _vague(seen: ForceArrows, rows: Mapping[str, Stroke], bench: PreparedPlan, paper: ReadPaper) -> bool:
-    """Whether it is only guessed what is which of a wrong polygon: its vectors have no names or, as none has a head,
-    it may as well have been drawn the other way round; or lines without heads do not lead one from another."""
+    """Whether the vectors of a wrong polygon are only guessed.
+
+    They have no names; or, as none has a head, they may as well be reversed; or headless lines do not form a chain.
+    """
     if not seen.headed:
         begun = [a for a, _ in rows.values()]
         if sum(all(abs(b - a) > MEET_MM for a in begun) for _, b in rows.values()) > 1:
@@ -290,23 +294,23 @@ def _vague(seen: ForceArrows, rows: Mapping[str, Stroke], bench: PreparedPlan, p
 
 
 def _gap(rows: Mapping[str, Stroke]) -> float:
-    """How far apart the ends of vectors and the beginnings of others are that should meet."""
+    """The distance between the ends and the starts of vectors that should meet."""
     return median([gap for gap in _gaps(rows) if gap < MEET_MM] or [0.0])
 
 
 def _gaps(rows: Mapping[str, Stroke]) -> list[float]:
-    """How far from the end of each vector another begins."""
+    """The distance from the end of each vector to the start of another."""
     return [min(abs(b - a) for a, _ in rows.values()) for _, b in rows.values()]
 
 
 def _turned(spots: Sequence[ReadMark]) -> Iterator[complex]:
-    """The places of vectors the other way round."""
+    """The positions of vectors when reversed."""
     for k in range(0, len(spots), 2):
         yield from (spots[k + 1].place, spots[k].place)
 
 
 def _between(rows: Mapping[str, Stroke], known: Known) -> Iterator[tuple[str, Stroke]]:
-    """Short vectors nobody drew for themselves, between the end of one and the beginning of another."""
+    """Short vectors, not drawn separately, between the end of one and the start of another."""
     begun, ended = [a for a, _ in rows.values()], [b for _, b in rows.values()]
     begun, ended = (
         [z for z in one if all(abs(z - q) > EXACT_MM for q in other)] for one, other in ((begun, ended), (ended, begun))
@@ -326,7 +330,7 @@ def _back(s: Stroke, o: Stroke) -> bool:
 
 
 def cheapest(table: Array) -> list[int]:
-    """The column of each row, each once, so that all are cheapest together (Kuhn and Munkres)."""
+    """The column of each row, each used once, with the lowest total cost (Kuhn and Munkres)."""
     rows, columns = table.shape
     u, v, row_of = numpy.zeros(rows + 1), numpy.zeros(columns + 1), numpy.zeros(columns + 1, int)
     for row in range(1, rows + 1):

@@ -1,4 +1,4 @@
-"""Hatching told from the lines of a plan: strokes side by side, equally far apart, that join nothing to anything."""
+"""Distinguishes hatching from the lines of a plan: parallel, evenly spaced strokes that connect nothing."""
 
 import cmath
 import math
@@ -10,17 +10,19 @@ from shapely import STRtree, points
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.written import Stroke
 
-FEWEST = 4  # rows of strokes that make hatching
-WIDEST_MM, EVEN_MM = 6.0, 0.15  # how far apart the rows may be, and how much less or more than the rest
+FEWEST = 4  # minimum number of rows in hatching
+WIDEST_MM, EVEN_MM = 6.0, 0.15  # maximum distance between rows, and tolerance of their spacing
 PARALLEL_DEG = 0.5
-ROW_MM = 0.1  # strokes no farther off are pieces of one row, cut around a letter
-FREE_MM = 0.3  # an end is free where no other line ends so near
-AT_ONCE = 250  # ends whose neighbours are looked for: all of a scribble may be neighbours
+ROW_MM = 0.1  # strokes closer than this are pieces of one row, cut around a letter
+FREE_MM = 0.3  # an end is free if no other line ends this close
+AT_ONCE = 250  # ends in one search for neighbours: all of a scribble may be neighbours
 
 
 def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
-    """The drawing without its hatching: it has no heads, and nothing of a plan begins or ends where it does; one end of
-    a few of its strokes may lie by something by chance."""
+    """The drawing without its hatching, which has no heads and shares no ends with the plan.
+
+    One end of a few of its strokes may be close to something by chance.
+    """
     free = _free(sketch.strokes)
     gone, loose = set[int](), {k for k, ends in enumerate(free) if ends == 2 and not sketch.way(k)}
     for held in (loose, {k for k, ends in enumerate(free) if ends and not sketch.way(k)}):
@@ -30,7 +32,7 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
 
 
 def _free(strokes: Sequence[Stroke]) -> list[int]:
-    """How many ends of each stroke have no end by them but their own, and those of other pieces of their row."""
+    """The number of ends of each stroke without other ends close by, except those of other pieces of its row."""
     places = numpy.array(strokes, complex).ravel()
     ways = numpy.repeat([cmath.rect(1.0, cmath.phase(b - a)) for a, b in strokes], 2)
     ends = points(places.real, places.imag)
@@ -48,7 +50,7 @@ def _free(strokes: Sequence[Stroke]) -> list[int]:
 
 
 def _parallel(strokes: Sequence[Stroke], held: Sequence[int]) -> list[list[int]]:
-    """Strokes of one direction each."""
+    """Groups of parallel strokes."""
     angles = {k: math.degrees(cmath.phase(strokes[k][1] - strokes[k][0])) % 180 for k in held}
     groups: list[list[int]] = []
     for k in sorted(held, key=lambda k: angles[k]):
@@ -57,12 +59,12 @@ def _parallel(strokes: Sequence[Stroke], held: Sequence[int]) -> list[list[int]]
         else:
             groups.append([k])
     if len(groups) > 1 and angles[groups[0][0]] + 180 - angles[groups[-1][-1]] <= PARALLEL_DEG:
-        groups[0] += groups.pop()  # level strokes, some of them a little below 180°
+        groups[0] += groups.pop()  # horizontal strokes, some of them slightly below 180°
     return groups
 
 
 def _even_rows(strokes: Sequence[Stroke], held: Sequence[int], loose: Set[int]) -> Iterator[int]:
-    """Those of parallel strokes that lie in rows equally far apart, enough of which begin and end freely."""
+    """Those of parallel strokes that lie in evenly spaced rows, enough of which begin and end freely."""
     if len(held) < FEWEST:
         return
     a, b = strokes[held[0]]
@@ -87,5 +89,5 @@ def _even_rows(strokes: Sequence[Stroke], held: Sequence[int], loose: Set[int]) 
 
 
 def _beside(own: Sequence[float], other: Sequence[float]) -> bool:
-    """Whether half of a stroke lies beside another one, by where both begin and end along their direction."""
+    """Whether half of a stroke lies beside another one, by their ends along their direction."""
     return min(own[1], other[1]) - max(own[0], other[0]) > (own[1] - own[0]) / 2

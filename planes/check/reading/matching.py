@@ -1,4 +1,4 @@
-"""The marks of a plan on a drawing of lines, by drawing the plan again on it."""
+"""Finds the marks of a plan on a vector drawing by laying the plan on it."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -26,12 +26,12 @@ from planes.geometry.arrays import Array, Complexes
 from planes.words import Phrase
 from planes.words.names import POLE, kind_of
 
-MOST = 1200  # lines of a plan with what stands about it: of 40 sheets of samples the fullest has 907
-LEAST_EXPLAINED = 0.5  # the share of the lines about it that a plan must explain
-LEAST_SHOWN = 0.5  # the share of a scheme's points that have a circle or a name
+MOST = 1200  # lines of a plan with all around it: of 40 sheets of samples the fullest has 907
+LEAST_EXPLAINED = 0.5  # minimum share of the lines around a plan that it explains
+LEAST_SHOWN = 0.5  # minimum share of a scheme's points with a circle or a name
 LEAST_MM = 4.0  # shorter vectors tell little about the scale
-SAME, ALIKE = math.log(1.05), math.log(1.15)  # the stated scale, as far as texts can tell; lengths that speak of one
-FAR_POLE = 8.0  # what it costs at the most for the pole to be elsewhere than at its name
+SAME, ALIKE = math.log(1.05), math.log(1.15)  # the stated scale, to the accuracy of texts; lengths with a common scale
+FAR_POLE = 8.0  # maximum cost of a pole away from its name
 
 
 def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
@@ -74,13 +74,13 @@ def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
 
 
 def _upon_others(seen: Explanation) -> list[str]:
-    """Marks whose names stand by them, as those do whose lines are upon others'."""
+    """Marks identified by the names beside them, such as those whose lines coincide with others."""
     by = seen.scorer.words.by
     return [n for n in seen.plan.labels if by(n, seen.pole + seen.best.places[n]) > w.LIKELY]
 
 
 def _is_there(seen: Explanation, ink: LineInk) -> bool:
-    """Whether the lines about a plan are its own, or most points of a scheme have their circles or their names."""
+    """Whether the lines around a plan belong to it, or most points of a scheme have circles or names."""
     if seen.plan.kind != "position":
         return seen.best.cover * seen.explained > LEAST_EXPLAINED
     places = {n: seen.pole + seen.best.places[n] for n in seen.plan.labels}
@@ -94,8 +94,10 @@ def _is_pole(ink: LineInk, word: Words) -> bool:
 
 
 def _begun(plan: PlanLines, ink: LineInk) -> tuple[Complexes, Array]:
-    """Where a plan may begin, and what that costs by where the pole is named: where lines end, or cross if none has a
-    head; of a scheme so that a fixed point is there."""
+    """Possible poles of a plan, with their costs by the name of the pole.
+
+    These are line ends, or crossings if no line has a head; for a scheme, poles that put a fixed point there.
+    """
     ends = numpy.r_[ink.lines.ravel(), ink.rounds, ink.tips]
     if plan.kind == "position":
         fixed = [plan.true[n] for n in plan.bench.plans.mechanism.frame.points if n in plan.true]
@@ -108,7 +110,7 @@ def _begun(plan: PlanLines, ink: LineInk) -> tuple[Complexes, Array]:
 
 
 def _otherwise(seen: Explanation, ink: LineInk) -> set[str]:
-    """Marks with lines of their own that would be read elsewhere in another drawing that may as well be meant."""
+    """Marks with separate lines that lie elsewhere in another drawing that is as likely."""
     plan, own = seen.plan, exact_marks(seen, ink, seen.best)
     others = [one for one in (seen.right, seen.wrong) if one and seen.doubt > w.ASKED and one is not seen.best]
     apart = set[str]()
@@ -122,7 +124,7 @@ def _otherwise(seen: Explanation, ink: LineInk) -> set[str]:
 
 
 def _sized(bench: PreparedPlan, ink: LineInk) -> PreparedPlan:
-    """The plan at the scale most of the named marks show, unless it was told: it is the drawer's choice."""
+    """The plan at the scale shown by most of the named marks, unless given: it is the drawer's choice."""
     ratios = [] if bench.asked.mu else [*_ratios(bench, ink)]
     groups = [[r for r in ratios if abs(r - one) < ALIKE] for one in ratios]
     best = max(groups, key=lambda g: (len(g), -abs(median(g))), default=[])
@@ -131,7 +133,7 @@ def _sized(bench: PreparedPlan, ink: LineInk) -> PreparedPlan:
 
 
 def _ratios(bench: PreparedPlan, ink: LineInk) -> Iterator[float]:
-    """Logarithms of drawn to stated distances from the pole, of a scheme between its points."""
+    """Logarithms of the ratio of drawn to stated distances: from the pole, in a scheme between its points."""
     truth, places = bench.true_marks | {POLE: 0j}, _by_names(bench, ink)
     if POLE in places or bench.asked.plan == "position":
         for one, two in [(POLE, n) for n in places if n != POLE] if POLE in places else combinations(places, 2):
@@ -140,7 +142,7 @@ def _ratios(bench: PreparedPlan, ink: LineInk) -> Iterator[float]:
 
 
 def _by_names(bench: PreparedPlan, ink: LineInk) -> dict[str, complex]:
-    """The marks whose names stand beside ends of lines, each at the nearest; where vectors have heads, at a tip."""
+    """The marks with names beside ends of lines, each at the nearest; where vectors have heads, at a tip."""
     ends, places = numpy.r_[ink.lines.ravel(), ink.rounds], dict[str, complex]()
     for word in ink.words(ink.tips, ink.tips, True, bench.true_marks | {POLE: 0j}).words:
         name = next(iter(word.likely))
@@ -152,8 +154,10 @@ def _by_names(bench: PreparedPlan, ink: LineInk) -> dict[str, complex]:
 
 
 def _all_by_names(bench: PreparedPlan, ink: LineInk) -> Iterator[ReadMark]:
-    """The marks of a plan that none of its lines agrees with, if vectors lead from its pole to most of their names: it
-    may be of other numbers."""
+    """The marks of a plan that agrees with none of its lines, if vectors lead from its pole to most of their names.
+
+    It may be a plan of other numbers.
+    """
     places = _by_names(bench, ink)
     if ink.headed and POLE in places and len(places) > LEAST_SHOWN * len(bench.true_marks) + 1:
         yield from (ReadMark(n, z, ink.sketch.error_mm) for n, z in sorted(places.items(), key=lambda m: m[0] != POLE))
@@ -162,7 +166,7 @@ def _all_by_names(bench: PreparedPlan, ink: LineInk) -> Iterator[ReadMark]:
 def scaled(
     sketch: ReadDrawing, bench: PreparedPlan, pole: complex | None, marks: Mapping[str, complex]
 ) -> tuple[ReadDrawing, str | None]:
-    """The sketch with its scale set by a named pole and a named vector; the vector's name."""
+    """The sketch scaled by a named pole and a named vector; the vector's name."""
     named, place = next(iter(marks.items()), ("", pole))
     name = bench.names.find(named)
     if pole is None or place is None or name is None or place == pole:

@@ -1,4 +1,4 @@
-"""Files as people hand them in: of bounded size, and whatever a reading library breaks on is one sentence."""
+"""Opens submitted files: their size is bounded, and whatever fails in a reading library becomes one sentence."""
 
 import hashlib
 import os
@@ -15,12 +15,12 @@ LETTERS = 16  # of a hash
 
 
 def hash_of(shown: bytes) -> str:
-    """What stands for all that a drawing shows, in a few letters."""
+    """A short hash of the content of a drawing."""
     return hashlib.sha256(shown).hexdigest()[:LETTERS]
 
 
 def contents(path: str | Path, most: int) -> bytes:
-    """The bytes of a file of no more than ``most``; :class:`PlanesError` where it is none or is larger."""
+    """The bytes of a file of at most ``most``; :class:`PlanesError` if it is no file or larger."""
     file = Path(path)
     try:
         if file.exists() and not file.is_file():
@@ -36,13 +36,13 @@ def contents(path: str | Path, most: int) -> bytes:
 
 
 def too_many(file: str, what: str, most: int) -> PlanesError:
-    """A refusal of a file that holds more than any drawing of a plan; ``what`` is counted."""
+    """An error for a file that holds more than any drawing of a plan; ``what`` is counted."""
     return PlanesError(Phrase("check_too_many", file=file, what=Phrase(f"count_{what}"), most=most))
 
 
 @contextmanager
 def hushed() -> Iterator[None]:
-    """What libraries themselves print to the terminal while they decode goes nowhere."""
+    """Suppresses terminal output of libraries while they decode."""
     try:
         kept = os.dup(2)
     except OSError:  # there is no terminal

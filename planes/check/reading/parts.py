@@ -1,4 +1,4 @@
-"""What stands on a page: lettering put aside, the rest as parts that hang together, each with the words near it."""
+"""The content of a page: its lettering removed, the rest split into connected parts with the words near them."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -13,27 +13,27 @@ from planes.check.reading.written import Stroke, Words
 from planes.geometry.arrays import Booleans, Complexes
 from planes.geometry.plane import corners
 
-TOGETHER_MM = 2.3  # strokes no farther apart belong together: a force is drawn this far beside another one
-NEAR_WORD_MM = 12.0  # a word farther off names something else
+TOGETHER_MM = 2.3  # closer strokes belong together: a force is drawn this far beside another one
+NEAR_WORD_MM = 12.0  # a word farther off names another part
 NEAR_ROUND_MM = 7.0  # a point beside its link
-MOST = 4000  # a page with more strokes is not taken apart
-LEAST_MM = 6.0  # a smaller part is a sign or a letter, if nothing says what it is
-LETTER = 1.4  # how long a stroke of a letter may be, in heights of its word
-AROUND = 0.35  # how far beyond a word's box its letters may reach, in heights
+MOST = 4000  # a page with more strokes is not split
+LEAST_MM = 6.0  # a smaller unnamed part is a sign or a letter
+LETTER = 1.4  # maximum length of a letter's stroke, in heights of its word
+AROUND = 0.35  # margin of a word's box that its letters may reach, in heights
 TOUCH_MM = 0.05
-INDEX = 0.95  # an index is no taller than this, in heights of the letter before it
-RISE = (-0.8, 1.2)  # where the foot of an index may be, in heights of its letter
-WIDE, NARROW, SIGNS = 0.7, 0.35, " .,:;′'’|()"  # how wide letters and signs are, in heights
-GAP = (-0.4, 0.5)  # how far from its letter it may stand
+INDEX = 0.95  # maximum height of an index, in heights of the letter before it
+RISE = (-0.8, 1.2)  # range of the foot of an index, in heights of its letter
+WIDE, NARROW, SIGNS = 0.7, 0.35, " .,:;′'’|()"  # widths of letters and signs, in heights
+GAP = (-0.4, 0.5)  # range of its distance from its letter
 
 
 def breadth(text: str) -> float:
-    """About how wide a text is, in heights of its letters."""
+    """The approximate width of a text, in heights of its letters."""
     return sum(NARROW if c in SIGNS else WIDE for c in text.strip())
 
 
 def joined(words: Sequence[Words]) -> list[Words]:
-    """Words written in several pieces, a letter and its indices, as one each."""
+    """Words written in several pieces, a letter and its indices, merged into one each."""
     out: list[tuple[Words, Words]] = []  # the first piece, and all of it
     for word in words:
         before = next((k for k in range(len(out) - 1, max(len(out) - 3, -1), -1) if _goes_on(*out[k], word)), None)
@@ -48,7 +48,7 @@ def joined(words: Sequence[Words]) -> list[Words]:
 
 
 def _goes_on(first: Words, so_far: Words, word: Words) -> bool:
-    """Whether a piece of text is an index of the word before it, or its second index, or what follows that."""
+    """Whether a piece of text is an index of the word before it, its second index, or the text after that."""
     local = (word.place - first.place) * first.along.conjugate()
     small = word.height < INDEX * first.height or word.text[:1] in "'′’,"
     level = RISE[0] * first.height < local.imag < RISE[1] * first.height
@@ -59,7 +59,7 @@ def _goes_on(first: Words, so_far: Words, word: Words) -> bool:
 
 
 def without_letters(sketch: ReadDrawing) -> None:
-    """Strokes within the box of a word, that touch nothing beyond it, are the letters of that word."""
+    """Removes strokes within the box of a word that touch nothing outside: the letters of that word."""
     if not sketch.strokes or not sketch.words:
         return
     every = numpy.array(sketch.strokes + sketch.short)
@@ -89,13 +89,13 @@ def _touched(ends: Complexes, inside: Booleans, heads: Sequence[Stroke]) -> Bool
     return touched
 
 
-def _dots(places: Complexes) -> Any:  # shapely has no types of its own for many points
-    """Places as points."""
+def _dots(places: Complexes) -> Any:  # shapely has no types for many points
+    """Positions as points."""
     return points(places.real, places.imag)
 
 
 def parts(sketch: ReadDrawing, least_mm: float = LEAST_MM) -> list[ReadDrawing]:
-    """The sketch by pieces that hang together, those with most strokes first; what is smaller than a plan goes."""
+    """The sketch in connected pieces, those with most strokes first; pieces smaller than a plan are dropped."""
     if len(sketch.strokes) > MOST or not (sketch := without_hatching(sketch)).strokes:
         return []
     shapes = [*_lines(sketch.strokes), *(points(z.real, z.imag).buffer(r) for z, r in sketch.rounds)]
@@ -113,7 +113,7 @@ def parts(sketch: ReadDrawing, least_mm: float = LEAST_MM) -> list[ReadDrawing]:
     return sorted((p for p in pieces if p is not None), key=lambda p: -len(p.strokes))
 
 
-def _lines(strokes: Sequence[Stroke]) -> Any:  # shapely has no types of its own for many lines
+def _lines(strokes: Sequence[Stroke]) -> Any:  # shapely has no types for many lines
     """Strokes as lines."""
     return linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes]) if strokes else numpy.array([])
 
@@ -132,7 +132,7 @@ def _part(sketch: ReadDrawing, held: list[int], least_mm: float) -> ReadDrawing 
 
 
 def _is_table(strokes: Sequence[Stroke], size: complex) -> bool:
-    """Whether three strokes or more reach all across, and three all the way up."""
+    """Whether three or more strokes span the width, and three the height."""
     spans = [b - a for a, b in strokes]
     across = sum(abs(abs(s.real) - size.real) < TOUCH_MM and abs(s.imag) < TOUCH_MM for s in spans)
     up = sum(abs(abs(s.imag) - size.imag) < TOUCH_MM and abs(s.real) < TOUCH_MM for s in spans)
@@ -140,6 +140,6 @@ def _is_table(strokes: Sequence[Stroke], size: complex) -> bool:
 
 
 def _distances(strokes: Sequence[Stroke], places: Sequence[complex], among: bool = False) -> Sequence[float]:
-    """How far places are from the nearest of some strokes; none of those ``among`` them, as a point of a plate is."""
+    """The distances of points from the nearest stroke; zero for those ``among`` them, such as a point of a plate."""
     spots, lines = [(z.real, z.imag) for z in places], multilinestrings(_lines(strokes))
     return distance(points(spots), lines.convex_hull if among else lines).tolist() if spots else []

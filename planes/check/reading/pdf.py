@@ -1,4 +1,4 @@
-"""Strokes and words of a page of a PDF that is drawn in lines: its paths and texts as a picture of SVG."""
+"""Strokes and words of a PDF page drawn in lines: its paths and texts as an SVG picture."""
 
 import ctypes
 from collections.abc import Iterator
@@ -15,13 +15,13 @@ from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import sketch_of
 
 MOST = 60_000  # objects of a page
-DEEPEST = 15  # forms within forms
-FEWEST = 4  # with fewer lines a page that shows an image, too, is a picture
-PICTURE = 0.5  # an image over so much of the page is what the page shows
+DEEPEST = 15  # nesting depth of forms
+FEWEST = 4  # with fewer lines, a page that also shows an image is a picture
+PICTURE = 0.5  # an image over this share of the page is its content
 
 
 def read_pdf(path: str | Path, page: int = 0) -> ReadDrawing | None:
-    """The strokes of a page in mm, y up; None where it shows a picture, or cannot be read."""
+    """The strokes of a page in mm, y up; None if it shows a picture or cannot be read."""
     data = contents(path, LARGEST)
     try:
         document = pypdfium2.PdfDocument(data)
@@ -58,7 +58,7 @@ def _tree(page: Any) -> ElementTree.Element | None:
 
 
 def _path(root: ElementTree.Element, thing: Any) -> bool:
-    """A path with its looks; whether it shows."""
+    """A path with its style; whether it is visible."""
     fill, stroke = ctypes.c_int(), ctypes.c_int()
     pdf.FPDFPath_GetDrawMode(thing, fill, stroke)
     looks = {"stroke": "#000" if stroke.value else "none", "fill": "#000" if fill.value else "none"}
@@ -68,7 +68,7 @@ def _path(root: ElementTree.Element, thing: Any) -> bool:
 
 
 def _pieces(thing: Any) -> Iterator[str]:
-    """A path's pieces as an SVG writes them."""
+    """A path's pieces in SVG notation."""
     letters = {pdf.FPDF_SEGMENT_MOVETO: "M", pdf.FPDF_SEGMENT_LINETO: "L", pdf.FPDF_SEGMENT_BEZIERTO: "C"}
     x, y, handles = ctypes.c_float(), ctypes.c_float(), list[str]()
     for k in range(pdf.FPDFPath_CountSegments(thing)):
@@ -86,7 +86,7 @@ def _pieces(thing: Any) -> Iterator[str]:
 
 
 def _text(root: ElementTree.Element, thing: Any, words: Any) -> None:
-    """A piece of text where it begins, upright in its own axes."""
+    """A piece of text at its start, upright in its local axes."""
     length = pdf.FPDFTextObj_GetText(thing, words, None, 0)
     held = ctypes.create_string_buffer(max(length, 2))
     pdf.FPDFTextObj_GetText(thing, words, ctypes.cast(held, ctypes.POINTER(ctypes.c_ushort)), length)

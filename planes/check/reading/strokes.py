@@ -1,4 +1,4 @@
-"""Lines and words of a drawing, whatever it was read from: straight strokes in mm, y up, and texts with their boxes."""
+"""Lines and words of a drawing from any source: straight strokes in mm, y up, and texts with their boxes."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from typing import NamedTuple
 from planes.check.reading.opened import too_many
 from planes.check.reading.written import Stroke, Words
 
-Round = tuple[complex, float]  # the middle of a small circle, a hinge or a point, and its radius
+Round = tuple[complex, float]  # centre and radius of a small circle, a hinge or a point
 LONGEST = 200  # letters of a text
 ROUND_MM = 3.0  # a larger circle is no sign of a point
 SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
-SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # ends no farther apart are one: joined by a program, by eye, badly
-CROSSINGS = 400  # of more strokes than this crossings are not looked for
+SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # closer ends coincide: joined by a program, by eye, badly
+CROSSINGS = 400  # with more strokes, crossings are not searched
 MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
-HEADED, FEWEST_HEADS = 0.25, 2  # of all lines, how many must have heads for that to tell the vectors from the rest
-STRAIGHT = 0.005  # radians, by which a polyline that goes straight on may turn at a vertex
+HEADED, FEWEST_HEADS = 0.25, 2  # minimum share and number of lines with heads at which heads distinguish the vectors
+STRAIGHT = 0.005  # radians, maximum turn at a vertex of a polyline that continues straight on
 
 
 class Arrowhead(NamedTuple):
-    """An arrowhead: its tip, its way, how far back it is filled; if its sides are ``even`` any corner may be so."""
+    """An arrowhead: tip, direction, filled length; if its sides are ``even`` any corner may be the tip."""
 
     tip: complex
     way: complex
@@ -34,21 +34,21 @@ class Arrowhead(NamedTuple):
 
 @dataclass
 class ReadDrawing:
-    """What was found on a drawing. ``error_mm`` is how surely an end of a stroke is where it was found."""
+    """The content of a drawing. ``error_mm`` is the accuracy of stroke ends."""
 
     file: str = ""
     strokes: list[Stroke] = field(default_factory=list)
     words: list[Words] = field(default_factory=list)
     error_mm: float = 0.05
-    ways: list[int] = field(default_factory=list)  # which end of each stroke has a head: +1, -1, 0 unknown; or none
+    ways: list[int] = field(default_factory=list)  # end of each stroke with a head: +1, -1, 0 unknown; or none
     heads: list[Arrowhead] = field(default_factory=list)
     short: list[Stroke] = field(default_factory=list)  # vectors if they have heads, else ticks and pieces of letters
-    mm: Callable[[complex], complex] = lambda z: z  # from the file's own units to mm, y up
+    mm: Callable[[complex], complex] = lambda z: z  # from the units of the file to mm, y up
     rounds: list[Round] = field(default_factory=list)
-    passed: int = 0  # vertices that polylines go straight on through
+    passed: int = 0  # vertices where polylines continue straight on
 
     def way(self, k: int) -> int:
-        """Which end of a stroke has a head."""
+        """The end of a stroke that has a head."""
         return self.ways[k] if self.ways else 0
 
     def only(self, held: Iterable[int]) -> ReadDrawing:
@@ -58,12 +58,12 @@ class ReadDrawing:
         return replace(self, strokes=[self.strokes[k] for k in kept], ways=ways)
 
     def write(self, words: Words) -> None:
-        """A text, unless it is empty or a story."""
+        """Adds a text, unless it is empty or too long."""
         if 0 < len(text := words.text.strip()) <= LONGEST:
             self.words.append(replace(words, text=text))
 
     def add(self, points: Sequence[complex], closed: bool = False) -> None:
-        """A polyline's strokes; where it goes straight on, it is one."""
+        """Adds a polyline's strokes; where it continues straight on, they are one."""
         line = [*points, points[0]] if closed and len(points) > 2 else list(points)
         on = {k for k, (a, b, c) in enumerate(zip(line, line[1:], line[2:], strict=False), 1) if goes_on(a, b, c)}
         self.passed += len(on)
@@ -77,18 +77,18 @@ class ReadDrawing:
 
 
 def goes_on(a: complex, b: complex, c: complex, within: float = STRAIGHT) -> bool:
-    """Whether the way from a to b goes on to c, turned by no more than ``within``, radians."""
+    """Whether the path from a to b continues to c, turning by at most ``within``, radians."""
     return a != b != c and abs(cmath.phase((c - b) / (b - a))) < within
 
 
 def headed(sketch: ReadDrawing) -> list[int]:
-    """The strokes with arrowheads, where so many have one that a vector is told from a construction line by it."""
+    """The strokes with arrowheads, if enough have one to distinguish vectors from construction lines."""
     heads = [k for k, way in enumerate(sketch.ways) if way]
     return heads if len(heads) >= max(FEWEST_HEADS, HEADED * len(sketch.strokes)) else []
 
 
 def hinged(sketch: ReadDrawing) -> ReadDrawing:
-    """The sketch with strokes that end at the circle of a hinge drawn on to its middle."""
+    """The sketch with strokes that end at the circle of a hinge extended to its centre."""
 
     def on(z: complex) -> complex:
         return next((c for c, r in sketch.rounds if abs(z - c) < r + LOOSE_MM / 2), z)
@@ -98,8 +98,10 @@ def hinged(sketch: ReadDrawing) -> ReadDrawing:
 
 
 def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
-    """How far apart, mm, ends that are one place may be: hardly where a program joined them, more where the eye did;
-    where ``vectors`` are known, their ends alone tell."""
+    """The distance, mm, within which ends coincide: small if joined by a program, larger if joined by eye.
+
+    If ``vectors`` are known, only their ends count.
+    """
     ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
     if len(ends) > 2 * CROSSINGS:
         return LOOSE_MM

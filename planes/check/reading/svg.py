@@ -1,4 +1,4 @@
-"""Strokes and words of an SVG file as drawing programs write it: nested transforms, paths, polylines, symbols."""
+"""Strokes and words of an SVG file as written by drawing programs: nested transforms, paths, polylines, symbols."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -20,15 +20,15 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 LARGEST = 12 * MB
-LETTERS = 50  # of a shape's own description that take as long to read as one element
-LETTERS_OF_CSS = 10  # the same, where they were not read before
-DEEPEST = 60  # groups within groups
+LETTERS = 50  # of a shape's description that take as long to read as one element
+LETTERS_OF_CSS = 10  # the same for CSS not read before
+DEEPEST = 60  # nesting depth of groups
 DRAWN = ("text", "circle", "line", "polyline", "polygon", "path")
 NO_HEADS = ("dot", "circle", "square", "stop", "tick", "distance", "diamond")  # markers that are no arrowheads
 
 
 def read_svg(path: str | Path) -> ReadDrawing:
-    """The strokes of a file in mm, y up. :class:`PlanesError` where it is not an SVG."""
+    """The strokes of a file in mm, y up. :class:`PlanesError` if it is not an SVG."""
     root = tree(contents(path, LARGEST), str(path))
     if root.tag != "svg":
         raise PlanesError(Phrase("check_svg", file=str(path), why=f"<{root.tag}>"))
@@ -36,13 +36,13 @@ def read_svg(path: str | Path) -> ReadDrawing:
 
 
 def read_carried(path: str | Path) -> ReadDrawing | None:
-    """The strokes of the drawing that a PNG written by this program carries, if it does."""
+    """The strokes of the drawing embedded in a PNG written by this program, if any."""
     svg = carried(contents(path, LARGEST_PICTURE), LARGEST)
     return sketch_of(tree(svg, str(path)), str(path)) if svg else None
 
 
 def sketch_of(root: ElementTree.Element, file: str) -> ReadDrawing:
-    """What a picture's tree holds, in mm, y up."""
+    """The content of a picture's tree, in mm, y up."""
     named = {e.get("id", ""): e for e in root.iter() if e.get("id")}
     fitted = _fitted(root, [length(root.get(k)) for k in ("width", "height")])
     page = Transform(1, 0, 0, -1).transform(Transform().scale(MM) if fitted is None else fitted)
@@ -54,7 +54,7 @@ def sketch_of(root: ElementTree.Element, file: str) -> ReadDrawing:
 
 
 def _fitted(e: ElementTree.Element, sides: Sequence[float]) -> Transform | None:
-    """From the units of a picture's view to those its sides (if not 0) are told in; None where it has no view."""
+    """From the units of a picture's view box to those of its sides (if not 0); None without a view box."""
     box = numbers(e.get("viewBox"))
     if len(box) != 4 or not (box[2] > 0 and box[3] > 0):
         return None
@@ -67,7 +67,7 @@ def _at(m: Transform, z: complex) -> complex:
 
 
 class _Reader:
-    """Walks the tree; what a group sets holds for all in it."""
+    """Walks the tree; the attributes of a group apply to all its content."""
 
     def __init__(
         self, sketch: ReadDrawing, named: dict[str, ElementTree.Element], rules: Mapping[ElementTree.Element, Looks]
@@ -89,7 +89,7 @@ class _Reader:
             return
         match e.tag:
             case tag if tag in DRAWN and looks.get("visibility") in ("hidden", "collapse"):
-                pass  # what stands in a hidden group may be seen all the same
+                pass  # the content of a hidden group may be visible
             case "use":
                 target = self.named.get(e.get("href", "").removeprefix("#"))
                 if target is not None and depth < 20:
@@ -103,7 +103,7 @@ class _Reader:
             case "defs" | "clipPath" | "marker" | "pattern" | "mask":
                 pass
             case tag if tag != "symbol" or used:
-                if tag == "svg" and depth:  # a picture within the picture: its place and its own units
+                if tag == "svg" and depth:  # a nested picture: its position and its units
                     inner = _fitted(e, [number(e, k) for k in ("width", "height")])
                     m = m.translate(number(e, "x"), number(e, "y")).transform(inner or Transform())
                 for child in e:
@@ -135,7 +135,7 @@ class _Reader:
             self.sketch.rounds.append((_at(m, middle), radius))
 
     def _markers(self, places: list[complex], looks: Looks) -> None:
-        """Heads a line has by itself."""
+        """Markers of a line that are heads."""
         for key, tip, before in (("marker-start", places[0], places[1]), ("marker-end", places[-1], places[-2])):
             named = looks.get(key, looks.get("marker", "none")).lower()
             if named != "none" and tip != before and not any(word in named for word in NO_HEADS):
@@ -158,11 +158,11 @@ class _Reader:
 
 
 def _size(*said: Looks) -> float:
-    """The size of letters, said by the first that says it."""
+    """The size of letters, from the first source that gives it."""
     return next((n[0] for looks in said if (n := numbers(looks.get("font-size")))), 12.0)
 
 
 def _box(e: ElementTree.Element, text: str, size: float) -> tuple[complex, float, float]:
-    """Where a piece of text begins, its width and its height."""
+    """The start of a piece of text, its width and its height."""
     width = number(e, "textLength") or 0.73 * size * breadth(text)
     return complex(number(e, "x"), number(e, "y")), width, 0.73 * size

@@ -1,5 +1,7 @@
-"""What an SVG file says in the way of CSS: lengths, transforms, how its elements are to look. tinycss2 takes the text
-apart, cssselect2 knows whom a rule of a style sheet is meant for."""
+"""The CSS of an SVG file: lengths, transforms, styles of elements.
+
+tinycss2 parses the text, cssselect2 matches the rules of a style sheet to elements.
+"""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -19,18 +21,18 @@ from planes.check.reading.opened import too_many
 
 Looks = Mapping[str, str]
 LOOKS = ("stroke", "fill", "display", "visibility", "marker", "marker-start", "marker-end", "font-size", "text-anchor")
-OWN = "transform"  # of an element alone: nothing in it takes it over
-MM = 25.4 / 96  # of a unit of a picture that says no other
+OWN = "transform"  # not inherited by child elements
+MM = 25.4 / 96  # of the default unit of a picture
 _UNITS = {"mm": 1 / MM, "cm": 10 / MM, "in": 96.0, "pt": 96 / 72, "pc": 16.0, "px": 1.0}
 _TURNS = {"rad": math.degrees(1), "turn": 360.0, "grad": 0.9}
 LONGEST = 200_000  # letters of a style sheet
-MOST_ASKED = 10_000_000  # elements, for each the selectors
-WITHIN = 20  # selectors that take as long as one that asks what stands around
+MOST_ASKED = 10_000_000  # elements times selectors
+WITHIN = 20  # selectors that take as long as one with an ancestor
 
 
 @lru_cache(4096)
 def numbers(text: str | None) -> tuple[float, ...]:
-    """All numbers of a text; a length is in units of the picture, an angle in degrees."""
+    """All numbers of a text; lengths are in units of the picture, angles in degrees."""
     return tuple(_numbers(parse_component_value_list(text or "")))
 
 
@@ -43,7 +45,7 @@ def _numbers(tokens: list[Any]) -> Iterator[float]:
 
 
 def number(e: Element, key: str) -> float:
-    """A coordinate; none is zero."""
+    """A coordinate; zero if missing."""
     text = e.get(key, "")
     with suppress(ValueError):
         return float(text)
@@ -51,13 +53,13 @@ def number(e: Element, key: str) -> float:
 
 
 def length(text: str | None) -> float:
-    """A side of a picture, in mm; 0 where it is a part of what is around it, or none."""
+    """A side of a picture, in mm; 0 if it is relative to the surroundings or missing."""
     return 0.0 if not text or "%" in text else next(iter(numbers(text)), 0.0) * MM
 
 
 @lru_cache(4096)
 def transform_of(text: str) -> Transform:
-    """What a list of transforms does, the last one first."""
+    """The transform of a list of transforms, the last one applied first."""
     transform = Transform()
     for part in parse_component_value_list(text.replace(" (", "(")):
         if part.type == "function":
@@ -84,19 +86,19 @@ def _turned(transform: Transform, name: str, said: list[float]) -> Transform:
 
 
 def _declared(said: str | list[Any]) -> Looks:
-    """What declarations say of looks."""
+    """The style in declarations."""
     every = (one for one in parse_blocks_contents(said) if one.type == "declaration")
     values = {one.lower_name: one.value for one in every if one.lower_name in (*LOOKS, OWN)}
-    with suppress(RecursionError):  # brackets within brackets that no looks have
+    with suppress(RecursionError):  # nested brackets that occur in no style
         return {name: serialize(value).strip() for name, value in values.items()}
     return {}
 
 
-_of_itself = lru_cache(4096)(_declared)  # many elements say the same
+_of_itself = lru_cache(4096)(_declared)  # many elements have equal declarations
 
 
 def ruled(root: Element, file: str) -> dict[Element, Looks]:
-    """What the file's style sheets say of each element. :class:`PlanesError` where they ask too much."""
+    """The style of each element in the file's style sheets. :class:`PlanesError` if they are too complex."""
     matcher, said, asked = Matcher(), list[Looks](), 0
     for rule in _rules(root):
         looks = _declared(rule.content)
@@ -121,16 +123,16 @@ def _rules(root: Element) -> Iterator[Any]:
 
 
 def _selectors(prelude: list[Any]) -> list[Any]:
-    """Those a drawing can be asked in bounded time: no states, no neighbours, at most one element around."""
+    """Selectors that match in bounded time: no states, no siblings, at most one ancestor."""
     if any(one == sign for one in prelude for sign in ":~+"):
         return []
-    with suppress(SelectorError, RecursionError):  # it is none, or one of thousands of elements around one another
+    with suppress(SelectorError, RecursionError):  # invalid, or with thousands of nested elements
         known = list(selectors(prelude))
         return [s for s in known if not isinstance(getattr(s.parsed_tree, "left", None), CombinedSelector)]
     return []
 
 
 def looks_of(e: Element, rules: Mapping[Element, Looks]) -> dict[str, str]:
-    """How an element is to look, as far as it says itself."""
+    """The style of an element, as far as it is given for the element itself."""
     looks = {k: v for k in (*LOOKS, OWN) if (v := e.get(k))}
     return {**looks, **rules.get(e, {}), **_of_itself(e.get("style") or "")}

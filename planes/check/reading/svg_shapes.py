@@ -18,14 +18,14 @@ from planes.words.frozen import frozen
 MOST = 60_000  # elements
 DEEPEST = 200
 PREFIX = re.compile(r"^[^:]*:")  # of a tag or an attribute
-ROUND = 0.05  # how unequal the radii of a circle may be, and how far its ends apart, for its size
-STRAIGHT = 0.01  # a curve that leaves its chord by less is a line
+ROUND = 0.05  # tolerance of a circle's radii and of the gap between its ends, relative to its size
+STRAIGHT = 0.01  # a curve closer than this to its chord is a line
 
 
 def tree(data: bytes, file: str) -> ElementTree.Element:
-    """The root element; tags have no prefixes, whether these are declared (FreeCAD's is not) or not.
+    """The root element; tags lose their prefixes, declared or not (FreeCAD's is not).
 
-    :class:`PlanesError` where it is no XML, holds entities, which may grow without bound, or too many elements.
+    :class:`PlanesError` if it is no XML, holds entities, which may grow without bound, or too many elements.
     """
     builder, parser, count, depth = ElementTree.TreeBuilder(), expat.ParserCreate(), 0, 0
 
@@ -55,7 +55,7 @@ def tree(data: bytes, file: str) -> ElementTree.Element:
 
 @frozen
 class Subpath:
-    """A part of a path drawn without lifting the pen: where its pieces meet, and which of them are straight."""
+    """A part of a path drawn without lifting the pen: its vertices, and which of its pieces are straight."""
 
     corners: list[complex]
     straight: list[bool]
@@ -63,7 +63,7 @@ class Subpath:
 
     @property
     def circle(self) -> tuple[complex, float] | None:
-        """Middle and radius, if it is all curve and stands round its middle."""
+        """Centre and radius, if it consists of curves only and surrounds its centre."""
         ring = self.corners[:-1]
         if any(self.straight) or len(ring) < 2 or abs(self.corners[-1] - ring[0]) >= ROUND * abs(ring[1] - ring[0]):
             return None
@@ -72,7 +72,7 @@ class Subpath:
         return (middle, max(radii)) if max(radii) < (1 + ROUND) * min(radii) else None
 
     def lines(self) -> Iterator[tuple[list[complex], bool]]:
-        """Its straight polylines, and whether they are closed; curves are jumped over."""
+        """Its straight polylines, and whether they are closed; curves are skipped."""
         line = self.corners[:1]
         for place, straight in zip(self.corners[1:], self.straight, strict=True):
             if straight:
@@ -90,7 +90,7 @@ def outlines(e: ElementTree.Element) -> Iterator[Subpath]:
     pen, corners, straight = RecordingPen(), list[complex](), list[bool]()
 
     def arc_to(*arc: object) -> None:
-        pen.value.append(("arcTo", arc[-1:]))  # of an arc but where it ends
+        pen.value.append(("arcTo", arc[-1:]))  # only the end of an arc
 
     pen.arcTo = arc_to
     with suppress(ValueError, LookupError, TypeError, ArithmeticError):
@@ -103,13 +103,13 @@ def outlines(e: ElementTree.Element) -> Iterator[Subpath]:
             straight.append(name == "lineTo" or (name != "arcTo" and _straight(corners[-1], places)))
             corners.append(places[-1])
         elif len(corners) > 1:
-            back = name == "closePath" and straight[-1] and corners[0] == corners[-1]  # the way back is understood
+            back = name == "closePath" and straight[-1] and corners[0] == corners[-1]  # the closing line is implied
             yield Subpath(corners[: -1 if back else None], straight[: -1 if back else None], name == "closePath")
             corners = []
 
 
 def _path(e: ElementTree.Element) -> str:
-    """What a path would be described by that is such a shape."""
+    """The path description of an equivalent shape."""
     if e.tag == "path":
         return e.get("d") or ""
     if e.tag == "line":

@@ -1,4 +1,4 @@
-"""How well what was read of a drawing agrees with its plan."""
+"""The agreement of the reading of a drawing with its plan."""
 
 from planes.check.grading.grading import Grading, grade
 from planes.check.grading.paper import ReadPaper
@@ -6,11 +6,11 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.readable import readable
 from planes.words.errors import PlanesError
 
-OPEN, NAMED = 2.0, 0.5  # what it costs a force polygon not to close, and what a known mistake explains, in marks
+OPEN, NAMED = 2.0, 0.5  # cost of an open force polygon, and of a known mistake as its cause, in marks
 
 
 def _graded(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
-    """A paper's grading; none where it cannot be graded."""
+    """A paper's grading; None if it cannot be graded."""
     try:
         return grade(bench, paper)
     except PlanesError:
@@ -24,7 +24,7 @@ def is_right(bench: PreparedPlan, paper: ReadPaper) -> bool:
 
 
 def worth(bench: PreparedPlan, paper: ReadPaper) -> float:
-    """How many marks of a paper are where their steps lead, less those that are not."""
+    """The number of a paper's marks at their constructed points, minus the number of others."""
     bench = bench.at(paper.mu, fixed=True) if paper.mu else bench
     grading = _graded(bench, paper) if paper.spots else None
     if grading is None:

@@ -1,4 +1,4 @@
-"""The plan among all that stands on a page: of the parts that hang together the one that is best read as it.
+"""The plan among the contents of a page: the connected part that reads best as the plan.
 
 Its scale may be written in the title over it: "План скоростей, μv = 50 мм/(м·с⁻¹)".
 """
@@ -20,17 +20,17 @@ from planes.words.names import kind_of
 from planes.words.units import UnitError, read_mu
 
 MOST = 6  # parts that are read
-NAMED = 0.1  # what a name of the plan beside a part is worth, in marks drawn rightly
-FAR_MM = 40.0  # a title farther over a plan is that of something else
-BESIDE = 2.0  # a title stands over its plan sooner than beside it: a millimetre aside counts as so many
-GAP = 2.0  # how far a piece of a title may be from the piece before it, in heights
-OVER_DETAIL_MM = 25.0  # the sign of a detail is no farther over what is in its circle
+NAMED = 0.1  # weight of a name of the plan beside a part, in marks drawn correctly
+FAR_MM = 40.0  # a title farther above a plan belongs elsewhere
+BESIDE = 2.0  # a title is above its plan rather than beside it: weight of a sideways millimetre
+GAP = 2.0  # maximum gap between pieces of a title, in heights
+OVER_DETAIL_MM = 25.0  # maximum height of a detail's sign above the content of its circle
 _DETAIL = re.compile(r"\((\d+):1\)$")
 _MU = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 
 
 def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
-    """The marks of the plan on a page that may show other things too."""
+    """The marks of the plan on a page that may show other contents, too."""
     force = kind_of(bench.asked.plan) == "force"
     known = bench.naming.names(true_vectors(bench)) if force else bench.names
 
@@ -38,7 +38,7 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
         return len({known.exactly(one.text) for w in part.words for one in w.listed()} - {None})
 
     def own(pieces: list[ReadDrawing]) -> list[ReadDrawing]:
-        """Those under the plan's title that name something of it, as a diagram of the same quantity does not."""
+        """Those under the plan's title that name parts of it, unlike a diagram of the same quantity."""
         return [p for p in pieces if named(p) and mu_over(sketch.words, p, bench.asked.plan, plans)[1]]
 
     plans = known_plans(bench.plans)
@@ -54,7 +54,7 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
 
 
 def _paper_of(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) -> ReadPaper:
-    """The marks of a plan on a part of a page, at the scale its title says."""
+    """The marks of a plan on a part of a page, at the scale in its title."""
     said = None if bench.asked.mu else mu_over(words, part, bench.asked.plan, known_plans(bench.plans))[0]
     mu = said and said * enlarged(words, part)
     paper = paper_of(part, bench.at(mu, fixed=True) if mu else bench)
@@ -63,7 +63,7 @@ def _paper_of(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) ->
 
 
 def enlarged(words: Sequence[Words], part: ReadDrawing) -> float:
-    """How many times a detail of a plan is enlarged, as the sign over its circle says: "А (10:1)"; 1 for no detail."""
+    """The enlargement of a detail of a plan, from the sign over its circle: "А (10:1)"; 1 for no detail."""
     low, high = corners(z for stroke in part.strokes for z in stroke)
     signs = ((w.middle, float(said[1])) for w in words if (said := _DETAIL.search(w.text)))
     over = [(abs(z - (low + high) / 2), times) for z, times in signs if z.imag > high.imag]
@@ -72,7 +72,7 @@ def enlarged(words: Sequence[Words], part: ReadDrawing) -> float:
 
 
 def mu_over(words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequence[str]) -> tuple[float | None, bool]:
-    """μ in the nearest title over a part of a page of those of this plan of ``plans``, and whether none is nearer."""
+    """μ in the nearest title of this plan of ``plans`` over a part of a page, and whether none is nearer."""
     if not part.strokes:
         return None, False
     low, high = corners(z for stroke in part.strokes for z in stroke)
@@ -87,7 +87,7 @@ def mu_over(words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequenc
 
 
 def _titles(words: Sequence[Words]) -> Iterator[Words]:
-    """Texts with a μ, each with what goes on from it in its line."""
+    """Texts with a μ, each with its continuation in the same line."""
     for word in words:
         if not set("μµ") & set(word.text):
             continue
@@ -113,7 +113,7 @@ def elsewhere(words: Sequence[Words], plan: str, plans: Sequence[str]) -> bool:
 
 
 def _read(text: str, plan: str, plans: Sequence[str]) -> float | None:
-    """μ of a plan, as its title has it; none, if the title names the links of another one."""
+    """μ of a plan from its title; None if the title names the links of another one."""
     said = _MU.search(text)
     links = re.findall(r"\d+", text[: said.start()] if said else "")
     named = [p for p in plans if (own := re.findall(r"\d+", p)) and links[-len(own) :] == own]

@@ -1,4 +1,4 @@
-"""Texts of a drawing with their boxes, as they name marks and vectors: several in a row, with numbers of ends."""
+"""Texts of a drawing with their boxes, as names of marks and vectors: several in a row, with numbers of ends."""
 
 from __future__ import annotations
 
@@ -15,18 +15,20 @@ _ENDS = re.compile(r"\((\d+)–(\d+)\)")
 
 @frozen
 class Words:
-    """A piece of text: where its lower left corner is, its direction, height and width, mm."""
+    """A piece of text: its lower left corner, direction, height and width, mm."""
 
     text: str
     place: complex
     height: float = 3.5
     width: float = 0.0
     along: complex = 1 + 0j
-    ends: tuple[str, str] | None = None  # the numbers between which the vectors of its names run
+    ends: tuple[str, str] | None = None  # numbers at the ends of the vectors it names
 
     def listed(self) -> list[Words]:
-        """One for each name where several are written in a row: p, a, d, or F = R; with numbers of ends, G (1–2); of
-        F = −R the second goes the other way."""
+        """One for each of several names in a row: p, a, d, or F = R; with numbers of ends, G (1–2).
+
+        In F = −R the second is reversed.
+        """
         if len(self.text) > LONGEST_LIST:
             return [self]
         ends = (match[1], match[2]) if (match := _ENDS.search(self.text)) else None
@@ -49,12 +51,12 @@ class Words:
         return self.place + self.along * complex(self.width or self.height, self.height) / 2
 
     def distance(self, z: complex, below: float = 0.0) -> float:
-        """From a place to the text's box, if need be with what is ``below`` it, so deep."""
+        """The distance from a point to the text's box, extended by ``below`` downwards."""
         local = (z - self.place) * self.along.conjugate()
         width = self.width or 0.7 * self.height * max(len(self.text), 1)
         aside, above = max(-local.real, 0.0, local.real - width), local.imag - self.height
         return math.hypot(aside, max(-local.imag - below, 0.0, above))
 
     def beside(self, stroke: Stroke) -> float:
-        """How far it is from the middle part of a vector."""
+        """Its distance from the middle part of a vector."""
         return min(self.distance(stroke[0] + (stroke[1] - stroke[0]) * t / 8) for t in range(1, 8))

@@ -1,4 +1,4 @@
-"""What the reports of a checked drawing, or of a class of them, show as plain data: for programs, rows, pages."""
+"""The reports of a checked drawing, or of a class, as plain data: for programs, rows, pages."""
 
 import math
 import shlex
@@ -48,7 +48,7 @@ def mark_rows(out: Outcome) -> list[Json]:
             row |= _warned(verdict == "right" and WARN < miss.sigmas <= limit)
         for sign in (one for one in out.paper.signs if label_of(mark) in one.marks):
             row["verdict"] = "wrong"
-            if sign.mistake == "vector_astray":  # the vector is, not its mark: that has no tolerance here
+            if sign.mistake == "vector_astray":  # the vector is wrong, not its mark: that has no tolerance here
                 row |= dict.fromkeys(("deviation_mm", "own_deviation_mm"), round(sign.off, 3)) | {
                     "own_tolerance_mm": None
                 }
@@ -59,7 +59,7 @@ def mark_rows(out: Outcome) -> list[Json]:
 
 
 def _warned(close: bool) -> Json:
-    """What is added to a row that is right by less than it should."""
+    """The addition to a row that is right by a narrow margin."""
     return {"warning": Phrase("check_close").told("en")} if close else {}
 
 
@@ -80,7 +80,7 @@ def result_rows(out: Outcome) -> list[Json]:
 
 
 def as_json(out: Outcome, lang: Lang = "en") -> Json:
-    """The object ``planes check --json`` prints."""
+    """The object printed by ``planes check --json``."""
     asked, plans = out.bench.asked, out.bench.plans
     unreadable = out.verdict == "unreadable"
     unseen = [Phrase("check_unseen", names=", ".join(out.unseen))] if out.verdict == "right_as_seen" else []
@@ -105,14 +105,14 @@ def as_json(out: Outcome, lang: Lang = "en") -> Json:
 
 @dataclass
 class Checked:
-    """One drawing of a folder: what was found in it, or why nothing could be; where its report is, or itself."""
+    """One drawing of a folder: its outcome, or why there is none; the link to its report or to itself."""
 
     file: str
     found: Outcome | None = None
     refused: PlanesError | None = None
     report: str = ""
     whose: str = ""
-    picture: bytes = b""  # a small one of it, where there is no flat one
+    picture: bytes = b""  # a small picture of it, if there is no rectified one
     read_from: str = ""  # the file that was opened
 
     @property
@@ -122,11 +122,11 @@ class Checked:
 
     @property
     def first(self) -> str:
-        """Where it goes wrong."""
+        """The place of the first error."""
         return (self.found.first_wrong or "") if self.found and self.verdict == "wrong" else ""
 
     def said(self, lang: Lang) -> str:
-        """Which mistake it is, why it cannot be read, or what was not seen of it; nothing of a right one."""
+        """The mistake, the reason why it cannot be read, or the parts not seen; empty for a right drawing."""
         if self.found is None:
             return self.refused.told(lang) if self.refused else ""
         if self.verdict == "unreadable":  # the notes say what to do
@@ -137,7 +137,7 @@ class Checked:
         return in_sentences(one.told(lang) for one in every)
 
     def as_json(self, lang: Lang) -> Json:
-        """The object of the drawing, with its file and whose it is."""
+        """The object of the drawing, with its file and its owner."""
         head = {"file": self.file, **({"whose": self.whose} if self.whose else {})}
         if self.found:
             return {**head, **as_json(self.found, lang)}
@@ -151,7 +151,7 @@ def told_all(outcome: Outcome, reader: Reader) -> list[Phrase]:
 
 
 def chance_told(outcome: Outcome, lang: Lang) -> str:
-    """How sure the verdict is, in words; nothing of what has none, or is of but a part."""
+    """The certainty of the verdict, in words; empty for one without, or of a part only."""
     if outcome.chance is None or outcome.verdict == "right_as_seen":
         return ""
     key = "check_sure" if outcome.chance >= SURE else "check_likely" if outcome.chance >= LIKELY else "check_doubtful"
@@ -159,7 +159,7 @@ def chance_told(outcome: Outcome, lang: Lang) -> str:
 
 
 def redo_told(outcome: Outcome, lang: Lang) -> str:
-    """What to do about a wrong mark whose construction is shown; nothing of others."""
+    """The correction of a wrong mark whose construction is shown; empty for others."""
     shown = shown_plans(outcome)
     at = shown.marks.get(outcome.first_wrong or "")
     led = outcome.verdict == "wrong" and any(start == at for start, _ in shown.next)
@@ -167,7 +167,7 @@ def redo_told(outcome: Outcome, lang: Lang) -> str:
 
 
 def title(outcome: Outcome, lang: Lang) -> str:
-    """The plan (or that these are results) and the scene."""
+    """The plan (or the note that these are results) and the scene."""
     scene = outcome.bench.asked.scene
     head = say("check_numbers", lang) if outcome.alone else title_of(outcome.bench.asked.plan, lang)
     return f"{head}: {scene.title.get(lang, '') or scene.file}"
@@ -179,8 +179,10 @@ def mm(value: float | None, lang: Lang) -> str:
 
 
 def rows_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
-    """Rows of the step table: verdict, mark, off its own construction, tolerance, off the right plan, in words; of a
-    right mark that does not follow from a wrong one beside it, that it is in its true place."""
+    """Rows of the step table: verdict, mark, off its own construction, tolerance, off the right plan, in words.
+
+    The words say so if a right mark does not follow from a wrong one beside it, but is in its true position.
+    """
     rows = []
     for r in mark_rows(outcome):
         free = r["deviation_mm"], r["tolerance_mm"]
@@ -194,7 +196,7 @@ def rows_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
 
 
 def numbers_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
-    """Rows of the table of results: verdict, name, written, true, verdict in words with the slip if it is known."""
+    """Rows of the table of results: verdict, name, written, true, verdict in words with the slip, if known."""
     rows = []
     scored = outcome.results.scored if outcome.results else []
     for r, s in zip(result_rows(outcome), scored, strict=True):
@@ -206,14 +208,14 @@ def numbers_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
 
 
 def heads(lang: Lang) -> tuple[list[str], list[str]]:
-    """Names of the columns of both tables."""
+    """The column headings of both tables."""
     marks = ("check_mark", "check_off_own", "check_tolerance", "check_off_true", "check_verdict")
     numbers = ("check_result", "check_given", "check_true", "check_verdict")
     return [say(k, lang) for k in marks], [say(k, lang) for k in numbers]
 
 
 def page_data(outcome: Outcome, lang: Lang, places: Sequence[Json] | None = None) -> Json:
-    """All a page shows and judges by; ``places`` may be made already. Without marks to move there is no tape."""
+    """All data for display and judgement on a page; ``places`` may be precomputed. No movable marks, no tape."""
     marks, numbers = heads(lang)
     grading = outcome.grading or (empty(outcome.bench) if outcome.paper.picture else None)
     sentence, *notes = told_all(outcome, "here")
@@ -240,12 +242,12 @@ def page_data(outcome: Outcome, lang: Lang, places: Sequence[Json] | None = None
 
 
 def saved_as(outcome: Outcome) -> str:
-    """The table a page saves: of the drawing's own name, so that it lies beside it and the next run takes it up."""
+    """The table saved by a page, named after the drawing, so that it lies next to it and the next run uses it."""
     return f"{PurePath(outcome.paper.file).stem or 'marks'}.csv"
 
 
 def command(outcome: Outcome) -> str:
-    """The command that checks the table a page saves."""
+    """The command that checks the table saved by a page."""
     asked = outcome.bench.asked
     words = asked.line(saved_as(outcome))
     words += ["--mu", mu_text(asked.mu, kind_of(asked.plan))] if asked.mu else []

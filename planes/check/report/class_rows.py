@@ -1,7 +1,7 @@
-"""What the table of a class shows of each drawing, as plain data that a later run can take up again.
+"""The rows of a class table, as plain data that a later run can read again.
 
-A drawing that nobody could read comes first, then one of which something was not seen or not explained, then a wrong
-one, then a right one. Beside a wrong place stands the picture of it, and the right construction there.
+Unreadable drawings come first, then those with parts not seen or not explained, then wrong ones, then right ones. Next
+to a picture of each wrong place is one of the right construction.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ HEADS = ("check_file", "check_verdict", "check_mark", "check_first")
 
 @frozen
 class ClassRow:
-    """One drawing of a class: whose it is, what was found, the link to its report (or to itself), small pictures."""
+    """One drawing of a class: its owner, its outcome, the link to its report (or to itself), small pictures."""
 
     file: str
     verdict: str
@@ -35,18 +35,18 @@ class ClassRow:
     whose: str = ""
     plan: str = ""
     link: str = ""
-    mistake: str = ""  # the sentence without its mark, where the mistake has a name
+    mistake: str = ""  # the sentence without its mark, if the mistake has a name
     picture: str = ""  # as a data: address
     places: list[Json] = field(default_factory=list)
-    object: Json = field(default_factory=dict)  # what --json prints
+    object: Json = field(default_factory=dict)  # the output of --json
     task: str = ""  # the file of its scene
-    lettering: Json = field(default_factory=dict)  # how its sheets letter names
+    lettering: Json = field(default_factory=dict)  # the lettering of names on its sheets
 
     @classmethod
     def of(cls, one: Checked, lang: Lang) -> ClassRow:
-        """The row of what was found."""
+        """The row of an outcome."""
         outcome, said = one.found, one.said(lang)
-        bare = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a column of its own
+        bare = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a separate column
         said = said if bare == said else capital(bare)
         mistake = outcome.sentence.told(lang).removeprefix(f"{one.first}: ") if outcome and outcome.mistake else ""
         return cls(
@@ -67,27 +67,27 @@ class ClassRow:
 
     @property
     def names(self) -> list[str]:
-        """The names that may stand in what is said of it."""
+        """The names that may occur in its text."""
         results = (str(row["name"]) for row in self.object.get("results", ()))
         return [self.first, *(str(row["mark"]) for row in self.object.get("marks", ())), *results]
 
     @property
     def kind(self) -> str:
-        """The kind of its plan, "" where that is not known."""
+        """The kind of its plan, "" if unknown."""
         return kind_of(str(self.object["plan"])) if "plan" in self.object else ""
 
     @property
     def subject(self) -> tuple[str, str, str]:
-        """Which plan of whose task it is of."""
+        """The plan, and the task and student it belongs to."""
         return self.task, self.whose, self.plan
 
     def also(self, more: str) -> ClassRow:
-        """The same row with something more said."""
+        """The same row with an additional text."""
         return replace(self, said=in_sentences([self.said, more])) if more else self
 
     @classmethod
     def read(cls, data: Json) -> ClassRow:
-        """The row an earlier run has kept; TypeError or ValueError where it is none."""
+        """A row saved by an earlier run; TypeError or ValueError if it is none."""
         if set(data) != {f.name for f in fields(cls)} or data["verdict"] not in STATUS:
             raise ValueError("no row of a class")
         return cls(**data)
@@ -98,7 +98,7 @@ def _plan_said(outcome: Outcome, lang: Lang) -> str:
 
 
 def rank(one: Checked) -> int:
-    """How soon a teacher should look at it."""
+    """Its priority for a teacher."""
     if one.verdict == "unreadable" or one.found is None:
         return UNREADABLE
     doubtful = one.found.unseen or (one.verdict == "wrong" and one.found.mistake is None)
@@ -106,7 +106,7 @@ def rank(one: Checked) -> int:
 
 
 def columns(rows: Sequence[ClassRow], lang: Lang) -> tuple[list[str], list[str]]:
-    """The keys of a table's columns, and their names: whose only where that is known, which plan where they differ."""
+    """The keys and headings of a table's columns: the owner only where known, the plan only where they differ."""
     whose, plans = ({getattr(row, key) for row in rows} - {""} for key in ("whose", "plan"))
     more = ["whose"] * bool(whose) + ["plan"] * (bool(whose) or len(plans) > 1)
     words = {"whose": "check_whose", "plan": "check_plan"}
@@ -116,7 +116,7 @@ def columns(rows: Sequence[ClassRow], lang: Lang) -> tuple[list[str], list[str]]
 
 
 def cells(row: ClassRow, keys: Sequence[str], lang: Lang) -> list[str]:
-    """The cells of a row under those columns."""
+    """The cells of a row in those columns."""
     shown = {"verdict": say(f"verdict_{row.verdict}", lang)}
     return [shown.get(key) or str(getattr(row, key)) for key in keys]
 

@@ -1,4 +1,4 @@
-"""What a page judges moved marks by, as plain data: the tape, the right plan, the rule, what may have to be said."""
+"""Data for judging moved marks on a page: the tape, the right plan, the rule, the possible sentences."""
 
 import base64
 from collections.abc import Mapping
@@ -26,11 +26,11 @@ from planes.words.names import POLE, kind_of, label_of, plan_of
 from planes.words.records import Json
 
 VERDICTS = ("right", "wrong", "follows", "unread")
-MARGIN_MM = 12.0  # about a drawing on a page
+MARGIN_MM = 12.0  # around a drawing on a page
 
 
 def moved_marks(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
-    """What a page needs to judge marks that are moved."""
+    """The data that a page needs to judge moved marks."""
     bench, plan, taken = outcome.bench, outcome.bench.asked.plan, grading.hand.taken
     variants = variants_of(bench, taken, grading.mu)
     tape, (misses, *supposed) = retrace(grading, variants)
@@ -61,7 +61,7 @@ def moved_marks(outcome: Outcome, grading: Grading, lang: Lang) -> Json:
 
 
 def _mark(grading: Grading, mark: str, miss: tuple[int, int]) -> Json:
-    """A mark: where it is, if it was read, and what it is judged by."""
+    """A mark: its position, if it was read, and the data for its verdict."""
     taken, true = grading.hand.taken.get(mark), grading.truth[mark]
     own = taken or ReadMark(mark, true, SURELY_MM)
     return {
@@ -90,7 +90,7 @@ def _variant(v: Variant, under: Mapping[str, tuple[int, int]], lang: Lang) -> Js
 
 
 def _rule(grading: Grading) -> Json:
-    """The numbers judging goes by."""
+    """The numbers that verdicts depend on."""
     absent, point = grading.rebuilt.absent if grading.rebuilt else (), grading.hand.tool.skill.point_mm
     same = (s.makes for s in grading.hand.program.steps if isinstance(s, Same))
     return {
@@ -122,7 +122,7 @@ def _rule(grading: Grading) -> Json:
 
 
 def _said(outcome: Outcome, lang: Lang) -> dict[str, str]:
-    """Sentences a page may come to, with places for names and numbers."""
+    """Sentences that a page may need, with placeholders for names and numbers."""
     phrases = {
         "right": outcome.right(()),
         "as_seen": outcome.right((Phrase("check_not_judged", names="⟦names⟧"),)),
@@ -138,13 +138,13 @@ def _said(outcome: Outcome, lang: Lang) -> dict[str, str]:
 
 
 def _otherwise(grading: Grading, lang: Lang) -> Json | None:
-    """What is wrong though no mark is."""
+    """An error though no mark is wrong."""
     said = grading.otherwise
     return {"first": said.parts["mark"], "mark": grading.left_out, "said": said.told(lang)} if said else None
 
 
 def _shown(outcome: Outcome, truth: Mapping[str, complex]) -> Json:
-    """The picture where there is one, and the part of the paper to show."""
+    """The picture, if any, and the part of the paper to show."""
     paper = outcome.paper
     if paper.picture:
         (w, h), pole = SHEET_MM, blank_pole(outcome.bench)
@@ -156,9 +156,9 @@ def _shown(outcome: Outcome, truth: Mapping[str, complex]) -> Json:
 
 
 def _about(outcome: Outcome, truth: Mapping[str, complex]) -> list[float]:
-    """A box about both plans: left, bottom, right, top."""
+    """The bounding box of both plans: left, bottom, right, top."""
     shown, margin = shown_plans(outcome), complex(MARGIN_MM, MARGIN_MM)
     vectors_shown = [*shown.own, *shown.true, *outcome.paper.strokes]
     places = [0j, *truth.values(), *own_marks(outcome).values(), *(z for v in vectors_shown for z in v)]
-    low, high = corners(z for z in places if abs(z) < 2000)  # nor what is no place at all
+    low, high = corners(z for z in places if abs(z) < 2000)  # without invalid positions
     return [*pair(low - margin), *pair(high + margin)]

@@ -1,4 +1,4 @@
-"""Small pictures of a drawing, and of each place where it goes wrong beside the right construction there."""
+"""Small pictures of a drawing, and of each wrong place next to the right construction."""
 
 import base64
 import io
@@ -13,13 +13,13 @@ from planes.geometry.plane import corners
 from planes.words.names import POLE, kind_of, label_of
 from planes.words.records import Json
 
-MOST_PLACES = 3  # wrong places shown of a drawing
-WINDOW_MM = (18.0, 90.0)  # about a wrong place: at least and at most that to each side
+MOST_PLACES = 3  # maximum number of wrong places shown of a drawing
+WINDOW_MM = (18.0, 90.0)  # minimum and maximum half size of a window around a wrong place
 THUMB_PX, PLACE_PX, QUALITY, RIM_MM = 170, 320, 62, 12.0
 
 
 def wrong_places(outcome: Outcome) -> list[Json]:
-    """Windows about the places where a drawing goes wrong, the first of them first."""
+    """Windows around the places where a drawing goes wrong, the first one first."""
     if outcome.grading is None or outcome.verdict != "wrong":
         return []
     return list(islice(_windows(outcome, outcome.grading), MOST_PLACES))
@@ -29,7 +29,7 @@ def _windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
     shown, paper = shown_plans(outcome), outcome.paper
     free = (
         kind_of(outcome.bench.asked.plan) == "force"
-    )  # there its order is free, and a step leads to where it should be
+    )  # there its order is free, and a step leads to the right position
     truth = {n: b for n, z in shown.marks.items() for a, b in shown.next if a == z} if free else true_marks(outcome)
     verdicts = grading.verdicts
     wrong = [label_of(m) for m, verdict in verdicts.items() if verdict == "wrong"]
@@ -58,7 +58,7 @@ def _vectors(all_: Iterable[Vector]) -> list[list[float]]:
 
 
 def _near(strokes: Iterable[Vector], box: Box) -> list[Vector]:
-    """Strokes that may show in a window."""
+    """Strokes that may be visible in a window."""
     left, lower, right, upper = box
 
     def shows(stroke: Vector) -> bool:
@@ -69,13 +69,12 @@ def _near(strokes: Iterable[Vector], box: Box) -> list[Vector]:
 
 
 def address(data: bytes) -> str:
-    """A JPEG as an address that holds it."""
+    """A JPEG as a data address."""
     return f"data:image/jpeg;base64,{base64.b64encode(data).decode()}" if data else ""
 
 
 def thumb(outcome: Outcome | None, small: bytes) -> bytes:
-    """A small picture (JPEG) of a drawing, of the part with its plan if that was read, else ``small``; b"" of one
-    without a picture."""
+    """A small picture (JPEG) of a drawing: the part with its plan, if read, else ``small``; b"" without a picture."""
     if not outcome or not outcome.paper.picture:
         return _jpeg(small, None, THUMB_PX) if small else b""
     paper, ends = outcome.paper, [z for v in shown_plans(outcome).own for z in v]
@@ -87,7 +86,7 @@ def thumb(outcome: Outcome | None, small: bytes) -> bytes:
 
 
 def cropped(picture: bytes, lies: Box | None, box: Box, longest: int = PLACE_PX) -> bytes:
-    """What a picture that lies so (mm from the pole) shows in a window."""
+    """The part of a picture in a window, ``lies`` being the picture's position (mm from the pole)."""
     if not picture or lies is None:
         return b""
     x0, y0, x1, y1 = lies

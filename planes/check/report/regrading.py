@@ -1,8 +1,8 @@
-"""A grading laid open for a page: what each mark misses by, as a tape of plain arithmetic that a moved mark runs anew.
+"""A grading for a page: the miss of each mark as a tape of plain arithmetic, rerun whenever a mark is moved.
 
-The steps themselves are drawn once with the numbers of a tape, as a person's hand draws them: a mark that was read is
-looked up, and every error of hand, ruler and reading is a source of its own. So a reader of the tape needs no
-mechanics: values give the misses, slopes with respect to the sources their tolerances.
+The steps are drawn once with the numbers of a tape, as a person draws them: a mark that was read is looked up, and
+every drawing, ruler and reading error is a separate source. So a reader of the tape needs no mechanics: values give the
+misses, slopes with respect to the sources their tolerances.
 """
 
 import math
@@ -22,13 +22,13 @@ from planes.drafting.tools import Env
 from planes.geometry.arithmetic import Truth
 from planes.words.records import Json
 
-Places = dict[str, tuple[int, int]]  # on a tape, x and y of what each mark misses by
-SURELY_MM = 0.2  # how surely a person places a mark on the screen
+Places = dict[str, tuple[int, int]]  # positions on a tape of x and y of each mark's miss
+SURELY_MM = 0.2  # accuracy of placing a mark on the screen
 
 
 @dataclass
 class _TapeHand(Person, TracingTool):
-    """A person at work on a tape; marks that may yet be read are looked up only if they are."""
+    """A person at work on a tape; marks that may be read later are looked up only if they are."""
 
     late: Container[str] = ()
 
@@ -64,7 +64,7 @@ class _Desk:
         self.made = draw_steps(self.program.steps, self.things, self.tool)
 
     def _read(self, mark: str) -> Vec:
-        """Where a mark was read, with the error of reading."""
+        """The position of a read mark, with its reading error."""
         error = self.taken[mark].error_mm if mark in self.taken else SURELY_MM
         step = self.program.makers[mark]
         error = max(error, self.tool.errors[0]) if isinstance(step, Same) and self.tool.errors else error
@@ -72,15 +72,18 @@ class _Desk:
         return Vec(x, y)
 
     def misses(self, marks: Iterable[str], variant: Variant | None = None) -> Places:
-        """Places of what each mark misses by, of what the steps make or those touched by a mistake."""
+        """The positions on the tape of each mark's miss, from the original steps or those affected by a mistake."""
         made = variant.drawn(self.program, self.things, self.tool, self.taken) if variant else self.made
         off = {m: self.own[m] - made[m] for m in marks if m in made}
         return {m: (place_of(self.tape, z.real), place_of(self.tape, z.imag)) for m, z in off.items()}
 
 
 def retrace(grading: Grading, variants: Iterable[Variant]) -> tuple[Json, list[Places]]:
-    """The grading as a tape (plain data), every mistake as another way to the marks it touches; and places on it: of
-    the plan as it is, then under each mistake. What nothing depends on goes, and places are counted anew."""
+    """The grading as a tape (plain data), with every mistake as another path to the marks it affects; and positions.
+
+    Positions on the tape are given for the plan itself, then for each mistake. Unused numbers are dropped, and the
+    positions renumbered.
+    """
     desk = _Desk(grading)
     misses_by_way = [desk.misses(grading.marks, way) for way in (None, *variants)]
     wanted = [place for one in misses_by_way for pair in one.values() for place in pair]

@@ -1,4 +1,4 @@
-"""Both plans as they are shown, each where it lies: a force polygon's order is free, so both in the person's own."""
+"""Both plans as displayed, each in its position; force polygons, whose order is free, both in the person's order."""
 
 import shlex
 from collections.abc import Collection, Mapping, Sequence
@@ -21,7 +21,7 @@ Vector = tuple[complex, complex]
 
 
 def pair(z: complex, digits: int = 4) -> list[float]:
-    """A place as plain data."""
+    """A point as plain data."""
     return [round(z.real, digits), round(z.imag, digits)]
 
 
@@ -37,7 +37,7 @@ def vectors(bench: PreparedPlan) -> list[tuple[str, str]]:
 
 
 def _bars(bench: PreparedPlan, drawn: Collection[str]) -> list[tuple[str, str]]:
-    """Lines of a scheme: from point to point of a link, and along a link's guide to the slider on it."""
+    """Lines of a scheme: from point to point of a link, and along a link's guide to its slider."""
     mechanism = bench.plans.mechanism
     bars = [p for link in mechanism.links.values() for p in pairwise(n for n in link.points if n in drawn)]
     for link in mechanism.links.values():
@@ -64,17 +64,17 @@ def true_marks(outcome: Outcome) -> dict[str, complex]:
 
 @frozen
 class Shown:
-    """Both plans as they are shown, mm from the pole: vectors, the person's marks, names that stand along vectors."""
+    """Both plans as displayed, mm from the pole: vectors, the person's marks, names along vectors."""
 
     own: list[Vector]
     true: list[Vector]
     marks: dict[str, complex]
     along: dict[str, Vector]
-    next: list[Vector]  # to where the construction leads from each mark that is off
+    next: list[Vector]  # from each wrong mark to its constructed point
 
 
 def shown_plans(outcome: Outcome) -> Shown:
-    """The person's plan where it lies, and the right one; force polygons both in the person's order."""
+    """The person's plan in its position and the right one; force polygons both in the person's order."""
     bench, own = outcome.bench, own_marks(outcome)
     at_own, at_true = {POLE: 0j, **own}, {POLE: 0j, **true_marks(outcome)}
     if kind_of(bench.asked.plan) != "force":
@@ -91,7 +91,7 @@ def shown_plans(outcome: Outcome) -> Shown:
 
 
 def _leads(outcome: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
-    """From each mark that is off, where it is shown, to where the construction from the person's own marks leads."""
+    """From each wrong mark, as displayed, to the point constructed from the person's own marks."""
     if outcome.grading is None:
         return []
     verdicts, limit = outcome.grading.verdicts, outcome.grading.judgement.limit
@@ -101,7 +101,7 @@ def _leads(outcome: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
 
 
 def own_order(outcome: Outcome) -> list[Side]:
-    """A force polygon's sides as the person laid them, what is missing last; none where the pen was lifted."""
+    """A force polygon's sides in the person's order, missing ones last; none where the pen was lifted."""
     bench, spots, grading = outcome.bench, outcome.paper.spots, outcome.grading
     if kind_of(bench.asked.plan) != "force" or grading is None or grading.rebuilt is None:
         return []
@@ -113,11 +113,11 @@ def own_order(outcome: Outcome) -> list[Side]:
     return [sides[n] for n in dict.fromkeys([*read, *missing]) if n in sides]
 
 
-LaidSides = list[tuple[Side, Vector]]  # where they lie, mm from the pole
+LaidSides = list[tuple[Side, Vector]]  # their positions, mm from the pole
 
 
 def own_sides(sides: Sequence[Side], spots: Sequence[ReadMark], naming: Naming) -> LaidSides:
-    """The vectors as they were read."""
+    """The vectors as read."""
     by_name = {s.name: s for s in sides}
     names, pole = naming.names(by_name), spots[0].place
     rows = [(names.find(b.name), (a.place - pole, b.place - pole)) for a, b in pairwise(spots)]
@@ -137,7 +137,7 @@ def between(sides: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:
 
 
 def tracing_data(asked: Asked, lang: Lang) -> Json:
-    """All plans of a scene, the one asked for first, mm from their poles."""
+    """All plans of a scene, the requested one first, mm from their poles."""
     bench = prepare(asked)
     others = [p for p in known_plans(bench.plans) if p != asked.plan]
     benches = [bench, *(prepare(replace(asked, plan=p, mu=None)) for p in others)]
@@ -163,5 +163,5 @@ def _plan(bench: PreparedPlan, lang: Lang) -> Json:
         "far": max(marks, key=lambda n: abs(marks[n])),
         "vectors": vectors(bench),
         "names": names,
-        "command": f"{line} --pole ⟦pole⟧ --mark ⟦mark⟧",  # the page puts in the picture and the places of two points
+        "command": f"{line} --pole ⟦pole⟧ --mark ⟦mark⟧",  # the page inserts the picture and two points
     }

@@ -1,1 +1,1 @@
-"""What the checker sees on a picture of paper: the sheet made flat, its ink, lines, heads, places."""
+"""Computer vision on a picture of paper: the rectified sheet, its ink, lines, heads, points."""

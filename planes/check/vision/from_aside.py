@@ -1,8 +1,7 @@
-"""A plan photographed from aside, on paper that tells nothing of it: the tilt its own marks tell, and what they owe to
-the tilt that nothing tells.
+"""A plan photographed at an angle on paper without marks: the camera tilt from its marks, and the remaining error.
 
-A tilt moves all marks by one rule of two numbers; a hand's errors, and one mark drawn wrongly, do not. What tilt
-remains is an error that marks share: one mark off by it is expected to have others off with it.
+A tilt moves all marks by one rule with two parameters; drawing errors, and a single wrong mark, do not. The remaining
+tilt is an error shared by all marks: if one mark is off by it, others are expected to be off with it.
 """
 
 import math
@@ -15,16 +14,16 @@ from planes.check.grading.paper import ReadMark
 from planes.check.vision.image.lens import Lens
 from planes.geometry.arrays import Array, Complexes
 
-TURN = math.radians(0.7)  # σ of how sheets lie
-HAND_MM, LENGTH_MM = 0.7, 0.6  # σ of a mark, and of the vector a scale was taken from
-LEAST_TILT = math.tan(math.radians(2.0))  # less is not worth looking again
+TURN = math.radians(0.7)  # σ of a sheet's rotation
+HAND_MM, LENGTH_MM = 0.7, 0.6  # σ of a mark, and of the vector that set the scale
+LEAST_TILT = math.tan(math.radians(2.0))  # a smaller tilt is not worth another pass
 LEAST_MARKS = 4
-BETTER = 1.2  # how much likelier, as a logarithm, marks must be: a careful hand's own errors gain 1.1 now and then
-WIDE_MM = (6.0, 3.0, 1.5, *(HAND_MM,) * 7)  # marks farther off tell less and less, step by step
+BETTER = 1.2  # minimum gain in log likelihood: the errors of a careful hand gain 1.1 now and then
+WIDE_MM = (6.0, 3.0, 1.5, *(HAND_MM,) * 7)  # weights of distant marks decrease step by step
 
 
 def as_sure(spot: ReadMark, about: complex, share: float, lens: Lens | None) -> ReadMark:
-    """A mark with an error of a share of its distance, and with what an untold tilt of the camera moves it by."""
+    """A mark with an error proportional to its distance, and with the displacement by an unknown camera tilt."""
     z = spot.place - about
     shared = () if lens is None else tuple(lens.leaning(z, way) - z for way in lens.held.loose)
     tilted = math.hypot(*(abs(move) for move in shared)) / math.sqrt(2)
@@ -32,8 +31,10 @@ def as_sure(spot: ReadMark, about: complex, share: float, lens: Lens | None) -> 
 
 
 def tilt_told(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[str, complex]) -> complex | None:
-    """What more of a tilt (slopes to the right and up) makes a plan's marks most like the right ones; None where it is
-    little or tells little."""
+    """The additional tilt (slopes to the right and up) that fits a plan's marks to the right ones best.
+
+    None if it is small or poorly determined.
+    """
     pairs = [(s.place - pole, true[s.name]) for s in spots if s.name in true]
     if len(pairs) < LEAST_MARKS:
         return None
@@ -45,7 +46,7 @@ def tilt_told(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mappin
 
 
 def strange(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[str, complex]) -> float:
-    """How unlike the right plan marks are, as a logarithm; those not read count as far off."""
+    """The deviation of marks from the right plan, as a logarithm; unread ones count as far off."""
     places = {s.name: s.place - pole for s in spots}
     seen = numpy.array([places.get(n, math.inf) for n in true])
     off = numpy.where(numpy.isfinite(seen), seen - numpy.array([*true.values()]), 10 * HAND_MM)
@@ -53,12 +54,12 @@ def strange(lens: Lens, pole: complex, spots: Sequence[ReadMark], true: Mapping[
 
 
 def _unlike(off: Complexes) -> float:
-    """How unlike a hand's it is that marks are so far off, as a logarithm."""
+    """The deviation of marks this far off from drawing errors, as a logarithm."""
     return float(numpy.log1p((abs(off) / HAND_MM) ** 2 / 2).sum())
 
 
 def _off(lens: Lens, seen: Complexes, right: Complexes, k: Array) -> Complexes:
-    """How far marks are off, with a tilt (in its σ), a turn and a stretch."""
+    """The errors of marks after a tilt (in its σ), a rotation and a scaling."""
     there = lens.leaning(seen, lens.held.more(k)) * numpy.exp(1j * k[2]) * (1 + k[3])
     out: Complexes = there - right
     return out
@@ -73,7 +74,7 @@ def _cost(lens: Lens, seen: Complexes, right: Complexes, k: Array) -> float:
 
 
 def _fitted(lens: Lens, seen: Complexes, right: Complexes, free: float) -> Array:
-    """Tilt (if it is ``free``), turn and stretch that make marks most like the right ones, Gauss and Newton's way."""
+    """Tilt (if ``free``), rotation and scaling that fit marks to the right ones best (Gauss-Newton)."""
     k, sigma = numpy.zeros(4), _unlikely(lens) * [max(free, 1e-6), max(free, 1e-6), 1, 1]
     for wide in WIDE_MM:
         off = _off(lens, seen, right, k)

@@ -1,4 +1,4 @@
-"""One flat picture looked at: the pole of a plan found on it, and its marks."""
+"""Examines one rectified picture: finds the pole of a plan and its marks."""
 
 import math
 from dataclasses import dataclass, field
@@ -18,29 +18,29 @@ from planes.check.vision.print_scale import measured_by, resized_by
 from planes.words import Phrase, Written
 from planes.words.names import kind_of
 
-# the share of the ink about it that a plan must explain; more where nobody told its pole. Of 44 pictures of a plan two
+# minimum share of the ink around a plan that it explains; more if its pole was not given. Of 44 pictures of a plan two
 # were below the first, of 44 of another mechanism's plan thirty
 LEAST_EXPLAINED = 0.35, 0.5
 
 
 @dataclass
 class Look:
-    """One way of looking at a picture: made flat so, and what was found."""
+    """One examination of a picture: its rectification and the findings."""
 
     flat: Flat
     pole: complex
-    paper: ReadPaper = field(default_factory=ReadPaper)  # its μ, if it was found at another scale than the stated one
-    cover: float = 0.0  # the share of the plan's lines that is there
-    explained: float = 0.0  # of the ink about them, the share that is theirs
+    paper: ReadPaper = field(default_factory=ReadPaper)  # with μ, if found at another scale than the stated one
+    cover: float = 0.0  # share of the plan's lines found
+    explained: float = 0.0  # share of the ink around them that they explain
     bare: bool = False  # whether there are no lines at all
 
     @property
     def seen(self) -> bool:
-        """Whether the plan, or a mistake's, is there."""
+        """Whether the plan, right or with a mistake, is there."""
         return bool(self.paper.spots)
 
     def box(self, bench: PreparedPlan) -> Box:
-        """Where the flat picture lies."""
+        """The position of the rectified picture."""
         printed = not self.seen and self.flat.by == "marks"
         low = self.flat.corner - (self.flat.pole or blank_pole(bench) if printed else self.pole)
         h, w = self.flat.grey.shape[:2]
@@ -49,8 +49,10 @@ class Look:
 
 
 def seen_best(bench: PreparedPlan, flat: Flat, pole: complex | None, held: tuple[str, complex] | None = None) -> Look:
-    """What a flat picture shows best: all of it, or of a page of known scale one of its parts. ``held`` is a mark that
-    was pointed to, and where, by which the picture's scale was told."""
+    """The best findings in a rectified picture: in all of it or, on a page of known scale, in one of its parts.
+
+    ``held`` is the mark, with its position, that was pointed to and set the scale of the picture.
+    """
     if flat.by != "scale" or pole is not None:
         printed = flat.pole or blank_pole(bench) if flat.by == "marks" or flat.size_mm == SHEET_MM else None
         look = looked(bench, flat, printed if pole is None else pole, held)
@@ -68,7 +70,7 @@ def seen_best(bench: PreparedPlan, flat: Flat, pole: complex | None, held: tuple
 
 
 def looked(bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[str, complex] | None = None) -> Look:
-    """What a flat picture shows of a plan, by drawing it again from its pole: about a place, or looked for."""
+    """The plan found in a rectified picture by drawing it again from its pole, near a given point or searched for."""
     ink = SheetInk.of_picture(flat)
     if not ink.points.size:
         return Look(flat, 0j, bare=True)

@@ -1,4 +1,4 @@
-"""What stands on a page of known scale: its ink in parts that hang together, each as a picture of its own."""
+"""The content of a page of known scale: its ink in connected parts, each as a separate picture."""
 
 import math
 from collections.abc import Iterator
@@ -15,19 +15,19 @@ from planes.words.frozen import frozen
 from planes.words.names import kind_of
 from planes.words.units import standard_mu, standard_scale
 
-MOST = 8  # parts that are looked at, at a scale each
-LEAST_MM, RIM_MM = 6.0, 3.0  # of a part; of paper around it
-PX_PER_MM = 2.0  # of the smaller picture on which parts are told
-A3_MM2 = 125_000.0  # a larger page is looked over as if it were of that size: its parts are looked at closely
-A2_MM2 = 250_000.0  # no part that is larger is a plan
+MOST = 8  # parts examined, at one scale each
+LEAST_MM, RIM_MM = 6.0, 3.0  # of a part; margin of paper around it
+PX_PER_MM = 2.0  # of the reduced picture in which parts are found
+A3_MM2 = 125_000.0  # a larger page is surveyed as if of this size: its parts are examined closely
+A2_MM2 = 250_000.0  # a larger part is no plan
 INK = 40  # of 255, in its pixels
-SOFT_MM = 6.0  # what counts little in a size
-SIZES = (0.7, 0.8, 0.9, 1.0, 1.05)  # of a part, that its plan may have: lines run on, a scheme has its supports
+SOFT_MM = 6.0  # softness of a size comparison
+SIZES = (0.7, 0.8, 0.9, 1.0, 1.05)  # relative sizes of a plan in its part: lines extend further, schemes have supports
 
 
 @frozen
 class PageParts:
-    """The parts of a page: their numbers on a small picture of it, and their boxes there (left, top, wide, high)."""
+    """The parts of a page: their numbers on a small picture of it, and their boxes there (left, top, width, height)."""
 
     flat: Flat
     light: Greys
@@ -49,7 +49,7 @@ class PageParts:
         return [(k, mu if mu != bench.said_mu else None) for _, k, mu in sorted(parts)[:MOST]]
 
     def cut(self, k: int) -> Flat:
-        """A part cut out with paper around it, the others' ink painted over."""
+        """A part cut out with a margin of paper, the ink of others painted over."""
         up, rim, (height, width) = self.flat.scale / PX_PER_MM, RIM_MM * self.flat.scale, self.flat.grey.shape
         x, y, w, h = self.boxes[k]
         left, top = max(int(x * up - rim), 0), max(int(y * up - rim), 0)
@@ -63,7 +63,7 @@ class PageParts:
 
 
 def _scales(bench: PreparedPlan, true_mm: float, seen_mm: float) -> Iterator[float]:
-    """The stated scale, or the standard ones at which a plan is about as large as what is seen."""
+    """The stated scale, or the standard ones at which a plan has about the size of the part."""
     kind = kind_of(bench.asked.plan)
     if bench.asked.mu or bench.asked.scene.mu.get(kind):
         yield bench.said_mu

@@ -1,4 +1,4 @@
-"""From a picture of a plan to the marks of a person: made flat, its lines found, matched to the plan."""
+"""From a picture of a plan to a person's marks: rectified, its lines found, matched to the plan."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -26,9 +26,9 @@ from planes.words.names import POLE, label_of
 
 
 def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> ReadPaper:
-    """What a picture shows of a plan: made flat by corner marks, else by two named points, else by the sheet's frame.
+    """The plan in a picture, rectified by corner marks, otherwise by two named points, otherwise by the sheet's frame.
 
-    :class:`PlanesError` where it is no picture or has nothing to measure by.
+    :class:`PlanesError` if it is no picture or has no reference for its scale.
     """
     known = known or Known()
     picture = load(file, known.page)
@@ -66,7 +66,7 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
 
 
 def _held(bench: PreparedPlan, flat: Flat, known: Known) -> tuple[str, complex] | None:
-    """The mark that was pointed to and tells a picture's scale, and where it is; none where its file tells that."""
+    """The mark pointed to that sets a picture's scale, and its position; none if the file gives the scale."""
     if flat.told is None or flat.by_file:
         return None
     names = {n: z for k, z in known.marks.items() if (n := bench.names.find(k))}
@@ -74,8 +74,10 @@ def _held(bench: PreparedPlan, flat: Flat, known: Known) -> tuple[str, complex] 
 
 
 def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best: Look) -> Look:
-    """What a photograph of a plan by two points shows if it was taken from aside, by as much as its marks tell; as it
-    was looked at before, if that explains them better."""
+    """The findings in a photograph scaled by two points, after correcting the camera tilt shown by its marks.
+
+    The first findings are kept if they explain the marks better.
+    """
     lens, true = best.flat.lens, {label_of(m): z for m, z in bench.true_marks.items()}
     tilt = tilt_told(lens, best.pole, best.paper.spots, true) if lens and best.seen else None
     if tilt is None or lens is None or known.pole is None:
@@ -88,8 +90,10 @@ def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best
 
 
 def _as_printed(bench: PreparedPlan, flat: Flat, code: SheetMark | None) -> PreparedPlan:
-    """The plan at the scale its blank was printed for (its ``code`` tells, else the scene), where nobody told another;
-    the pole is where the code says."""
+    """The plan at the scale its blank was printed for (from its ``code``, otherwise the scene), unless given.
+
+    The pole is the one in the code.
+    """
     if code is None or code.plan != bench.asked.plan:
         return bench
     flat.pole = code.pole
@@ -97,13 +101,13 @@ def _as_printed(bench: PreparedPlan, flat: Flat, code: SheetMark | None) -> Prep
 
 
 def _nothing_to_measure_by(grey: Greys) -> PlanesError:
-    """A refusal, by how many of a blank's corner marks are seen."""
+    """An error, by the number of a blank's corner marks seen."""
     count = len(find_marks(smaller(grey, LARGEST_PX)[0]))
     return PlanesError(Phrase("check_few_marks", count=count) if count else Phrase("check_no_marks"))
 
 
 def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterator[tuple[Flat, str | None]]:
-    """Ways the picture may be made flat; with the vector its scale is taken from, if it is."""
+    """Possible rectifications of the picture; with the vector that sets its scale, if any."""
     grey, scale = picture.grey, picture.scale
     if known.pole is not None and known.marks:
         yield _by_hand(bench, picture, known.pole, known.marks)
@@ -117,7 +121,7 @@ def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterat
 
 
 def shown(flat: Flat) -> bytes:
-    """The flat picture, small enough for a page."""
+    """The rectified picture, small enough for a page."""
     return bytes(cv().imencode(".jpg", shrunk(flat.grey, 0.5), [cv().IMWRITE_JPEG_QUALITY, 75])[1])
 
 
@@ -128,7 +132,7 @@ def _by_hand(
     marks: Mapping[str, complex],
     held: CameraTilt | None = None,
 ) -> tuple[Flat, str]:
-    """Scale by a named pole and vector."""
+    """Scale from a named pole and vector."""
     name, where = next(((n, z) for k, z in marks.items() if (n := bench.names.find(k)) and n != POLE), (None, 0j))
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
@@ -137,8 +141,10 @@ def _by_hand(
 
 
 def _vector(bench: PreparedPlan, picture: DecodedPicture, length: float, name: str) -> complex:
-    """The vector to a mark, so many pixels long: as it should be, or, if no sheet is as large as that would make it, as
-    the mistake has it that makes it most like A4."""
+    """The vector to a mark with this length in pixels: the right one, or a mistake's.
+
+    If the right one would make the sheet too large, it is that of the mistake that makes it most like A4.
+    """
     ways = (drawn_at(bench, v, name) for v in bench.mistakes)
     true = bench.true_marks[name]
     if length < 1 or not true or fits(picture.grey, length / abs(true)):

@@ -1,9 +1,8 @@
-"""At what share of its size a sheet is seen: as a blank was printed, told by the drawing on it, or as a mark was drawn
-from which its scale was taken.
+"""The scale of a sheet as seen: its print scale, shown by the drawing, or that of the mark that set its scale.
 
-A printer that fits a page into its margins makes all of it smaller, but people draw on it by a ruler: measured by the
-corner marks, all they draw is larger by one factor. A drawing to a wrong scale looks the same, so no more is believed
-than printers do.
+A printer that fits a page into its margins reduces all of it, but people draw on it with a ruler: measured by the
+corner marks, all they draw is larger by one factor. A drawing at a wrong scale looks the same, so only factors that
+printers produce are accepted.
 """
 
 import math
@@ -18,16 +17,18 @@ from planes.geometry.arrays import Greys
 from planes.words import Phrase, Written
 from planes.words.names import at
 
-LEAST, MOST = 0.9, 1.05  # of its size that a page may be printed at
-TRUE = 0.003  # so true is a scanner
-LONG_MM = 12.0  # of a vector that tells it
-LYING = 0.01  # how much a sheet lies turned that nothing tells of, radians
-ALONG = 0.004  # how much what people draw lies turned on their paper, radians
+LEAST, MOST = 0.9, 1.05  # limits of a print scale
+TRUE = 0.003  # accuracy of a scanner
+LONG_MM = 12.0  # of a vector that determines it
+LYING = 0.01  # unknown rotation of a sheet, radians
+ALONG = 0.004  # rotation of a drawing on its paper, radians
 
 
 def printed_share(flat: Flat, grey: Greys, scale: float | None) -> float:
-    """The share of its size a blank was printed at, told by a scan that knows its pixels to a millimetre; 1 of others
-    (those that see it askew among them), and where no printer makes it so large."""
+    """The print scale of a blank, from a scan with known pixels per millimetre.
+
+    1 for others (oblique pictures among them), and where no printer produces that scale.
+    """
     if scale is None:
         return 1.0
     height, width = grey.shape
@@ -39,8 +40,10 @@ def printed_share(flat: Flat, grey: Greys, scale: float | None) -> float:
 
 
 def resized_by(flat: Flat, about: complex, share: float, spots: list[ReadMark]) -> list[ReadMark]:
-    """Marks of a sheet printed at a share of its size, and its picture from now on, in millimetres of a ruler, that are
-    so much longer; said only where a ruler shows it."""
+    """The marks and the picture of a sheet printed at a scale, converted to true millimetres.
+
+    It is reported only if a ruler shows the difference.
+    """
     if share == 1:
         return spots
     if share == flat.printed:
@@ -50,8 +53,10 @@ def resized_by(flat: Flat, about: complex, share: float, spots: list[ReadMark]) 
 
 
 def measured_by(flat: Flat, about: complex, spots: list[ReadMark], bench: PreparedPlan) -> list[ReadMark]:
-    """Marks as sure as what their sheet was measured by: a vector that is itself off by what a hand errs and by how
-    surely its ends were pointed to, and seen by a camera that may have been tilted."""
+    """Marks with the errors of the vector that set the scale of their sheet.
+
+    These are its drawing error, the accuracy of pointing to its ends, and a possible camera tilt.
+    """
     if flat.told is None:
         return spots
     length, mark = flat.told[1], at(bench.asked.plan, flat.told[0])

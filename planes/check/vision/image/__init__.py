@@ -1,1 +1,1 @@
-"""A picture: its file decoded, its corner marks or its frame found, the bend of the paper taken out."""
+"""A picture: its file decoded, its corner marks or frame found, the bend of the paper corrected."""

@@ -1,7 +1,7 @@
-"""How a picture of a sheet is bent, by its lens and by paper that does not lie flat: told by the printed frame.
+"""The distortion of a picture by its lens and by paper that is not flat, measured on the printed frame.
 
-Four corner marks give the sheet's place and slant alone. The frame's sides are straight on the sheet; where they are
-seen bent, the lens is fitted that makes them straight, and what is then left is taken for the paper's, evenly between
+Four corner marks give only the position and slant of the sheet. The frame's sides are straight on the sheet; if they
+appear bent, the lens that straightens them is fitted, and the remainder is attributed to the paper, linearly between
 opposite sides.
 """
 
@@ -14,11 +14,11 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.vision.image.opencv import sampled
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
-LEFT_MM, OTHER_MM = 20.0, 5.0  # of the frame from the sheet's edges
-REACH_MM, ACROSS_MM, ALONG_MM = 6.0, 0.125, 2.0  # how far from its place a side is looked for, and how closely
-BENT_MM = 0.3  # of a side: less is not worth mending
-SEEN = 0.6  # of a side, at least, must be seen
-CONTRAST = 8.0  # of a line, in greys, to be one
+LEFT_MM, OTHER_MM = 20.0, 5.0  # from the sheet's edges to the frame
+REACH_MM, ACROSS_MM, ALONG_MM = 6.0, 0.125, 2.0  # search distance of a side from its position, and sampling steps
+BENT_MM = 0.3  # of a side: less is not worth correcting
+SEEN = 0.6  # minimum visible share of a side
+CONTRAST = 8.0  # minimum contrast of a line, in grey levels
 MOST_BENT = 0.25  # of a lens, at a picture's corner
 
 Place = TypeVar("Place", complex, Complexes)
@@ -26,31 +26,31 @@ Place = TypeVar("Place", complex, Complexes)
 
 @dataclass
 class Bend:
-    """A lens about a picture's middle, then the view of the sheet (pixels of the flat picture), then its paper."""
+    """A lens centred on a picture, then the view of the sheet (pixels of the rectified picture), then its paper."""
 
     middle: complex
     half: float  # of the picture's diagonal
     lens: tuple[float, float]
     view: Array
     size_px: tuple[float, float]
-    shrink: float = 1.0  # by which the picture was made smaller before it was looked at
-    sides: Array | None = None  # how far the paper moves the left, right, lower, upper side outwards, px, at even steps
+    shrink: float = 1.0  # reduction of the picture before it was analysed
+    sides: Array | None = None  # outward displacement of the left, right, lower, upper side, px, at even steps
 
     @classmethod
     def about(cls, shape: tuple[int, ...], lens: float = 0.0) -> "Bend":
-        """A lens alone, about the middle of a picture of a shape (rows, columns)."""
+        """A lens alone, centred on a picture of this shape (rows, columns)."""
         height, width = shape[:2]
         middle = complex(width, height) / 2
         return cls(middle, abs(middle), (lens, 0.0), numpy.eye(3), (width, height))
 
     def straight(self, z: Place) -> Place:
-        """Pixels of the picture as they would be without the lens's bend."""
+        """Pixels of the picture without lens distortion."""
         d = z - self.middle
         r2 = (abs(d) / self.half) ** 2
         return self.middle + d * (1 + self.lens[0] * r2 + self.lens[1] * r2 * r2)
 
     def seen(self, z: Place) -> Place:
-        """Where the lens puts what should be at ``z``."""
+        """The point where the lens images ``z``."""
         d, out = z - self.middle, z - self.middle
         for _ in range(12):
             r2 = (abs(out) / self.half) ** 2
@@ -58,7 +58,7 @@ class Bend:
         return self.middle + out
 
     def paper(self, z: Place) -> Place:
-        """How much the paper moves a place of the flat picture."""
+        """The displacement of a point of the rectified picture by the paper."""
         if self.sides is None:
             return 0 * z
         u, v = z.real / self.size_px[0], z.imag / self.size_px[1]
@@ -69,17 +69,17 @@ class Bend:
         return moved
 
     def flat(self, z: Place) -> Place:
-        """Where on the flat picture a pixel of the picture as it was is."""
+        """The point of the rectified picture for a pixel of the original."""
         place = through(self.view, self.straight(z * self.shrink))
         return place - self.paper(place)
 
     def source(self, z: Place) -> Place:
-        """Which pixel of the picture a place of the flat picture is seen at."""
+        """The pixel of the original for a point of the rectified picture."""
         return self.seen(through(numpy.asarray(numpy.linalg.inv(self.view), float), z + self.paper(z)))
 
 
 def through(view: Array, z: Place) -> Place:
-    """Places through a homography."""
+    """Points mapped by a homography."""
     w = view[2, 0] * z.real + view[2, 1] * z.imag + view[2, 2]
     x = view[0, 0] * z.real + view[0, 1] * z.imag + view[0, 2]
     place: Place = (x + 1j * (view[1, 0] * z.real + view[1, 1] * z.imag + view[1, 2])) / w
@@ -87,7 +87,7 @@ def through(view: Array, z: Place) -> Place:
 
 
 def bend_of(grey: Greys, view: Array, scale: float) -> Bend | None:
-    """The bend of a picture seen by ``view`` (its pixels to ``scale`` a mm); None where there is none to speak of."""
+    """The distortion of a picture seen by ``view`` (its pixels to ``scale`` per mm); None if negligible."""
     size = SHEET_MM[0] * scale, SHEET_MM[1] * scale
     bend = replace(Bend.about(grey.shape), view=view, size_px=size)
     seen = _sides(grey, bend, scale)
@@ -97,7 +97,7 @@ def bend_of(grey: Greys, view: Array, scale: float) -> Bend | None:
 
 
 def add_paper(bend: Bend, grey: Greys, scale: float) -> None:
-    """Put to a bend what its lens leaves for the paper."""
+    """Adds to a lens the remaining distortion by the paper."""
     seen = _sides(grey, bend, scale)
     steps, rows = numpy.linspace(0, 1, 41), []
     for (_, off), (a, b) in zip(seen, _ends(), strict=True) if seen else ():
@@ -118,8 +118,10 @@ def _ends() -> list[tuple[complex, complex]]:
 
 
 def _sides(grey: Greys, bend: Bend, scale: float) -> list[tuple[Complexes, Array]]:
-    """The frame's sides as they are seen: pixels, and how far they are off (mm, in x or down); none if not all are, or
-    if they are straight."""
+    """The frame's sides as seen: pixels, and their displacements (mm, in x or down).
+
+    None if some are not visible or if they are straight.
+    """
 
     def px(z: Complexes) -> Complexes:
         return bend.source((z.conjugate() + 1j * SHEET_MM[1]) * scale)
@@ -139,7 +141,7 @@ def _sides(grey: Greys, bend: Bend, scale: float) -> list[tuple[Complexes, Array
 
 
 def _line(rows: Array) -> tuple[Array, Booleans]:
-    """Where across each row a thin dark line runs that goes on from row to row, mm, and in which rows it is seen."""
+    """The position, mm, of a thin dark line across each row, continuous from row to row, and the rows that show it."""
     wide = rows.shape[1]
     rim = int(0.75 / ACROSS_MM)
     padded = numpy.pad(rows, ((0, 0), (rim, rim)), mode="edge")
@@ -165,8 +167,10 @@ def _line(rows: Array) -> tuple[Array, Booleans]:
 
 
 def _lens(bend: Bend, sides: list[Complexes]) -> tuple[float, float]:
-    """The lens that makes the frame's sides straight (Gauss and Newton's way), but for what bends opposite sides the
-    same way: that is the paper's."""
+    """The lens that straightens the frame's sides (Gauss-Newton).
+
+    Equal bends of opposite sides are excluded: they are due to the paper.
+    """
 
     def crooked(k: Array) -> Array:
         bend.lens = float(k[0]), float(k[1])

@@ -1,6 +1,6 @@
-"""Pictures and pages of PDF decoded within bounds: what a header promises is looked at before any memory is taken.
+"""Decodes pictures and PDF pages within bounds: the header is checked before any memory is allocated.
 
-A picture comes in one shade: of paper with a coloured grid, in the colour in which the grid is lightest.
+A picture has one channel: on paper with a coloured grid, the colour in which the grid is lightest.
 """
 
 from __future__ import annotations
@@ -25,27 +25,26 @@ from planes.words.frozen import frozen, replace
 if TYPE_CHECKING:
     from PIL import Image
 
-MOST_BYTES = 360 * MB  # of a file and to decode it: 64 million pixels, half of that where they are held twice over
+MOST_BYTES = 360 * MB  # of a file and of decoding it: 64 million pixels, half of that where they are held twice
 MOST_PAGE = 34_000_000
 LEAST_PX = 40
 ROWS = 256
-PAGE_DPI, LEAST_DPI = 200, 100  # of a page that is drawn; a file that says less says nothing of its paper
-EXIF, EXPOSURE, FILM, SIZES = 0x8769, 0x829A, 0xA405, (0xA002, 0xA003)  # where a camera tells it
-LENSES, CUT = (18.0, 80.0), 0.02  # mm of lenses that sheets are photographed with; by how much a shape is no whole one
-MOST_MM = 900.0  # nor does one that would be of larger paper
+PAGE_DPI, LEAST_DPI = 200, 100  # of a rendered page; a file with a lower value gives no paper size
+EXIF, EXPOSURE, FILM, SIZES = 0x8769, 0x829A, 0xA405, (0xA002, 0xA003)  # tags of camera data
+LENSES, CUT = (18.0, 80.0), 0.02  # mm of lenses for photographing sheets; tolerance of an uncropped shape
+MOST_MM = 900.0  # a resolution that implies larger paper is ignored
 PDF_IMAGES, PDF_DEPTH = 1000, 5
 PNG, PNG_END, PDF, TIFF = b"\x89PNG", b"IEND", b"%PDF-", (b"II*\0", b"MM\0*")
-COLOURED = 14  # how much farther than usual two colours of a place are apart, on coloured paper
-COLOURED_SHARE = 0.03  # of all places
-FAINT, DARK = 0.08, 0.4  # how much darker than paper a grid is at least, and what is drawn
+COLOURED = 14  # minimum difference of two colours beyond the usual one, on coloured paper
+COLOURED_SHARE = 0.03  # of all pixels
+FAINT, DARK = 0.08, 0.4  # minimum darkness of a grid relative to paper, and of a drawing
 LOOK_PX, PARTS = 1000, 8
-EVERYWHERE, SOMEWHERE = 0.8, 0.4  # shares of the parts of a picture in which a grid is, and in which a drawing may be
+EVERYWHERE, SOMEWHERE = 0.8, 0.4  # shares of the parts of a picture that contain a grid, and that may contain a drawing
 
 
 @frozen
 class DecodedPicture:
-    """A picture in one shade; where the file tells them, its pixels to a mm, and how long the lens was in its longer
-    sides."""
+    """A picture in one channel, with pixels per mm and focal length (in its longer sides), where the file has them."""
 
     grey: Greys
     scale: float | None = None
@@ -53,14 +52,16 @@ class DecodedPicture:
 
     @property
     def look(self) -> str:
-        """What stands for all that it shows."""
+        """The hash of its content."""
         return hash_of(self.grey.tobytes())
 
 
 def load(path: str | Path, page: int | None = None) -> DecodedPicture:
-    """A picture, or a page of a PDF or TIFF (without a number the first); of another picture of several blanks a
-    number means one of these. :class:`PlanesError` where it is none, is too large, or shows no paper."""
-    cv()  # or a sentence that it is missing
+    """A picture, or a page of a PDF or TIFF (by default the first), or one of several blanks on another picture.
+
+    :class:`PlanesError` if it is no picture, is too large, or shows no paper.
+    """
+    cv()  # or a message that it is missing
     data = contents(path, LARGEST)
     if not data:
         raise PlanesError(Phrase("check_empty", file=str(path)))
@@ -81,7 +82,7 @@ def load(path: str | Path, page: int | None = None) -> DecodedPicture:
 
 
 def _blank_of(picture: DecodedPicture, number: int, file: str) -> DecodedPicture:
-    """One of several blanks on a picture; of one blank, or none, the picture."""
+    """One of several blanks on a picture; the picture if there is one blank or none."""
     seen = blanks_on(picture.grey)
     _has(number, max(seen.parts, 1), file)
     if seen.in_part and number == len(seen.sheets):
@@ -90,19 +91,19 @@ def _blank_of(picture: DecodedPicture, number: int, file: str) -> DecodedPicture
 
 
 def _alone(head: Image.Image) -> bytes:
-    """A page of a TIFF as a file of its own."""
+    """A page of a TIFF as a separate file."""
     page = io.BytesIO()
     head.save(page, "TIFF", dpi=head.info.get("dpi", (1, 1)))
     return page.getvalue()
 
 
 def _decoded(data: bytes, file: str, page: int = 0) -> DecodedPicture | None:
-    """The pixels in grey, on white paper where they are transparent; None where the file is no whole picture."""
+    """The pixels in grey, on white paper where transparent; None if the file is no complete picture."""
     see_through, head = _looked_into(data, file, page)
     data = _alone(head) if page else data
     cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
     if data[:4] == PNG and PNG_END not in data[-64:]:
-        return None  # it was cut short
+        return None  # it was truncated
     log_level = cv2.utils.logging.getLogLevel()
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     try:
@@ -115,8 +116,10 @@ def _decoded(data: bytes, file: str, page: int = 0) -> DecodedPicture | None:
 
 
 def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
-    """Whether a picture may be transparent, by its header alone, and that; refused if decoding it would take too much
-    memory, or it has no such page."""
+    """Whether a picture may be transparent, by its header alone, and its image object.
+
+    It is rejected if decoding would take too much memory, or if it lacks the page.
+    """
     import warnings
 
     from PIL import Image
@@ -139,19 +142,21 @@ def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
 
 
 def _scale_of(head: Image.Image) -> float | None:
-    """The pixels to a mm a file tells of; a camera, which tells its exposure, knows nothing of the paper."""
+    """The pixels per mm in a file; none from a camera (with an exposure), which does not know the paper."""
     across, down = (float(dpi) for dpi in head.info.get("dpi", (0, 0)))
     true = across > LEAST_DPI and abs(across - down) < 1 and max(head.size) * 25.4 / across < MOST_MM
     return across / 25.4 if true and EXPOSURE not in head.getexif().get_ifd(EXIF) else None
 
 
 def _focal_of(head: Image.Image) -> float | None:
-    """How long the lens was, in the picture's longer sides, of a camera that tells it for a film's 36 × 24 mm, the
-    diagonals being alike; not of a picture cut out of a larger one."""
+    """The focal length, in the picture's longer sides, from the equivalent for 36 × 24 mm film of equal diagonal.
+
+    None for a cropped picture.
+    """
     exif, (long, short) = head.getexif().get_ifd(EXIF), sorted(head.size, reverse=True)
     try:
         film, size_told = float(exif.get(FILM, 0)), [int(exif.get(tag, long)) for tag in SIZES]
-    except (TypeError, ValueError, ArithmeticError):  # it tells something else there
+    except (TypeError, ValueError, ArithmeticError):  # invalid camera data
         return None
     if not LENSES[0] <= film <= LENSES[1] or abs(max(size_told) / max(min(size_told), 1) * short / long - 1) > CUT:
         return None
@@ -170,13 +175,13 @@ def _on_paper(cv2: ModuleType, pixels: Greys) -> Greys:
 
 
 def _has(page: int, count: int, file: str) -> None:
-    """Refuse a page that a file does not have."""
+    """Rejects a page that a file does not have."""
     if not 0 <= page < count:
         raise PlanesError(Phrase("check_no_page", file=file, page=page + 1, count=count))
 
 
 def _page(data: bytes, file: str, number: int = 0) -> DecodedPicture:
-    """A page of a PDF at 200 pixels per inch (fewer of a very large one), in one shade."""
+    """A page of a PDF at 200 pixels per inch (fewer for a very large one), in one channel."""
     import pypdfium2
 
     document = pypdfium2.PdfDocument(data)
@@ -196,7 +201,7 @@ def _page(data: bytes, file: str, number: int = 0) -> DecodedPicture:
 
 
 def in_one_shade(cv2: ModuleType, data: Greys) -> Greys | None:
-    """The picture encoded as ``data`` in grey, or in the colour that shows no grid; None where it is no picture."""
+    """The picture encoded as ``data`` in grey, or in the colour without the grid; None if it is no picture."""
     if not _coloured(cv2.imdecode(data, cv2.IMREAD_REDUCED_COLOR_2)):
         grey: Greys | None = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
         return grey
@@ -204,7 +209,7 @@ def in_one_shade(cv2: ModuleType, data: Greys) -> Greys | None:
 
 
 def _coloured(picture: Greys | None) -> bool:
-    """Whether it is a picture some of which differs in colour from most of it."""
+    """Whether part of a picture differs in colour from most of it."""
     if picture is None:
         return False
     some = picture[:: max(1, picture.shape[0] // 400)].astype(numpy.int16)
@@ -214,7 +219,7 @@ def _coloured(picture: Greys | None) -> bool:
 
 
 def plainest(cv2: ModuleType, picture: Greys) -> Greys:
-    """Grey, or that of the three colours in which a grid that is everywhere fades most and nothing else does."""
+    """Grey, or the one of three colours in which a grid over the whole picture fades most and nothing else does."""
     middle = _middle(picture)
     inked = _ink(cv2, cv2.cvtColor(middle, cv2.COLOR_BGR2GRAY))
     best, most = None, 0.0
@@ -229,21 +234,21 @@ def plainest(cv2: ModuleType, picture: Greys) -> Greys:
 
 
 def _middle(picture: Greys) -> Greys:
-    """The middle of a picture."""
+    """The central part of a picture."""
     h, w = picture.shape[:2]
     high, wide = min(h, LOOK_PX) // 2, min(w, LOOK_PX) // 2
     return picture[h // 2 - high : h // 2 + high, w // 2 - wide : w // 2 + wide]
 
 
 def _ink(cv2: ModuleType, part: Greys) -> Array:
-    """How much darker than paper a picture is, its grain aside."""
+    """The darkness of a picture relative to paper, without its grain."""
     light = cv2.GaussianBlur(cv2.dilate(part, numpy.ones((25, 25), numpy.uint8)), (0, 0), 12).astype(numpy.float32)
     dark: Array = 1 - cv2.GaussianBlur(part, (0, 0), 1.0) / numpy.maximum(light, 1)
     return dark
 
 
 def _spread(places: Booleans) -> float:
-    """In which share of its parts a picture has such places, more than by chance."""
+    """The share of a picture's parts with such pixels, beyond chance."""
     h, w = (n // PARTS for n in places.shape)
     parts = places[: h * PARTS, : w * PARTS].reshape(PARTS, h, PARTS, w).mean(axis=(1, 3))
     return float((parts > 0.003).mean())

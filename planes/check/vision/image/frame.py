@@ -1,7 +1,7 @@
-"""A sheet told by its printed frame when it has no corner marks: the frame's four lines, its format, its straight view.
+"""Finds a sheet without corner marks by its printed frame: the four lines, the format, the rectified view.
 
-The frame of ГОСТ 2.301 sheets stands 20 mm from the left edge and 5 mm from the others, so the ratio of its sides tells
-how the sheet lies and, less surely, its format; several formats may be worth trying.
+The frame of ГОСТ 2.301 sheets is 20 mm from the left edge and 5 mm from the others, so the ratio of its sides gives
+the orientation of the sheet and, less surely, its format; several formats may have to be tried.
 """
 
 import math
@@ -14,17 +14,17 @@ from planes.check.vision.image.opencv import cv, sampled, smaller
 from planes.check.vision.image.picture import LARGEST_PX, PX_PER_MM, Flat
 from planes.geometry.arrays import Array, Complexes, Greys
 
-SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # lying
-LEAST_SHARE = 0.2  # of the picture that a frame takes up
-NEAR_RATIO = (0.004, 0.15)  # formats whose frames are so nearly of the shape seen, straight or askew, are worth trying
+SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # landscape
+LEAST_SHARE = 0.2  # minimum share of the picture inside a frame
+NEAR_RATIO = (0.004, 0.15)  # relative difference of frame shapes, straight or oblique, for formats to be tried
 LOOK_PX = 2000
-Line = tuple[complex, complex]  # a place of it, and its direction
+Line = tuple[complex, complex]  # a point and a direction
 
 
 def by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
-    """The sheet seen straight by its frame, for every format it may be (only ``paper`` if named), the likeliest first.
+    """The sheet rectified by its frame, for every possible format (only ``paper`` if named), the likeliest first.
 
-    Nothing where there is no frame.
+    Nothing if there is no frame.
     """
     corners = frame_corners(grey)
     if corners is None:
@@ -38,7 +38,7 @@ def by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
 
 
 def frame_corners(grey: Greys) -> Array | None:
-    """Corners of the frame in pixels: lower left, lower right, upper right, upper left; None where there is none."""
+    """Corners of the frame in pixels: lower left, lower right, upper right, upper left; None if there is none."""
     cv2 = cv()
     small, factor = smaller(grey, LOOK_PX)
     dark = cv2.adaptiveThreshold(small, 255, cv2.ADAPTIVE_THRESH_MEAN_C, cv2.THRESH_BINARY_INV, 31, 7)
@@ -54,18 +54,18 @@ def frame_corners(grey: Greys) -> Array | None:
                 quads.append((area, quad.reshape(4, 2).astype(float)))
     quads.sort(key=lambda q: q[0])
     refined = (_refined(grey, ordered((quad + 0.5) / factor - 0.5), 3.0 / factor) for _, quad in quads)
-    return next((c for c in refined if c is not None), None)  # the innermost dark line: paper's edge is none
+    return next((c for c in refined if c is not None), None)  # the innermost dark line: the paper's edge is none
 
 
 def ordered(quad: Array) -> Array:
-    """Lower left first, counter-clockwise as one sees it, of a picture that is about upright."""
+    """Lower left first, counter-clockwise as seen, for a picture that is nearly upright."""
     x, y = (quad - quad.mean(axis=0)).T
     quad = quad[numpy.argsort(numpy.arctan2(-y, x))]
     return numpy.roll(quad, -int(numpy.argmin(quad[:, 0] - quad[:, 1])), axis=0)
 
 
 def _refined(grey: Greys, quad: Array, reach: float) -> Array | None:
-    """Corners where the middles of the frame's lines cross; None where a side is no line on both sides of paper."""
+    """Corners at the intersections of the frame's line centres; None if a side is no line with paper on both sides."""
     sides, t, ends = [], numpy.arange(-2 * reach, 2 * reach + 0.1, 0.5), quad @ [1, 1j]
     for a, b in zip(ends, numpy.roll(ends, -1), strict=True):
         across = 1j * (b - a) / abs(b - a)
@@ -82,23 +82,23 @@ def _refined(grey: Greys, quad: Array, reach: float) -> Array | None:
 
 
 def line_along(places: Complexes) -> Line:
-    """The line along most of some places: one of it, and its direction."""
+    """The line along most of some points: one of the points, and its direction."""
     points = numpy.stack([places.real, places.imag], axis=1).astype(numpy.float32)
     vx, vy, x, y = cv().fitLine(points, cv().DIST_HUBER, 0, 0.01, 0.001).ravel().tolist()
     return complex(x, y), complex(vx, vy)
 
 
 def meetings(sides: Sequence[Line]) -> Array:
-    """Where each side of a figure meets the one before it."""
+    """The intersections of each side of a figure with the one before it."""
     pairs = zip([sides[-1], *sides[:-1]], sides, strict=True)
     corners = [p + u * ((q - p).conjugate() * w).imag / (u.conjugate() * w).imag for (p, u), (q, w) in pairs]
     return numpy.array([(z.real, z.imag) for z in corners])
 
 
 def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
-    """Width over height of a rectangle, and whether it is seen askew, by a camera looking at the picture's middle.
+    """Width over height of a rectangle, and whether it is seen obliquely by a camera aimed at the picture's centre.
 
-    The lens's length follows from the two vanishing points; where the view is nearly straight the sides tell.
+    The focal length follows from the two vanishing points; where the view is nearly straight, the sides are compared.
     (Zhang and He, Whiteboard scanning and image enhancement, 2007.)
     """
     middle = numpy.array([size_px[1] / 2, size_px[0] / 2])

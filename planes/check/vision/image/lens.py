@@ -1,4 +1,4 @@
-"""What a telephone's camera makes of a sheet's plane when it is tilted, and nothing tells by how much."""
+"""The effect of an unknown tilt of a phone camera on the plane of a sheet."""
 
 import math
 
@@ -8,15 +8,17 @@ from planes.check.vision.image.bend import Place, through
 from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
 
-FOCAL = 0.73  # of a telephone's lens, in lengths of its picture's longer side
+FOCAL = 0.73  # focal length of a phone camera, in longer sides of its picture
 MOST_TILT_DEG = 40.0
-HELD = math.tan(math.radians(6.0))  # σ of how telephones are held
+HELD = math.tan(math.radians(6.0))  # σ of the tilt of phones
 
 
 @frozen
 class CameraTilt:
-    """How a camera was tilted (slopes to the sheet's right and up, or down where pixels are meant), one σ of that along
-    two axes, and how the sheet's lines are turned in the picture (radians)."""
+    """The tilt of a camera (slopes to the sheet's right and up, or down for pixels), with one σ of it along two axes.
+
+    Also the rotation of the sheet's lines in the picture (radians).
+    """
 
     slopes: complex = 0j
     loose: tuple[complex, complex] = (complex(HELD), complex(0, HELD))
@@ -24,15 +26,15 @@ class CameraTilt:
 
     @property
     def sure(self) -> float:
-        """By how many σ it is no straight view."""
+        """Its significance as an oblique view, in σ."""
         return math.hypot(*((self.slopes * way.conjugate()).real / abs(way) ** 2 for way in self.loose))
 
     def more(self, shares: Array) -> complex:
-        """Slopes of so many σ along both axes."""
+        """Slopes for multiples of σ along both axes."""
         return complex(shares[0] * self.loose[0] + shares[1] * self.loose[1])
 
     def mirrored(self) -> "CameraTilt":
-        """The same with y the other way."""
+        """The same with y reversed."""
         first, second = self.loose
         return CameraTilt(self.slopes.conjugate(), (first.conjugate(), second.conjugate()), -self.turn)
 
@@ -42,8 +44,10 @@ UNTOLD = CameraTilt()
 
 @frozen
 class Lens:
-    """A camera over a flat picture, mm from the pole (y up): the place it looks at, how far it is, and the mark that
-    the picture's scale (``turned``: direction, too) was taken from; and what tilt was taken out of it."""
+    """A camera over a rectified picture, mm from the pole (y up): the point it is aimed at and its distance.
+
+    Also the mark that set the scale of the picture (if ``turned``, its direction, too), and the tilt already corrected.
+    """
 
     middle: complex
     far: float
@@ -52,8 +56,10 @@ class Lens:
     held: CameraTilt = UNTOLD
 
     def leaning(self, z: Place, tilt: complex) -> Place:
-        """Where places of the sheet are, were the camera tilted by so much more (slopes to the right and up), the scale
-        taken from the same mark again."""
+        """The positions of points of the sheet under an additional camera tilt (slopes to the right and up).
+
+        The scale is set again by the same mark.
+        """
         view = level(self.middle, self.far, tilt)
         if view is None:
             return z
@@ -63,14 +69,16 @@ class Lens:
 
 
 def level(middle: complex, far: float, tilt: complex) -> Array | None:
-    """The view of a plane that a camera sees tilted by so much (the slope of its depth along both axes), as from
-    straight above; in its middle nothing moves. None where no camera is held so."""
+    """The view from straight above of a plane seen by a tilted camera (the slope of its depth along both axes).
+
+    Its middle is fixed. None if no camera is held like that.
+    """
     if abs(tilt) > math.tan(math.radians(MOST_TILT_DEG)):
         return None
     normal = numpy.array([tilt.real, tilt.imag, 1.0])
     normal /= numpy.linalg.norm(normal)
     x, y, z = normal.tolist()
-    across = numpy.array([[0, 0, -x], [0, 0, -y], [x, y, 0]])  # the tilt: about this axis the plane is turned level
+    across = numpy.array([[0, 0, -x], [0, 0, -y], [x, y, 0]])  # the tilt: rotation about this axis levels the plane
     turn = numpy.eye(3) + across + across @ across / (1 + z)
     camera = numpy.array([[far, 0, middle.real], [0, far, middle.imag], [0, 0, 1.0]])
     out: Array = camera @ turn @ numpy.linalg.inv(camera)

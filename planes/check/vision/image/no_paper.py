@@ -1,8 +1,7 @@
-"""Pictures that show no drawing, told at a glance: no paper (noise, a lawn, a brick wall, a photograph of anything as
-uneven), or nothing but text on it.
+"""Rejects pictures without a drawing: no paper (noise, a lawn, a brick wall, any uneven photograph) or only text.
 
-Paper is even nearly everywhere, squared or written on though it be: what is darker in a small square is a small part
-of it, and with what is thin and dark filled up, its light changes but slowly.
+Paper is even almost everywhere, even if squared or written on: the dark part of a small square is a small share of it,
+and with thin dark strokes filled up, its light changes only slowly.
 """
 
 import numpy
@@ -12,19 +11,19 @@ from planes.geometry.arrays import Booleans, Greys, Indices
 
 LOOK_PX, SQUARE_PX = 1000, 20
 UNEVEN = 11.0  # σ of the grey levels of a small square
-LIGHT, DARKER, INK = 90, 12, 0.2  # its light is this percentile; what is so much darker is ink; paper has less of it
-STRAIGHT = 0.6  # of the variance of a square, what its rows and columns have that are ruled
+LIGHT, DARKER, INK = 90, 12, 0.2  # percentile of its light; darkness of ink below it; maximum share of ink on paper
+STRAIGHT = 0.6  # share of a square's variance in its rows and columns, if ruled
 SHARE = 0.6  # of all small squares
-FILLED_PX, SOFT_PX = 13, 2.0  # the widest stroke that is filled up; σ by which grain is smoothed
-STEEP, MOSTLY = 1.5, 0.9  # greys from pixel to pixel, less in so many places of a small square that is even
-EVEN, TOGETHER = 0.5, 0.15  # shares of all small squares: of even ones on paper, and of those that hang together
-LETTER_PX, LETTERS = (5, 30), 800  # the height of a letter from and to, on the small picture; more are a page of text
-LINE_PX = 45  # a drawing has a longer line (14 mm of A4), letters that touch are seldom so long
-PRINT = 0.35  # of how dark the darkest of a picture is, are letters
+FILLED_PX, SOFT_PX = 13, 2.0  # the widest stroke that is filled up; σ of smoothing the grain
+STEEP, MOSTLY = 1.5, 0.9  # maximum grey gradient per pixel, and share of pixels below it, in an even small square
+EVEN, TOGETHER = 0.5, 0.15  # shares of all small squares: even ones on paper, and connected ones
+LETTER_PX, LETTERS = (5, 30), 800  # range of letter heights, in the reduced picture; more letters are a page of text
+LINE_PX = 45  # a drawing has a longer line (14 mm of A4); touching letters rarely do
+PRINT = 0.35  # darkness of letters relative to the darkest of a picture
 
 
 def shows_paper(grey: Greys) -> bool:
-    """Whether so much of a picture is even that there may be paper on it."""
+    """Whether enough of a picture is even for it to contain paper."""
     small = smaller(grey, LOOK_PX)[0]
     h, w = (n // SQUARE_PX for n in small.shape)
     if not h * w:
@@ -36,7 +35,7 @@ def shows_paper(grey: Greys) -> bool:
 
 
 def _slow(small: Greys) -> Booleans:
-    """Small squares whose light changes but slowly, all that is thin and dark filled up."""
+    """Small squares with slowly changing light, thin dark strokes filled up."""
     cv2 = cv()
     filled = cv2.morphologyEx(small, cv2.MORPH_CLOSE, numpy.ones((FILLED_PX, FILLED_PX), numpy.uint8))
     light = cv2.GaussianBlur(filled, (0, 0), SOFT_PX)
@@ -46,7 +45,7 @@ def _slow(small: Greys) -> Booleans:
 
 
 def _rough(small: Greys) -> Booleans:
-    """Small squares much of which is darker than the rest, and not in lines."""
+    """Small squares with a large dark part that is not in lines."""
     cut = _squares(small).astype(numpy.float32)
     light = numpy.percentile(cut, LIGHT, axis=(1, 3), keepdims=True)
     ink, spread = (cut < light - DARKER).mean(axis=(1, 3)), cut.var(axis=(1, 3))
@@ -56,23 +55,23 @@ def _rough(small: Greys) -> Booleans:
 
 
 def _squares(small: Greys | Booleans) -> Greys | Booleans:
-    """A picture as small squares: which row of them, its rows, which column, its columns."""
+    """A picture as small squares: row of squares, row within, column of squares, column within."""
     h, w = (n // SQUARE_PX for n in small.shape)
     return small.reshape(h, SQUARE_PX, w, SQUARE_PX)
 
 
 def shows_text_only(grey: Greys) -> bool:
-    """Whether there are letters all over a picture and not one line, faint though it be, that a drawing might have."""
+    """Whether letters cover a picture without a single line, however faint, that may belong to a drawing."""
     cv2, small = cv(), smaller(grey, LOOK_PX)[0]
     paper = cv2.dilate(cv2.blur(small, (3, 3)), numpy.ones((SQUARE_PX, SQUARE_PX), numpy.uint8))
     dark = cv2.subtract(cv2.blur(paper, (SQUARE_PX, SQUARE_PX)), small)
     letters, drawn = (_parts(dark, least) for least in (PRINT * float(numpy.percentile(dark, 99.5)), DARKER))
     low, high = LETTER_PX
     many = int(((letters[:, 1] >= low) & (letters[:, 1] <= high) & (letters[:, 2] > low)).sum()) > LETTERS
-    words = (drawn[:, 1] >= low) & (drawn[:, 1] <= high)  # seen so faintly, letters of a word touch
+    words = (drawn[:, 1] >= low) & (drawn[:, 1] <= high)  # seen this faintly, letters of a word touch
     return many and max(int(letters[:, :2].max()), int((drawn[:, :2].max(axis=1) * ~words).max())) <= LINE_PX
 
 
 def _parts(dark: Greys, least: float) -> Indices:
-    """What hangs together that is so dark: how wide and high it is, and of how many pixels."""
+    """Connected components of this darkness: width, height and number of pixels."""
     return pieces(dark > least)[1][1:, 2:5]

@@ -1,4 +1,4 @@
-"""OpenCV, where it is installed, and what several rooms ask of it."""
+"""OpenCV, if installed, and functions of it used in several modules."""
 
 from types import ModuleType
 from typing import Any
@@ -11,7 +11,7 @@ from planes.words.errors import PlanesError
 
 
 def cv() -> ModuleType:
-    """OpenCV, or a sentence that says how to get it."""
+    """OpenCV, or a message on how to install it."""
     try:
         import cv2
     except ImportError:
@@ -19,26 +19,28 @@ def cv() -> ModuleType:
     return cv2
 
 
-def shrunk(picture: Any, factor: float) -> Any:  # of numbers of any kind
-    """A picture so many times as large, each pixel the mean of those it stands for."""
+def shrunk(picture: Any, factor: float) -> Any:  # of any number type
+    """A picture resized by a factor, each pixel the mean of those it replaces."""
     return cv().resize(picture, None, fx=factor, fy=factor, interpolation=cv().INTER_AREA)
 
 
 def smaller(grey: Greys, longest: float) -> tuple[Greys, float]:
-    """The picture with its longer side no longer than that, and by which it was made smaller."""
+    """The picture with its longer side limited, and the factor of reduction."""
     factor = min(1.0, longest / max(grey.shape))
     return shrunk(grey, factor) if factor < 1 else grey, factor
 
 
 def sampled(grey: Greys, places: Complexes) -> Array:
-    """Greys at places between pixels; beyond a picture's rim those of the rim."""
+    """Grey levels between pixels; beyond a picture's border, those of the border."""
     maps = (numpy.ascontiguousarray(part, numpy.float32) for part in (places.real, places.imag))
     greys: Array = cv().remap(grey, *maps, cv().INTER_LINEAR, borderMode=cv().BORDER_REPLICATE).astype(float)
     return greys
 
 
 def pieces(places: Any, neighbours: int = 8) -> tuple[Indices, Indices]:
-    """Places that hang together, by their corners too unless only four ``neighbours`` count: the number of each one's
-    piece (0: none), and of each piece its left and upper edge, width, height and area."""
+    """Connected components, across corners, too, unless only four ``neighbours`` count.
+
+    Each pixel has the number of its component (0: none), and each component its left, top, width, height and area.
+    """
     _, labels, stats, _ = cv().connectedComponentsWithStats(places.astype(numpy.uint8), connectivity=neighbours)
     return labels, stats

@@ -1,4 +1,4 @@
-"""A photograph or scan of a plan on paper, made straight and to scale by the blank's corner marks or by two points."""
+"""Rectifies and scales a photograph or scan of a plan on paper by the blank's corner marks or by two points."""
 
 import math
 from collections.abc import Mapping
@@ -16,31 +16,31 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 PX_PER_MM = 8.0
-LARGEST_PX = 3200  # the longer side beyond which a picture is made smaller before it is looked at
-RIM_MM = 5.0  # about a sheet that is cut out of a picture
+LARGEST_PX = 3200  # maximum longer side of a picture in analysis
+RIM_MM = 5.0  # around a sheet cut out of a picture
 MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
-LOOKS_PX = (1100, 700, 2000, 3200)  # longer sides a picture is looked at with: small is quick, and hides the grain
+LOOKS_PX = (1100, 700, 2000, 3200)  # longer sides for the search: small ones are quick and hide the grain
 MARK_SHARE, FAR_SHARE = 0.07, 0.035  # of the longer side: a mark's outline is a sixth of its sheet's length
 
 
 @dataclass
 class Flat:
-    """A picture made flat: grey, ``scale`` pixels to a millimetre, its lower left corner at ``corner`` (mm)."""
+    """A rectified picture: grey, ``scale`` pixels per millimetre, its lower left corner at ``corner`` (mm)."""
 
     grey: Greys
     scale: float
     corner: complex = 0j
-    by: str = "marks"  # what it was made flat by: "marks" of a blank, "points" named, the "frame", its file's "scale"
+    by: str = "marks"  # reference: "marks" of a blank, "points" named, the "frame", its file's "scale"
     warp: Array | None = None
     notes: list[Phrase] = field(default_factory=list)
-    bend: Bend | None = None  # instead of ``warp``, where the picture's lens or paper bends it
-    told: tuple[str, float] | None = None  # the mark its scale was taken from, and how far from the pole that was put
-    lens: Lens | None = None  # of a photograph, where nothing tells how the camera was held
-    aslant: float = 0.0  # by which share of its length a vector may seem longer than another, as the camera looked
-    by_file: bool = False  # whether two points but turn it straight, and its scale is what its file or paper tells
-    by_paper: bool = False  # whether its direction, too, is its paper's
-    printed: float = 1.0  # the share of its size a blank was printed at, where the file tells how large it is
-    pole: complex | None = None  # where a blank has its pole, if its code tells (mm)
+    bend: Bend | None = None  # instead of ``warp``, if the picture's lens or paper bends it
+    told: tuple[str, float] | None = None  # the mark that set its scale, and its assumed distance from the pole
+    lens: Lens | None = None  # of a photograph with unknown camera tilt
+    aslant: float = 0.0  # relative length by which a vector may seem longer than another, due to the tilt
+    by_file: bool = False  # whether two points only set its rotation, and its file or paper sets its scale
+    by_paper: bool = False  # whether its paper sets its rotation, too
+    printed: float = 1.0  # print scale of a blank, if the file has its size
+    pole: complex | None = None  # the pole of a blank from its code (mm)
 
     @property
     def size_mm(self) -> tuple[float, float]:
@@ -48,7 +48,7 @@ class Flat:
         return self.grey.shape[1] / self.scale, self.grey.shape[0] / self.scale
 
     def place(self, pixel: complex) -> complex:
-        """Where a pixel of the source (x right, y down) is on the sheet."""
+        """The point on the sheet for a pixel of the source (x right, y down)."""
         if self.bend is not None:
             z = complex(self.bend.flat(pixel))
             return self.mm(z.real, z.imag)
@@ -65,7 +65,7 @@ class Flat:
         return local.real, self.grey.shape[0] - local.imag
 
     def as_if(self, area: float) -> "Flat":
-        """Itself, or, if it is larger, as if it were drawn smaller, on paper of that area (mm²)."""
+        """Itself or, if larger, as if drawn at a smaller scale on paper of this area (mm²)."""
         width, height = self.size_mm
         share = math.sqrt(area / (width * height))
         if share >= 1:
@@ -82,18 +82,21 @@ def dictionary() -> object:
 
 
 def find_marks(grey: Greys) -> dict[int, Array]:
-    """Corners of the blank's marks in pixels, by their numbers; of several blanks those of the first."""
+    """Corners of the blank's marks in pixels, by their numbers; of the first if there are several blanks."""
     return next(iter(find_sheets(grey).sheets), {})
 
 
 def blanks_on(grey: Greys) -> SheetsSeen:
-    """The blanks of a picture however large, in pixels of it as it is looked at."""
+    """The blanks of a picture of any size, in pixels of the reduced picture."""
     return find_sheets(smaller(grey, LARGEST_PX)[0])
 
 
 def find_sheets(grey: Greys) -> SheetsSeen:
-    """Each blank by the corners of its marks in pixels. Smaller marks, of a blank farther off, are looked for only
-    where those that are seen leave room for it: so small is a grid's cell, too."""
+    """The corners, in pixels, of the marks of each blank.
+
+    Smaller marks, of a more distant blank, are searched only where the known ones leave room: a grid's cell is as
+    small.
+    """
     marks = list[Found]()
     for longest in LOOKS_PX:
         if not marks or len(marks) % 4:
@@ -105,8 +108,7 @@ def find_sheets(grey: Greys) -> SheetsSeen:
 
 
 def _look(grey: Greys, longest: int, least: float, marks: list[Found]) -> None:
-    """The marks of a picture made so small, their outlines that share of its longer side at least, put to those
-    that are found."""
+    """Adds the marks of a picture reduced to this size, with outlines of at least this share of its longer side."""
     aruco = cv().aruco
     parameters = aruco.DetectorParameters()
     parameters.adaptiveThreshWinSizeMin, parameters.adaptiveThreshWinSizeMax = 13, 53
@@ -120,7 +122,7 @@ def _look(grey: Greys, longest: int, least: float, marks: list[Found]) -> None:
 
 
 def sheet_alone(grey: Greys, marks: Mapping[int, Array]) -> Greys:
-    """A picture of several blanks about the one with those marks, all else made as light as its paper."""
+    """One of several blanks, with these marks; the rest of the picture is painted as light as its paper."""
     cv2, factor = cv(), smaller(grey, LARGEST_PX)[1]
     seen, (w, h), rim = numpy.concatenate([*marks.values()]), SHEET_MM, RIM_MM
     there = numpy.array([(z.real, z.imag) for number in marks for z in _corners(number)])
@@ -134,12 +136,12 @@ def sheet_alone(grey: Greys, marks: Mapping[int, Array]) -> Greys:
 
 
 def _corners(number: int) -> list[complex]:
-    """Corners of a mark on the sheet, mm, from its upper left one clockwise."""
+    """Corners of a mark on the sheet, mm, clockwise from the upper left."""
     return [centres(SHEET_MM)[number] + SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
 
 
 def _sharpened(grey: Greys, quad: Array) -> Array:
-    """Corners of a mark to a fraction of a pixel, where its edges meet in the whole picture."""
+    """Corners of a mark to subpixel accuracy, from the intersections of its edges in the full picture."""
     cv2 = cv()
     side = float(numpy.linalg.norm(quad - numpy.roll(quad, 1, axis=0), axis=1).mean())
     reach = int(min(max(side / CELLS * 0.6, 2), 12))
@@ -150,7 +152,7 @@ def _sharpened(grey: Greys, quad: Array) -> Array:
 
 
 def flatten(grey: Greys) -> Flat | None:
-    """The sheet seen straight from above, if its corner marks (three at least) are found."""
+    """The sheet seen from straight above, if at least three of its corner marks are found."""
     cv2 = cv()
     small, factor = smaller(grey, LARGEST_PX)
     blanks = find_sheets(small)
@@ -172,12 +174,12 @@ def flatten(grey: Greys) -> Flat | None:
         return Flat(unbent, PX_PER_MM, 0j, "marks", None, notes, replace(bend, shrink=factor))
     width, height = (round(s * PX_PER_MM) for s in SHEET_MM)
     flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
-    to_flat = warp @ numpy.diag([factor, factor, 1.0])  # from the picture as it was
+    to_flat = warp @ numpy.diag([factor, factor, 1.0])  # from the original picture
     return Flat(flat, PX_PER_MM, 0j, "marks", to_flat, notes)
 
 
 def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, float]]) -> Greys:
-    """The flat picture of a bent one, by its corner marks as they would be seen without the lens's bend."""
+    """A distorted picture rectified by its corner marks as seen without lens distortion."""
     cv2 = cv()
     straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
     bend.view, _ = cv2.findHomography(numpy.stack([straight.real, straight.imag], axis=1), numpy.array(true))
@@ -186,9 +188,9 @@ def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, 
 
 
 def remapped(grey: Greys, bend: Bend, size: tuple[int, int]) -> Greys:
-    """The flat picture (width, height) of a bent one."""
+    """A distorted picture rectified (width, height)."""
     cv2, (width, height) = cv(), size
-    cell = 16  # a map that is so smooth need not be told for every pixel
+    cell = 16  # a map this smooth is interpolated between grid points
     across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in size)
     source = bend.source(across[None, :] + 1j * down[:, None])
     map_size = len(across) * cell, len(down) * cell
@@ -198,14 +200,13 @@ def remapped(grey: Greys, bend: Bend, size: tuple[int, int]) -> Greys:
 
 
 def fits(grey: Greys, scale: float) -> bool:
-    """Whether a picture of so many pixels to a mm is of a sheet no larger than people draw on."""
+    """Whether a picture at this scale (pixels per mm) shows a sheet no larger than people draw on."""
     factor = PX_PER_MM / scale
     return 0.05 < factor < 8 and grey.size * factor * factor <= MOST_FLAT
 
 
 def by_scale(grey: Greys, scale: float, pole: complex | None = None, askew_deg: float = 0.0) -> Flat:
-    """The picture of so many pixels to a mm, turned back by how much it lies askew; the pole, if it is named, becomes
-    the origin."""
+    """The picture at this scale (pixels per mm), its rotation corrected; the pole, if named, becomes the origin."""
     cv2, factor = cv(), PX_PER_MM / scale
     if not fits(grey, scale):
         raise PlanesError(Phrase("check_points"))

@@ -1,8 +1,8 @@
-"""A sheet's own ruling: the squares or lines printed on its paper, counted all over a picture.
+"""The ruling of a sheet: the squares or lines printed on its paper, counted all over a picture.
 
-A family of equally spaced lines is a wave. In a small window it is the strongest one of about the period it should
-have; its phase there, followed from window to window, counts the lines to a fiftieth of their distance. What is drawn
-is darker than a ruling, so darkness is cut off: it tells no more.
+A family of equally spaced lines is a wave. In a small window it is the strongest one near the expected period; its
+phase, followed from window to window, counts the lines to a fiftieth of their spacing. A drawing is darker than a
+ruling, so darkness is clipped: it carries no more information.
 """
 
 import heapq
@@ -14,20 +14,20 @@ from planes.check.vision.image.opencv import cv, shrunk
 from planes.geometry.arrays import Array, Complexes, Greys
 from planes.words.frozen import frozen
 
-PERIOD_PX = 16.0  # of a ruling, in the picture that is looked at
+PERIOD_PX = 16.0  # of a ruling, in the reduced picture
 WINDOW_PX, STEP_PX = 96, 64
-AROUND_PX = 21  # over which the paper's own light is taken
-DARK, LIGHT = 12.0, 6.0  # greys that a ruling is darker than paper, and paper lighter, at most
-SLANT = 0.36  # of a line, at most: of a sheet that is turned and seen from aside
-NARROW, WIDE, RATES = 0.72, 1.38, 25  # periods from and to, in shares of the expected one; in so many steps
-NEAR = 0.13  # how much a window's rate may differ from what the others tell
-CLEAR = 5.0  # how much stronger than the usual one of its window a wave is that tells anything
-LEAST, EVERYWHERE = 16, 0.35  # clear windows, and their share of all: tables and hatchings are somewhere only
+AROUND_PX = 21  # neighbourhood for the paper's light
+DARK, LIGHT = 12.0, 6.0  # grey levels, maximum darkness of a ruling and lightness of paper
+SLANT = 0.36  # maximum slant of a line: of a sheet that is rotated and seen obliquely
+NARROW, WIDE, RATES = 0.72, 1.38, 25  # range of periods relative to the expected one; number of steps
+NEAR = 0.13  # maximum deviation of a window's rate from that of the others
+CLEAR = 5.0  # minimum strength of a wave relative to the usual one of its window
+LEAST, EVERYWHERE = 16, 0.35  # clear windows, and their share of all: tables and hatchings do not cover a sheet
 
 
 @frozen
 class Wave:
-    """A family of lines as windows see it: where (pixels of the picture), at what count, which of them clearly."""
+    """A family of lines seen in windows: positions (pixels of the picture), counts, and which are clear."""
 
     places: Complexes
     counts: Array
@@ -35,8 +35,10 @@ class Wave:
 
 
 def waves_of(grey: Greys, period_px: float) -> tuple[Wave | None, Wave | None]:
-    """The lines of about a period that run down a picture, counted to the right, and those that run across, counted
-    downwards; None where there are none."""
+    """The lines down a picture near this period, counted to the right, and those across, counted downwards.
+
+    None if there are none.
+    """
     factor = min(1.0, PERIOD_PX / period_px)
     seen = (shrunk(grey, factor) if factor < 1 else grey).astype(numpy.float32)
     dark = numpy.clip(cv().blur(seen, (AROUND_PX, AROUND_PX)) - seen, -LIGHT, DARK)
@@ -56,7 +58,7 @@ def waves_of(grey: Greys, period_px: float) -> tuple[Wave | None, Wave | None]:
 
 
 def _counts(dark: Array, middles: Complexes) -> tuple[Array, Array] | None:
-    """How many lines windows are to the right, and which see them clearly."""
+    """The line counts of windows to the right, and which are clear."""
     rates, clear, _ = _strongest(dark, None)
     rates, clear, phases = _strongest(dark, _evenly(middles, rates, clear))
     if (clear > CLEAR).sum() < max(LEAST, EVERYWHERE * len(clear)):
@@ -65,8 +67,11 @@ def _counts(dark: Array, middles: Complexes) -> tuple[Array, Array] | None:
 
 
 def _strongest(dark: Array, near: Complexes | None) -> tuple[Complexes, Array, Array]:
-    """In each window the strongest wave, ``near`` a rate if that is told: lines to a pixel (to the right and down, as a
-    complex number), how much stronger it is than the usual one, and its phase in the middle, in lines."""
+    """The strongest wave in each window, near the rate ``near`` if given.
+
+    It has lines per pixel (to the right and down, as a complex number), strength relative to the usual one, and phase
+    in the middle, in lines.
+    """
     t = numpy.arange(WINDOW_PX) - (WINDOW_PX - 1) / 2
     across = numpy.linspace(NARROW, WIDE, RATES) / PERIOD_PX
     aslant = numpy.linspace(-SLANT, SLANT, RATES) / PERIOD_PX
@@ -86,7 +91,7 @@ def _strongest(dark: Array, near: Complexes | None) -> tuple[Complexes, Array, A
 
 
 def _between(power: Array, i: Array, j: Array, step: tuple[int, int]) -> Array:
-    """Where between its neighbours each window's peak is, in steps: the top of a parabola."""
+    """The position of each window's peak between its neighbours, in steps: the vertex of a parabola."""
     di, dj = step
     n, last = numpy.arange(len(power)), RATES - 1
     i, j = numpy.clip(i, di, last - di), numpy.clip(j, dj, last - dj)
@@ -97,7 +102,7 @@ def _between(power: Array, i: Array, j: Array, step: tuple[int, int]) -> Array:
 
 
 def _evenly(middles: Complexes, rates: Complexes, clear: Array) -> Complexes:
-    """The rate at each window as it changes evenly over the picture, by most of those that are clear."""
+    """The rate at each window, varying smoothly over the picture, fitted to most of the clear ones."""
     base = numpy.stack([numpy.ones(len(middles)), middles.real / 1000, middles.imag / 1000], axis=1)
     weight = numpy.clip(clear - CLEAR, 0.01, 10)
     order = numpy.argsort(rates.real)
@@ -114,7 +119,7 @@ def _evenly(middles: Complexes, rates: Complexes, clear: Array) -> Complexes:
 
 
 def _followed(middles: Complexes, rates: Complexes, clear: Array, phases: Array) -> Array:
-    """Phases with whole lines put to them, from the clearest window outwards, clear ones first."""
+    """Unwrapped phases, from the clearest window outwards, clear ones first."""
     out, queue = numpy.full(len(middles), math.nan), [(0.0, int(clear.argmax()), -1)]
     while queue:
         _, j, i = heapq.heappop(queue)

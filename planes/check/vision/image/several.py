@@ -1,4 +1,4 @@
-"""Several blanks on one picture: which of its corner marks are of one sheet."""
+"""Several blanks on one picture: assigns corner marks to sheets."""
 
 from collections.abc import Sequence
 
@@ -8,28 +8,28 @@ from planes.check.fiducials import SHEET_MM, SIDE_MM, centres
 from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
 
-NEAR_MM = 90.0  # from where one mark of a sheet puts another, seen from aside; those of another sheet are 200 mm off
-FEWEST = 3  # marks that tell where a sheet lies
-ROOM = 1.0  # of what lies between a sheet's marks: another, smaller as it is farther off, has room in as much
+NEAR_MM = 90.0  # tolerance of a mark predicted from another, seen obliquely; other sheets' marks are 200 mm off
+FEWEST = 3  # marks that determine the position of a sheet
+ROOM = 1.0  # of the area between a sheet's marks: another sheet, smaller if more distant, fits in as much
 
-Found = tuple[int, Array]  # the number of a mark, and its corners in pixels, from its upper left one clockwise
+Found = tuple[int, Array]  # the number of a mark, and its corners in pixels, clockwise from the upper left
 
 
 @frozen
 class SheetsSeen:
-    """The marks of each sheet by their numbers, sheets as they are read; of one sheet all, however few."""
+    """The marks of each sheet by their numbers, sheets in reading order; of a single sheet all, however few."""
 
     sheets: list[dict[int, Array]]
-    stray: int = 0  # marks of other sheets, too few to tell where these lie
+    stray: int = 0  # marks of other sheets, too few to locate these
 
     @property
     def in_part(self) -> int:
-        """The marks of a sheet that is seen in part: two at least, since what is like a single one may be none."""
+        """The marks of a partly visible sheet: at least two, since a single one may be false."""
         return self.stray if self.stray > 1 else 0
 
     @property
     def parts(self) -> int:
-        """The sheets, and one more if a part of it is seen."""
+        """The number of sheets, including a partly visible one."""
         return len(self.sheets) + bool(self.in_part)
 
 
@@ -47,8 +47,10 @@ def sheets_apart(marks: Sequence[Found]) -> SheetsSeen:
 
 
 def leaves_more(seen: SheetsSeen, picture: float) -> bool:
-    """Whether a picture of that area (px²) may show marks that are not seen yet: those seen are too few for their
-    sheet, or leave room for another sheet beside theirs."""
+    """Whether a picture of this area (px²) may show more marks.
+
+    The known ones are too few for their sheet, or leave room for another sheet.
+    """
     if seen.stray or any(len(sheet) < FEWEST for sheet in seen.sheets):
         return True
     areas = [_area(sheet) for sheet in seen.sheets]
@@ -56,14 +58,14 @@ def leaves_more(seen: SheetsSeen, picture: float) -> bool:
 
 
 def _area(sheet: dict[int, Array]) -> float:
-    """Of what lies between a sheet's marks, px²; of three marks, twice their triangle."""
+    """The area between a sheet's marks, px²; for three marks, twice their triangle."""
     x, y = numpy.array([sheet[number].mean(axis=0) for number in sorted(sheet)]).T
     area = abs(x @ numpy.roll(y, 1) - y @ numpy.roll(x, 1)) / 2
     return float(area if len(sheet) > FEWEST else 2 * area)
 
 
 def _beside(seed: Found, marks: Sequence[Found]) -> list[Found]:
-    """A mark, and those that stand where it tells that they should."""
+    """A mark, and those at the positions predicted from it."""
     marks_of_sheet = [seed]
     for number in range(len(centres(SHEET_MM))):
         near = [(_off(seed, one), k) for k, one in enumerate(marks) if one[0] == number != seed[0]]
@@ -73,7 +75,7 @@ def _beside(seed: Found, marks: Sequence[Found]) -> list[Found]:
 
 
 def _off(seed: Found, other: Found) -> float:
-    """How far a mark is from where another of its sheet tells, mm."""
+    """The distance of a mark from the position predicted by another of its sheet, mm."""
     corners = seed[1] @ numpy.array([1, 1j])
     right, up = (corners[[1, 2]] - corners[[0, 3]]).mean(), (corners[[0, 1]] - corners[[3, 2]]).mean()
     by = (centres(SHEET_MM)[other[0]] - centres(SHEET_MM)[seed[0]]) / SIDE_MM
@@ -83,7 +85,7 @@ def _off(seed: Found, other: Found) -> float:
 
 
 def _in_order(sheet: dict[int, Array]) -> tuple[float, float]:
-    """Sheets stand beside each other, or one under the other."""
+    """A sort key for sheets side by side, or one below the other."""
     x, y = numpy.mean([quad.mean(axis=0) for quad in sheet.values()], axis=0).tolist()
     side = max(float(numpy.ptp(numpy.concatenate([*sheet.values()]), axis=0).min()), 1.0)
     return round(y / side), x

@@ -1,4 +1,4 @@
-"""The edges of a sheet of light paper that lies on something darker: its four corners, and the lens that bends them."""
+"""The edges of a sheet of light paper on a darker surface: its four corners, and the lens that bends them."""
 
 import numpy
 
@@ -8,19 +8,21 @@ from planes.check.vision.image.opencv import cv, sampled, smaller
 from planes.geometry.arrays import Array, Complexes, Greys
 
 LOOK_PX = 1000
-LEAST_SHARE = 0.25  # of a picture that a sheet takes up
-PROFILES, REACH = 120, 0.012  # across each edge, and how far from it they begin (shares of the picture's longer side)
-STEP = 15.0  # greys from the table to the paper, at least
+LEAST_SHARE = 0.25  # minimum share of a picture inside a sheet
+PROFILES, REACH = 120, 0.012  # across each edge; distance of their ends (in longer sides of the picture)
+STEP = 15.0  # minimum grey step from the table to the paper
 SEEN = 0.6  # of an edge
-SHARP = (20, 50)  # Canny's thresholds: a shadow's rim is softer
-STRAIGHT_PX = 3.0  # how far a place of an edge may be off it (of a picture of LOOK_PX)
+SHARP = (20, 50)  # Canny's thresholds: a shadow's border is softer
+STRAIGHT_PX = 3.0  # maximum deviation of an edge (in a picture of LOOK_PX)
 LENSES = numpy.linspace(-0.08, 0.08, 33)
-FAIRLY = 0.02  # a lens that bends more is as unlikely as an edge that is one σ crooked
+FAIRLY = 0.02  # a lens of this distortion is as unlikely as an edge deviating by one σ
 
 
 def edges_of(grey: Greys) -> tuple[Array, float] | None:
-    """Corners of the sheet in pixels, as a lens without a bend would see them (lower left, lower right, upper right,
-    upper left), and the bend; None where not all of the sheet is seen."""
+    """Corners of the sheet in pixels, without lens distortion, and the distortion; None if the sheet is cut off.
+
+    The order is lower left, lower right, upper right, upper left.
+    """
     quad = _outline(grey)
     sides = [_edge(grey, a, b) for a, b in zip(quad, numpy.roll(quad, -1), strict=True)] if quad is not None else []
     edges = [side for side in sides if side is not None]
@@ -39,8 +41,7 @@ def edges_of(grey: Greys) -> tuple[Array, float] | None:
 
 
 def _outline(grey: Greys) -> Complexes | None:
-    """The corners of the sheet, about: of the largest light thing, else, where a shadow lies over it, of the largest
-    one with sharp edges about it."""
+    """The approximate corners of the sheet: the largest light area or, under a shadow, the largest with sharp edges."""
     cv2 = cv()
     small, factor = smaller(grey, LOOK_PX)
     soft = cv2.GaussianBlur(cv2.morphologyEx(small, cv2.MORPH_CLOSE, numpy.ones((9, 9), numpy.uint8)), (5, 5), 0)
@@ -56,7 +57,7 @@ def _outline(grey: Greys) -> Complexes | None:
 
 
 def _quad(inside: Greys) -> Array | None:
-    """The corners of the largest thing that does not touch the picture's rim, if it has four."""
+    """The corners of the largest area that does not touch the picture's border, if it has four."""
     cv2, rim = cv(), numpy.array(inside.shape[::-1]) - 3
     contours, _ = cv2.findContours(inside, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
     hulls = sorted((cv2.convexHull(c) for c in contours), key=cv2.contourArea)
@@ -68,9 +69,9 @@ def _quad(inside: Greys) -> Array | None:
 
 
 def _edge(grey: Greys, a: complex, b: complex) -> Complexes | None:
-    """Places of an edge between two corners, where the picture grows lighter inwards; None where few are seen."""
+    """Points of an edge between two corners, where the picture gets lighter inwards; None if too few are visible."""
     reach = REACH * max(grey.shape)
-    inwards = (b - a) / abs(b - a) * -1j  # counter-clockwise as one sees it, y down
+    inwards = (b - a) / abs(b - a) * -1j  # counter-clockwise as seen, y down
     t = numpy.arange(-reach, reach + 0.1, 0.5)
     places = (a + (b - a) * numpy.linspace(0.03, 0.97, PROFILES))[:, None] + inwards * t[None, :]
     soft = cv().GaussianBlur(sampled(grey, places), (7, 1), 1.5)
@@ -89,6 +90,6 @@ def _edge(grey: Greys, a: complex, b: complex) -> Complexes | None:
 
 
 def _off_line(places: Complexes) -> Array:
-    """How far places are off the line along most of them."""
+    """The distances of points from the line along most of them."""
     place, way = line_along(places)
     return abs(((places - place) * way.conjugate()).imag)

@@ -1,9 +1,8 @@
-"""How a picture sees a sheet that has no print of ours: told by its squares, else its ruled lines, else its edges,
-else lines of text on it.
+"""The view of a sheet without our print: by its squares, otherwise its ruling, its edges, or lines of text on it.
 
-Squares give all of it, millimetres too. Equally spaced lines give the horizon of the sheet's plane; what that leaves
-open is how long the lens is, and telephones' are nearly alike. Edges give a rectangle, its shape the paper's format.
-Text gives the tilt, but no millimetres.
+Squares determine all of it, including millimetres. Equally spaced lines give the horizon of the sheet's plane; only the
+focal length remains open, which is similar for all phones. Edges give a rectangle, with the paper's format as its
+shape. Text gives the tilt, but no millimetres.
 """
 
 import cmath
@@ -22,26 +21,28 @@ from planes.geometry.arrays import Array, Complexes, Greys
 from planes.words.frozen import frozen, replace
 
 SQUARE_MM, LINES_MM = 5.0, 8.0
-AGREEING, OFF = 0.6, 0.12  # the share of clear windows that agree, within that share of a line's distance
+AGREEING, OFF = 0.6, 0.12  # minimum share of clear windows that agree, to this share of the line spacing
 LENSES = numpy.linspace(-0.08, 0.08, 17)
-CERTAIN, LEAST_SLOPE = 4.5, math.tan(math.radians(2.0))  # σ of a tilt that text tells, and how much it must be
-SHARP = math.tan(math.radians(3.0))  # σ of a tilt that text says is little
+CERTAIN, LEAST_SLOPE = 4.5, math.tan(math.radians(2.0))  # significance of a tilt from text, σ, and its minimum
+SHARP = math.tan(math.radians(3.0))  # σ of a tilt that text shows to be small
 A_SHAPE, NEAR_SHAPE, A4_MM = math.sqrt(2), 0.03, (297.0, 210.0)
 
 
 @frozen
 class SheetView:
-    """How pixels of a picture lie on its sheet, mm (y down, any origin), and by what that is told."""
+    """The mapping from pixels of a picture to its sheet, mm (y down, any origin), and its reference."""
 
     bend: Bend
-    by: str  # "squares", "lines", "edges"; "text" or the "plan" itself, whose scale is unknown
+    by: str  # "squares", "lines", "edges"; "text" or the "plan" itself, without scale
     tilt_deg: float  # of the camera from straight above
-    held: CameraTilt = UNTOLD  # of a view whose scale is unknown: what was taken out, and what may be left
+    held: CameraTilt = UNTOLD  # of a view without scale: the correction, and the possible remainder
 
 
 def sheet_view(grey: Greys, px_per_mm: float, scanned: bool, focal: float = FOCAL) -> SheetView | None:
-    """How a sheet is seen, by the surest of what tells it; pixels to a millimetre are known but roughly, the lens is
-    ``focal`` of the picture's longer sides long."""
+    """The view of a sheet by the best reference.
+
+    Pixels per millimetre are only roughly known; the focal length is ``focal`` of the picture's longer side.
+    """
     across, down = waves_of(grey, px_per_mm * SQUARE_MM)
     if across and down and (view := _by_squares(grey, across, down)):
         return view
@@ -52,7 +53,7 @@ def sheet_view(grey: Greys, px_per_mm: float, scanned: bool, focal: float = FOCA
 
 
 def _by_squares(grey: Greys, across: Wave, down: Wave) -> SheetView | None:
-    """By squares that are counted; the lens makes their lines straightest."""
+    """From counted squares; the lens makes their lines straightest."""
     clear = (across.clear > CLEAR) & (down.clear > CLEAR)
     if clear.sum() < LEAST:
         return None
@@ -72,7 +73,7 @@ def _by_squares(grey: Greys, across: Wave, down: Wave) -> SheetView | None:
 
 
 def _by_lines(grey: Greys, down: Wave, focal: float) -> SheetView | None:
-    """By the horizon of equally spaced lines, through the lens that makes them straightest."""
+    """From the horizon of equally spaced lines, through the lens that makes them straightest."""
     clear = down.clear > CLEAR
     seen, counts, bend = down.places[clear], down.counts[clear], Bend.about(grey.shape)
     unit = max(grey.shape)
@@ -96,8 +97,10 @@ def _by_lines(grey: Greys, down: Wave, focal: float) -> SheetView | None:
 
 
 def _horizon(places: Complexes, counts: Array) -> tuple[complex, Array]:
-    """Lines are counted by a fraction whose denominator is nought at the horizon: its slopes (where it is 1 in the
-    picture's middle), and how far off each count is."""
+    """Fits line counts by a fraction whose denominator is zero at the horizon.
+
+    The result is its slopes (with 1 in the picture's middle), and the residual of each count.
+    """
     x, y, one, weight = places.real, places.imag, numpy.ones(len(places)), numpy.ones(len(places))
     for _ in range(12):
         rows = numpy.stack([x, y, one, -counts * x, -counts * y], axis=1) * weight[:, None]
@@ -108,7 +111,7 @@ def _horizon(places: Complexes, counts: Array) -> tuple[complex, Array]:
 
 
 def _by_edges(grey: Greys) -> SheetView | None:
-    """By a sheet of A4 all of which is seen."""
+    """From an A4 sheet that is fully visible."""
     corners_and_lens = edges_of(grey)
     if corners_and_lens is None:
         return None
@@ -124,7 +127,7 @@ def _by_edges(grey: Greys) -> SheetView | None:
 
 
 def similar(turn: complex, move: complex = 0j) -> Array:
-    """Places times a complex number, then moved, as a homography."""
+    """Points multiplied by a complex number, then moved, as a homography."""
     return numpy.array([[turn.real, -turn.imag, move.real], [turn.imag, turn.real, move.imag], [0, 0, 1.0]])
 
 
@@ -133,7 +136,7 @@ def _pairs(z: Complexes) -> Array:
 
 
 def _by_text(grey: Greys, focal: float) -> SheetView | None:
-    """By lines of text: where they do not show a tilt for certain, the view from straight above, and what it may be."""
+    """From lines of text; if these show no certain tilt, the view from straight above, with the possible tilt."""
     held = tilt_by_text(grey, focal)
     if held is None:
         return None
@@ -145,7 +148,7 @@ def _by_text(grey: Greys, focal: float) -> SheetView | None:
 
 
 def by_tilt(grey: Greys, held: CameraTilt, focal: float, by: str = "plan") -> SheetView | None:
-    """The view of a camera tilted so (slopes to the right and down), its scale unknown, the sheet turned back."""
+    """The view of a camera with this tilt (slopes to the right and down), without scale, its rotation corrected."""
     bend, back = Bend.about(grey.shape), cmath.rect(1, -held.turn)
     plain = level(bend.middle, focal * max(grey.shape), held.slopes * back.conjugate())
     if plain is None:
@@ -156,7 +159,7 @@ def by_tilt(grey: Greys, held: CameraTilt, focal: float, by: str = "plan") -> Sh
 
 
 def _viewed(bend: Bend, by: str, focal: float = FOCAL) -> SheetView | None:
-    """The view, with how far the camera is tilted; None where no camera is held so."""
+    """The view with the camera tilt; None if no camera is held like that."""
     focal *= 2 * max(bend.middle.real, bend.middle.imag)
     a, b, c = bend.view[2].tolist()
     slope = abs(complex(a, b)) * focal / abs(a * bend.middle.real + b * bend.middle.imag + c)

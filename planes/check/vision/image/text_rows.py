@@ -1,7 +1,7 @@
-"""Rows of letters on a page: letters next to one another, their feet on a line; and how each letter's strokes slant.
+"""Rows of letters on a page: adjacent letters with their feet on a line; and the slant of each letter's strokes.
 
-Letters are pieces of ink of about one height. The ways to the next ones tell which way rows run; from there on all is
-told along rows (s) and across them (t, downwards).
+Letters are pieces of ink of similar height. The directions to their neighbours give that of the rows; from there on,
+coordinates run along rows (s) and across them (t, downwards).
 """
 
 import math
@@ -12,21 +12,20 @@ from planes.check.vision.image.opencv import cv, pieces, shrunk, smaller
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
 from planes.words.frozen import frozen
 
-LOOK_PX, LIGHT_PX = 2000, 41  # the longer side of what is looked at; how far off its paper's light is taken
-DARKER, PRINT = 14, 0.3  # greys that ink is darker than paper, and the share of how dark the darkest is
-LETTER_PX, SPECKS = (9, 70), 12  # the height of a letter from and to; its pixels at least
-NEXT, ALIKE = 3.0, 2.2  # how far the next letter is, in letters, and how much higher or lower
-LONG = 2.2  # in its heights, what lies along a row is a dash, no letter
-ASLANT = 0.3  # how much a row may slant from most
-FEW, MOST = 7, 1500  # letters of a row, at least; letters of a page that are looked at
-OFF = 0.12  # of a letter's height: farther from the line is no foot on it
-STEEP = math.radians(40)  # a stroke that slants more from upright tells nothing
+LOOK_PX, LIGHT_PX = 2000, 41  # longer side of the reduced picture; window of the paper's light
+DARKER, PRINT = 14, 0.3  # darkness of ink relative to paper in grey levels, and relative to the darkest
+LETTER_PX, SPECKS = (9, 70), 12  # range of letter heights; minimum of pixels
+NEXT, ALIKE = 3.0, 2.2  # maximum distance of the next letter, in letters, and ratio of heights
+LONG = 2.2  # in heights, a longer piece along a row is a dash, no letter
+ASLANT = 0.3  # maximum slant of a row from most others
+FEW, MOST = 7, 1500  # minimum number of letters of a row; maximum number on a page
+OFF = 0.12  # of a letter's height: a foot farther from the line is not on it
+STEEP = math.radians(40)  # a stroke farther from upright is no evidence
 
 
 @frozen
 class TextRow:
-    """The line that letters stand on: a place of it and its direction (radians), how sure that is, and its letters'
-    numbers."""
+    """The baseline of letters: a point and its direction (radians), its accuracy, and the numbers of its letters."""
 
     place: complex
     angle: float
@@ -36,8 +35,10 @@ class TextRow:
 
 @frozen
 class LetterRows:
-    """Letters in rows: where they are (pixels of the picture), how high, edges of their strokes (which letter's, which
-    way it runs in radians, how sharp), and the rows."""
+    """Letters in rows: positions (pixels of the picture), heights, stroke edges, and the rows.
+
+    Each stroke edge has its letter, direction in radians and sharpness.
+    """
 
     places: Complexes
     heights: Array
@@ -45,11 +46,11 @@ class LetterRows:
     angles: Array
     weights: Array
     rows: list[TextRow]
-    way: float  # most rows' direction, radians
+    way: float  # direction of most rows, radians
 
     @property
     def row_of(self) -> Indices:
-        """The number of each letter's row; -1 of those in none."""
+        """The row number of each letter; -1 for those in none."""
         out = numpy.full(len(self.places), -1)
         for k, row in enumerate(self.rows):
             out[row.letters] = k
@@ -57,7 +58,7 @@ class LetterRows:
 
 
 def text_on(grey: Greys) -> LetterRows | None:
-    """The rows of letters on a picture; None where there are none."""
+    """The rows of letters on a picture; None if there are none."""
     small, factor = smaller(grey, LOOK_PX)
     labels, boxes = _letters(small)
     if len(boxes) < FEW:
@@ -87,7 +88,7 @@ def text_on(grey: Greys) -> LetterRows | None:
 
 
 def _letters(small: Greys) -> tuple[Indices, Indices]:
-    """The pieces of ink that are as large as letters: each pixel's number (from 1, 0: none), and their boxes."""
+    """The pieces of ink as large as letters: the number at each pixel (from 1, 0: none), and their boxes."""
     cv2 = cv()
     wide = LIGHT_PX // 4 | 1
     light = cv2.blur(cv2.dilate(shrunk(small, 0.25), numpy.ones((wide, wide), numpy.uint8)), (wide, wide))
@@ -103,7 +104,7 @@ def _letters(small: Greys) -> tuple[Indices, Indices]:
 
 
 def _way(boxes: Indices) -> float | None:
-    """The direction in which most letters have their next ones, in radians; None where there is none."""
+    """The direction from most letters to their neighbours, in radians; None if there is none."""
     z = boxes[:, 0] + boxes[:, 2] / 2 + 1j * (boxes[:, 1] + boxes[:, 3] / 2)
     tall = numpy.maximum(boxes[:, 2], boxes[:, 3]).astype(float)
     apart = z[None, :] - z[:, None]
@@ -126,7 +127,7 @@ def _way(boxes: Indices) -> float | None:
 
 
 def _rows(left: Array, right: Array, low: Array, high: Array, way: float) -> list[TextRow]:
-    """Letters chained from each to its next one, and the lines they stand on."""
+    """Letters chained from neighbour to neighbour, and their baselines."""
     tall, t = high - low + 1, (low + high) / 2
     usual = numpy.maximum(tall, numpy.median(tall))
     gap = left[None, :] - right[:, None]
@@ -153,7 +154,7 @@ def _rows(left: Array, right: Array, low: Array, high: Array, way: float) -> lis
 
 
 def _fitted(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> TextRow | None:
-    """The line most letters of a chain stand on; None where few do."""
+    """The baseline of most letters of a chain; None if too few fit."""
     x, y, height = s[chain], feet[chain], float(numpy.median(tall[chain]))
     i, j = numpy.triu_indices(len(x), 1)
     far = x[j] - x[i] > 0.4 * numpy.ptp(x)
@@ -177,7 +178,7 @@ def _fitted(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> T
 
 
 def _edges(small: Greys, labels: Indices, new: Indices, way: float) -> tuple[Indices, Array, Array]:
-    """Edges of letters' strokes that stand about upright on their rows: whose, which way they run, how sharp."""
+    """Edges of nearly upright letter strokes: their letters, directions and sharpness."""
     cv2 = cv()
     soft = cv2.GaussianBlur(small, (0, 0), 1.0)
     dx, dy = (cv2.Scharr(soft, cv2.CV_32F, *d) for d in ((1, 0), (0, 1)))

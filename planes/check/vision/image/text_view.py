@@ -1,9 +1,8 @@
-"""How the camera was tilted over a page with text: rows of letters are parallel on paper, strokes of letters slant
-alike from end to end of a row, and letters of a block are of one size.
+"""The camera tilt over a page with text: rows are parallel, slants constant along a row, letters of a block equal.
 
-Rows tell the tilt along them by how they run together; the tilt across them is told by how letters slant to the left
-and to the right, and how high they are above and beneath. Of a hand's rows little is sure, and less of its letters.
-What nothing tells remains as an error.
+The convergence of rows shows the tilt along them; the tilt across them follows from the slant of letters on the left
+and on the right, and from their height at the top and at the bottom. Handwritten rows are less reliable, their letters
+still less. An undetermined tilt remains as an error.
 """
 
 import cmath
@@ -19,22 +18,24 @@ from planes.geometry.arrays import Array, Complexes, Greys, Indices
 from planes.words.frozen import frozen
 
 LEAST_LETTERS, ROUNDS = 24, 10
-KERNEL, SIZES = math.radians(7), 0.07  # how far strokes' slants, and the logarithms of letters' heights, are one kind
-PRINTED, WRITTEN = math.radians(0.8), math.radians(1.5)  # σ of how letters slant: of print at most, of a hand at least
-PARALLEL, BY_HAND, APART = (math.radians(v) for v in (0.12, 0.8, 1.0))  # σ of rows of print, of a hand, of its blocks
-WANDER = 2.5  # how much less sure a row's direction is than if its letters were off it each by itself
-LEAST_SLANT, LEAST_SIZE = math.radians(0.8), 0.015  # σ of a letter's, at least
-TOGETHER, FINE_PX = 1.5, 24.0  # how much less sure many slants are than each by itself; and of letters not so high
-SYSTEMATIC = 0.005, 0.018  # what all of print, and of a hand, may be off by together, as a slope
-CAUCHY = 8.0  # the square of how many σ off a cue tells half
+KERNEL, SIZES = math.radians(7), 0.07  # kernel widths of stroke slants, and of logarithms of letter heights
+PRINTED, WRITTEN = math.radians(0.8), math.radians(1.5)  # σ of letter slants: maximum in print, minimum in handwriting
+PARALLEL, BY_HAND, APART = (math.radians(v) for v in (0.12, 0.8, 1.0))  # σ of rows of print, handwriting, its blocks
+WANDER = 2.5  # factor on a row's σ over that of independent letters
+LEAST_SLANT, LEAST_SIZE = math.radians(0.8), 0.015  # minimum σ of a letter's
+TOGETHER, FINE_PX = 1.5, 24.0  # factor on the σ of many slants over independent ones; for letters below this height
+SYSTEMATIC = 0.005, 0.018  # systematic error of print, and of handwriting, as a slope
+CAUCHY = 8.0  # squared deviation, in σ, at which a cue has half the weight
 MOST_TURN = math.radians(30)  # of a sheet that is meant to be upright
-BLOCK = 4.5  # rows of a block are no farther apart, in letters
+BLOCK = 4.5  # maximum distance between rows of a block, in letters
 
 
 @frozen
 class _Cue:
-    """What would be alike in each group were the tilt right: values without their groups' means, their weights, and
-    how they change with the tilt."""
+    """Quantities that are equal within each group at the right tilt.
+
+    These are values minus their groups' means, their weights, and their derivatives by the tilt.
+    """
 
     left: Array
     weights: Array
@@ -42,8 +43,10 @@ class _Cue:
 
 
 def tilt_by_text(grey: Greys, focal: float) -> CameraTilt | None:
-    """The tilt that a page's text tells (slopes to the right and down), the camera's lens so long (in the picture's
-    longer sides); None where there is little text."""
+    """The tilt from a page's text (slopes to the right and down), with this focal length; None if there is little text.
+
+    The focal length is in the picture's longer sides.
+    """
     text = text_on(grey)
     if text is None or len(text.places) < LEAST_LETTERS:
         return None
@@ -52,8 +55,10 @@ def tilt_by_text(grey: Greys, focal: float) -> CameraTilt | None:
 
 
 class _TextSight:
-    """A page's text seen by a camera of some tilt, and how its letters slant (radians on the sheet) and how high they
-    are (logarithms), block by block."""
+    """A page's text seen by a tilted camera, with letter slants (radians on the sheet) and heights (logarithms).
+
+    Both are given block by block.
+    """
 
     def __init__(self, text: LetterRows, middle: complex, far: float) -> None:
         self.text, self.middle, self.far = text, middle, far
@@ -68,7 +73,7 @@ class _TextSight:
         self.slants = numpy.array([_slant(text, mine[text.of]) for mine in each])
 
     def tilt(self) -> CameraTilt:
-        """The likeliest tilt, Gauss and Newton's way, far cues telling less; and how sure it is."""
+        """The likeliest tilt (Gauss-Newton, with distant cues weighted less), and its accuracy."""
         tilt, held = 0j, numpy.eye(2) / HELD**2
         for _ in range(ROUNDS):
             cues, hand = self.cues(tilt)
@@ -82,13 +87,13 @@ class _TextSight:
         return CameraTilt(tilt * cmath.rect(1, -turn), (first, second), turn)
 
     def turn(self, tilt: complex, hand: float) -> float:
-        """How rows run on the sheet as it is seen; 0 where that may be no more than a writer's own."""
+        """The direction of rows on the sheet as seen; 0 if it may be due to the writer."""
         ways, weights = _angles(self.level(tilt), self.places, self.ways), self._row_weights(hand)
         turn = float((ways * weights).sum() / weights.sum())
         return turn if 3 * math.hypot(PARALLEL, hand * APART) < abs(turn) < MOST_TURN else 0.0
 
     def cues(self, tilt: complex) -> tuple[list[_Cue], float]:
-        """What rows, slants and heights tell about a tilt, and how much like a hand's they are (0 to 1)."""
+        """The cues of rows, slants and heights for a tilt, and the degree to which they are handwritten (0 to 1)."""
         view, text, near = self.level(tilt), self.text, [self.level(tilt + d) for d in (1e-4, 1e-4j)]
         back = numpy.asarray(numpy.linalg.inv(view), float)
         upright = _angles(back, through(view, text.places), self.slants[self.blocks])
@@ -117,19 +122,18 @@ class _TextSight:
         ], hand
 
     def level(self, tilt: complex) -> Array:
-        """The view as from straight above."""
+        """The view from straight above."""
         view = level(self.middle, self.far, tilt)
         return numpy.eye(3) if view is None else view
 
     def _row_weights(self, hand: float) -> Array:
-        """How much each row's direction tells, by how much it is a hand's: a block of these runs like another but
-        roughly."""
+        """The weight of each row's direction, by handwriting: its rows in a block are only roughly parallel."""
         alike = PARALLEL + (BY_HAND - PARALLEL) * hand
         return 1 / (self.errors**2 + alike**2 + self.row_count * (hand * APART) ** 2)
 
 
 def _blocks(text: LetterRows) -> Indices:
-    """The number of each row's block: rows close beneath one another."""
+    """The block number of each row: rows close below one another."""
     place = numpy.array([r.place for r in text.rows]) * numpy.exp(-1j * text.way)
     tall = numpy.array([float(numpy.median(text.heights[r.letters])) for r in text.rows])
     s = (text.places * numpy.exp(-1j * text.way)).real
@@ -144,7 +148,7 @@ def _blocks(text: LetterRows) -> Indices:
 
 
 def _cue(what: Callable[[Array], Array], view: Array, near: list[Array], weights: Array, groups: Indices) -> _Cue:
-    """What a view makes of something that should be alike in each group, and views a little more tilted."""
+    """A quantity that should be equal within each group, for a view and slightly more tilted ones."""
     here = what(view)
     left = here - _means(here, weights, groups)[groups]
     moved = [(what(v) - here) / 1e-4 for v in near]
@@ -153,31 +157,31 @@ def _cue(what: Callable[[Array], Array], view: Array, near: list[Array], weights
 
 
 def _means(values: Array, weights: Array, groups: Indices) -> Array:
-    """Each group's mean."""
+    """The mean of each group."""
     return numpy.bincount(groups, weights * values) / (numpy.bincount(groups, weights) + 1e-12)
 
 
 def _angles(view: Array, z: Complexes, angle: Array) -> Array:
-    """Directions at places as a view has them."""
+    """Directions at points after a view."""
     step = numpy.exp(1j * angle)
     out: Array = numpy.angle(through(view, z + step) - through(view, z - step))
     return out
 
 
 def _lengths(view: Array, z: Complexes, angle: Array) -> Array:
-    """The logarithm of how much longer a view makes a short way at places."""
+    """The logarithm of the local magnification of a view along directions."""
     step = numpy.exp(1j * angle)
     out: Array = numpy.log(abs(through(view, z + step) - through(view, z - step)) / 2)
     return out
 
 
 def _slant(text: LetterRows, mine: Array) -> float:
-    """The most usual way of some of the strokes' edges."""
+    """The most frequent direction of some stroke edges."""
     return _mode(text.angles[mine], KERNEL / 2, text.weights[mine]) if mine.any() else text.way + math.pi / 2
 
 
 def _mode(values: Array, wide: float, weights: Array | None = None) -> float:
-    """About where most of the values are."""
+    """The approximate mode of values."""
     some = slice(None, None, max(1, len(values) // 3000))
     steps = numpy.linspace(values.min(), values.max(), 60)
     near = numpy.exp(-0.5 * ((values[some][None, :] - steps[:, None]) / wide) ** 2)
@@ -185,7 +189,7 @@ def _mode(values: Array, wide: float, weights: Array | None = None) -> float:
 
 
 def _strokes(text: LetterRows, upright: Array) -> tuple[Array, Array]:
-    """How much each letter's strokes are turned from how they should run, and what that weighs."""
+    """The rotation of each letter's strokes from their expected direction, and its weight."""
     off, count = text.angles - upright[text.of], len(text.places)
     near = text.weights * numpy.exp(-0.5 * (off / KERNEL) ** 2)
     total = numpy.bincount(text.of, near, count)

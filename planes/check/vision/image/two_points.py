@@ -1,4 +1,4 @@
-"""A picture made flat by the two ends of a vector, pointed to; and by its paper, where that tells how it is seen."""
+"""Rectifies a picture by the two given ends of a vector, and by its paper, if that shows the view."""
 
 import cmath
 import math
@@ -14,13 +14,13 @@ from planes.geometry.arrays import Greys
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError
 
-LEAST_ASKEW_DEG, MOST_ASKEW_DEG = 0.5, 4.0  # less is a hand's own error, more is no sheet's that was laid straight
-SHORT_MM = 3.0  # a vector that tells neither scale nor direction
-ANOTHER = 0.06  # by more than this share squares, lines or sheets are of another size than the usual ones
-DRAWN_MM = 1.5  # no more is a vector longer or shorter for a hand's error
-BY_PAPER = {"squares": 0.003, "lines": 0.006, "edges": 0.006}  # the same of a sheet seen straight by its own print
-LAID = ("squares", "lines")  # along which people draw
-TOLD_TILT_DEG = 1.5  # less is not worth a sentence
+LEAST_ASKEW_DEG, MOST_ASKEW_DEG = 0.5, 4.0  # less is a drawing error, more does not occur in a sheet laid straight
+SHORT_MM = 3.0  # a vector that shows neither scale nor direction
+ANOTHER = 0.06  # relative size difference at which squares, lines or sheets are not of the usual kind
+DRAWN_MM = 1.5  # maximum drawing error of a vector's length
+BY_PAPER = {"squares": 0.003, "lines": 0.006, "edges": 0.006}  # relative error of a sheet rectified by ruling or edges
+LAID = ("squares", "lines")  # followed by people when drawing
+TOLD_TILT_DEG = 1.5  # less is not worth reporting
 FARTHEST_MM = 420.0  # no drawing is farther from its pole
 
 
@@ -34,12 +34,14 @@ def by_points(
     held: CameraTilt | None = None,
     focal: float | None = None,
 ) -> Flat:
-    """The picture by the two ends of a true vector, of the pole and a named mark, in pixels (x right, y down). Straight
-    and to scale by its paper, where that has squares, lines or edges, or straight by text on it, else turned straight
-    if it is as little askew as a sheet lies. To the scale its paper or file (``file_scale``) has, if a hand's error is
-    all they differ by, or the vector is too short to tell any; else to the vector's. A photograph that nothing tells
-    the tilt of may be taken for one of a camera tilted by so much (``held``). The lens may be told (``focal``, in the
-    picture's longer sides). The pole becomes the origin."""
+    """The picture by the ends of a true vector, the pole and a named mark, in pixels (x right, y down).
+
+    It is rectified and scaled by squares, lines or edges of its paper, or rectified by text; otherwise it is only
+    rotated, by no more than a sheet usually lies askew. The scale is that of its paper or file (``file_scale``) if it
+    differs from the vector's by no more than a drawing error, or if the vector is too short; otherwise the vector's. A
+    photograph of unknown tilt may be assigned a camera tilt (``held``). The focal length may be given (``focal``, in
+    the picture's longer sides). The pole becomes the origin.
+    """
     short = abs(vector) < SHORT_MM
     if not (short and file_scale) and (abs(mark - pole) < 10 or not vector):
         raise PlanesError(Phrase("check_points"))
@@ -63,8 +65,10 @@ def by_points(
 
 
 def _scale(drawn: float, true_mm: float, file_scale: float | None, most: float) -> tuple[float, bool]:
-    """Pixels to a mm, and whether they are ``file_scale``: if a vector drawn so long differs by no more than
-    a hand's error, and by that share at ``most``."""
+    """Pixels per mm, and whether they are ``file_scale``.
+
+    That is so if a vector of this length differs by no more than a drawing error, and by at most the share ``most``.
+    """
     if file_scale is None or true_mm < SHORT_MM:
         return file_scale or drawn / true_mm, file_scale is not None
     by_file = abs(drawn / true_mm / file_scale - 1) < min(DRAWN_MM / true_mm, most)
@@ -72,16 +76,20 @@ def _scale(drawn: float, true_mm: float, file_scale: float | None, most: float) 
 
 
 def _askew(drawn: complex, vector: complex, paper: str | None) -> float:
-    """By how much a vector (y down) shows its sheet to lie askew, degrees; 0 where its paper tells that itself, or it
-    is no more than a hand's error, or more than a sheet is that was laid straight."""
+    """The rotation of a sheet from a vector (y down), degrees.
+
+    0 if its paper shows it, or if it is within a drawing error, or more than that of a sheet laid straight.
+    """
     askew = math.degrees(cmath.phase(drawn.conjugate() / vector))
     least = math.degrees(DRAWN_MM / abs(vector)) if paper else LEAST_ASKEW_DEG
     return askew if paper not in LAID and least < abs(askew) < MOST_ASKEW_DEG else 0.0
 
 
 def _straight(grey: Greys, view: SheetView, pole: complex, scale: float, askew_deg: float) -> Flat:
-    """The sheet from straight above by a view of it (``scale`` of its units to a mm), turned back by how much it lies
-    askew; only as much of it as is a sheet's."""
+    """The sheet from straight above by a view (``scale`` of its units per mm), its rotation corrected.
+
+    Only the part within the size of a sheet is kept.
+    """
     turn = cmath.rect(PX_PER_MM / scale, math.radians(askew_deg))
     bend = replace(view.bend, view=similar(turn) @ view.bend.view)
     low, high = _seen_box(grey, bend, bend.flat(pole))
@@ -98,7 +106,7 @@ def _straight(grey: Greys, view: SheetView, pole: complex, scale: float, askew_d
 
 
 def _seen_box(grey: Greys, bend: Bend, pole: complex) -> tuple[complex, complex]:
-    """The box of what a picture shows on its sheet, pixels of the flat one, no farther from the pole than a sheet."""
+    """The box of a picture's content on its sheet, pixels of the rectified one, limited to a sheet around the pole."""
     height, width = grey.shape
     share, far = numpy.linspace(0, 1, 9), FARTHEST_MM * PX_PER_MM
     seen = bend.flat(width * share[:, None] + 1j * height * share)
