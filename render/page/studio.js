@@ -118,7 +118,10 @@ on(frame, "load", () => { // numbers changed in the lesson are written back
   const inner = frame.contentWindow;
   if (!inner) return;
   on(inner, "rested", async e => {
-    const { given } = shown.data.drive, numbers = { ...e.detail.numbers }, { said } = e.detail;
+    const { given } = shown.data.drive, numbers = { ...e.detail.numbers };
+    const figures = /** @type {[string, {value: number, text: string}][]} */ (Object.entries(e.detail.figures));
+    const kept = figures.filter(([n, one]) => numbers[n] === one.value);
+    const said = Object.fromEntries(kept.map(([n, one]) => [n, one.text]));
     delete numbers[given];
     if (!Object.keys(numbers).length) return;
     const answer = await ask({ ask: "numbers", text: bench.text, lang: bench.lang, numbers, said });

@@ -9,9 +9,7 @@ export const figures = /** @type {Record<string, { value: number, text: string }
 const same = () => Object.keys(last).every(n => last[n] === live.given[n]);
 function announced() { // the studio writes it into the scene
   const numbers = Object.fromEntries(Object.entries(live.given).filter(([n, v]) => last[n] !== v));
-  const said = Object.fromEntries(Object.keys(numbers).filter(n => figures[n]?.value === numbers[n])
-    .map(n => [n, figures[n].text]));
-  dispatchEvent(new CustomEvent("rested", { detail: { numbers, said } }));
+  dispatchEvent(new CustomEvent("rested", { detail: { numbers, figures } }));
 }
 export function rested() { // an action has ended: its changes are one step
   if (same()) return;

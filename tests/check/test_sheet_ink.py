@@ -11,7 +11,6 @@ cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
 from planes.check.evidence.sheet_ink import Box, SheetInk  # noqa: E402
-from planes.check.explaining.plan_lines import behind_others  # noqa: E402
 from planes.check.vision.image.picture import PX_PER_MM, Flat  # noqa: E402
 from tests.helpers.line_ink import drawn  # noqa: E402
 from tests.physical.paper import PX_PER_MM as FINE  # noqa: E402
@@ -138,12 +137,3 @@ def test_a_line_that_cannot_be_drawn_is_nowhere() -> None:
     nowhere = complex(np.nan, np.nan)
     there, not_there, far = shares(felt(paper), [SIDES[0], (SIDES[0][0], nowhere), (nowhere, complex(np.inf, 0))])
     assert there > 0.9 and not_there == far == 0.0
-
-
-def test_a_head_is_felt_by_one_line_of_those_that_end_there_along_one_way() -> None:
-    """By the one that feels it most; lines that come from elsewhere have heads of their own there."""
-    a = np.array([[0j, 10 + 1j, 60 - 30j, 0j]])
-    b = np.array([[60 + 0j, 61 + 0.5j, 60 + 0j, 30 + 0j]])
-    assert behind_others(a, b, np.array([[1.8, 1.1, 1.8, 1.8]])).tolist() == [[False, True, False, False]]
-    assert behind_others(a, b, np.array([[1.1, 1.8, 1.8, 1.8]])).tolist() == [[True, False, False, False]]
-    assert behind_others(a, b, np.full((1, 4), 1.8)).tolist() == [[False, True, False, False]]

@@ -118,32 +118,13 @@ def test_a_force_turned_round_without_a_head_or_not_drawn(sample: str, suffix: s
     assert named >= {"arrow_missing"}
 
 
-@pytest.mark.parametrize(("one", "two"), [("F_{24}", "G_{3}"), ("F_{21}^{t}", "Φ_{2}")])
+@pytest.mark.parametrize(("one", "two"), [("F_{21}^{t}", "F_{24}"), ("F_{21}^{t}", "Φ_{2}")])
 def test_names_of_forces_are_exchanged(one: str, two: str, tmp_path: Path) -> None:
     page, asked = view(SAMPLE, "force:2-3", drawn(SAMPLE)[1]), Asked(drawn(SAMPLE)[0], "force:2-3")
     other, file = {one: two, two: one}, tmp_path / "plan.svg"
     marks = [replace(m, text=other.get(m.text, m.text)) if isinstance(m, Text) else m for m in page.marks]
     file.write_bytes(replace(page, marks=tuple(marks)).rendered(".svg"))
     assert check(asked, read_paper(str(file), asked, Known())).mistake == "names_exchanged"
-
-
-@pytest.mark.slow
-def test_a_force_turned_round_on_a_picture_is_seldom_right_for_sure(tmp_path: Path) -> None:
-    """One of three is: short sides begin and end about its tip, so that no head is told there."""
-    from tests import picture_corpus as corpus
-    from tests.confusion import easel
-    from tests.helpers.photographs import SCAN
-
-    one, file = easel("kind-1-rrr", "force:2-3"), tmp_path / "p.jpg"
-    whole = corpus.drawn(one, None, random.Random(1))
-    assert whole is not None
-    verdicts = []
-    for k, stroke in enumerate(whole.strokes):
-        if abs(stroke[1] - stroke[0]) > 40:
-            turned = replace(whole, strokes=[*whole.strokes[:k], stroke[::-1], *whole.strokes[k + 1 :]])
-            corpus.picture(turned, corpus.pole_of(one), SCAN, random.Random(1), file)
-            verdicts.append(corpus.looked_at(one, file)[0].verdict)
-    assert verdicts.count("right_as_seen") >= 2 and len(verdicts) == 3
 
 
 @pytest.mark.slow

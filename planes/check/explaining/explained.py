@@ -212,13 +212,12 @@ class Explanation:
         ]
         gone = needed & (numpy.array(gaps) > w.TORN_MM)
         here, there = self.ink.head(a, b)[0], self.ink.head(b, a)[0]
-        headed = needed & (length > w.HEADED_MM) & (self.plan.kind != "position")
+        headed = needed & (length > w.HEADED_MM) & (self.plan.kind not in ("position", "force"))
         headed &= ~_beside_another(a[0], b[0])
         turned = headed & (here < w.NO_HEAD) & (there - here > w.TURNED)
-        usual = headed.sum() >= w.FEWEST and float(numpy.median(here[headed])) >= w.USUAL_HEAD
-        if self.plan.kind == "force":  # few sides meet at a point: of 114 on right pictures none was found reversed
-            usual = bool(((here - there)[headed & ~turned]).sum() > w.TURNED)
-        return numpy.asarray(gone | (turned & usual))
+        if headed.sum() < w.FEWEST or numpy.median(here[headed]) < w.USUAL_HEAD:
+            turned[:] = False
+        return numpy.asarray(gone | turned)
 
     def _name(self, k: int) -> str:
         line = self.plan.lines[k]

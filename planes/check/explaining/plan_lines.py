@@ -7,7 +7,7 @@ from itertools import combinations
 
 import numpy
 
-from planes.check.explaining.weights import HEADS_MM, NARROW, SHORT_MM
+from planes.check.explaining.weights import SHORT_MM
 from planes.check.grading.polygons import Side, sides_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.variants import Variant
@@ -198,15 +198,6 @@ def upon_others(a: Complexes, b: Complexes) -> Booleans:
     """Lines of each row that coincide with an earlier one, in either direction."""
     apart = numpy.maximum(abs(a[:, :, None] - a[:, None, :]), abs(b[:, :, None] - b[:, None, :]))
     return numpy.asarray(numpy.tril(apart < UPON_MM, -1).any(axis=2))
-
-
-def behind_others(a: Complexes, b: Complexes, felt: Array) -> Booleans:
-    """Lines ending with another one, in its direction, where that has a stronger head, or an equal and earlier one."""
-    way = numpy.exp(1j * numpy.angle(numpy.nan_to_num(b - a)))
-    along = (way[:, :, None].conj() * way[:, None, :]).real > math.cos(NARROW)
-    together = along & (abs(b[:, :, None] - b[:, None, :]) < HEADS_MM)
-    more, earlier = felt[:, None, :] - felt[:, :, None], numpy.tril(numpy.ones((a.shape[1],) * 2, bool), -1)
-    return numpy.asarray((together & ((more > 0) | ((more == 0) & earlier))).any(axis=2))
 
 
 def to_be_seen(a: Complexes, b: Complexes) -> Booleans:

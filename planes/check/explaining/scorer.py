@@ -15,7 +15,7 @@ from planes.check.evidence.sheet_ink import Box, SheetInk
 from planes.check.explaining import weights as w
 from planes.check.explaining.beforehand import LOST, covered, omitted, orders, shares_of_print
 from planes.check.explaining.hypotheses import catalogue, free_sizes, wholes, with_size
-from planes.check.explaining.plan_lines import Hypothesis, PlanLines, behind_others, to_be_seen
+from planes.check.explaining.plan_lines import Hypothesis, PlanLines, to_be_seen
 from planes.geometry.arrays import Array, Complexes
 from planes.words.frozen import replace
 
@@ -188,10 +188,8 @@ class Scorer:
         if self.plan.kind == "position":
             return numpy.zeros(len(a))
         there = to_be_seen(a, b) & self.plan.needed  # of coincident lines one head counts
-        felt = numpy.where(there, self.ink.head(numpy.where(there, a, 0j), numpy.where(there, b, 0j)), 0.0)
-        if not self.ink.exact:  # every line that ends there in one direction feels the head; it belongs to one of them
-            felt = numpy.minimum(felt, numpy.where(behind_others(a, b, felt), 0.0, math.inf))
-        said: Array = w.HEAD * felt.sum(axis=1)
+        felt = self.ink.head(numpy.where(there, a, 0j), numpy.where(there, b, 0j))
+        said: Array = w.HEAD * numpy.where(there, felt, 0.0).sum(axis=1)
         return said
 
     def points(self, drawn: Complexes) -> Array:

@@ -245,13 +245,14 @@ def _named(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]
     names, v = [*ways], numpy.array([best.known[n] for n in ways])
     prices = seen.prices[[*ways.values()]][:, [seen.names.index(n) for n in ways]] / w.LETTERS
     other = numpy.where(abs(v[:, None] - v) > MEET_MM, prices, math.inf)
-    own, crossed, surely = prices.diagonal(), other + other.T, -math.log(w.LIKELY)
-    sure = (crossed < 2 * surely) & (own[:, None] + own - crossed > math.log(w.RATHER))
+    own, surely = prices.diagonal(), -math.log(w.LIKELY)
+    rather = own - other > math.log(w.RATHER)  # by row of an arrow and column of a name
+    sure = rather & rather.T & (other + other.T < 2 * surely)
     there, theirs = (other.min(axis=k, initial=math.inf) for k in (0, 1))
-    elsewhere = (own - there > math.log(w.RATHER)) & (numpy.maximum(there, theirs) < surely)
+    elsewhere = rather.any(axis=0) & (numpy.maximum(there, theirs) < surely)
     pairs = [(names[k], names[j]) for k, j in numpy.argwhere(numpy.triu(sure))]
-    rather = [n for n in compress(names, elsewhere) if n in best.taken]
-    return [SignFault("names_exchanged", *pair, w.EXCHANGED) for pair in pairs], rather
+    exchanged = [SignFault("names_exchanged", *pair, w.EXCHANGED) for pair in pairs]
+    return exchanged, [n for n in compress(names, elsewhere) if n in best.taken]
 
 
 def _headless(seen: ForceArrows, unread: Known, rows: Mapping[str, Stroke]) -> Iterator[tuple[str, Stroke]]:
