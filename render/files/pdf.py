@@ -172,7 +172,8 @@ def png_of(data: bytes, dpi: float) -> bytes:
     import pypdfium2
 
     grey = not COLOURED.search(data)
-    page = pypdfium2.PdfDocument(data)[0].render(scale=dpi / 72, grayscale=grey, rev_byteorder=True).to_numpy()
+    with pypdfium2.PdfDocument(data) as document:
+        page = document[0].render(scale=dpi / 72, grayscale=grey, rev_byteorder=True).to_numpy()
     height, width = page.shape[:2]
     rows = np.diff(page, axis=0, prepend=np.uint8(0)).reshape(height, -1)
     head = struct.pack(">2I5B", width, height, 8, 0 if grey else 2, 0, 0, 0)

@@ -135,11 +135,9 @@ def test_sizes_are_typed_for_what_is_chosen(page: Any) -> None:
 
 def test_a_picture_is_sized_by_two_clicks(page: Any) -> None:
     """Two points of it are clicked and their distance is typed in any unit; both ends are marked."""
-    page.locator("#views [data-view=gallery]").click()
-    page.locator("#fresh").click()
+    hand = Hand.on_fresh(page)
     picture = "{ href: 'data:image/png;base64,iVBORw0KGgo=', at: [-0.3, 0.2], width: 0.6, ratio: 0.5 }"
     page.evaluate(f"(() => {{ canvas.under = {picture}; return 1; }})()")
-    hand = Hand(page)
     hand.tool("measure")
     hand.press(-0.1, 0.0)
     hand.press(0.1, 0.05)
@@ -170,10 +168,8 @@ def test_a_number_typed_in_a_unit_is_in_the_text_as_it_was_typed(page: Any) -> N
 @pytest.mark.slow
 def test_the_six_link_is_drawn_from_nothing_by_mouse(page: Any) -> None:
     """Snapping places hinges and guides, typed sizes do the rest: every number is that of the sample."""
-    page.locator("#views [data-view=gallery]").click()
-    page.locator("#fresh").click()
+    hand = Hand.on_fresh(page)
     page.evaluate("(() => { canvas.chosen = ''; return 1; })()")
-    hand = Hand(page)
     hand.tool("fix")
     hand.press(0.0, 0.0)
     hand.press(-0.3, -0.2)
@@ -289,10 +285,8 @@ def test_scenes_leave_and_come_back_as_an_archive(page: Any, tmp_path: Path) -> 
 def test_a_new_mechanism_has_a_title_and_a_link_says_where_it_opens(page: Any) -> None:
     """Two new mechanisms are two in the history; a link of this computer is not taken for one to be sent."""
     page.evaluate("localStorage.removeItem('planes.scenes')")
-    hand = Hand(page)
     for _ in range(2):
-        page.locator("#views [data-view=gallery]").click()
-        page.locator("#fresh").click()
+        hand = Hand.on_fresh(page)
         hand.tool("motor")
         hand.drag((-0.2, 0.0), (-0.15, 0.0866))
     until(page, f"{KEPT}.length === 2")

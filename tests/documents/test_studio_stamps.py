@@ -30,9 +30,7 @@ def page() -> Iterator[Any]:
 
 def crank(page: Any) -> Hand:
     """A new mechanism with a crank and its motor, drawn by one stamp: A on the frame, B at the crank's end."""
-    page.locator("#views [data-view=gallery]").click()
-    page.locator("#fresh").click()
-    hand = Hand(page)
+    hand = Hand.on_fresh(page)
     hand.tool("motor")
     hand.drag((-0.2, 0.0), (-0.15, 0.0866))
     return hand
@@ -67,9 +65,7 @@ def test_a_stamp_on_a_crank_is_a_group_of_its_kind(page: Any, stamp: str) -> Non
 
 def test_a_cylinder_drives_a_rocker(page: Any) -> None:
     """Between a hinge of the frame and a point of the rocker; the length of the cylinder is the drive's."""
-    page.locator("#views [data-view=gallery]").click()
-    page.locator("#fresh").click()
-    hand = Hand(page)
+    hand = Hand.on_fresh(page)
     hand.tool("fix")
     hand.press(-0.2, 0.0)
     hand.tool("link")

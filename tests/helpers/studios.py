@@ -56,6 +56,13 @@ class Hand:
     def __init__(self, page: Any) -> None:
         self.page = page
 
+    @classmethod
+    def on_fresh(cls, page: Any) -> Hand:
+        """A hand on a new mechanism, from whatever view is shown."""
+        page.locator("#views [data-view=gallery]").click()
+        page.locator("#fresh").click()
+        return cls(page)
+
     def at(self, x: float, y: float) -> tuple[float, float]:
         """The position on the screen of a point of the mechanism."""
         told = "(() => { const b = document.getElementById('canvas').getBoundingClientRect(),"

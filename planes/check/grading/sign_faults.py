@@ -57,7 +57,7 @@ class SignFault:
     def fault(self) -> Phrase:
         """The fault and its correction."""
         off = f"{self.off:.3g}" if self.mistake == "plan_scaled" else f"{self.off:.1f}"
-        vector = Phrase("vector_from_to", start=self.other, end=self.mark) if self.other else self.mark
+        vector = Phrase("vector_from_to", start=self.other, end=self.mark) if self.other else Phrase("vector_this")
         return Phrase(f"mistake_{self.mistake}", mark=self.mark, other=self.other, vector=vector, off=Written(off))
 
 

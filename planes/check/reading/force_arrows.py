@@ -133,17 +133,17 @@ class ForceArrows:
         right = self.known(Hypothesis())
         if right is None:
             return
-        self.prices = beside = self.beside()
+        self.prices = self.beside()
         places = [right[n] for n in self.names]
         twins = [
             n in self.reactions and any(min(abs(v - u), abs(v + u)) < EXACT_MM for u in places[:k])
             for k, (n, v) in enumerate(zip(self.names, places, strict=True))
         ]
         self.needed = self.own & ~numpy.array(twins)
-        size = min(self._sizes(right), key=lambda k: self.read(Hypothesis(), right, beside, k, w.HAND_MM).cost)
+        size = min(self._sizes(right), key=lambda k: self.read(Hypothesis(), right, k, w.HAND_MM).cost)
         for h in (Hypothesis(), *catalogue(self.plan)):
             if (known := self.known(h)) is not None:
-                yield min((self.read(h, known, beside, size, s) for s in (w.HAND_MM, EXACT_MM)), key=lambda r: r.cost)
+                yield min((self.read(h, known, size, s) for s in (w.HAND_MM, EXACT_MM)), key=lambda r: r.cost)
 
     def _sizes(self, known: Known) -> list[float]:
         """Sizes of the plan relative to the stated one: the drawer's choice unless given."""
@@ -153,14 +153,14 @@ class ForceArrows:
                 sizes.append(ratio)
         return sizes
 
-    def read(self, h: Hypothesis, known: Known, beside: Array, size: float, sigma: float) -> Reading:
+    def read(self, h: Hypothesis, known: Known, size: float, sigma: float) -> Reading:
         """The likeliest reading under a hypothesis."""
         true = numpy.array([known[n] for n in self.names]) * size
         off = abs(self.v[:, None] - true)
         spread = sigma + (SHARE * abs(true) if sigma == w.HAND_MM else 0.0)
         unlike = w.HAND * off**2 / (2 * spread**2)
         missed = self.needed & (self.written | (abs(true) > HEADLESS_MM / 2))
-        cost = numpy.minimum(unlike, w.COSTS["anywhere"]) + beside - w.OMITTED * missed
+        cost = numpy.minimum(unlike, w.COSTS["anywhere"]) + self.prices - w.OMITTED * missed
         cost = cost + BARE * numpy.array([[self.headed and len(self.arrows[i]) > 1] for i in self.of])
         count = len(self.arrows)
         table, ways = numpy.full((count, len(self.names) + count), NEVER), numpy.zeros((count, len(self.names)), int)
@@ -199,7 +199,7 @@ def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     rows |= dict(_between(rows, true))
     heads = dict.fromkeys(rows, DrawnVector("end"))
     heads |= dict.fromkeys(back, DrawnVector("start")) | dict.fromkeys(bare, DrawnVector("none"))
-    exchanged, elsewhere = _named(seen, best)
+    exchanged, elsewhere = _misnamed(seen, best)
     paper.signs = [*exchanged, *arrow_faults({("", n): how for n, how in heads.items()})]
     paper.untold = [n for n in elsewhere if n in own]
     ring = {s.name for s in seen.plan.sides} & {*compress(seen.names, seen.needed)}  # vectors inside are optional
@@ -231,14 +231,16 @@ def _turned_round(seen: ForceArrows, best: Reading, own: Collection[str]) -> Ite
     left = [seen.arrows[i][0] for i in best.left if len(seen.arrows[i]) == 1]
     left = [(a, b) for a, b in left if all(abs(b - a - v) > _near(v) for v in best.known.values())]
     for n, v in best.known.items():
-        read = [seen.flat[best.taken[n]][1]] if n in best.taken else left
-        back = [s for s in read if abs(s[1] - s[0] + v) < _near(v) and (read is left or n not in own)]
-        if back and abs(v) > HEADLESS_MM:
-            left = [s for s in left if s != back[0]]
-            yield n, back[0][::-1]
+        if abs(v) <= HEADLESS_MM or (n in best.taken and n in own):
+            continue
+        lying = [seen.flat[best.taken[n]][1]] if n in best.taken else left
+        back = next((s for s in lying if abs(s[1] - s[0] + v) < _near(v)), None)
+        if back:
+            left = [s for s in left if s != back]
+            yield n, back[::-1]
 
 
-def _named(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]]:
+def _misnamed(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]]:
     """Pairs of names at each other's arrows; vectors whose names fit another's place better, and vice versa."""
     left = [k for k, i in enumerate(seen.of) if i in best.left]  # some, as their names stand elsewhere
     ways = {n: k for k in left for n, v in best.known.items() if abs(seen.v[k] - v) < SAME_MM} | best.taken
