@@ -207,8 +207,10 @@ class Cycle(Ready):
 
         fill(slice(0, 1))  # what threads share is made before they begin
         cuts = np.linspace(0, len(values), threads + 1, dtype=int)
-        with ThreadPoolExecutor(threads) as pool:
-            list(pool.map(fill, map(slice, cuts, cuts[1:])))
+        with ThreadPoolExecutor(threads - 1) as pool:
+            rest = pool.map(fill, map(slice, cuts[1:-1], cuts[2:]))
+            fill(slice(0, cuts[1]))
+            list(rest)
         return out, codes
 
     def _run(
