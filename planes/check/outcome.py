@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from planes.check.grading.evidence import LIKELY, SURE_LENGTHS, lengths_by_chance
 from planes.check.grading.figures import WrittenNumber, offers, read_results, segment_figures
 from planes.check.grading.grading import Grading, grade
+from planes.check.grading.judging import Judgement
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
 from planes.check.grading.readable import doubts_of, of_another, readable
@@ -71,6 +72,12 @@ class Outcome(Described):
         every += [one.chance_wrong for one in self.paper.signs]
         wrong = max(self.grading.chance_wrong if self.grading else 0.0, *every, 0.0)
         return wrong if self.verdict == "wrong" else 1 - wrong
+
+    @property
+    def cause(self) -> float:
+        """The probability of the named cause, once the work is wrong."""
+        judged = self.wrong.judgement if isinstance(self.wrong, Grading) else self.wrong
+        return judged.cause if isinstance(judged, Judgement | Account) and judged.named else 1.0
 
     @property
     def first_wrong(self) -> str | None:

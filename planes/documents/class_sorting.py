@@ -1,8 +1,10 @@
 """The owner and the plan of each sheet of a class: by its mark, else by the name of its file, else by the options."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from planes.check.grading.evidence import MOST_BY_CHANCE
 from planes.check.grading.paper import ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import TABLES, HandedSheet, opened
@@ -18,7 +20,7 @@ from planes.words.errors import PlanesError, shown
 from planes.words.frozen import frozen, replace
 
 THUMB_PX = 300
-CLOSE, SEVERAL = 0.01, 3  # of so many numbers, and by that share of each: three of another's by chance are rare
+ROUNDED = 0.005  # of a number written with three digits
 Asking = Callable[[Scene, str, float | None, float | None], Asked]
 
 
@@ -76,8 +78,10 @@ class Sorter:
         paper = replace(outcome.paper, signs=[], notes=[])
         if outcome.verdict not in ("wrong", "unreadable") or not (paper.results or paper.spots):
             return ""
-        others = (t for t in self.handed.tasks if t.scene == task.scene and t.student not in ("", task.student))
-        theirs = [t for t in others if _fits(paper, asked, t.variant(None))]
+        others = [t for t in self.handed.tasks if t.scene == task.scene and t.student not in ("", task.student)]
+        theirs = [
+            t for t in others if _fits(outcome, replace(asked, scene=t.variant(None), answers=()), paper, len(others))
+        ]
         return str(theirs[0].variant(None).sheet.get("student", theirs[0].student)) if len(theirs) == 1 else ""
 
     def _task(self, sheet: HandedSheet, mark: SheetMark | None) -> Task:
@@ -93,12 +97,18 @@ class Sorter:
         return task
 
 
-def _fits(paper: ReadPaper, asked: Asked, scene: Scene) -> bool:
-    """Whether a work is right for another's scene: the whole plan, or numbers no hand would hit by chance."""
-    outcome = check(replace(asked, scene=scene, answers=()), paper)
-    scored = outcome.results.scored if outcome.results else []
-    close = all(s.off <= CLOSE * abs(s.true) for s in scored)
-    return outcome.verdict == "right" and close and (bool(paper.spots) or len(scored) >= SEVERAL)
+def _fits(own: Outcome, asked: Asked, paper: ReadPaper, others: int) -> bool:
+    """Whether a work that is wrong for its own task is right for another's: the whole plan, or the numbers.
+
+    The numbers that are wrong for its own must be so near to the other's that none of ``others`` would fit by chance.
+    """
+    outcome = check(asked, paper)
+    if paper.spots or not outcome.results:
+        return outcome.verdict == "right"
+    wrong = [s.figure.name for s in own.results.scored if s.verdict != "right"] if own.results else None
+    scored = [s for s in outcome.results.scored if s.verdict == "right" and (wrong is None or s.figure.name in wrong)]
+    shares = (min(2 * max(s.off / max(abs(s.true), 1e-12), ROUNDED), 1.0) for s in scored)
+    return outcome.verdict != "wrong" and others * math.prod(shares) < MOST_BY_CHANCE
 
 
 def _of_results(sheet: HandedSheet, scene: Scene) -> str:

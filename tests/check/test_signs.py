@@ -194,3 +194,26 @@ def test_signs_on_pictures(mistake: str | None, marks: set[str], camera: str, tm
         assert (found.verdict, found.unseen) == ("right_as_seen", ["v_B"])
     else:
         told(found, mistake, marks)
+
+
+@pytest.mark.few(1, slow=4)
+@pytest.mark.parametrize(("sample", "plan", "k"), [("bntu-1", "force:2-3", 0), ("bntu-2", "force:2-3", 0)])
+@pytest.mark.parametrize("camera", ["SCAN", "PHONE"])
+def test_a_force_turned_round_on_a_picture_is_not_right(
+    sample: str, plan: str, k: int, camera: str, tmp_path: Path
+) -> None:
+    """Paper beside its end where no other ink may be, and a head at its start, or none: never right for sure."""
+    pytest.importorskip("cv2")
+    from tests import picture_corpus as corpus
+    from tests.confusion import easel
+    from tests.helpers import photographs
+
+    one, file = easel(sample, plan), tmp_path / "p.jpg"
+    paper = corpus.drawn(one, None, random.Random(1))
+    assert paper
+    turned = [*paper.strokes[:k], paper.strokes[k][::-1], *paper.strokes[k + 1 :]]
+    for strokes, sure in ((paper.strokes, True), (turned, False)):
+        drawing = replace(paper, strokes=strokes)
+        corpus.picture(drawing, corpus.pole_of(one), getattr(photographs, camera), random.Random(1), file)
+        found = corpus.looked_at(one, file)[0]
+        assert found.verdict in ("right", "right_as_seen") and (found.verdict == "right") == sure, found.unseen

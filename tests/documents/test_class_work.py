@@ -429,6 +429,24 @@ def test_a_course_that_was_not_made_is_refused(tmp_path: Path, capsys: pytest.Ca
     assert "make it first: planes course" in capsys.readouterr().err
 
 
+def test_a_table_copied_from_another_student_is_told_to_be(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Whose it is, in place of a cause: though one of nine numbers is a per cent off, and the tasks are much alike."""
+    for name in ("course", "six-link"):
+        assert main(["new", name, "-o", str(tmp_path / f"{name}.yaml"), "--lang", "en"]) == 0
+    text = (tmp_path / "course.yaml").read_text("utf-8").replace("[scene.yaml]", "[six-link.yaml]")
+    (tmp_path / "course.yaml").write_text(text.replace("[task, blank, key]", "[blank]"), "utf-8")
+    (tmp_path / "students.txt").write_text("\n".join(["Ann Lee", "Bob Ray", "Eve Fox", "Ian Kay", "Joe Orr"]), "utf-8")
+    assert main(["course", str(tmp_path / "course.yaml"), "-o", str(tmp_path / "out"), "--jobs", "1"]) == 0
+    numbers = "omega_2;3,32 epsilon_2;10,5 omega_3;1,4 epsilon_3;-32,3 omega_4;0,662 epsilon_4;-14 v_F;0,47 a_F;11,1"
+    (folder := tmp_path / "in").mkdir()
+    for name in ("Bob-Ray", "Joe-Orr"):
+        (folder / f"{name}.csv").write_text("\n".join(["result;value", *numbers.split()]), "utf-8")
+    found = rows(capsys, str(tmp_path / "out"), str(folder))
+    assert found["Bob-Ray.csv"]["verdict"] == "right_as_seen"  # M_1 is missing
+    assert found["Joe-Orr.csv"]["verdict"] == "wrong"
+    assert "Bob Ray" in str(found["Joe-Orr.csv"])
+
+
 @pytest.mark.slow
 def test_a_vector_astray_is_the_one_it_is_nearest_to(tmp_path: Path) -> None:
     """The end of e and of S5 is drawn twice, once 9 mm off; it is not taken for a mark 80 mm away."""

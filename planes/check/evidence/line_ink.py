@@ -131,6 +131,10 @@ class LineInk(SheetInk):
         off = (abs(b[..., None] - self.tips) + TIP_MM * aside).min(axis=-1, initial=TIP_MM)
         return numpy.where(length > SHORT_MM, _told(off), 0.0)
 
+    def heads_seen(self, a: Complexes, b: Complexes) -> Array:
+        """Nothing: heads in files are judged by themselves."""
+        return numpy.zeros(a.shape)
+
     def point(self, z: Complexes) -> Array:
         """The evidence for a point at each position: a small circle there."""
         if not self.rounds.size:

@@ -191,42 +191,35 @@ class Explanation:
         return sides if count else places[: len(self.plan.labels)]
 
     def faint(self) -> list[str]:
-        """Vectors whose lines are hardly visible in the likeliest drawing, or whose heads seem to be reversed."""
-        return [self._name(k) for k in numpy.flatnonzero(self._faint).tolist()]
+        """Vectors whose lines are hardly visible in the likeliest drawing, or whose heads are not at their ends."""
+        return [self._name(k) for k in numpy.flatnonzero(self._gone | self._headless).tolist()]
 
     def unled(self) -> list[str]:
         """Marks with faint lines only: their positions come from the plan, not from the drawing."""
         plan, needed = self.plan, self.plan.needed
         every = ((n, needed & ((plan.starts == k) | (plan.ends == k))) for k, n in enumerate(plan.names))
-        return [n for n, own in every if n in plan.labels and own.any() and self._faint[own].all()]
+        return [n for n, own in every if n in plan.labels and own.any() and self._gone[own].all()]
 
     @cached_property
-    def _faint(self) -> Booleans:
-        """Which lines are faint."""
+    def _ends(self) -> tuple[Complexes, Complexes]:
+        """Starts and ends of the lines of the likeliest drawing, on the sheet."""
         places = numpy.array([[self.best.places[n] for n in self.plan.names]])
-        a, b = (z + self.pole for z in self.plan.laid(places, self.best.hypothesis.order))
-        length, needed = abs(b - a)[0], self.plan.needed
-        gaps = [
-            self.ink.longest_gap(p, q) if long else 0.0
-            for p, q, long in zip(a[0], b[0], length > w.LONG_MM, strict=True)
-        ]
-        gone = needed & (numpy.array(gaps) > w.TORN_MM)
-        here, there = self.ink.head(a, b)[0], self.ink.head(b, a)[0]
-        headed = needed & (length > w.HEADED_MM) & (self.plan.kind not in ("position", "force"))
-        headed &= ~_beside_another(a[0], b[0])
-        turned = headed & (here < w.NO_HEAD) & (there - here > w.TURNED)
-        if headed.sum() < w.FEWEST or numpy.median(here[headed]) < w.USUAL_HEAD:
-            turned[:] = False
-        return numpy.asarray(gone | turned)
+        a, b = self.plan.laid(places, self.best.hypothesis.order)
+        return a[0] + self.pole, b[0] + self.pole
+
+    @cached_property
+    def _gone(self) -> Booleans:
+        """Lines with long gaps."""
+        a, b = self._ends
+        gaps = [self.ink.longest_gap(p, q) if abs(q - p) > w.LONG_MM else 0.0 for p, q in zip(a, b, strict=True)]
+        return numpy.asarray(self.plan.needed & (numpy.array(gaps) > w.TORN_MM))
+
+    @property
+    def _headless(self) -> Booleans:
+        """Vectors without a head at their ends, where at least as many have one."""
+        seen = self.ink.heads_seen(*self._ends) * (self.plan.needed & (self.plan.kind != "position"))
+        return numpy.asarray((seen < 0) & (seen.sum() >= 0))
 
     def _name(self, k: int) -> str:
-        line = self.plan.lines[k]
-        return self.plan.bench.vectors.get(line) or line[1]
-
-
-def _beside_another(a: Complexes, b: Complexes) -> Booleans:
-    """Lines that begin at an end of another one with nearly the same direction: its ink looks like a head."""
-    ways, z = numpy.r_[b - a, a - b], numpy.r_[a, b]
-    near = abs(a[:, None] - z) < w.HEADED_MM / 4
-    turned = abs(numpy.angle(ways / numpy.where((b - a)[:, None] == 0, 1, (b - a)[:, None]))) < w.NARROW
-    return numpy.asarray((near & turned & (abs(ways) > w.SHORT_MM)).sum(axis=1) > 1)
+        plan, line = self.plan, self.plan.lines[k]
+        return plan.sides[k].name if k < len(plan.sides) else plan.bench.vectors.get(line) or line[1]

@@ -50,8 +50,7 @@ NEAR_MM, RIM_MM, FEW, PIXEL_MM = 0.6, 1.5, 10, 1.0  # of ink fitted by a line: a
 POINT_MM = 0.3  # a shorter side is a point
 STRANGE_MM = 25.0  # more ink than this outside the plan's vectors is reported
 LONG_MM, TORN_MM = 8.0, 3.0  # of a line that must be visible; of which may be missing (of 335 on right pictures 1.0)
-NARROW = 0.42  # radians between lines of which one may look like the head of the other
-HEADED_MM, USUAL_HEAD, NO_HEAD, TURNED, FEWEST = 14.0, 1.0, 0.55, 0.9, 3  # of lines with clear heads; the evidence
+NARROW = 0.42  # radians between lines of nearly one direction
 BESIDE_MM, LIKELY = 7.0, 0.5  # maximum distance of a name from its mark; certainty of its reading
 # odds of two names at each other's marks, alone and over their own; certainty of their reading
 CROSSED, RATHER, EXCHANGED = 0.08, 25.0, 0.95

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy
 
-from planes.check.grading.evidence import SLIP, all_drawn, breadth, chance_wrong, density, misread, mixed
+from planes.check.grading.evidence import SLIP, all_drawn, breadth, chance_wrong, density, logistic, misread, mixed
 from planes.check.grading.handwork import LEAST_MM, Hand, Miss
 from planes.check.grading.variants import Variant
 from planes.drafting.steps import LayOff, Step
@@ -46,6 +46,7 @@ class Judgement:
     explained: Mapping[str, Miss] = field(default_factory=dict)  # misses of marks under the mistake
     score: float = 0.0  # log likelihood of the drawing, with the named mistake or without any
     chance_wrong: float = 0.0  # probability that some mark is wrong
+    cause: float = 1.0  # probability of the named mistake among all causes, once a mark is wrong
 
     @property
     def first_wrong(self) -> str | None:
@@ -73,10 +74,10 @@ def judge(
     close = any(judgement.misses[m].sigmas > WARN for m in suspects)
     ranked = weighing.ranked(variants, drawn, suspects) if suspects else []
     if ranked and judgement.wrong:  # does the likeliest mistake explain the first wrong mark well enough?
-        _keep(judgement, ranked, ranked[0].score >= max(0.0, weighing.unknown(judgement.wrong[0])))
+        _keep(judgement, ranked, max(0.0, weighing.unknown(judgement.wrong[0])))
     elif ranked and close and ranked[0].score >= TOO_WELL:  # it explains close calls too well for chance
         judgement.wrong = [m for m in judgement.misses if label_of(m) == ranked[0].variant.blames]
-        _keep(judgement, ranked, True)
+        _keep(judgement, ranked, 0.0)
     elif ranked and ranked[0].score >= AS_WELL:
         judgement.as_well = ranked[0].variant
     suspect = next((m for m in judgement.wrong[:1] if weighing.doubts[m]), None)
@@ -114,7 +115,20 @@ class _Weighing:
         """The score a mistake needs to explain a mark better than "some other cause" or a misreading."""
         miss = self.misses[mark]
         taken = misread(miss.off, self.broad, self.doubts[mark]) - math.log(SLIP)
-        return float(numpy.logaddexp(math.log(OTHER_CAUSE) + self.broad, taken)) - self.mixed(mark, miss)
+        return float(numpy.logaddexp(math.log(OTHER_CAUSE) + self._anywhere(mark), taken)) - self.mixed(mark, miss)
+
+    def _anywhere(self, mark: str) -> float:
+        """Log density of a mark that is wrong for no known cause: anywhere, or anywhere on a line of its step."""
+        step, place, miss = self.hand.program.makers[mark], self.hand.taken[mark].place, self.misses[mark]
+        every = [self.broad]
+        for start, along in (("start", "along"), ("other", "across")):
+            if hasattr(step, along):
+                origin, way = (complex(self.hand.number(getattr(step, name))) for name in (start, along))
+                off = ((place - origin) * way.conjugate()).imag / abs(way)
+                xx, xy, yy = miss.cov
+                spread = (yy * way.real**2 - 2 * xy * way.real * way.imag + xx * way.imag**2) / abs(way) ** 2
+                every.append(-0.5 * off**2 / spread - 0.5 * math.log(2 * math.pi * spread) + self.broad / 2)
+        return float(numpy.logaddexp.reduce(every)) - math.log(len(every))
 
     def gain(self, misses: Mapping[str, Miss]) -> float:
         """The log likelihood ratio of misses to those of the original steps."""
@@ -163,13 +177,14 @@ class _Weighing:
         return variant.mistake.endswith(LEFT_OUT) or any(not miss.sigmas <= self.limit for miss in apart)
 
 
-def _keep(judgement: Judgement, ranked: Sequence[ScoredHypothesis], good: bool) -> None:
-    """Names the likeliest mistake if it is good enough and well ahead of the next."""
+def _keep(judgement: Judgement, ranked: Sequence[ScoredHypothesis], unknown: float) -> None:
+    """Names the likeliest mistake if it is well ahead of the next and no less likely than an unknown cause."""
     best, rest = ranked[0], ranked[1:]
-    if not good or (rest and best.score - rest[0].score < MARGIN):
+    if best.score < unknown or (rest and best.score - rest[0].score < MARGIN):
         judgement.runner_up = best.variant
         return
     judgement.named, judgement.runner_up = best.variant, rest[0].variant if rest else None
+    judgement.cause = logistic(best.score - float(numpy.logaddexp.reduce([unknown, *(one.score for one in rest)])))
     judgement.explained = {m: miss for m, miss in best.under.items() if miss.sigmas <= judgement.limit}
     judgement.score += best.score + math.log(SLIP)
 

@@ -8,6 +8,7 @@ from planes.check.grading.handwork import Hand
 from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.words import Phrase, Written
+from planes.words.frozen import frozen
 from planes.words.names import letter_of, mu_of
 from planes.words.units import number
 from planes.words.written_units import COMMON, unit_in_si
@@ -15,22 +16,29 @@ from planes.words.written_units import COMMON, unit_in_si
 SHARE = 0.03  # a number within 3 % is right, however steady the hand
 
 
-def number_mistake(f: WrittenNumber, true: float, sigma: float, free: Hand) -> Phrase | None:
-    """Calculation slips that leave the drawing unchanged."""
+@frozen
+class NumberSlip:
+    """A slip of calculation that leaves the drawing unchanged: its message, and the number it gives (in SI)."""
+
+    said: Phrase
+    value: float
+
+
+def number_mistake(f: WrittenNumber, true: float, sigma: float, free: Hand) -> NumberSlip | None:
+    """The slip that gives a number; None if none does."""
     if not true or not f.given:
         return None
     near = min(max(SHARE, 3 * sigma / abs(true)), 0.25)
     if f.signed and _near(f.given, -true, near):
-        return Phrase("mistake_sense_wrong", mark=f.name)
+        return NumberSlip(Phrase("mistake_sense_wrong", mark=f.name), -true)
     for mistake, value in _slips(f, true, free):
         if value and _near(abs(f.given), abs(value), near):
-            return Phrase(f"mistake_{mistake}", mark=f.name)
+            return NumberSlip(Phrase(f"mistake_{mistake}", mark=f.name), abs(value))
     for unit in COMMON:
         size, key = unit_in_si(unit) or (1.0, "")
         if key == f.unit and _near(size * abs(f.given), abs(true), near):
-            return Phrase(
-                "mistake_unit_missing", mark=f.name, given=Written(partial(number, f.given)), unit=Phrase(unit)
-            )
+            given = Written(partial(number, f.given))
+            return NumberSlip(Phrase("mistake_unit_missing", mark=f.name, given=given, unit=Phrase(unit)), true / size)
     return None
 
 

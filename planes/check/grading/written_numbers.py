@@ -5,11 +5,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
-from planes.check.grading.evidence import chance_off
+from numpy import logaddexp
+
+from planes.check.grading.evidence import chance_off, logistic
 from planes.check.grading.figures import WrittenNumber, first_of
 from planes.check.grading.handwork import Hand
 from planes.check.grading.judging import MARGIN, OTHER_CAUSE
-from planes.check.grading.slips import SHARE, number_mistake, number_of
+from planes.check.grading.slips import SHARE, NumberSlip, number_mistake, number_of
 from planes.check.grading.variants import Variant
 from planes.drafting.skill import SIGMAS, too_near
 from planes.words import Phrase, Written
@@ -32,7 +34,7 @@ class Scored:
     verdict: str
     close: bool = False
     mine: float | None = None  # the value from the person's own drawing
-    slip: Phrase | None = None  # the calculation slip that gives the number
+    slip: NumberSlip | None = None  # the calculation slip that gives the number
     error_scale: float = 1.0  # the person's errors relative to a pupil's
 
     @property
@@ -59,6 +61,7 @@ class Account:
     lengths: bool = False  # of the drawing, not results
     named: Variant | None = None
     runner_up: str | None = None
+    cause: float = 1.0  # the probability of the named cause, once the number is wrong
 
     @property
     def first(self) -> Scored | None:
@@ -83,7 +86,7 @@ class Account:
         if self.named or not (s := self.first):
             return self.named.sentence if self.named else None
         if s.slip:
-            return s.slip
+            return s.slip.said
         given, true = (Written(partial(number, value)) for value in (s.figure.given, s.true))
         return Phrase("check_number_unclear", mark=s.figure.name, given=given, true=true)
 
@@ -100,7 +103,7 @@ def account(
                 s.slip = number_mistake(s.figure, s.mine, s.sigma, own)
         s.error_scale = error_scale(own_account.scored)
     wrong = sum(s.verdict == "wrong" for s in own_account.scored)
-    if own_account.first and own_account.first.slip is None and (own_account.lengths or len(own_account.scored) > 1):
+    if own_account.first and (own_account.lengths or len(own_account.scored) > 1):
         _name(own_account, free, variants, (True,) if own_account.lengths else (True, False) if wrong > 1 else (False,))
     return own_account
 
@@ -174,22 +177,28 @@ def _name(own_account: Account, free: Hand, variants: Iterable[Variant], means: 
     ranked = sorted(best.values(), key=lambda b: -b[0])
     if not ranked:
         return
-    (score, variant, fits), first = ranked[0], own_account.first
-    rest = [ranked[1][0]] if len(ranked) > 1 else []
-    rest += [] if own_account.lengths else [_by_other_cause(own_account.scored, means)]
+    (score, variant, fits), first, rest = ranked[0], own_account.first, [one[0] for one in ranked[1:]]
+    if not own_account.lengths or (first and first.slip):
+        rest.append(_one_by_one(own_account.scored, means))
+    odds = score - float(logaddexp.reduce([-math.inf, *rest]))
     if sum(fits) + math.log(variant.weight) > LIKELY * len(fits) and score - max(rest, default=-math.inf) >= MARGIN:
-        own_account.named = variant
+        own_account.named, own_account.cause = variant, logistic(odds)
         for s, fit in zip(own_account.scored, fits, strict=True):
             if s.verdict == "wrong" and s is not first and fit > LIKELY:
                 s.verdict = "follows"
+            if s is first:
+                s.slip = None
     own_account.runner_up = ranked[1][1].mistake if len(ranked) > 1 and own_account.named else variant.mistake
 
 
-def _by_other_cause(scored: Sequence[Scored], means: Sequence[bool]) -> float:
-    """Log density of numbers of which the wrong ones may have any value of their size, the others as expected."""
-    rest = [s for s in scored if s.verdict != "wrong"]
-    anywhere = sum(math.log(max(abs(s.figure.given), s.sigma, 1e-12)) for s in scored if s.verdict == "wrong")
-    return math.log(OTHER_CAUSE) - anywhere + max(_explained(rest, [s.true for s in rest], m)[0] for m in means)
+def _one_by_one(scored: Sequence[Scored], means: Sequence[bool]) -> float:
+    """Log density of numbers of which each wrong one is a slip, or anything of its size, and the others as expected."""
+    slips = [s for s in scored if s.verdict == "wrong" and s.slip]
+    other = [s for s in scored if s.verdict == "wrong" and not s.slip]
+    rest = [s for s in scored if s.verdict != "wrong"] + slips
+    values = [s.slip.value if s in slips and s.slip else s.true for s in rest]
+    anywhere = sum(math.log(max(abs(s.figure.given), s.sigma, 1e-12)) for s in other)
+    return (math.log(OTHER_CAUSE) - anywhere if other else 0.0) + max(_explained(rest, values, m)[0] for m in means)
 
 
 def _explained(scored: Sequence[Scored], values: Sequence[float], by_hand: bool) -> tuple[float, list[float]]:

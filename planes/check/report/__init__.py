@@ -39,7 +39,7 @@ def mark_rows(out: Outcome) -> list[Json]:
         absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
         if label_of(mark) in unseen or (absent and (verdict == "right" or not (own and miss))):
             row["verdict"] = "unread"
-        elif own and miss:
+        if own and miss and not (absent and row["verdict"] == "unread") and label_of(mark) not in out.paper.untold:
             free, limit = g.free[mark], g.judgement.limit
             sizes = own.error_mm, abs(free.off), free.reach(limit), abs(miss.off), miss.reach(limit)
             row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
@@ -74,7 +74,7 @@ def result_rows(out: Outcome) -> list[Json]:
     rows = []
     for s in out.results.scored if out.results else []:
         row = {"name": s.figure.name, "given": s.figure.given, "true": s.true, "verdict": s.verdict}
-        row |= {"mistake": s.slip and s.slip.key[len("mistake_") :]} if s.verdict == "wrong" else {}
+        row |= {"mistake": s.slip and s.slip.said.key[len("mistake_") :]} if s.verdict == "wrong" else {}
         rows.append(row | _warned(s.close))
     return rows
 
@@ -133,7 +133,8 @@ class Checked:
             every = told_all(self.found, "sheet") if self.report else [self.found.sentence, *self.found.notes]
         else:
             lost = [n for n in self.found.notes if n.key in ("check_marks_of_another", "check_anothers_work")]
-            every = [self.found.sentence] * (self.verdict != "right") + lost
+            others = [n for n in lost if n.key == "check_anothers_work"]  # it is the cause
+            every = others or [self.found.sentence] * (self.verdict != "right") + lost
         return in_sentences(one.told(lang) for one in every)
 
     def as_json(self, lang: Lang) -> Json:
@@ -155,7 +156,9 @@ def chance_told(outcome: Outcome, lang: Lang) -> str:
     if outcome.chance is None or outcome.verdict == "right_as_seen":
         return ""
     key = "check_sure" if outcome.chance >= SURE else "check_likely" if outcome.chance >= LIKELY else "check_doubtful"
-    return say(key, lang, percent=f"{100 * outcome.chance:.0f}" if outcome.chance >= 0.005 else "< 1")
+    cause = outcome.cause < SURE <= outcome.chance
+    share = outcome.cause if cause else outcome.chance
+    return say("check_sure_but" if cause else key, lang, percent=f"{100 * share:.0f}" if share >= 0.005 else "< 1")
 
 
 def redo_told(outcome: Outcome, lang: Lang) -> str:
@@ -190,7 +193,8 @@ def rows_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
         close = f" ({say('check_close', lang)})" if "warning" in r else ""
         if r["verdict"] == "right" and None not in sizes and sizes[0] > sizes[1]:
             close = f" ({say('check_true_place', lang)})"
-        words = say(f"verdict_{r['verdict']}", lang) + close
+        unjudged = r["verdict"] == "unread" and r["read_mm"]
+        words = say("verdict_unjudged" if unjudged else f"verdict_{r['verdict']}", lang) + close
         rows.append([r["verdict"], r["mark"], *(mm(v, lang) for v in (*sizes, r["deviation_mm"])), words])
     return rows
 
@@ -202,7 +206,7 @@ def numbers_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
     for r, s in zip(result_rows(outcome), scored, strict=True):
         verdict = say(f"verdict_{r['verdict']}", lang)
         if s.slip and s.verdict == "wrong":
-            verdict += ": " + s.slip.told(lang).removeprefix(f"{s.figure.name}: ")
+            verdict += ": " + s.slip.said.told(lang).removeprefix(f"{s.figure.name}: ")
         rows.append([r["verdict"], r["name"], *(number(r[k], lang) for k in ("given", "true")), verdict])
     return rows
 

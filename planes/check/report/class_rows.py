@@ -48,7 +48,7 @@ class ClassRow:
         outcome, said = one.found, one.said(lang)
         bare = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a separate column
         said = said if bare == said else capital(bare)
-        mistake = outcome.sentence.told(lang).removeprefix(f"{one.first}: ") if outcome and outcome.mistake else ""
+        cause = outcome.sentence.told(lang).removeprefix(f"{one.first}: ") if outcome and outcome.mistake else ""
         return cls(
             file=one.file,
             verdict=one.verdict,
@@ -58,7 +58,7 @@ class ClassRow:
             whose=one.whose,
             plan=_plan_said(outcome, lang) if outcome else "",
             link=one.report,
-            mistake=mistake,
+            mistake=cause if cause and cause in said else "",
             picture=address(thumb(outcome, one.picture)),
             places=wrong_places(outcome) if outcome else [],
             object=one.as_json(lang),
