@@ -32,10 +32,8 @@ OTHERS = {  # camera and phone formats that are not supported: suffixes and firs
     "check_heic": ((".heic", ".heif", ".hif", ".avif"), rb"....ftyp(hei|hev|mif|msf|avi)"),
     "check_gif": ((".gif",), rb"GIF8"),
     "check_raw": ((".dng", ".cr2", ".cr3", ".nef", ".arw", ".orf", ".rw2", ".psd"), rb"8BPS"),
-    "check_office": (
-        (".doc", ".docx", ".odt", ".xls", ".xlsx", ".zip", ".rar", ".cdw", ".dwg"),
-        rb"PK\x03\x04|Rar!|AC10",
-    ),
+    "check_spreadsheet": ((".xls", ".xlsx", ".ods", ".numbers"), rb"$^"),  # as archives they begin like others
+    "check_office": ((".doc", ".docx", ".odt", ".zip", ".rar", ".cdw", ".dwg"), rb"PK\x03\x04|Rar!|AC10"),
 }
 ENDS = {b"\xff\xd8\xff": b"\xff\xd9", b"\x89PNG": b"IEND", b"%PDF-": b"%%EOF"}  # first and last bytes of complete files
 

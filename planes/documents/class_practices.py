@@ -43,7 +43,7 @@ class PracticeSorter:
             except PlanesError:
                 continue
         if len(fits) != 1:
-            raise PlanesError(Phrase("check_whose_is_it", file=sheet.name))
+            raise PlanesError(Phrase("check_whose_is_it", file=sheet.name, suffix=sheet.file.suffix))
         return fits[0]
 
     def _tasks(self, sheet: HandedSheet) -> Iterator[Task]:

@@ -93,7 +93,8 @@ class Sorter:
             task = self.handed.tasks[0]
         if task is None:
             own = saved_as(sheet.file) if sheet.file.suffix.lower() in TABLES else ""
-            raise PlanesError(Phrase("check_marks_alone" if own else "check_whose_is_it", file=sheet.name, name=own))
+            key, suffix = "check_marks_alone" if own else "check_whose_is_it", sheet.file.suffix
+            raise PlanesError(Phrase(key, file=sheet.name, name=own, suffix=suffix))
         return task
 
 
