@@ -7,7 +7,7 @@ Ink is detected by a bank of ridge filters, one for each direction (steerable fi
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy
@@ -36,11 +36,11 @@ ASIDE_MM, BESIDE_STEP_MM = (-0.85, -0.6, 0.6, 0.85), 0.4  # where beside a line 
 SHORTEST_MM = 9.0  # of a line whose head is felt
 LEAST_HEAD, HEAD_GAIN, HEAD_RANGE = 0.12, 6.0, (-1.2, 1.8)  # darkness beside a headless line; factor to evidence
 LINE_MM, USUAL_HEAD_MM = 0.8, 4.0  # of a drawn line, as opposed to a letter
-WINGS_MM, WING_STEP_MM = numpy.array((-1.0, -0.85, -0.7, -0.55, 0.55, 0.7, 0.85, 1.0)), 0.4  # off a line; along it
+WINGS_MM, NARROW_MM, WING_STEP_MM = (0.55, 0.7, 0.85, 1.0), (0.35, 0.45), 0.4  # off a line, and near it; along it
 OWN_MM, LONG_HEAD_MM, WIDE_HEAD_MM = 0.6, 5.0, 1.5  # of another line's ink, and of its head
-# Beside an end without a head: the most darkness, that over the line behind it, by how much the other end is darker.
-# Points that tell, for both ends and for one. Of 419 heads on right pictures none is so bare (the least has 0.19).
-BARE, FLAT, TURNED_HEAD, FEWEST_WINGS, MOST_WINGS = 0.14, 0.08, 0.12, 16, 44
+# Beside an end without a head: the most darkness, that over the line behind it, also near the line, and by how much the
+# other end is darker. Points that tell, for both ends and for one. Of 419 heads on right pictures none is so bare.
+BARE, FLAT, THIN, TURNED_HEAD, FEWEST_WINGS, MOST_WINGS = 0.14, 0.08, 0.1, 0.12, 16, 44
 GAP_STEP_MM, GONE = 0.5, 0.25  # step along a line; share below which a line is missing
 SHORT_MM = 1.0  # of a line that explains ink
 TURNS, ACROSS, EDGE_TO_EDGE, LEAST_EDGE_MM = 720, 0.2, 0.6, 120.0  # of lines that belong to the paper: see below
@@ -160,21 +160,26 @@ class SheetInk:
         Where another line or its head may be, nothing is seen (0).
         """
         here, over, points = self._wings(a, b)
-        _, there, other_points = self._wings(a, b, 1)
+        _, there, other_points = self._wings(a, b, back=True)
+        _, narrow, _ = self._wings(a, b, NARROW_MM)
         turned = (over < FLAT) & (there - over > TURNED_HEAD) & (numpy.minimum(points, other_points) >= FEWEST_WINGS)
-        none = turned | (here < BARE) & (points >= MOST_WINGS)
+        none = turned | (here < BARE) & (narrow < THIN) & (points >= MOST_WINGS)
         shown = ~none & (over > TURNED_HEAD) & (points >= FEWEST_WINGS)
         return numpy.where(abs(b - a) > SHORTEST_MM, shown * 1.0 - none, 0.0)
 
-    def _wings(self, a: Complexes, b: Complexes, back: int = 0) -> tuple[Array, Array, Array]:
+    def _wings(
+        self, a: Complexes, b: Complexes, off_mm: Sequence[float] = WINGS_MM, back: bool = False
+    ) -> tuple[Array, Array, Array]:
         """Darkness beside each line at its end (``back``: start), that over the line behind, and points that tell."""
         length, zones = abs(b - a), []
         way = (b - a) / numpy.maximum(length, 1e-9)
-        tip, inward = (b, -way) if not back else (a, way)
+        tip, inward = (a, way) if back else (b, -way)
         ends = numpy.stack([a, b]), numpy.stack([b, a])
         upon = numpy.minimum(*(abs(z[..., None] - ends[0][:, None]).sum(axis=0) for z in ends)) < 2 * OWN_MM
         for mm in (HEAD_MM, BEHIND_MM):
-            far, off = (z.ravel() for z in numpy.meshgrid(numpy.arange(*mm, WING_STEP_MM), WINGS_MM))
+            far, off = (
+                z.ravel() for z in numpy.meshgrid(numpy.arange(*mm, WING_STEP_MM), numpy.outer((1, -1), off_mm))
+            )
             z = tip[:, None] + inward[:, None] * (far + 1j * off)
             q = (z[..., None] - a) * way.conj()  # by line, point and other line
             line = (abs(q.real - length / 2) < length / 2 + SHORT_MM) & (abs(q.imag) < OWN_MM) & ~upon[:, None]

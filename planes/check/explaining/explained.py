@@ -216,9 +216,9 @@ class Explanation:
 
     @property
     def _headless(self) -> Booleans:
-        """Vectors without a head at their ends, where at least as many have one."""
+        """Vectors without a head at their ends, where more have one."""
         seen = self.ink.heads_seen(*self._ends) * (self.plan.needed & (self.plan.kind != "position"))
-        return numpy.asarray((seen < 0) & (seen.sum() >= 0))
+        return numpy.asarray((seen < 0) & (seen.sum() > 0))
 
     def _name(self, k: int) -> str:
         plan, line = self.plan, self.plan.lines[k]
