@@ -119,15 +119,14 @@ class _Weighing:
 
     def _anywhere(self, mark: str) -> float:
         """Log density of a mark that is wrong for no known cause: anywhere, or anywhere on a line of its step."""
-        step, place, miss = self.hand.program.makers[mark], self.hand.taken[mark].place, self.misses[mark]
-        every = [self.broad]
+        step, every = self.hand.program.makers[mark], [self.broad]
         for start, along in (("start", "along"), ("other", "across")):
             if hasattr(step, along):
                 origin, way = (complex(self.hand.number(getattr(step, name))) for name in (start, along))
-                off = ((place - origin) * way.conjugate()).imag / abs(way)
-                xx, xy, yy = miss.cov
-                spread = (yy * way.real**2 - 2 * xy * way.real * way.imag + xx * way.imag**2) / abs(way) ** 2
-                every.append(-0.5 * off**2 / spread - 0.5 * math.log(2 * math.pi * spread) + self.broad / 2)
+                aside = way.conjugate() / abs(way)
+                spread = float(((self.misses[mark].change * aside).imag ** 2).sum()) + LEAST_MM**2
+                off = ((self.hand.taken[mark].place - origin) * aside).imag
+                every.append(-0.5 * (off**2 / spread + math.log(2 * math.pi * spread) - self.broad))
         return float(numpy.logaddexp.reduce(every)) - math.log(len(every))
 
     def gain(self, misses: Mapping[str, Miss]) -> float:
