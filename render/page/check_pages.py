@@ -15,6 +15,7 @@ from planes.words.naming import Naming
 from planes.words.records import Json
 from render.page import packer, web_page
 from render.paper.letters import sentence, sought, tagged, written
+from render.paper.style import head
 
 LAYERS = ("own", "next", "truth", "picture")
 
@@ -216,9 +217,8 @@ def _head(place: Json, vector: Sequence[float]) -> str:
     length = HEAD * (place["box"][2] - place["box"][0])
     if abs(b - a) < length:
         return ""
-    along = length * (b - a) / abs(b - a)
-    corners = (b, b - along * complex(1, HALF), b - along * complex(1, -HALF))
-    return f'<polygon points="{" ".join(f"{z.real:.2f},{z.imag:.2f}" for z in corners)}"/>'
+    corners = " ".join(f"{z.real:.2f},{z.imag:.2f}" for z in head(b, b - a, length, 2 * HALF * length))
+    return f'<polygon points="{corners}"/>'
 
 
 SAID = ("pole", "turned", "scale", "not_picture")

@@ -3,7 +3,10 @@ import { born } from "./frames.js";
 import { distance } from "./geometry.js";
 import { html } from "./letters.js";
 import { data, live } from "./page.js";
+import { head, headSize } from "./signs.js";
 import { say } from "./words.js";
+
+const MINI_PX = 2; // px to a mm of a word's arrowhead
 
 /** @type {(f: Frame, key: string, frame: number, asked: any) => string} */
 export function written(f, key, frame, asked) { // the equations of a plan: those begun, the current one framed
@@ -58,6 +61,6 @@ function mini(t, later) {
   const line = `<line x1="${f(22 - ux * h)}" y1="${f(10 - uy * h)}" x2="${f(x)}" y2="${f(y)}"`;
   if (later && t.known < 2) return `<svg class="mini" viewBox="0 0 44 20">${t.known ? line + ' class="ray"/>' :
     ""}</svg>`;
-  return `<svg class="mini" viewBox="0 0 44 20">${line}/><polygon points="${f(x)},${f(y)} ${f(x - 6 * ux - 2.2 *
-    uy)},${f(y - 6 * uy + 2.2 * ux)} ${f(x - 6 * ux + 2.2 * uy)},${f(y - 6 * uy - 2.2 * ux)}"/></svg>`;
+  const corners = head([x, y], [ux, uy], headSize(2 * h, MINI_PX, "thick"));
+  return `<svg class="mini" viewBox="0 0 44 20">${line}/><polygon points="${corners}"/></svg>`;
 }

@@ -1,7 +1,10 @@
 // Small animated pictures of mechanisms: a sketch drawn in one position or in a sequence.
-import { svg } from "./svg.js";
+import { hull } from "./geometry.js";
+import { sign } from "./signs.js";
+import { coordinates, svg } from "./svg.js";
 
-const ROUND_MS = 4000, SIDE = 4;
+const ROUND_MS = 4000;
+export const SIGN_PX = 2.7; // px to a mm of signs
 
 /** @type {(sketch: Sketch) => Box} */
 export function boxOf({ points, guides, motion }) {
@@ -17,20 +20,6 @@ export function viewOf([x0, y0, x1, y1], w, h, edge) {
   return { k, px: ([x, y]) => [w / 2 + k * (x - mx), h / 2 - k * (y - my)],
     m: ([x, y]) => [mx + (x - w / 2) / k, my - (y - h / 2) / k] };
 }
-/** @type {(points: Spot[]) => string} */
-const listed = points => points.map(p => p.map(v => v.toFixed(1)).join(",")).join(" ");
-/** The points of a plate in the order of its edge. @type {(points: Spot[]) => Spot[]} */
-export function hull(points) {
-  const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-  const half = (/** @type {Spot[]} */ all) => all.reduce((found, p) => {
-    while (found.length > 1 && turn(found[found.length - 2], found[found.length - 1], p) <= 0) found.pop();
-    return [...found, p];
-  }, /** @type {Spot[]} */ ([]));
-  return [...half(sorted).slice(0, -1), ...half(sorted.reverse()).slice(0, -1)];
-}
-/** @type {(a: Spot, b: Spot, c: Spot) => number} */
-const turn = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-
 /** @type {(g: any, points: Record<string, Spot>, view: View, long: number) => Ends} */
 export function guideEnds(g, points, view, long) {
   const a = g.angle * Math.PI / 180, [x, y] = view.px(g.at), dx = Math.cos(a), dy = -Math.sin(a);
@@ -66,13 +55,12 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
   for (const [name, l] of Object.entries(sketch.links)) {
     const ends = l.points.filter(p => p !== l.centre).map(at).filter(Boolean);
     const cls = "link" + (sketch.drive?.link === name ? " driver" : "");
-    if (ends.length > 2) svg("polygon", { points: listed(hull(ends)), class: cls, "data-link": name }, parent);
+    if (ends.length > 2) svg("polygon", { points: coordinates(hull(ends)), class: cls, "data-link": name }, parent);
     else if (ends.length === 2) svg("line", { x1: ends[0][0], y1: ends[0][1], x2: ends[1][0], y2: ends[1][1],
       class: cls, "data-link": name }, parent);
     const g = l.slides && sketch.guides[l.slides], p = at(l.points[0]);
-    if (g && p) svg("rect", { x: -3 * SIDE, y: -2 * SIDE, width: 6 * SIDE, height: 4 * SIDE, class: "block",
-      transform: `translate(${p[0].toFixed(1)} ${p[1].toFixed(1)}) rotate(${-g.angle - turned(sketch, g.link, points,
-        l.points[0])})`, "data-link": name }, parent);
+    if (g && p) sign(parent, "block", p, g.angle + turned(sketch, g.link, points, l.points[0]), SIGN_PX,
+      { class: "block", "data-link": name });
     if (names && ends.length) {
       const [mx, my] = [0, 1].map(k => ends.reduce((s, e) => s + e[k], 0) / ends.length);
       svg("text", { x: mx + 6, y: my + 14, class: "number" }, parent, name);
@@ -81,11 +69,9 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
   for (const name of Object.keys(points)) {
     const p = at(name), fixed = sketch.fixed.includes(name);
     if (centre(name) && !names) continue;
-    if (fixed) svg("path", { d: `M${p[0]} ${p[1]}l-8 13h16z`, class: "ground" }, parent);
-    if (fixed) svg("path", { d: `M${p[0] - 12} ${p[1] + 13}h24m-20 0l-5 6m10-6l-5 6m10-6l-5 6m10-6l-5 6`,
-      class: "hatch" }, parent);
-    svg("circle", { cx: p[0], cy: p[1], r: centre(name) ? 0.7 * SIDE : SIDE, class: centre(name) ? "point" : "hinge",
-      "data-point": name }, parent);
+    const kind = centre(name) ? "point" : "hinge";
+    if (fixed) sign(parent, "ground", p, 0, SIGN_PX, { class: "ground" });
+    sign(parent, kind, p, 0, SIGN_PX, { class: kind, "data-point": name });
     if (names) svg("text", { x: p[0] + 8, y: p[1] - 8, class: "label" }, parent, name);
   }
 }

@@ -80,6 +80,11 @@ interface Statics {
   signs: { kind: string; mark: string; turn: number }[]; members: string[]; numbered: string[];
 }
 
+interface Stroke { pen: string; points: Spot[]; closed?: boolean; r?: number; } // mm; with a radius a circle
+interface PaperSigns {
+  signs: Record<string, Stroke[]>; heads: Record<string, number[]>; headless: number; least: number; reach: number;
+  gap: number; wide: number;
+}
 interface Label { names: string[]; half: number; size: number; all: number[][]; key: string; of?: Ends;
   node?: SVGElement; }
 interface Shown { a: Spot; b: Spot; kind: string; names: string[]; }

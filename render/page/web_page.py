@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from importlib.resources import files
 
 from planes.studio.links import deflated
+from render.page.signs import pens, signs
 
 NONE: Mapping[str, object] = {}
 LETTERS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$()*+,-./:;=?@[]^_{|}"
@@ -47,7 +48,7 @@ def page(
     """The whole page: ``title`` is plain text, ``body`` HTML; ``data`` by the ids under which ``code`` finds them;
     ``allowed`` are further permissions (a part of the page's policy). A ``small`` page has both packed, with a short
     script to unpack them."""
-    begun = code
+    begun, data = code, {**data, "signs": signs()} if data else data
     if small:
         texts = [(key, "application/json", compact_json(one)) for key, one in data.items()]
         begun, data = UNPACK, {"code": pressed(compact_json([*texts, ("", "module", code)]))}
@@ -56,7 +57,7 @@ def page(
         "lang": lang,
         "policy": policy(allowed, *dict.fromkeys((begun, code))),
         "title": html.escape(title),
-        "style": style,
+        "style": f":root {{ {pens()}}}\n{style}",
         "body": body,
     }
     parts["kind"] = f' class="{html.escape(kind)}"' if kind else ""

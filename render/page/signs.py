@@ -1,0 +1,52 @@
+"""The signs of the pages: those of the paper, its arrowheads and the widths of its pens, in mm, y up."""
+
+from planes.drafting.pens import HEADLESS_MM, LEAST_WIDTH, MEDIUM, THICK
+from planes.words.records import Json
+from render.paper import symbols
+from render.paper.marks import Arc, Line
+from render.paper.style import BLOCK_MM, PENS, ROUND_GAP_MM, ROUND_HATCH_MM, ROUND_MM
+
+NAMED = {
+    "hinge": symbols.hinge(0j),
+    "point": symbols.dot(0j),
+    "ground": symbols.fixed_hinge(0j)[:-1],  # the hinge itself is drawn over its links
+    "block": symbols.block(0j),
+    "roller": symbols.roller(0j)[:-1],
+    "clamp": symbols.wall(0j),
+    "stroke": (Line((0j, ROUND_HATCH_MM * symbols.unit(45)), "thin"),),
+}
+"""Signs about their points, unturned."""
+
+
+def signs() -> Json:
+    """The signs as strokes, arrowheads by their pens, and the sizes of a circular guide."""
+    return {
+        "signs": {name: strokes(marks) for name, marks in NAMED.items()},
+        "heads": {"thick": THICK, "vector": MEDIUM},
+        "headless": HEADLESS_MM,
+        "least": LEAST_WIDTH,
+        "reach": ROUND_MM,
+        "gap": ROUND_GAP_MM,
+        "wide": BLOCK_MM[1],
+    }
+
+
+def strokes(marks: symbols.Marks) -> list[Json]:
+    """The pen of each stroke, the points of a line, or the centre and the radius of a circle."""
+    return [
+        {"pen": m.style, "points": places(*m.points), "closed": m.closed}
+        if isinstance(m, Line)
+        else {"pen": m.style, "points": places(m.centre), "r": m.radius}
+        for m in marks
+        if isinstance(m, Line | Arc)
+    ]
+
+
+def places(*points: complex) -> list[list[float]]:
+    """The coordinates of points."""
+    return [[round(z.real, 3), round(z.imag, 3)] for z in points]
+
+
+def pens() -> str:
+    """The widths of the paper's pens, for style sheets."""
+    return "".join(f"--{name}: {PENS[name].width}mm; " for name in ("thick", "vector", "thin"))
