@@ -2,8 +2,8 @@
 import { $, on } from "./dom.js";
 import { marked, taught } from "./first.js";
 import { along, distance } from "./geometry.js";
-import { SIGN_PX, boxOf, depicted, viewOf } from "./moving.js";
-import { arrow } from "./signs.js";
+import { boxOf, depicted, viewOf } from "./moving.js";
+import { MM, arrow } from "./signs.js";
 import { alone, gone, guideAt, heading, holders, linkOf, merged, onGuide, pointAt, shifted, unguided,
   unpointed } from "./sketch.js";
 import { GROUPS, STAMPS, stamped } from "./stamps.js";
@@ -62,7 +62,7 @@ export function paint() {
   depicted(at, sketch, view, sketch.points, true);
   for (const load of sketch.loads) {
     const p = sketch.points[load.point] && view.px(sketch.points[load.point]);
-    if (p) arrow(at, [p[0] + 34, p[1] - 4], [p[0] + 6, p[1] - 4], SIGN_PX, "thick", { class: "load" });
+    if (p) arrow(at, [p[0] + 34, p[1] - 4], [p[0] + 6, p[1] - 4], MM, "thick", { class: "load" });
   }
   if (from && to && DRAGGED.includes(canvas.tool)) {
     const [a, b] = [view.px(from.at), view.px(to.at)];

@@ -19,7 +19,7 @@ export class Figure extends Labels { // millimetres y up -> pixels y down
     this.k = this.dx = this.dy = 0;
   }
   measure() { this.real = [this.node.clientWidth || 600, this.node.clientHeight || 380]; }
-  get unit() { return MM * (this.size || this.w < NARROW ? SMALLER : 1); } // px to a mm of signs
+  get unit() { return MM * (this.size || this.real[0] < NARROW ? SMALLER : 1); } // px to a mm of signs
   /** @type {(name: string) => Spot} */
   at(name) { return this.data.marks[name] || null; }
   /** @type {(names: Iterable<string>, at?: There) => any} */
@@ -40,7 +40,7 @@ export class Figure extends Labels { // millimetres y up -> pixels y down
 
     if (this.fixed_view) Object.assign(this, { k: this.fixed_view.k, dx: this.fixed_view.dx, dy: this.fixed_view.dy });
     this.w = w; this.h = h; this.strokes = []; this.taken = [];
-    alter(this.node, { viewBox: `0 0 ${w} ${h}` });
+    alter(this.node, { viewBox: `0 0 ${w} ${h}`, style: `--share: ${this.unit / MM}` });
     this.bar();
   }
   /** @type {(p: Spot) => Spot} */

@@ -1,10 +1,9 @@
 // Small animated pictures of mechanisms: a sketch drawn in one position or in a sequence.
 import { hull } from "./geometry.js";
-import { sign } from "./signs.js";
+import { MM, sign } from "./signs.js";
 import { coordinates, svg } from "./svg.js";
 
-const ROUND_MS = 4000;
-export const SIGN_PX = 2.7; // px to a mm of signs
+const ROUND_MS = 4000, DRAWN = 0.75, SMALL = 0.7, PENS = 0.85; // of true mm
 
 /** @type {(sketch: Sketch) => Box} */
 export function boxOf({ points, guides, motion }) {
@@ -39,7 +38,8 @@ function turned(sketch, link, points, slider) {
 }
 /** @type {(parent: Element, sketch: Sketch, view: View, points?: Record<string, Spot>, names?: boolean) => void} */
 export function depicted(parent, sketch, view, points = sketch.points, names = false) {
-  const at = (/** @type {string} */ p) => points[p] && view.px(points[p]);
+  const at = (/** @type {string} */ p) => points[p] && view.px(points[p]), mm = MM * (names ? DRAWN : SMALL);
+  parent.setAttribute("style", `--share: ${PENS}`);
   const held = Object.values(sketch.links).flatMap(l => l.points);
   /** @type {(p: string) => boolean} */
   const centre = p => held.filter(q => q === p).length === 1 && Object.values(sketch.links).some(l => l.centre === p &&
@@ -59,7 +59,7 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
     else if (ends.length === 2) svg("line", { x1: ends[0][0], y1: ends[0][1], x2: ends[1][0], y2: ends[1][1],
       class: cls, "data-link": name }, parent);
     const g = l.slides && sketch.guides[l.slides], p = at(l.points[0]);
-    if (g && p) sign(parent, "block", p, g.angle + turned(sketch, g.link, points, l.points[0]), SIGN_PX,
+    if (g && p) sign(parent, "block", p, g.angle + turned(sketch, g.link, points, l.points[0]), mm,
       { class: "block", "data-link": name });
     if (names && ends.length) {
       const [mx, my] = [0, 1].map(k => ends.reduce((s, e) => s + e[k], 0) / ends.length);
@@ -70,14 +70,14 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
     const p = at(name), fixed = sketch.fixed.includes(name);
     if (centre(name) && !names) continue;
     const kind = centre(name) ? "point" : "hinge";
-    if (fixed) sign(parent, "ground", p, 0, SIGN_PX, { class: "ground" });
-    sign(parent, kind, p, 0, SIGN_PX, { class: kind, "data-point": name });
+    if (fixed) sign(parent, "ground", p, 0, mm, { class: "ground" });
+    sign(parent, kind, p, 0, mm, { class: kind, "data-point": name });
     if (names) svg("text", { x: p[0] + 8, y: p[1] - 8, class: "label" }, parent, name);
   }
 }
 /** A sketch animated while it is visible. @type {(node: SVGSVGElement, sketch: Sketch) => void} */
 export function moving(node, sketch) {
-  const w = 220, h = 150, view = viewOf(boxOf(sketch), w, h, 20), many = Object.values(sketch.motion ?? {})[0]?.length;
+  const w = 220, h = 150, view = viewOf(boxOf(sketch), w, h, 24), many = Object.values(sketch.motion ?? {})[0]?.length;
   node.setAttribute("viewBox", `0 0 ${w} ${h}`);
   const place = (/** @type {number} */ k) => Object.fromEntries(Object.entries(sketch.motion ?? {}).map(([n, all]) =>
     [n, all[k]]));

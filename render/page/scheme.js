@@ -7,7 +7,6 @@ import { live, state } from "./page.js";
 import { paper } from "./signs.js";
 import { arc, end, coordinates, svg } from "./svg.js";
 
-const SUPPORT_PX = 8; // more room at the edge, for the sign of a support
 // additions by other modules: the figure, the frame, the visible marks
 export const overlays = /** @type {((figure: Scheme, frame: any, seen: Set<string>) => void)[]} */ ([]);
 
@@ -28,7 +27,7 @@ export class Scheme extends Drawing {
     const told = frame && frame.moments !== null && frame.plan === "position" ? this.data.moments[frame.moments] : body;
     const feet = told ? told.forces.filter(f => f.foot && frame.terms.includes(f.name)).map(f => f.foot) : [];
     const now = this.box([...this.names.filter(n => seen.has(n)), ...feet]);
-    this.more = SUPPORT_PX;
+    this.more = this.size ? 15 : 11; // for the sign of a support over the bar of lengths
     this.start(now ? union(common, now) : common);
     /** @type {(n: string) => any} */
     const there = n => seen.has(n) && this.spot(n);

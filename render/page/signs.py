@@ -9,9 +9,9 @@ from render.paper.style import BLOCK_MM, PENS, ROUND_GAP_MM, ROUND_HATCH_MM, ROU
 NAMED = {
     "hinge": symbols.hinge(0j),
     "point": symbols.dot(0j),
-    "ground": symbols.fixed_hinge(0j)[:-1],  # the hinge itself is drawn over its links
+    "ground": symbols.fixed_hinge(0j),
     "block": symbols.block(0j),
-    "roller": symbols.roller(0j)[:-1],
+    "roller": symbols.roller(0j),
     "clamp": symbols.wall(0j),
     "stroke": (Line((0j, ROUND_HATCH_MM * symbols.unit(45)), "thin"),),
 }
@@ -34,11 +34,11 @@ def signs() -> Json:
 def strokes(marks: symbols.Marks) -> list[Json]:
     """The pen of each stroke, the points of a line, or the centre and the radius of a circle."""
     return [
-        {"pen": m.style, "points": places(*m.points), "closed": m.closed}
-        if isinstance(m, Line)
-        else {"pen": m.style, "points": places(m.centre), "r": m.radius}
+        {"pen": m.style, "points": places(m.centre), "r": m.radius}
+        if isinstance(m, Arc)
+        else {"pen": m.style, "points": places(*m.points), "closed": m.closed}
         for m in marks
-        if isinstance(m, Line | Arc)
+        if isinstance(m, Arc | Line)
     ]
 
 
@@ -48,5 +48,5 @@ def places(*points: complex) -> list[list[float]]:
 
 
 def pens() -> str:
-    """The widths of the paper's pens, for style sheets."""
-    return "".join(f"--{name}: {PENS[name].width}mm; " for name in ("thick", "vector", "thin"))
+    """The widths of the paper's pens, for style sheets; in a drawing with small signs they are narrower."""
+    return "".join(f"--{p}: calc(var(--share, 1) * {PENS[p].width}mm); " for p in ("thick", "vector", "thin"))

@@ -14,8 +14,8 @@ import numpy as np
 import shapely
 
 from planes.geometry.arrays import Array, Complexes
-from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Shape, Text
-from render.paper.style import LAYERS, Polyline, fitted, head, head_size, pen
+from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Polyline, Shape, Text
+from render.paper.style import LAYERS, fitted, head, head_size, pen
 
 
 def checked(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, ...]:

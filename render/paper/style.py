@@ -10,13 +10,12 @@ from typing import get_args
 
 from planes.drafting.pens import MEDIUM, SHAPES, THICK, THIN
 from planes.words.frozen import frozen, replace
-from render.paper.marks import Layer, within
+from render.paper.marks import Layer, Polyline, within
 
 LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
 """Letter heights of ГОСТ 2.304, mm, by the next smaller one."""
 _large = ContextVar("large", default=False)
 
-Polyline = tuple[complex, ...]
 BLACK = "#000000"
 PAPER = "#ffffff"
 

@@ -96,14 +96,13 @@ def wall(at: complex, angle_deg: float = 0) -> Marks:
 def roller(at: complex, angle_deg: float = 0) -> Marks:
     """A hinge on wheels: it holds only perpendicular to its base, whose rotation is the angle."""
     along = unit(angle_deg)
-    foot = at - 1j * along * (LEG_MM - 2 * WHEEL_MM)
-    both = legs(at, foot, angle_deg)
+    both = legs(at, at - 1j * along * (LEG_MM - 2 * WHEEL_MM), angle_deg)
     ends = [leg.points[1] for leg in both]
     wheels = [
-        Arc(end + side * -WHEEL_MM * along - 1j * along * WHEEL_MM, WHEEL_MM, style="thin")
+        Arc(end - (side + 1j) * along * WHEEL_MM, WHEEL_MM, style="thin")
         for side, end in zip((-1, 1), ends, strict=True)
     ]
-    return (*base(at - 1j * along * LEG_MM, angle_deg), Line((ends[0], ends[1])), *both, *wheels, *hinge(at))
+    return (*base(at - 1j * along * LEG_MM, angle_deg), Line(tuple(ends)), *both, *wheels, *hinge(at))
 
 
 def bar(*points: complex) -> Marks:
