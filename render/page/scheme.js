@@ -36,9 +36,9 @@ export class Scheme extends Drawing {
     const apart = (/** @type {Link} */ l) => own.length && !own.includes(l.name);
     for (const l of scheme.links) this.link(l, there, apart(l) ? " away" : "");
     if (scheme.drawn) this.standing(scheme.drawn, there, !own.length && !told);
-    for (const l of scheme.links) {
+    for (const size of ["large", "block", "small"]) for (const l of scheme.links.filter(l => l.sign === size)) {
       const p = l.slides && there(l.points[0]), angle = live.angle("∥" + l.slides);
-      if (p && angle !== null) this.sign("block", p, angle, "block", `link:${l.name}`);
+      if (p && angle !== null) this.sign(size, p, angle, "block", `link:${l.name}`);
     }
     for (const l of scheme.links) if (l.round) this.rounded(l, there(l.points[0]), there(l.round.centre));
     for (const n of scheme.pivots) if (there(n)) this.sign("ground", there(n));

@@ -4,18 +4,20 @@ from planes.drafting.pens import HEADLESS_MM, LEAST_WIDTH, MEDIUM, THICK
 from planes.words.records import Json
 from render.paper import symbols
 from render.paper.marks import Arc, Line
-from render.paper.style import BLOCK_MM, PENS, ROUND_GAP_MM, ROUND_HATCH_MM, ROUND_MM
+from render.paper.style import BLOCK_MM, LARGE_MM, PENS, ROUND_GAP_MM, ROUND_HATCH_MM, ROUND_MM, SMALL_MM
 
+# about their points, unturned
 NAMED = {
     "hinge": symbols.hinge(0j),
     "point": symbols.dot(0j),
     "ground": symbols.fixed_hinge(0j),
     "block": symbols.block(0j),
+    "small": symbols.block(0j, size=SMALL_MM),
+    "large": symbols.block(0j, size=LARGE_MM),
     "roller": symbols.roller(0j),
     "clamp": symbols.wall(0j),
     "stroke": (Line((0j, ROUND_HATCH_MM * symbols.unit(45)), "thin"),),
 }
-"""Signs about their points, unturned."""
 
 
 def signs() -> Json:

@@ -43,7 +43,7 @@ interface Frame {
 interface Segment { plan: string; start: string; end: string; names: string[]; corner: boolean; sum?: boolean; }
 interface Trace { lines?: string[]; arcs?: string[]; }
 interface Link {
-  name: string; points: string[]; hinges: string[]; slides: string; round: { centre: string; link: string };
+  name: string; points: string[]; hinges: string[]; slides: string; sign: string; round: { centre: string; link: string };
 }
 interface Guide { name: string; link: string; mark: string; }
 interface Term { name: string; action: string; known: number; start?: string; end?: string; at?: string; minus?: boolean; }

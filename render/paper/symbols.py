@@ -98,10 +98,9 @@ def roller(at: complex, angle_deg: float = 0) -> Marks:
     along = unit(angle_deg)
     both = legs(at, at - 1j * along * (LEG_MM - 2 * WHEEL_MM), angle_deg)
     ends = [leg.points[1] for leg in both]
-    wheels = [
-        Arc(end - (side + 1j) * along * WHEEL_MM, WHEEL_MM, style="thin")
-        for side, end in zip((-1, 1), ends, strict=True)
-    ]
+    wheels = (
+        Arc(end - (x + 1j) * along * WHEEL_MM, WHEEL_MM, style="thin") for x, end in zip((-1, 1), ends, strict=True)
+    )
     return (*base(at - 1j * along * LEG_MM, angle_deg), Line(tuple(ends)), *both, *wheels, *hinge(at))
 
 

@@ -1,6 +1,5 @@
 """The space diagram of bodies in equilibrium: bodies or members, supports, loads, strings and lines of action."""
 
-import cmath
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,7 +16,7 @@ from render import labels
 from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark
 from render.views.loading import Loading
-from render.views.plotted import NEAR_MM
+from render.views.plotted import NEAR_MM, degrees
 from render.views.scheme import Scheme
 from render.views.strings import STRING_MM, drawn_strokes
 
@@ -119,7 +118,7 @@ class SpaceDiagram:
         points = next(x.points for x in self.position.plans.mechanism.links.values() if point in x.points)
         others = [self.places.at(p) - z for p in points if p != point]
         way = min(others, key=abs, default=1 + 0j)
-        return symbols.wall(z, math.degrees(cmath.phase(way)))
+        return symbols.wall(z, degrees(way))
 
     def spread(self, load: StaticLoad) -> Iterator[Mark]:
         """A distributed load: arrows beneath one line, as high as its intensities."""
