@@ -127,14 +127,14 @@ export class Labels {
   along(a, b, names, plan, ends) { // beside a vector; after its names, its ends
     const n = distance(a, b) || 1, ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
     return this.put(ends ? [...names, ends] : names, (half, tall) => {
-      const found = [], off = Math.abs(uy) * half + Math.abs(ux) * tall + 5;
+      const places = [], off = Math.abs(uy) * half + Math.abs(ux) * tall + 5;
       for (const t of [0.5, 0.35, 0.65, 0.2, 0.8, 0.95, 0.08]) for (const side of [1, -1]) for (const far of [0, 10, 22,
         36, 54, 74, 96]) {
-        found.push([a[0] + t * n * ux - side * uy * (off + far), a[1] + t * n * uy + side * ux * (off + far),
+        places.push([a[0] + t * n * ux - side * uy * (off + far), a[1] + t * n * uy + side * ux * (off + far),
           far * 0.05 + Math.abs(t - 0.5)]);
       }
       const short = n < 2 * half + 10; // it has more room about it than beside it
-      return short ? [...found, ...this.around([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], half + 5, tall + 5)] : found;
+      return short ? [...places, ...this.around([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], half + 5, tall + 5)] : places;
     }, plan, " = ", names.join(" "), [a, b]);
   }
 }
