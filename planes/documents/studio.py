@@ -21,8 +21,8 @@ RUNTIME = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.
 ENGINE = ("words", "geometry", "scene", "drafting", "plans", "solving", "batch", "lesson", "studio")
 """The rooms that a browser's worker runs, with the grading's catalogue of mistakes."""
 BESIDE = ("planes/__init__.py", "planes/check/__init__.py", "planes/check/grading", "planes/check/reading")
-PAGES = ("__init__.py", "packer.py", "web_page.py", "lesson_page.py", "studio_page.py")
-LETTERS = ("__init__.py", "letters.py")
+PAGES = ("__init__.py", "packer.py", "signs.py", "web_page.py", "lesson_page.py", "studio_page.py")
+PAPER = ("__init__.py", "letters.py", "marks.py", "style.py", "symbols.py")
 
 
 def write_studio(folder: str, lang: Lang, runtime: str = "", scenes: Iterable[str] = (), first: str = "") -> None:
@@ -56,7 +56,7 @@ def engine() -> bytes:
     """The packages for a worker, unchanged, in one archive; the only foreign one is PyYAML in pure Python."""
     planes, render, own = (Path(str(files(name))) for name in ("planes", "render", "yaml"))
     parts = [planes / room for room in ENGINE] + [planes.parent / name for name in BESIDE] + [render / "__init__.py"]
-    parts += [render / "page" / name for name in PAGES] + [render / "paper" / name for name in LETTERS]
+    parts += [render / "page" / name for name in PAGES] + [render / "paper" / name for name in PAPER]
     held = io.BytesIO()
     with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for part in (*parts, own):

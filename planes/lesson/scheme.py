@@ -10,7 +10,7 @@ from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.geometry.arrays import Points
 from planes.plans import Plans
 from planes.plans.structures.figure import StaticsFigure
-from planes.scene.mechanism import FRAME, Mechanism
+from planes.scene.mechanism import Mechanism
 from planes.words.names import at, label_of, parts_of, plan_of
 from planes.words.records import Json
 
@@ -22,15 +22,15 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
     links, guides = [], []
     for x in m.links.values():
         guide, owner = m.round_guide(x) or (None, "")
-        centre = guide.centre if guide else ""
-        points = [p for p in x.points if p != centre]
-        hinges = [at("position", p) for p in points if moving.count(p) > 1 or p in m.frame.points]
+        points = m.joined(x)
+        other = next((y for y in m.links.values() if y.slides and y != x and y.first_point == x.first_point), None)
         links.append(
             {
                 "name": x.name,
                 "points": [at("position", p) for p in points],
-                "hinges": hinges,
-                "round": {"centre": at("position", centre), "link": owner} if centre else None,
+                "hinges": [at("position", p) for p in points if moving.count(p) > 1 or p in m.frame.points],
+                "round": {"centre": at("position", guide.centre), "link": owner} if guide else None,
+                "sign": "block" if other is None else "large" if m.rank(x) > m.rank(other) else "small",
                 "slides": x.slides.guide if x.slides else None,
             }
         )
@@ -44,7 +44,6 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
         "guides": guides,
         "pivots": [at("position", p) for p in pivots(m)],
         "driver": m.drive.link,
-        "frame": FRAME,
         "drawn": drawn_beside(plans.figure, plans) if plans.figure else None,
     }
 
@@ -69,7 +68,7 @@ def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
 
 def pivots(m: Mechanism) -> list[str]:
     """The fixed points that are hinges of a moving link, without mere centres of a slider's arc."""
-    hinged = {p for x in m.links.values() for p in x.points if not ((g := m.round_guide(x)) and g[0].centre == p)}
+    hinged = {p for x in m.links.values() for p in m.joined(x)}
     return [p for p in m.frame.points if p in hinged]
 
 

@@ -230,6 +230,10 @@ class Mechanism:
         """The guide of that name, on any link."""
         return self._owners[name].guides[name]
 
+    def rank(self, link: Link) -> tuple[bool, int]:
+        """Of two sliders in one place the one of higher rank holds the other: the frame's, or the later one."""
+        return bool(link.slides and self.owner(link.slides.guide) == FRAME), [*self.links].index(link.name)
+
     def round_guide(self, link: Link) -> tuple[RoundGuide, str] | None:
         """The circular guide that a link slides on, and the link that carries it."""
         name = link.slides_round.guide if link.slides_round else ""

@@ -10,8 +10,8 @@ from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from planes.words.frozen import frozen
 from render.labels.nearness import Edges, Shapes, edges_of
 from render.paper.boxes import box_around
-from render.paper.ink import Polyline, arrow_parts, coordinates, flattened, is_circle
-from render.paper.marks import Arrow, Hatch, Line, Mark, Shape, Text
+from render.paper.ink import arrow_parts, coordinates, flattened, is_circle
+from render.paper.marks import Arrow, Hatch, Line, Mark, Polyline, Shape, Text
 from render.paper.style import pen
 from render.paper.typeset import box_of
 

@@ -1,8 +1,10 @@
 // The canvas: a mechanism is drawn point by point, link by link; each change is reported as a whole sketch.
 import { $, on } from "./dom.js";
 import { marked, taught } from "./first.js";
+import { along, distance } from "./geometry.js";
 import { boxOf, depicted, viewOf } from "./moving.js";
-import { along, alone, gone, guideAt, heading, holders, linkOf, merged, onGuide, pointAt, shifted, unguided,
+import { MM, arrow } from "./signs.js";
+import { alone, gone, guideAt, heading, holders, linkOf, merged, onGuide, pointAt, shifted, unguided,
   unpointed } from "./sketch.js";
 import { GROUPS, STAMPS, stamped } from "./stamps.js";
 import { svg } from "./svg.js";
@@ -60,14 +62,13 @@ export function paint() {
   depicted(at, sketch, view, sketch.points, true);
   for (const load of sketch.loads) {
     const p = sketch.points[load.point] && view.px(sketch.points[load.point]);
-    if (p) svg("path", { d: `M${p[0] + 34} ${p[1] - 4}h-26m8 -5l-9 5 9 5`, class: "load" }, at);
+    if (p) arrow(at, [p[0] + 34, p[1] - 4], [p[0] + 6, p[1] - 4], MM, "thick", { class: "load" });
   }
   if (from && to && DRAGGED.includes(canvas.tool)) {
     const [a, b] = [view.px(from.at), view.px(to.at)];
     svg("line", { x1: a[0], y1: a[1], x2: b[0], y2: b[1], class: "link draft" }, at);
-    const l = Math.hypot(to.at[0] - from.at[0], to.at[1] - from.at[1]);
-    const turn = Math.atan2(to.at[1] - from.at[1], to.at[0] - from.at[0]) * 180 / Math.PI;
-    svg("text", { x: b[0] + 10, y: b[1] - 12, class: "measure" }, at, `${+l.toFixed(4)} m, ${+turn.toFixed(1)}°`);
+    const l = +distance(from.at, to.at).toFixed(4), turn = +heading(from.at, to.at).toFixed(1);
+    svg("text", { x: b[0] + 10, y: b[1] - 12, class: "measure" }, at, `${l} m, ${turn}°`);
   }
   at.querySelectorAll(`[data-point="${canvas.chosen}"], [data-link="${canvas.chosen}"]`).forEach(
     (/** @type {any} */ e) => e.classList.add("lit"));
@@ -94,13 +95,12 @@ function grid(parent) {
 function under(e, but = "") {
   const box = node().getBoundingClientRect(), px = [e.clientX - box.left, e.clientY - box.top];
   const reach = e.pointerType === "touch" ? TOUCH_PX : GRIP_PX, { sketch, view } = canvas;
-  const near = Object.keys(sketch.points).filter(p => p !== but).map(p => ({ p, d: Math.hypot(
-    ...view.px(sketch.points[p]).map((v, k) => v - px[k])) }))
-    .filter(one => one.d < reach).sort((a, b) => a.d - b.d)[0];
+  const far = (/** @type {string} */ p) => distance(px, view.px(sketch.points[p]));
+  const near = Object.keys(sketch.points).filter(p => p !== but && far(p) < reach).sort((a, b) => far(a) - far(b))[0];
   const own = /** @type {any} */ (e.target);
   const hit = document.elementsFromPoint(e.clientX, e.clientY).map((/** @type {any} */ one) => one.dataset);
   const link = own.dataset?.link ?? hit.find(d => d?.link)?.link, guide = hit.find(d => d?.guide)?.guide;
-  return { point: near?.p ?? "", link: link ?? "", guide: guide ?? "", at: view.m(px), raw: view.m(px) };
+  return { point: near ?? "", link: link ?? "", guide: guide ?? "", at: view.m(px), raw: view.m(px) };
 }
 /** The intended place: on a point, on a guide or a link where the tool joins to them, a whole length and angle from the
  * start, or the grid. @type {(found: any, from?: any) => any} */
@@ -117,8 +117,7 @@ function meant(found, from) {
   const rail = GROUPS.includes(tool) && !found.link ? found.guide || nearGuide(found.at) : "";
   if (rail) return { ...found, guide: rail, at: onGuide(sketch.guides[rail], found.at) };
   if (from && tool !== "move" && !GROUPS.includes(tool)) {
-    const way = heading(from.at, found.at), far = Math.hypot(...found.at.map((/** @type {number} */ v,
-      /** @type {number} */ k) => v - from.at[k]));
+    const way = heading(from.at, found.at), far = distance(from.at, found.at);
     const turn = squared(way, from) ?? Math.round(way / STEP_DEG) * STEP_DEG;
     return { ...found, at: along(from.at, Math.round(far / by) * by, turn) };
   }
@@ -138,7 +137,7 @@ function squared(way, { point }) {
 /** @type {(p: Spot) => string} */
 function nearGuide(p) {
   const { guides } = canvas.sketch;
-  const off = (/** @type {string} */ n) => Math.hypot(...onGuide(guides[n], p).map((v, k) => v - p[k])) * canvas.view.k;
+  const off = (/** @type {string} */ n) => distance(onGuide(guides[n], p), p) * canvas.view.k;
   return Object.keys(guides).filter(n => off(n) < 1.6 * GRIP_PX).sort((a, b) => off(a) - off(b))[0] ?? "";
 }
 const ACTS = /** @type {Record<string, (found: any, from: any) => any>} */ ({
@@ -147,7 +146,7 @@ const ACTS = /** @type {Record<string, (found: any, from: any) => any>} */ ({
     sketch.fixed = sketch.fixed.includes(name) ? sketch.fixed.filter(p => p !== name) : [...sketch.fixed, name];
   },
   link(to, from) {
-    if (Math.hypot(to.at[0] - from.at[0], to.at[1] - from.at[1]) < step() / 2) return false;
+    if (distance(from.at, to.at) < step() / 2) return false;
     const { sketch } = canvas, ends = [from, to].map(e => e.point || joined(e)), name = linkOf(sketch, ends);
     sketch.drive ??= sketch.fixed.some(p => ends.includes(p)) ? { link: name, kind: "phi", rate: 10 } : null;
     return true;
@@ -199,7 +198,7 @@ const ACTS = /** @type {Record<string, (found: any, from: any) => any>} */ ({
     return from.moved;
   },
   measure(to, from) {
-    if (!canvas.under || Math.hypot(to.raw[0] - from.raw[0], to.raw[1] - from.raw[1]) < step() / 2) return false;
+    if (!canvas.under || distance(from.raw, to.raw) < step() / 2) return false;
     canvas.ruled = [from.raw, to.raw];
     return true;
   },

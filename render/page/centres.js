@@ -5,7 +5,7 @@ import { labelOf } from "./letters.js";
 import { data, later, live, state } from "./page.js";
 import { notes } from "./rows.js";
 import { overlays } from "./scheme.js";
-import { svg } from "./svg.js";
+import { circle } from "./svg.js";
 const PAST_PX = 26, MOST_PX = 4000, CLOSE_PX = 6;
 
 // whether a centre lies within the scheme shown
@@ -36,7 +36,7 @@ function showCentres(figure, frame, seen) {
   const groups = /** @type {{ q: Spot, names: string[] }[]} */ ([]);
   for (const mark of Object.keys(data.centres).filter(n => seen.has(n) && figure.spot(n) && onSheet(n))) {
     const q = figure.spot(mark), lit = [...frame.makes, ...frame.uses].includes(mark);
-    svg("circle", { cx: q[0].toFixed(1), cy: q[1].toFixed(1), r: 4, class: `centre${lit ? " lit" : ""}` }, figure.node);
+    circle(q, 4, `centre${lit ? " lit" : ""}`, figure.node);
     const same = groups.find(g => distance(g.q, q) < CLOSE_PX);
     if (same) same.names.push(labelOf(mark)); else groups.push({ q, names: [labelOf(mark)] });
   }

@@ -1,11 +1,12 @@
 // The report on a checked drawing: layers, the table of steps, marks to move by hand or keys; every move is judged
 // again.
 import { $, on, safe } from "./dom.js";
-import { Figure, letters } from "./figure.js";
+import { Figure } from "./figure.js";
 import { distance } from "./geometry.js";
 import { Judge } from "./judge.js";
+import { letters } from "./labels.js";
 import { html } from "./letters.js";
-import { end, svg } from "./svg.js";
+import { circle, end, svg } from "./svg.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
 
@@ -50,8 +51,7 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
       ghost[m.name] = this.px([x - own.x, y - own.y]);
     }
     if (on.next) for (const n in ghost) this.line(this.px(own.at(n)), ghost[n], "next", "", false);
-    if (on.next) for (const n in ghost) svg("circle", { cx: ghost[n][0], cy: ghost[n][1], r: 4, class: "next" },
-      this.node);
+    if (on.next) for (const n in ghost) circle(ghost[n], 4, "next", this.node);
     if (on.own) for (const [a, b] of own.vectors) this.vector(a, b, "own");
     const named = this.data.chained && on.own ? this.forces() : new Set(), pole = this.px([0, 0]);
     // a scheme has none otherwise
@@ -87,10 +87,7 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
   /** @type {(q: Spot) => void} */
   pole(q) { // on a picture it is corrected like any mark; a polygon in another order does not depend on it alone
     const free = this.data.picture && !this.data.order.length;
-    const g = free ? svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": "p", "aria-label": "p" },
-      this.node) : this.node;
-    if (free) svg("circle", { cx: q[0], cy: q[1], r: 14, class: "grip" }, g);
-    svg("circle", { cx: q[0], cy: q[1], r: 3.5, class: "pole" }, g);
+    circle(q, 3.5, "pole", free ? this.grip(q, "p", "p") : this.node);
     this.beside(q, ["p"], this.data.kind);
   }
   /** @type {(k: number) => Spot} */
@@ -99,11 +96,8 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
   handle(m, found, k, named) {
     const q = m.read ? this.px(this.own.at(m.name)) : this.parked(k);
     const place = m.read ? `x ${m.x.toFixed(1)}, y ${m.y.toFixed(1)}` : "";
-    const said = `${m.name}: ${data.words[found.verdict]}. ${place}`, cls = `handle ${found.verdict}`;
-    const how = { class: cls, tabindex: 0, role: "button", "data-mark": m.name, "aria-label": said };
-    const g = svg("g", how, this.node);
-    svg("circle", { cx: q[0], cy: q[1], r: 14, class: "grip" }, g);
-    svg("circle", { cx: q[0], cy: q[1], r: 6, class: "dot" }, g);
+    const g = this.grip(q, m.name, `${m.name}: ${data.words[found.verdict]}. ${place}`, found.verdict);
+    circle(q, 6, "dot", g);
     if (found.verdict === "wrong") svg("path", { d: `M${q[0] - 3} ${q[1] - 3}l6 6m0 -6l-6 6`, class: "cross" }, g);
     if (m.read && named) return;
     if (m.read) this.beside(q, [m.name], this.data.kind, 9);

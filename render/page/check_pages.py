@@ -7,14 +7,16 @@ page and sent nowhere.
 
 import html
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from planes.check.report.class_rows import UNSURE, ClassRow
+from planes.drafting.pens import THICK
 from planes.words import Lang, say, under
 from planes.words.naming import Naming
 from planes.words.records import Json
 from render.page import packer, web_page
 from render.paper.letters import sentence, sought, tagged, written
+from render.paper.style import head
 
 LAYERS = ("own", "next", "truth", "picture")
 
@@ -42,10 +44,9 @@ def report_page(data: Json, lang: Lang) -> str:
         "notes": "".join(f"<p>{lettered(n)}</p>" for n in data["notes"]),
         "noscript": f"<noscript><p>{e(words['noscript'])}</p></noscript>" if drawn else "",
     }
-    body, style = web_page.filled(web_page.part("check.html"), parts), web_page.part("check.css")
-    code = packer.packed("check") if drawn else ""
+    body, code = web_page.filled("check.html", parts), packer.packed("check") if drawn else ""
     held = {"data": {**data["page"], "sought": sought(names)}, "letters": _letters(data, names)} if drawn else {}
-    return web_page.page(data["title"], lang, style, body, code=code, data=held, kind=data["verdict"])
+    return web_page.page(data["title"], lang, ("check.css",), body, code=code, data=held, kind=data["verdict"])
 
 
 def _names(data: Json) -> list[str]:
@@ -128,7 +129,7 @@ def class_page(
         "sort": _sort(head, lang),
         "rows": "".join(_row(number, row, texts, lang, links) for number, (row, texts) in enumerate(rows)),
     }
-    body, style = web_page.filled(web_page.part("class.html"), parts), web_page.part("check.css", "class.css")
+    body, style = web_page.filled("class.html", parts), ("check.css", "class.css")
     return web_page.page(title, lang, style, body, code=packer.packed("class"))
 
 
@@ -159,66 +160,60 @@ def _linked(name: str, link: str) -> str:
 def _places(places: Sequence[Json], page: str, naming: Naming, kind: str, caption: str = "") -> str:
     """Windows about wrong places; each names its marks if there are several. ``page`` distinguishes a drawing's from
     others on the page."""
-    names = [tagged(f"⟨{place['name']}⟩", naming, kind) if len(places) > 1 else "" for place in places]
-    windows = enumerate(zip(places, names, strict=True))
-    shown = "".join(place_picture(place, f"{page}{k}", name) for k, (place, name) in windows)
+    shown = "".join(
+        place_picture(place, f"{page}{k}", tagged(f"⟨{place['name']}⟩", naming, kind) if len(places) > 1 else "")
+        for k, place in enumerate(places)
+    )
     said = f"<p>{html.escape(caption)}</p>" if caption else ""
     return f'<div class="places">{said}{shown}</div>' if places else ""
 
 
-# sizes in a window: the gap to the next, the area about the wrong place, an arrowhead and (of that) its half
-GAP, RING, HEAD, HALF = 0.04, 0.06, 0.06, 0.25
+GAP, RING, HEAD = 0.04, 0.06, 0.06  # of a window: the gap to the next, the area about the wrong place, an arrowhead
 
 
 def place_picture(place: Json, name: str, caption: str = "") -> str:
     """A wrong place of a drawing in two windows side by side: as drawn, and with the correct construction over it;
     ``name`` is unique on the page; ``caption``, HTML, is above it."""
-    x0, y0, x1, y1 = (float(v) for v in place["box"])
+    x0, y0, x1, y1 = place["box"]
+    x, y = place["at"]
     w, h = x1 - x0, y1 - y0
     e, under = html.escape, _lines(place, "strokes", "stroke")
     picture = f'<image id="w{name}" href="{e(place["picture"])}" width="{w:.2f}" height="{h:.2f}"/>'
-    again = f'<use href="#w{name}" opacity=".4"/>'
-    x, y = float(place["at"][0]) - x0, y1 - float(place["at"][1])
-    ring = f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{RING * w:.2f}"/>'
+    ring = f'<circle cx="{x - x0:.2f}" cy="{y1 - y:.2f}" r="{RING * w:.2f}"/>'
     drawn = picture if place["picture"] else under + _plan(place, "own")
-    right = again if place["picture"] else under
+    right = f'<use href="#w{name}" opacity=".4"/>' if place["picture"] else under
     plans = _plan(place, "own") + _plan(place, "true") + _lines(place, "next", "next")
     box = f'y="0" width="{w:.2f}" height="{h:.2f}" viewBox="0 0 {w:.2f} {h:.2f}"'
-    total, beside = w * (2 + GAP), w * (1 + GAP)
     return (
         f'<span class="place">{caption}'
-        f'<svg viewBox="0 0 {total:.2f} {h:.2f}" role="img" aria-label="{e(place["name"])}">'
-        f'<svg x="0" {box}>{drawn}{ring}</svg><svg x="{beside:.2f}" {box}>{right}{plans}{ring}</svg></svg></span>'
+        f'<svg viewBox="0 0 {w * (2 + GAP):.2f} {h:.2f}" role="img" aria-label="{e(place["name"])}">'
+        f'<svg x="0" {box}>{drawn}{ring}</svg>'
+        f'<svg x="{w * (1 + GAP):.2f}" {box}>{right}{plans}{ring}</svg></svg></span>'
     )
 
 
 def _plan(place: Json, key: str) -> str:
     """Vectors with their heads, or the lines of a scheme."""
-    heads = "" if place["lines"] else "".join(_head(place, v) for v in place[key])
-    return f'<g class="{key}">{_lines(place, key, key)}{heads}</g>'
+    return f'<g class="{key}">{_lines(place, key, key)}{"" if place["lines"] else _heads(place, key)}</g>'
 
 
 def _lines(place: Json, key: str, kind: str) -> str:
-    line = f'<line class="{kind}" x1="{{:.2f}}" y1="{{:.2f}}" x2="{{:.2f}}" y2="{{:.2f}}"/>'
-    return "".join(line.format(*_ends(place, v)) for v in place[key])
+    line = f'<line class="{kind}" x1="{{0.real:.2f}}" y1="{{0.imag:.2f}}" x2="{{1.real:.2f}}" y2="{{1.imag:.2f}}"/>'
+    return "".join(line.format(*ends) for ends in _ends(place, key))
 
 
-def _ends(place: Json, vector: Sequence[float]) -> tuple[float, ...]:
-    """The ends of a vector in its window, y down."""
-    x0, _, _, y1 = place["box"]
-    ax, ay, bx, by = vector
-    return ax - x0, y1 - ay, bx - x0, y1 - by
+def _heads(place: Json, key: str) -> str:
+    long = HEAD * (place["box"][2] - place["box"][0])
+    heads = (head(b, b - a, long, long * THICK.wide / THICK.long) for a, b in _ends(place, key) if abs(b - a) >= long)
+    listed = (" ".join(f"{z.real:.2f},{z.imag:.2f}" for z in corners) for corners in heads)
+    return "".join(f'<polygon points="{points}"/>' for points in listed)
 
 
-def _head(place: Json, vector: Sequence[float]) -> str:
-    ax, ay, bx, by = _ends(place, vector)
-    a, b = complex(ax, ay), complex(bx, by)
-    length = HEAD * (place["box"][2] - place["box"][0])
-    if abs(b - a) < length:
-        return ""
-    along = length * (b - a) / abs(b - a)
-    corners = (b, b - along * complex(1, HALF), b - along * complex(1, -HALF))
-    return f'<polygon points="{" ".join(f"{z.real:.2f},{z.imag:.2f}" for z in corners)}"/>'
+def _ends(place: Json, key: str) -> Iterator[tuple[complex, complex]]:
+    """The ends of vectors in their window, y down."""
+    corner = complex(place["box"][0], place["box"][3])
+    for ax, ay, bx, by in place[key]:
+        yield (complex(ax, ay) - corner).conjugate(), (complex(bx, by) - corner).conjugate()
 
 
 SAID = ("pole", "turned", "scale", "not_picture")
@@ -228,8 +223,7 @@ def trace_page(data: Json, lang: Lang) -> str:
     """The tracing paper, from the data of :func:`planes.check.report.shown.tracing_data`."""
     words = under("trace_", lang, "check")
     parts = {k: html.escape(text) for k, text in {**words, "title": data["title"]}.items()}
-    body = web_page.filled(web_page.part("trace.html"), parts)
-    style, code = web_page.part("check.css", "trace.css"), packer.packed("trace")
+    body, style = web_page.filled("trace.html", parts), ("check.css", "trace.css")
     names = (name for plan in data["plans"] for name in (*plan["marks"], *(name for name, *_ in plan["names"])))
     held = {"data": {**data, "words": {k: words[k] for k in SAID}}, "letters": written(names, data["lettering"])}
-    return web_page.page(data["title"], lang, style, body, code=code, data=held)
+    return web_page.page(data["title"], lang, style, body, code=packer.packed("trace"), data=held)

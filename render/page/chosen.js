@@ -3,8 +3,9 @@ import { bench, say } from "./bench.js";
 import { canvas, paint, step } from "./canvas.js";
 import { ask } from "./carrier.js";
 import { $, on } from "./dom.js";
+import { along, distance } from "./geometry.js";
 import { problems, touched } from "./problems.js";
-import { copied, heading, along, renamed, shifted } from "./sketch.js";
+import { copied, heading, renamed, shifted } from "./sketch.js";
 import { asTyped, typed } from "./typed.js";
 
 const BESIDE = 3; // steps of the grid from a part to its copy
@@ -36,7 +37,7 @@ export function chosenShown() {
   if (!own) { typedIn("called", $("title").textContent ?? ""); return; }
   typedIn("name", canvas.chosen);
   if (own === "point") [typedIn("x", inMetres(a[0])), typedIn("y", inMetres(a[1]))];
-  else if (b) typedIn("long", inMetres(Math.hypot(b[0] - a[0], b[1] - a[1])));
+  else if (b) typedIn("long", inMetres(distance(a, b)));
 }
 async function rename() {
   const was = canvas.chosen, now = $("name").value.trim(), what = chosenKind(), { text, lang } = bench;

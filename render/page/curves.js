@@ -2,7 +2,7 @@
 import { $, on, safe } from "./dom.js";
 import { html } from "./letters.js";
 import { data, live, state } from "./page.js";
-import { begin, end, svg } from "./svg.js";
+import { begin, circle, end, svg } from "./svg.js";
 import { local, number, say } from "./words.js";
 
 const COUNT = 180, W = 640, H = 190, EDGE = [64, 14, 28, 26]; // px: left, top, right, bottom
@@ -48,7 +48,7 @@ export function curve() {
   svg("path", { d, class: "run" }, node);
   const at = x(live.drive), v = live.failed ? null : live.value(name);
   svg("line", { x1: at, y1: EDGE[1], x2: at, y2: H - EDGE[3], class: "cursor" }, node);
-  if (v !== null) svg("circle", { cx: at, cy: y(v), r: 4, class: "cursor-dot" }, node);
+  if (v !== null) circle([at, y(v)], 4, "cursor-dot", node);
   end();
   $("curve-value").textContent = v === null ? "" : `${number(v)} ${data.units[name][state.lang]}`;
   $("curve").setAttribute("aria-label", `${name.replace(/[‖|]/g, "")}: ${number(low)} … ${number(high)}`);

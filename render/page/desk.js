@@ -3,7 +3,7 @@ import { plan, scheme } from "./figures.js";
 import { distance } from "./geometry.js";
 import { labelOf } from "./letters.js";
 import { data, draw, live } from "./page.js";
-import { svg } from "./svg.js";
+import { circle, svg } from "./svg.js";
 import { fixed, local, say, spoken } from "./words.js";
 export const NEAR_PX = 18;
 const QUARTER = Math.PI / 2, ARROWS = "→↗↑↖←↙↓↘", SAME_MM = 0.3;
@@ -17,7 +17,7 @@ export const desk = {
     const key = this.practice.frame.plan, found = /** @type {any[]} */ ([]);
     for (const n of [...this.practice.seen()].sort((a, b) => +(a === "position:p") - +(b === "position:p"))) {
       const p = n.startsWith(key + ":") && !data.helpers.includes(n) && live.at(n);
-      if (p && !found.some(m => Math.hypot(live.at(m)[0] - p[0], live.at(m)[1] - p[1]) < 0.01)) found.push(n);
+      if (p && !found.some(m => distance(live.at(m), p) < 0.01)) found.push(n);
     }
     return found;
   },
@@ -94,10 +94,10 @@ export const desk = {
       if (s.end && s.mm * f.k > 1) f.arrow(f.px(s.at), f.px(s.end), "ask");
     }
     const q = this.tool !== "point" && live.at(this.from) && f.px(live.at(this.from));
-    if (q) svg("circle", { cx: q[0], cy: q[1], r: 7, class: "needle" }, f.node);
+    if (q) circle(q, 7, "needle", f.node);
     if (this.tool === "point") this.crossings().forEach((p, k) => {
       const [x, y] = f.px(p);
-      svg("circle", { cx: x, cy: y, r: 6, class: "choice" + (k === this.spot ? " held" : "") }, f.node);
+      circle([x, y], 6, "choice" + (k === this.spot ? " held" : ""), f.node);
       svg("text", { x: x + 10, y: y - 8, class: "choice-text" }, f.node, String(k + 1));
     });
     f.node.classList.toggle("place", this.practice.drawing);
@@ -105,7 +105,7 @@ export const desk = {
   /** @type {(f: any, s: Pencil, cls: string) => void} */
   stroke(f, s, cls) {
     const q = f.px(s.at);
-    if (s.r) { svg("circle", { cx: q[0], cy: q[1], r: s.r * f.k, class: cls }, f.node); return; }
+    if (s.r) { circle(q, s.r * f.k, cls, f.node); return; }
     const far = 2 * (f.w + f.h), c = Math.cos(s.a), d = -Math.sin(s.a);
     const e = s.end ? [f.px(s.at), f.px(s.end)] : [[q[0] - far * c, q[1] - far * d], [q[0] + far * c, q[1] + far * d]];
     f.line(e[0], e[1], cls, "", false);
@@ -115,9 +115,8 @@ export const desk = {
     return a && b ? local(fixed(distance(a, b), 1)) : "—";
   },
   /** @type {(place: number[]) => string} */
-  grip([x, y]) { // the mark under the pointer
-    const f = this.panel, near = (/** @type {string} */ m) => { const q = f.px(live.at(m));
-      return Math.hypot(q[0] - x, q[1] - y); };
+  grip(at) { // the mark under the pointer
+    const f = this.panel, near = (/** @type {string} */ m) => distance(f.px(live.at(m)), at);
     return this.marks().filter(m => near(m) < NEAR_PX).sort((a, b) => near(a) - near(b))[0];
   },
   // the free end of a stroke: its direction by the set square, else by the pointer; its length to half a millimetre

@@ -3,7 +3,8 @@ import { Figure } from "./figure.js";
 import { distance } from "./geometry.js";
 import { keyOf } from "./letters.js";
 import { live } from "./page.js";
-import { svg } from "./svg.js";
+import { head, headSize } from "./signs.js";
+import { arc, circle, svg } from "./svg.js";
 
 export class Drawing extends Figure {
   /** @param {Element} node @param {LessonData} data @param {number[]} [size] */
@@ -23,11 +24,11 @@ export class Drawing extends Figure {
    * name: string) => (t: number) => Spot} */
   turned(o, r, from, way, [first, last], cls, name) { // an arrow about a centre, from an angle onwards, radians
     const at = (/** @type {number} */ t) => [o[0] + r * Math.cos(from + way * t), o[1] + r * Math.sin(from + way * t)];
-    const [c, d] = [at(first), at(last)];
-    svg("path", { class: cls,
-      d: `M${c[0].toFixed(1)} ${c[1].toFixed(1)}A${r.toFixed(1)} ${r.toFixed(1)} 0 ${last - first > Math.PI ? 1 :
-      0} ${way > 0 ? 1 : 0} ${d[0].toFixed(1)} ${d[1].toFixed(1)}` }, this.node);
-    this.arrow(at(last - Math.min(0.4, 9 / r)), d, "force", name);
+    const size = headSize(r * (last - first), this.unit, "thick"), back = at(last - 2 * Math.asin(size[0] / 2 / r));
+    const tip = at(last), n = distance(back, tip), along = [0, 1].map(k => (tip[k] - back[k]) / n);
+    arc(o, r, from + way * first, from + way * (last - 0.8 * size[0] / r), { class: cls }, this.node);
+    svg("polygon", { points: head(tip, along, size) },
+      svg("g", { class: "arrow force", "data-name": name }, this.node));
     return at;
   }
   /** @type {(drawn: Statics, plan: string, there: There) => void} */
@@ -78,6 +79,6 @@ export class Drawing extends Figure {
     const couples = m.couples.filter(c => terms.includes(c.name));
     couples.forEach((c, k) => this.couple(c, couples.slice(0, k).filter(o => o.link === c.link).length));
     for (const d of dropped) if (distance(about, d.foot) > 8) this.along(about, d.foot, d.names, "force");
-    if (about) svg("circle", { cx: about[0], cy: about[1], r: 8, class: "about" }, this.node);
+    if (about) circle(about, 8, "about", this.node);
   }
 }

@@ -3,7 +3,10 @@ import { born } from "./frames.js";
 import { distance } from "./geometry.js";
 import { html } from "./letters.js";
 import { data, live } from "./page.js";
+import { MM, head, headSize } from "./signs.js";
 import { say } from "./words.js";
+
+const SHARE = 0.6; // of true mm
 
 /** @type {(f: Frame, key: string, frame: number, asked: any) => string} */
 export function written(f, key, frame, asked) { // the equations of a plan: those begun, the current one framed
@@ -54,10 +57,10 @@ function mini(t, later) {
   if (n < 1e-6) return '<svg class="mini"></svg>';
   const ux = (b[0] - a[0]) / n, uy = (a[1] - b[1]) / n;
   const h = Math.min(19 / Math.max(Math.abs(ux), 1e-6), 8 / Math.max(Math.abs(uy), 1e-6), 19);
-  const x = 22 + ux * h, y = 10 + uy * h, f = (/** @type {number} */ v) => v.toFixed(1);
-  const line = `<line x1="${f(22 - ux * h)}" y1="${f(10 - uy * h)}" x2="${f(x)}" y2="${f(y)}"`;
-  if (later && t.known < 2) return `<svg class="mini" viewBox="0 0 44 20">${t.known ? line + ' class="ray"/>' :
-    ""}</svg>`;
-  return `<svg class="mini" viewBox="0 0 44 20">${line}/><polygon points="${f(x)},${f(y)} ${f(x - 6 * ux - 2.2 *
-    uy)},${f(y - 6 * uy + 2.2 * ux)} ${f(x - 6 * ux + 2.2 * uy)},${f(y - 6 * uy - 2.2 * ux)}"/></svg>`;
+  const ray = later && t.known < 2, size = ray ? [0, 0] : headSize(2 * h, SHARE * MM, "thick"), end = h - 0.8 * size[0];
+  const f = (/** @type {number} */ v) => v.toFixed(1), tip = [22 + ux * h, 10 + uy * h];
+  const line = `<line x1="${f(22 - ux * h)}" y1="${f(10 - uy * h)}" x2="${f(22 + ux * end)}" y2="${f(10 + uy * end)}"`;
+  const drawn = !ray ? `${line}/><polygon points="${head(tip, [ux, uy], size)}"/>` :
+    t.known ? `${line} class="ray"/>` : "";
+  return `<svg class="mini" viewBox="0 0 44 20" style="--share: ${SHARE}">${drawn}</svg>`;
 }

@@ -3,7 +3,7 @@ import { plan, scheme } from "./figures.js";
 import { distance } from "./geometry.js";
 import { labelOf } from "./letters.js";
 import { data, live } from "./page.js";
-import { svg } from "./svg.js";
+import { arc, circle, svg } from "./svg.js";
 
 export const ACT_MS = 600;
 const CARRIED_MS = 360, AIR = 14;
@@ -135,10 +135,7 @@ export const KITS = {
     return w && { tool: "compass", at: w.a, end: w.b, ...legs(w, s => [w.a, mixed(w.a, w.b, 0.12 + 0.88 * s)]),
       line(share, over) {
         const a = Math.atan2(w.u[1], w.u[0]), half = Math.min(0.5, 70 / w.n);
-        const at = (/** @type {number} */ x) =>
-          `${(w.a[0] + w.n * Math.cos(x)).toFixed(1)} ${(w.a[1] + w.n * Math.sin(x)).toFixed(1)}`;
-        svg("path", { class: "pencil-line",
-          d: `M${at(a - half)}A${w.n.toFixed(1)} ${w.n.toFixed(1)} 0 0 1 ${at(a - half + 2 * half * share)}` }, over);
+        arc(w.a, w.n, a - half, a - half + 2 * half * share, { class: "pencil-line" }, over);
       } };
   },
   /** @type {(t: Tool) => any} */
@@ -189,10 +186,8 @@ function legs(w, needles) { // two legs from a joint above the middle, as a hand
       const dx = top[0] - (a[0] + b[0]) / 2, dy = top[1] - (a[1] + b[1]) / 2;
       path([a, top, b], "tool-leg", false, parent);
       path([top, [top[0] + dx / high * 12, top[1] + dy / high * 12]], "tool-leg", false, parent);
-      svg("circle", { cx: top[0].toFixed(1), cy: top[1].toFixed(1), r: 4, class: "tool-joint" }, parent);
-      for (const [x, y] of [a, b]) {
-        svg("circle", { cx: x.toFixed(1), cy: y.toFixed(1), r: 2, class: "needle-point" }, parent);
-      }
+      circle(top, 4, "tool-joint", parent);
+      for (const needle of [a, b]) circle(needle, 2, "needle-point", parent);
     },
   };
 }

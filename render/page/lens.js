@@ -1,7 +1,7 @@
 // Details under two millimetres of paper, drawn again, larger, in a circle where there is room for it.
 import { Drawing } from "./drawing.js";
 import { distance, gap, union } from "./geometry.js";
-import { svg } from "./svg.js";
+import { circle, svg } from "./svg.js";
 
 const SMALL_MM = 2, SEEN_MM = 0.02, TOGETHER_MM = 3, LENSES = 2, TIMES = [2, 5, 10, 20, 50];
 let lenses = 0;
@@ -48,9 +48,9 @@ export class Lensed extends Drawing {
     const f = (/** @type {number} */ v) => v.toFixed(1);
     svg("path", { class: "lens-line",
       d: `M${f(m[0] + own * u[0])} ${f(m[1] + own * u[1])}L${f(c[0] - r * u[0])} ${f(c[1] - r * u[1])}` }, whole);
-    svg("circle", { class: "lens-line", cx: f(m[0]), cy: f(m[1]), r: f(own) }, whole);
-    svg("circle", { cx: f(c[0]), cy: f(c[1]), r }, svg("clipPath", { id }, whole));
-    svg("circle", { class: "lens", cx: f(c[0]), cy: f(c[1]), r }, whole);
+    circle(m, own, "lens-line", whole);
+    circle(c, r, "", svg("clipPath", { id }, whole));
+    circle(c, r, "lens", whole);
     this.node = svg("g", { "clip-path": `url(#${id})` }, whole);
     this.strokes = [];
     for (const s of shown) if (gap(m, [s.a, s.b]) < own) this.arrow(at(s.a), at(s.b), s.kind, s.names.join(" "));

@@ -53,12 +53,10 @@ def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], pa
     lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
     title = data["title"].get(lang, "") if data else ""
     parts = {**parts, "title": html.escape(title), "noscript": NOSCRIPT}
-    body = web_page.filled(web_page.part(f"{name}.html"), parts)
+    body = web_page.filled(f"{name}.html", parts)
     sheets = {"lesson": ("practice.css", "lesson.css"), "essay": ("lesson.css", "essay.css")}
     held = {"brought": [page_words, data], "letters": data and letters_of(data)}
-    return web_page.page(
-        title, lang, web_page.part(*sheets[name]), body, code=packer.packed(*modules), data=held, small=True
-    )
+    return web_page.page(title, lang, sheets[name], body, code=packer.packed(*modules), data=held, small=True)
 
 
 def _names(thing: object, key: str = "") -> Iterator[str]:

@@ -1,7 +1,9 @@
 // Small animated pictures of mechanisms: a sketch drawn in one position or in a sequence.
-import { svg } from "./svg.js";
+import { hull } from "./geometry.js";
+import { MM, sign } from "./signs.js";
+import { coordinates, svg } from "./svg.js";
 
-const ROUND_MS = 4000, SIDE = 4;
+const ROUND_MS = 4000, DRAWN = 0.75, SMALL = 0.7, PENS = 0.85; // of true mm
 
 /** @type {(sketch: Sketch) => Box} */
 export function boxOf({ points, guides, motion }) {
@@ -17,20 +19,6 @@ export function viewOf([x0, y0, x1, y1], w, h, edge) {
   return { k, px: ([x, y]) => [w / 2 + k * (x - mx), h / 2 - k * (y - my)],
     m: ([x, y]) => [mx + (x - w / 2) / k, my - (y - h / 2) / k] };
 }
-/** @type {(points: Spot[]) => string} */
-const listed = points => points.map(p => p.map(v => v.toFixed(1)).join(",")).join(" ");
-/** The points of a plate in the order of its edge. @type {(points: Spot[]) => Spot[]} */
-export function hull(points) {
-  const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-  const half = (/** @type {Spot[]} */ all) => all.reduce((found, p) => {
-    while (found.length > 1 && turn(found[found.length - 2], found[found.length - 1], p) <= 0) found.pop();
-    return [...found, p];
-  }, /** @type {Spot[]} */ ([]));
-  return [...half(sorted).slice(0, -1), ...half(sorted.reverse()).slice(0, -1)];
-}
-/** @type {(a: Spot, b: Spot, c: Spot) => number} */
-const turn = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-
 /** @type {(g: any, points: Record<string, Spot>, view: View, long: number) => Ends} */
 export function guideEnds(g, points, view, long) {
   const a = g.angle * Math.PI / 180, [x, y] = view.px(g.at), dx = Math.cos(a), dy = -Math.sin(a);
@@ -50,7 +38,8 @@ function turned(sketch, link, points, slider) {
 }
 /** @type {(parent: Element, sketch: Sketch, view: View, points?: Record<string, Spot>, names?: boolean) => void} */
 export function depicted(parent, sketch, view, points = sketch.points, names = false) {
-  const at = (/** @type {string} */ p) => points[p] && view.px(points[p]);
+  const at = (/** @type {string} */ p) => points[p] && view.px(points[p]), mm = MM * (names ? DRAWN : SMALL);
+  parent.setAttribute("style", `--share: ${PENS}`);
   const held = Object.values(sketch.links).flatMap(l => l.points);
   /** @type {(p: string) => boolean} */
   const centre = p => held.filter(q => q === p).length === 1 && Object.values(sketch.links).some(l => l.centre === p &&
@@ -66,13 +55,12 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
   for (const [name, l] of Object.entries(sketch.links)) {
     const ends = l.points.filter(p => p !== l.centre).map(at).filter(Boolean);
     const cls = "link" + (sketch.drive?.link === name ? " driver" : "");
-    if (ends.length > 2) svg("polygon", { points: listed(hull(ends)), class: cls, "data-link": name }, parent);
+    if (ends.length > 2) svg("polygon", { points: coordinates(hull(ends)), class: cls, "data-link": name }, parent);
     else if (ends.length === 2) svg("line", { x1: ends[0][0], y1: ends[0][1], x2: ends[1][0], y2: ends[1][1],
       class: cls, "data-link": name }, parent);
     const g = l.slides && sketch.guides[l.slides], p = at(l.points[0]);
-    if (g && p) svg("rect", { x: -3 * SIDE, y: -2 * SIDE, width: 6 * SIDE, height: 4 * SIDE, class: "block",
-      transform: `translate(${p[0].toFixed(1)} ${p[1].toFixed(1)}) rotate(${-g.angle - turned(sketch, g.link, points,
-        l.points[0])})`, "data-link": name }, parent);
+    if (g && p) sign(parent, "block", p, g.angle + turned(sketch, g.link, points, l.points[0]), mm,
+      { class: "block", "data-link": name });
     if (names && ends.length) {
       const [mx, my] = [0, 1].map(k => ends.reduce((s, e) => s + e[k], 0) / ends.length);
       svg("text", { x: mx + 6, y: my + 14, class: "number" }, parent, name);
@@ -81,17 +69,15 @@ export function depicted(parent, sketch, view, points = sketch.points, names = f
   for (const name of Object.keys(points)) {
     const p = at(name), fixed = sketch.fixed.includes(name);
     if (centre(name) && !names) continue;
-    if (fixed) svg("path", { d: `M${p[0]} ${p[1]}l-8 13h16z`, class: "ground" }, parent);
-    if (fixed) svg("path", { d: `M${p[0] - 12} ${p[1] + 13}h24m-20 0l-5 6m10-6l-5 6m10-6l-5 6m10-6l-5 6`,
-      class: "hatch" }, parent);
-    svg("circle", { cx: p[0], cy: p[1], r: centre(name) ? 0.7 * SIDE : SIDE, class: centre(name) ? "point" : "hinge",
-      "data-point": name }, parent);
+    const kind = centre(name) ? "point" : "hinge";
+    if (fixed) sign(parent, "ground", p, 0, mm, { class: "ground" });
+    sign(parent, kind, p, 0, mm, { class: kind, "data-point": name });
     if (names) svg("text", { x: p[0] + 8, y: p[1] - 8, class: "label" }, parent, name);
   }
 }
 /** A sketch animated while it is visible. @type {(node: SVGSVGElement, sketch: Sketch) => void} */
 export function moving(node, sketch) {
-  const w = 220, h = 150, view = viewOf(boxOf(sketch), w, h, 20), many = Object.values(sketch.motion ?? {})[0]?.length;
+  const w = 220, h = 150, view = viewOf(boxOf(sketch), w, h, 24), many = Object.values(sketch.motion ?? {})[0]?.length;
   node.setAttribute("viewBox", `0 0 ${w} ${h}`);
   const place = (/** @type {number} */ k) => Object.fromEntries(Object.entries(sketch.motion ?? {}).map(([n, all]) =>
     [n, all[k]]));

@@ -6,7 +6,8 @@ names that nobody exports.
 
 import re
 from functools import cache
-from importlib.resources import files
+
+from render.page.web_page import part
 
 RE = re.M | re.S
 _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./(\w+)\.js";\n', re.M)
@@ -48,7 +49,7 @@ def _add(module: str, way: tuple[str, ...], order: dict[str, str]) -> None:
 
 @cache
 def _text(module: str) -> str:
-    return (files("render") / "page" / f"{module}.js").read_text("utf-8")
+    return part(f"{module}.js")
 
 
 @cache

@@ -3,7 +3,7 @@ import { born } from "./frames.js";
 import { distance, union } from "./geometry.js";
 import { Lensed } from "./lens.js";
 import { live, state } from "./page.js";
-import { end, svg } from "./svg.js";
+import { circle, end } from "./svg.js";
 
 const SAME_PX = 2;
 
@@ -44,10 +44,9 @@ export class Plan extends Lensed {
     if (drawn) this.strokesOf(drawn, key, there);
     if (lever) this.lever(there);
     const pole = there(`${key}:p`);
-    if (pole) svg("circle", { cx: pole[0], cy: pole[1], r: 3, class: "pole" }, this.node);
+    if (pole) circle(pole, 3, "pole", this.node);
     for (const m of frame && !hidden ? frame.makes : []) {
-      const q = there(m);
-      if (q && m.startsWith(key + ":")) svg("circle", { cx: q[0], cy: q[1], r: 5.5, class: "fresh" }, this.node);
+      if (m.startsWith(key + ":") && there(m)) circle(there(m), 5.5, "fresh", this.node);
     }
     if (lever && frame && frame.moments !== null) this.forces(this.data.moments[frame.moments], frame.terms);
     if (pole && !lettered && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);

@@ -20,7 +20,7 @@ export function problems(found) {
   $("problems").querySelectorAll(".choices svg").forEach((/** @type {any} */ node) => {
     const { problem, help } = node.parentElement.dataset, sketch = found[problem].help[help].sketch;
     node.setAttribute("viewBox", "0 0 220 150");
-    if (sketch) depicted(node, sketch, viewOf(boxOf(sketch), 220, 150, 22));
+    if (sketch) depicted(node, sketch, viewOf(boxOf(sketch), 220, 150, 24));
   });
   numbered();
 }

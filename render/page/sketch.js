@@ -1,4 +1,5 @@
 // A sketch under the hand: new names, places on guides, parts that go with others, other names.
+import { along, distance } from "./geometry.js";
 
 const POINTS = [..."ABCDEFGHKLMNPQRSTUVW"], RAILS = ["x-x", "y-y", "z-z", "n-n", "m-m", "q-q"];
 const AT_MOST = 400, SAME_M = 1e-9;
@@ -28,9 +29,6 @@ export function guideAt({ guides }, at, angle, link) {
 export const holders = ({ links }, point) => Object.keys(links).filter(n => links[n].points.includes(point));
 /** @type {(a: Spot, b: Spot) => number} */
 export const heading = (a, b) => Math.atan2(b[1] - a[1], b[0] - a[0]) * 180 / Math.PI;
-/** A place moved along a direction, degrees. @type {(at: Spot, by: number, angle: number) => Spot} */
-export const along = ([x, y], by, angle) => [x + by * Math.cos(angle * Math.PI / 180),
-  y + by * Math.sin(angle * Math.PI / 180)];
 /** @type {(guide: { at: Spot, angle: number }, p: Spot) => Spot} */
 export function onGuide({ at, angle }, [x, y]) {
   const a = angle * Math.PI / 180;
@@ -58,7 +56,7 @@ export function shifted(sketch, point, at) {
   const sliding = Object.values(links).filter(l => l.slides && l.points[0] === point).map(l => guides[l.slides ?? ""]);
   const rail = sliding.find(g => g.link === "0"), own = rail ? onGuide(rail, at) : at;
   for (const l of Object.values(links)) if (l.points.includes(point)) followed(sketch, l.points, point, was, own);
-  for (const g of Object.values(guides)) if (Math.hypot(g.at[0] - was[0], g.at[1] - was[1]) < SAME_M) g.at = own;
+  for (const g of Object.values(guides)) if (distance(g.at, was) < SAME_M) g.at = own;
   points[point] = own;
   for (const { points: [first], slides } of Object.values(links)) {
     const g = slides ? guides[slides] : null, lever = g ? links[g.link] : null;

@@ -1,11 +1,10 @@
 // Stamps: the groups of two links, a motor in a hinge, a cylinder; each joined to what is at its two ends.
-import { along, guideAt, heading, holders, linkOf, onGuide, pointAt } from "./sketch.js";
+import { along, distance } from "./geometry.js";
+import { guideAt, heading, holders, linkOf, onGuide, pointAt } from "./sketch.js";
 
 const WAY_DEG = 15, LONG = 1.5, BEYOND = 0.5, TURNED_DEG = 60, TURNS = 10, STRETCHES = 0.1; // rad/s, m/s
 export const GROUPS = ["RRR", "RRP", "RPR", "PRP", "RPP"], STAMPS = [...GROUPS, "motor", "cylinder"];
 
-/** @type {(a: Spot, b: Spot) => number} */
-const distant = (a, b) => Math.hypot(b[0] - a[0], b[1] - a[1]);
 /** A hinge at an end: the point there, a new point of the link there, or one of the frame.
  * @type {(sketch: Sketch, end: End) => string} */
 function hinge(sketch, end) {
@@ -24,7 +23,7 @@ function rail(sketch, end, angle) {
 /** @type {Record<string, (sketch: Sketch, from: End, to: End, by: number) => boolean>} */
 const MADE = {
   RRR(sketch, from, to, by) { // two links of one length
-    const [a, b] = [hinge(sketch, from), hinge(sketch, to)], [p, q] = [from.at, to.at], half = distant(p, q) / 2;
+    const [a, b] = [hinge(sketch, from), hinge(sketch, to)], [p, q] = [from.at, to.at], half = distance(p, q) / 2;
     const long = Math.ceil(LONG * half / by) * by, middle = [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2];
     const inner = pointAt(sketch, along(middle, Math.sqrt(long ** 2 - half ** 2), heading(p, q) + 90));
     linkOf(sketch, [a, inner]);
@@ -33,10 +32,10 @@ const MADE = {
   },
   RRP(sketch, from, to, by) { // a rod of whole length
     const way = heading(from.at, to.at), { name, guide, own } = rail(sketch, to, way), a = hinge(sketch, from);
-    const beyond = own ? BEYOND * distant(from.at, to.at) : 0;
+    const beyond = own ? BEYOND * distance(from.at, to.at) : 0;
     const meant = along(onGuide(guide, to.at), beyond, guide.angle);
-    const foot = onGuide(guide, from.at), high = distant(foot, from.at);
-    const long = Math.round(distant(from.at, meant) / by) * by, far = Math.sqrt(long ** 2 - high ** 2);
+    const foot = onGuide(guide, from.at), high = distance(foot, from.at);
+    const long = Math.round(distance(from.at, meant) / by) * by, far = Math.sqrt(long ** 2 - high ** 2);
     const inner = pointAt(sketch, far > by ? along(foot, far, heading(foot, meant)) : meant);
     linkOf(sketch, [a, inner]);
     linkOf(sketch, [inner], name);
@@ -83,7 +82,7 @@ const MADE = {
 /** A stamp between two ends; a motor that was not dragged has a crank of ten steps. ``by``: the step of lengths; null
  * where it cannot be. @type {(sketch: Sketch, stamp: string, from: End, to: End, by: number) => Sketch | null} */
 export function stamped(sketch, stamp, from, to, by) {
-  const made = structuredClone(sketch), short = distant(from.at, to.at) < by / 2;
+  const made = structuredClone(sketch), short = distance(from.at, to.at) < by / 2;
   if (short && stamp !== "motor") return null;
   const end = short ? { point: "", link: "", guide: "", at: along(from.at, 10 * by, TURNED_DEG) } : to;
   return MADE[stamp](made, from, end, by) ? made : null;

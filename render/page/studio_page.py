@@ -57,9 +57,9 @@ def studio_page(lang: str, way: Json, first: str = "") -> str:
         for tongue in langs("studio")
     }
     lang = next(one for one in stand_ins(lang) if one in words)
-    body = web_page.filled(web_page.part("studio.html"), {"noscript": NOSCRIPT})
+    body = web_page.filled("studio.html", {"noscript": NOSCRIPT})
     data = {"words": words, "way": way, "first": first, "takeaway": FILES}
-    style = web_page.part("lesson.css", "studio.css")
+    style = "lesson.css", "studio.css"
     return web_page.page("planes", lang, style, body, code=packer.packed("studio"), data=data, allowed=ALLOWED)
 
 

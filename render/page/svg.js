@@ -35,3 +35,16 @@ export function svg(tag, attributes, parent, text) {
   alter(e, attributes);
   return e;
 }
+/** @type {(points: Spot[]) => string} */
+export function coordinates(points) { return points.map(p => p.map(v => v.toFixed(1)).join(",")).join(" "); }
+/** @type {(at: Spot, r: number, cls: string, parent: Element, more?: Attributes) => any} */
+export function circle([x, y], r, cls, parent, more = {}) {
+  return svg("circle", { ...more, class: cls, cx: x.toFixed(1), cy: y.toFixed(1), r: +r.toFixed(2) }, parent);
+}
+/** An arc about a centre, from an angle to another one, radians, clockwise where they grow.
+ * @type {(o: Spot, r: number, from: number, to: number, attributes: Attributes, parent: Element) => any} */
+export function arc([x, y], r, from, to, attributes, parent) {
+  const [a, b] = [from, to].map(t => `${(x + r * Math.cos(t)).toFixed(1)} ${(y + r * Math.sin(t)).toFixed(1)}`);
+  const large = Math.abs(to - from) > Math.PI ? 1 : 0, by = r.toFixed(1);
+  return svg("path", { ...attributes, d: `M${a}A${by} ${by} 0 ${large} ${to > from ? 1 : 0} ${b}` }, parent);
+}

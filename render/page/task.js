@@ -3,6 +3,7 @@ import { NEAR_PX, desk } from "./desk.js";
 import { buttons, chosen, question, reply } from "./choices.js";
 import { $, on, safe } from "./dom.js";
 import { plan, scheme } from "./figures.js";
+import { distance } from "./geometry.js";
 import { html, labelOf } from "./letters.js";
 import { data, draw, later, live, state } from "./page.js";
 import { practice } from "./practice.js";
@@ -220,8 +221,7 @@ for (const figure of [scheme, plan]) {
     if (!practice.on || practice.over || e.button) return;
     const line = e.target.closest("[data-name^='link:']"), on = figure === desk.panel;
     if (on && desk.tool === "point") { // the nearest crossing
-      const q = place(e), near = (/** @type {Spot} */ p) => { const [x, y] = figure.px(p);
-        return Math.hypot(x - q[0], y - q[1]); };
+      const q = place(e), near = (/** @type {Spot} */ p) => distance(figure.px(p), q);
       const spots = desk.crossings(), k = spots.findIndex(p => near(p) < NEAR_PX);
       if (k >= 0) { desk.spot = k; task.draw(); }
       return;
@@ -243,7 +243,7 @@ for (const figure of [scheme, plan]) {
     if (!drawing) return;
     drawing = false; figure.fixed_view = null;
     if (desk.tool === "line" && practice.drawing &&
-      figure.k * Math.hypot(...figure.mm(place(e)).map((v, k) => v - live.at(desk.from)[k])) > NEAR_PX) task.draw();
+      figure.k * distance(figure.mm(place(e)), live.at(desk.from)) > NEAR_PX) task.draw();
     else draw();
   });
   on(node, "pointercancel", () => { drawing = false; figure.fixed_view = null; later(); });

@@ -1,7 +1,7 @@
 // Tracing paper: the correct plan over a picture of a drawing, moved by its pole, turned and scaled by a mark.
 import { $, on } from "./dom.js";
 import { Figure } from "./figure.js";
-import { svg } from "./svg.js";
+import { circle, svg } from "./svg.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
 // a place of the plan (mm, y up) lies at pole + turn · its mirror image, in pixels of the picture (y down)
@@ -45,10 +45,7 @@ class Tracing extends Figure {
   /** @type {(name: string) => void} */
   handle(name) {
     const q = this.px(this.at(name));
-    const g = svg("g", { class: "handle", tabindex: 0, role: "button", "data-mark": name }, this.node);
-    svg("circle", { cx: q[0], cy: q[1], r: 16, class: "grip" }, g);
-    svg("circle", { cx: q[0], cy: q[1], r: 6, class: "dot" }, g);
-    g.setAttribute("aria-label", `${name === "p" ? data.words.pole : name}: ${place(name).join(", ")}`);
+    circle(q, 6, "dot", this.grip(q, name, `${name === "p" ? data.words.pole : name}: ${place(name).join(", ")}`));
   }
 }
 const sheet = new Tracing($("sheet"), data);
@@ -84,12 +81,10 @@ function move(name, x, y) { // pixels of the picture
   draw();
 }
 function home() { // the plan in the middle, filling half the sheet
-  const all = Object.values(state.plan.marks), side = (/** @type {number} */ k) => all.map(z => z[k]);
-  const [w, h] = state.size;
-  const low = [0, 1].map(k => Math.min(...side(k))), high = [0, 1].map(k => Math.max(...side(k)));
-  const k = 0.55 * Math.min(w / Math.max(high[0] - low[0], 1), h / Math.max(high[1] - low[1], 1));
+  const [w, h] = state.size, [x0, y0, x1, y1] = sheet.box(Object.keys(state.plan.marks));
+  const k = 0.55 * Math.min(w / Math.max(x1 - x0, 1), h / Math.max(y1 - y0, 1));
   state.turn = [k, 0];
-  state.pole = [w / 2 - k * (low[0] + high[0]) / 2, h / 2 + k * (low[1] + high[1]) / 2];
+  state.pole = [w / 2 - k * (x0 + x1) / 2, h / 2 + k * (y0 + y1) / 2];
 }
 function choose() { // another plan keeps the scale and the pole: it is on the same sheet
   state.plan = data.plans.find((/** @type {any} */ p) => p.key === $("plan").value);

@@ -43,7 +43,7 @@ interface Frame {
 interface Segment { plan: string; start: string; end: string; names: string[]; corner: boolean; sum?: boolean; }
 interface Trace { lines?: string[]; arcs?: string[]; }
 interface Link {
-  name: string; points: string[]; hinges: string[]; slides: string; round: { centre: string; link: string };
+  name: string; points: string[]; hinges: string[]; slides: string; sign: string; round: { centre: string; link: string };
 }
 interface Guide { name: string; link: string; mark: string; }
 interface Term { name: string; action: string; known: number; start?: string; end?: string; at?: string; minus?: boolean; }
@@ -80,6 +80,11 @@ interface Statics {
   signs: { kind: string; mark: string; turn: number }[]; members: string[]; numbered: string[];
 }
 
+interface Stroke { pen: string; points: Spot[]; closed?: boolean; r?: number; } // mm; with a radius a circle
+interface PaperSigns {
+  signs: Record<string, Stroke[]>; heads: Record<string, number[]>; headless: number; least: number; reach: number;
+  gap: number; wide: number;
+}
 interface Label { names: string[]; half: number; size: number; all: number[][]; key: string; of?: Ends;
   node?: SVGElement; }
 interface Shown { a: Spot; b: Spot; kind: string; names: string[]; }

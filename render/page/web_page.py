@@ -9,10 +9,11 @@ import hashlib
 import html
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from importlib.resources import files
 
 from planes.studio.links import deflated
+from render.page.signs import pens, signs
 
 NONE: Mapping[str, object] = {}
 LETTERS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$()*+,-./:;=?@[]^_{|}"
@@ -35,7 +36,7 @@ _ACTIVE = re.compile("[<>&\u2028\u2029]")
 def page(
     title: str,
     lang: str,
-    style: str,
+    sheets: Iterable[str],
     body: str,
     *,
     code: str = "",
@@ -44,10 +45,10 @@ def page(
     allowed: str = "",
     small: bool = False,
 ) -> str:
-    """The whole page: ``title`` is plain text, ``body`` HTML; ``data`` by the ids under which ``code`` finds them;
-    ``allowed`` are further permissions (a part of the page's policy). A ``small`` page has both packed, with a short
-    script to unpack them."""
-    begun = code
+    """The whole page: ``title`` is plain text, ``sheets`` are files of its style, ``body`` is HTML; ``data`` by the ids
+    under which ``code`` finds them; ``allowed`` are further permissions (a part of the page's policy). A ``small`` page
+    has both packed, with a short script to unpack them."""
+    begun, data = code, {**data, "signs": signs()} if data else data
     if small:
         texts = [(key, "application/json", compact_json(one)) for key, one in data.items()]
         begun, data = UNPACK, {"code": pressed(compact_json([*texts, ("", "module", code)]))}
@@ -56,12 +57,12 @@ def page(
         "lang": lang,
         "policy": policy(allowed, *dict.fromkeys((begun, code))),
         "title": html.escape(title),
-        "style": style,
+        "style": f"svg {{ {pens()}}}\n{part(*sheets)}",
         "body": body,
     }
     parts["kind"] = f' class="{html.escape(kind)}"' if kind else ""
     parts["scripts"] = "".join(held) + (f'<script type="module">{begun}</script>\n' if code else "")
-    return filled(part("shell.html"), parts)
+    return filled("shell.html", parts)
 
 
 def policy(more: str = "", *scripts: str) -> str:
@@ -79,8 +80,9 @@ def pressed(text: str) -> str:
 
 
 def filled(template: str, parts: Mapping[str, str]) -> str:
-    """The template with its placeholders filled in one pass: inserted text is never scanned again."""
-    return _PLACE.sub(lambda place: parts[place[1]], template)
+    """A template of the pages' folder with its placeholders filled in one pass: inserted text is never scanned
+    again."""
+    return _PLACE.sub(lambda place: parts[place[1]], part(template))
 
 
 def embedded(thing: object) -> str:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 from fontTools.pens.basePen import BasePen
+
+from render.paper.lettering import cubic
 
 if TYPE_CHECKING:
     from fontTools.ttLib.ttGlyphSet import _TTGlyphSet
@@ -28,13 +29,8 @@ class Flattened(BasePen):  # type: ignore[misc]
         self.lines[-1].append(complex(*pt))
 
     def _curveToOne(self, pt1: Point, pt2: Point, pt3: Point) -> None:
-        a, b, c, d = self.lines[-1][-1], complex(*pt1), complex(*pt2), complex(*pt3)
-        bend = max(abs(a - 2 * b + c), abs(b - 2 * c + d))
-        count = max(2, math.ceil(math.sqrt(0.75 * bend / self.error)))
-        for k in range(1, count + 1):
-            t = k / count
-            u = 1 - t
-            self.lines[-1].append(u**3 * a + 3 * u * u * t * b + 3 * u * t * t * c + t**3 * d)
+        line = self.lines[-1]
+        line += cubic(line[-1], complex(*pt1), complex(*pt2), complex(*pt3), self.error)
 
     def _closePath(self) -> None:
         line = self.lines[-1]

@@ -14,10 +14,8 @@ import numpy as np
 import shapely
 
 from planes.geometry.arrays import Array, Complexes
-from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Shape, Text
-from render.paper.style import LAYERS, fitted, head_size, pen
-
-Polyline = tuple[complex, ...]
+from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Polyline, Shape, Text
+from render.paper.style import LAYERS, fitted, head, head_size, pen
 
 
 def checked(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, ...]:
@@ -88,13 +86,6 @@ def arrow_parts(arrow: Arrow) -> tuple[Polyline, Polyline]:
     if not long:
         return (arrow.start, arrow.end), ()
     return (arrow.start, arrow.end - 0.8 * long * span / abs(span)), head(arrow.end, span, long, wide)
-
-
-def head(tip: complex, direction: complex, long: float, wide: float) -> Polyline:
-    """An arrowhead: tip and the two corners behind it, in mm."""
-    along = direction / abs(direction)
-    back = tip - long * along
-    return tip, back + 0.5j * wide * along, back - 0.5j * wide * along
 
 
 def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:

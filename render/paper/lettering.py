@@ -29,6 +29,8 @@ from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
 
+from render.paper.marks import Polyline
+
 PEN = 0.1  # pen width over letter height
 LETTER_GAP = 2.0  # clear distance of letters, in pen widths
 WORD_GAP = 6.0  # clear distance of words, in pen widths
@@ -53,10 +55,8 @@ SHIFTED = {
 _BOX = "0,0 0,6 4,6 4,0 0,0"
 _ROUND = 0.6  # handle of a quarter oval: 0.552 gives an ellipse, more is squarer
 _DOT = 0.2  # radius of the pen's path in a dot, in d
-_NARROW = "\u2009\u202f\u2006\u200a"
+NARROW = "\u2009\u202f\u2006\u200a"
 _IGNORED = "\u00ad\u200b\u200d\u2060\ufeff"
-
-Line = tuple[complex, ...]
 
 
 def _point(word: str) -> complex:
@@ -64,7 +64,7 @@ def _point(word: str) -> complex:
     return complex(float(x), float(y))
 
 
-def _cubic(a: complex, b: complex, c: complex, e: complex, tolerance: float) -> list[complex]:
+def cubic(a: complex, b: complex, c: complex, e: complex, tolerance: float) -> list[complex]:
     """Points of a Bézier curve after its start, extremes of x and y included."""
     bend = max(abs(a - 2 * b + c), abs(b - 2 * c + e))
     n = max(3, math.ceil(math.sqrt(0.75 * bend / tolerance)))
@@ -85,7 +85,7 @@ def _cubic(a: complex, b: complex, c: complex, e: complex, tolerance: float) -> 
 
 def _quarter(a: complex, e: complex, level: bool, tolerance: float) -> list[complex]:
     corner = complex(e.real, a.imag) if level else complex(a.real, e.imag)
-    return _cubic(a, a + _ROUND * (corner - a), e + _ROUND * (corner - e), e, tolerance)
+    return cubic(a, a + _ROUND * (corner - a), e + _ROUND * (corner - e), e, tolerance)
 
 
 def _oval(x0: float, y0: float, x1: float, y1: float) -> str:
@@ -95,7 +95,7 @@ def _oval(x0: float, y0: float, x1: float, y1: float) -> str:
     return f"{x},{y0} h{x1},{low} {x1},{high} v{x},{y1} h{x0},{high} {x0},{low} v{x},{y0}"
 
 
-def _read(path: str, tolerance: float) -> Iterator[Line]:
+def _read(path: str, tolerance: float) -> Iterator[Polyline]:
     """Polylines of a glyph's path, in d, cell centres."""
     line: list[complex] = []
     words = iter(path.split())
@@ -112,7 +112,7 @@ def _read(path: str, tolerance: float) -> Iterator[Line]:
         elif kind == ".":
             yield tuple(_point(word[1:]) + _DOT * 1j ** (k / 2) for k in range(9))
         elif kind == "c":
-            line += _cubic(line[-1], _point(word[1:]), _point(next(words)), _point(next(words)), tolerance)
+            line += cubic(line[-1], _point(word[1:]), _point(next(words)), _point(next(words)), tolerance)
         elif kind in "hv":
             line += _quarter(line[-1], _point(word[1:]), kind == "h", tolerance)
         elif kind != "|":
@@ -127,7 +127,7 @@ def _size(char: str) -> float:
 
 
 @lru_cache(maxsize=4096)
-def _glyph(char: str, fineness: int, slant: bool) -> tuple[float, tuple[Line, ...]]:
+def _glyph(char: str, fineness: int, slant: bool) -> tuple[float, tuple[Polyline, ...]]:
     """Ink width and pen paths of a character in d, ink from x = 0, base line y = 0."""
     base, rise = SHIFTED.get(char, (char, 0.0))
     size = _size(char)
@@ -183,7 +183,7 @@ def _layout(text: str) -> tuple[float, tuple[tuple[str, float], ...]]:
     placed = []
     for char in _clean(text):
         if char.isspace():
-            blank += WORD_GAP / 2 if char in _NARROW else WORD_GAP
+            blank += WORD_GAP / 2 if char in NARROW else WORD_GAP
             continue
         if last:
             x += blank or _gap(last, char)
@@ -193,7 +193,7 @@ def _layout(text: str) -> tuple[float, tuple[tuple[str, float], ...]]:
 
 
 @lru_cache(maxsize=2048)
-def strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Line, ...]:
+def strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Polyline, ...]:
     """Pen paths of one line of text as polylines x + iy in mm.
 
     The origin is the left end of the base line (left edge of the first letter's ink, lower edge of the capitals), y is

@@ -17,6 +17,7 @@ Layer = Literal[
 ]
 """From the lowest to the topmost: a paper-white disc hides only layers beneath it."""
 Anchor = Literal["start", "middle", "end"]
+Polyline = tuple[complex, ...]
 
 
 @frozen
@@ -60,7 +61,7 @@ class Line:
     ``name`` gives the purpose of a line that does not show it ("leader").
     """
 
-    points: tuple[complex, ...]
+    points: Polyline
     style: str = "thick"
     layer: Layer = "scheme"
     closed: bool = False

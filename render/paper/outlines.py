@@ -20,16 +20,14 @@ from typing import TYPE_CHECKING
 from planes.scene import Scene
 from planes.words import Phrase, Told
 from planes.words.errors import SceneError, choices, shown
-from render.paper.marks import Face
+from render.paper.lettering import NARROW
+from render.paper.marks import Face, Polyline
 
 if TYPE_CHECKING:
     from fontTools.ttLib import TTFont
     from fontTools.ttLib.ttGlyphSet import _TTGlyphSet
 
-Line = tuple[complex, ...]
-
 _FLAT = 2e-3  # largest error of a flattened curve, over the height of capitals: 0.01 mm at 5 mm
-_NARROW = "\u2009\u202f\u2006\u200a"
 
 
 @lru_cache(maxsize=1)
@@ -76,7 +74,7 @@ class Font:
         return float(self.glyphs[self.map[ord(char)]].width) / self.unit
 
     @cache  # noqa: B019  one font lives as long as the program
-    def contours(self, char: str) -> tuple[Line, ...]:
+    def contours(self, char: str) -> tuple[Polyline, ...]:
         """Closed outlines of a character, the first point repeated at the end."""
         from render.paper.font_pen import Flattened
 
@@ -92,15 +90,15 @@ def opened(path: str) -> Font:
 
 
 @lru_cache(maxsize=4096)
-def _laid(text: str, path: str) -> tuple[float, tuple[Line, ...]]:
+def _laid(text: str, path: str) -> tuple[float, tuple[Polyline, ...]]:
     """Width of the ink and the outlines of a line of text, in heights of capitals."""
     own, spare = opened(path), opened(str(dejavu()))
-    x, lines = 0.0, list[Line]()
+    x, lines = 0.0, list[Polyline]()
     for char in unicodedata.normalize("NFC", text).strip():
         if unicodedata.category(char) == "Cf":
             continue
         if char.isspace():
-            x += blank(path) / (2 if char in _NARROW else 1)
+            x += blank(path) / (2 if char in NARROW else 1)
             continue
         font = own if own.has(char) else spare
         known = char if font.has(char) else "\ufffd"
@@ -122,7 +120,7 @@ def width(text: str, height_mm: float, path: str) -> float:
     return _laid(text, path)[0] * height_mm
 
 
-def contours(text: str, height_mm: float, path: str) -> tuple[Line, ...]:
+def contours(text: str, height_mm: float, path: str) -> tuple[Polyline, ...]:
     """Closed outlines of a line of text as polylines x + iy in mm, to be filled by the non-zero rule."""
     if not 0 < height_mm < math.inf:
         raise ValueError(f"letter height must be a positive number of mm, not {height_mm!r}")

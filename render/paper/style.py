@@ -10,7 +10,7 @@ from typing import get_args
 
 from planes.drafting.pens import MEDIUM, SHAPES, THICK, THIN
 from planes.words.frozen import frozen, replace
-from render.paper.marks import Layer, within
+from render.paper.marks import Layer, Polyline, within
 
 LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
 """Letter heights of ГОСТ 2.304, mm, by the next smaller one."""
@@ -69,10 +69,16 @@ SHORTEST = 0.51  # of the usual length: the pattern of a line with two dashes
 HINGE_MM = 1.5  # radius of a hinge
 DOT_MM = 0.8  # radius of a mass centre or a marked point
 BLOCK_MM = (11.0, 6.5)  # a slider, along and across its guide
+SMALL_MM = (8.0, 4.6)  # a slider held inside another one
+LARGE_MM = (14.0, 10.5)  # the one that holds it
 LEG_MM = 6.5  # from a fixed hinge down to its base line
 BASE_MM = 11.0  # length of that base line
 HATCH_MM = 2.2  # depth of the hatching under a base line
 HATCH_GAP_MM = 1.6  # between its strokes
+WHEEL_MM = 0.9  # radius of a roller's wheels
+WALL_MM = 14.0  # of a clamp
+ROUND_MM = 26.0  # of a circular guide on each side of its slider, along it
+ROUND_HATCH_MM, ROUND_GAP_MM = 3.0, 2.4  # of its hatching
 
 
 def large() -> bool:
@@ -126,3 +132,10 @@ def head_size(length_mm: float, width_mm: float) -> tuple[float, float]:
     """Length and width in mm of the head of an arrow of that length, with the pen nearest in width; zeros: none."""
     shape = min(SHAPES, key=lambda one: abs(one.pen - width_mm)).on(length_mm)
     return (shape.long, shape.wide) if shape else (0.0, 0.0)
+
+
+def head(tip: complex, direction: complex, long: float, wide: float) -> Polyline:
+    """An arrowhead: tip and the two corners behind it, in mm."""
+    along = direction / abs(direction)
+    back = tip - long * along
+    return tip, back + 0.5j * wide * along, back - 0.5j * wide * along

@@ -12,9 +12,21 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from planes.geometry.plane import toward
-from render.paper.ink import head
 from render.paper.marks import Arc, Hatch, Layer, Line, Mark, Shape
-from render.paper.style import BASE_MM, BLOCK_MM, DOT_MM, HATCH_GAP_MM, HATCH_MM, HINGE_MM, LEG_MM, head_size, pen
+from render.paper.style import (
+    BASE_MM,
+    BLOCK_MM,
+    DOT_MM,
+    HATCH_GAP_MM,
+    HATCH_MM,
+    HINGE_MM,
+    LEG_MM,
+    WALL_MM,
+    WHEEL_MM,
+    head,
+    head_size,
+    pen,
+)
 
 Marks = tuple[Mark, ...]
 PLATE_GAP_MM, GUSSET_MM = 3.0, 4.5
@@ -74,6 +86,22 @@ def rail(at: complex, angle_deg: float, reach: float, side: int = -1, across: fl
     """A guide of the frame along the long side of a slider at ``at``, ``reach`` mm to either end: on its right
     (``side`` −1) or left."""
     return base(at + side * 1j * across / 2 * unit(angle_deg), angle_deg, 2 * reach, side)
+
+
+def wall(at: complex, angle_deg: float = 0) -> Marks:
+    """A clamp: a wall of the frame across the body that begins there at the angle."""
+    return base(at, angle_deg + 90.0, WALL_MM, side=1)
+
+
+def roller(at: complex, angle_deg: float = 0) -> Marks:
+    """A hinge on wheels: it holds only perpendicular to its base, whose rotation is the angle."""
+    along = unit(angle_deg)
+    both = legs(at, at - 1j * along * (LEG_MM - 2 * WHEEL_MM), angle_deg)
+    ends = [leg.points[1] for leg in both]
+    wheels = (
+        Arc(end - (x + 1j) * along * WHEEL_MM, WHEEL_MM, style="thin") for x, end in zip((-1, 1), ends, strict=True)
+    )
+    return (*base(at - 1j * along * LEG_MM, angle_deg), Line(tuple(ends)), *both, *wheels, *hinge(at))
 
 
 def bar(*points: complex) -> Marks:

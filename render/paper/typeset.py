@@ -14,10 +14,9 @@ from planes.words.frozen import frozen, replace
 from render.paper import lettering, outlines
 from render.paper.boxes import Box, box_around, box_of_letters
 from render.paper.letters import split
-from render.paper.marks import Face, Text, current
+from render.paper.marks import Face, Polyline, Text, current
 from render.paper.style import INDEX_DROP, INDEX_GAP, INDEX_RISE, INDEX_SIZE, LEAST_MM, LETTER_GAP, WORD_GAP
 
-Polyline = tuple[complex, ...]
 _OPENED = re.compile(r"[_^]\{")
 
 

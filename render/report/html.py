@@ -16,7 +16,7 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     """The page, UTF-8."""
     title = next((b.text for b in blocks if isinstance(b, Cover | Heading)), "")
     body = "\n".join(map(_HtmlPage(blocks, naming).block, blocks))
-    return web_page.page(title, naming.lang, web_page.part("report.css"), body).encode()
+    return web_page.page(title, naming.lang, ("report.css",), body).encode()
 
 
 class _HtmlPage:

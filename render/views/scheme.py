@@ -14,7 +14,7 @@ from planes.words.naming import Naming
 from render import labels
 from render.paper import symbols
 from render.paper.marks import Line, Mark
-from render.paper.style import BLOCK_MM, HINGE_MM
+from render.paper.style import BLOCK_MM, HINGE_MM, LARGE_MM, SMALL_MM
 from render.views.hinges import base_angle
 from render.views.plotted import NEAR_MM, Places, degrees, nearest, outline_of
 from render.views.round_guides import round_slider
@@ -23,9 +23,7 @@ from render.views.senses import driver_arrows, labelled
 RAIL_MM = 17.0  # of a guide on each side of its slider
 ROD_MM = 12.0  # of a moving guide beyond its slider
 LETTER_MM = 5.0
-SMALL_MM = (8.0, 4.6)  # size of a block held inside another
 ALONE_MM = 13.0  # of the axis of a guide that is not drawn, on each side of its slider
-LARGE_MM = (14.0, 10.5)  # the block that holds it
 CLEAR_MM = 0.8  # distance of a rod's end from a rail
 
 
@@ -131,12 +129,7 @@ class Scheme:
         """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""
         if (other := self.beside(link)) is None:
             return BLOCK_MM
-        order = list(self.mechanism.links)
-        rank, other_rank = (
-            (bool(x.slides and self.mechanism.owner(x.slides.guide) == FRAME), order.index(x.name))
-            for x in (link, other)
-        )
-        return LARGE_MM if rank > other_rank else SMALL_MM
+        return LARGE_MM if self.mechanism.rank(link) > self.mechanism.rank(other) else SMALL_MM
 
     def beside(self, link: Link) -> Link | None:
         """The other slider in the same place."""

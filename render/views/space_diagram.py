@@ -1,6 +1,5 @@
 """The space diagram of bodies in equilibrium: bodies or members, supports, loads, strings and lines of action."""
 
-import cmath
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -15,16 +14,13 @@ from planes.words.names import at, label_of, mu_of
 from planes.words.naming import Naming
 from render import labels
 from render.paper import symbols
-from render.paper.marks import Arc, Arrow, Line, Mark
-from render.paper.style import BASE_MM, LEG_MM
+from render.paper.marks import Arrow, Line, Mark
 from render.views.loading import Loading
-from render.views.plotted import NEAR_MM
+from render.views.plotted import NEAR_MM, degrees
 from render.views.scheme import Scheme
 from render.views.strings import STRING_MM, drawn_strokes
 
-WHEEL_MM = 0.9  # radius of a roller's wheels
 REGION_MM = 5.0  # letters of regions
-WALL_MM = 14.0  # of a clamp
 SPREAD_MM, SPREAD_GAP_MM = 9.0, 9.0  # height of a distributed load, and distance of its arrows
 
 
@@ -114,7 +110,7 @@ class SpaceDiagram:
         """A roller on its base, a clamp's wall; hinges are drawn with the bodies."""
         z = self.places.at(s.point)
         if s.kind == "roller":
-            return roller(z, s.normal_deg - 90.0)
+            return symbols.roller(z, s.normal_deg - 90.0)
         return self.wall(z, s.point) if s.kind == "clamp" else ()
 
     def wall(self, z: complex, point: str) -> tuple[Mark, ...]:
@@ -122,7 +118,7 @@ class SpaceDiagram:
         points = next(x.points for x in self.position.plans.mechanism.links.values() if point in x.points)
         others = [self.places.at(p) - z for p in points if p != point]
         way = min(others, key=abs, default=1 + 0j)
-        return symbols.base(z, math.degrees(cmath.phase(way)) + 90.0, WALL_MM, side=1)
+        return symbols.wall(z, degrees(way))
 
     def spread(self, load: StaticLoad) -> Iterator[Mark]:
         """A distributed load: arrows beneath one line, as high as its intensities."""
@@ -138,17 +134,3 @@ class SpaceDiagram:
             foot, top = start + share * (end - start), tops[0] + share * (tops[1] - tops[0])
             if abs(foot - top) > 2.0:
                 yield Arrow(top, foot, "thin", "force")
-
-
-def roller(z: complex, angle_deg: float) -> tuple[Mark, ...]:
-    """A hinge on wheels: it holds only perpendicular to its base, whose rotation is the angle."""
-    along = symbols.unit(angle_deg)
-    foot = z - 1j * along * (LEG_MM - 2 * WHEEL_MM)
-    legs = symbols.legs(z, foot, angle_deg)
-    ends = [leg.points[1] for leg in legs]
-    wheels = [
-        Arc(end + side * -WHEEL_MM * along - 1j * along * WHEEL_MM, WHEEL_MM, style="thin")
-        for side, end in zip((-1, 1), ends, strict=True)
-    ]
-    base = symbols.base(z - 1j * along * LEG_MM, angle_deg, BASE_MM)
-    return (*base, Line((ends[0], ends[1])), *legs, *wheels, *symbols.hinge(z))

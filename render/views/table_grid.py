@@ -6,8 +6,8 @@ from itertools import groupby
 
 from planes.words.frozen import frozen
 from render.paper import symbols
-from render.paper.ink import head as ink_head
 from render.paper.marks import Arc, Line, Mark, Shape, Text
+from render.paper.style import head as ink_head
 from render.paper.typeset import extent, ink_width
 
 Row = Sequence[str]
