@@ -31,7 +31,9 @@ export class Scheme extends Drawing {
     this.start(now ? union(common, now) : common);
     /** @type {(n: string) => any} */
     const there = n => seen.has(n) && this.spot(n);
-    for (const g of scheme.guides) this.guide(g, there(g.mark), live.angle("∥" + g.name), there);
+    const borne = (/** @type {Guide} */ g) => scheme.links.some(l => l.slides === g.name && there(l.points[0]));
+    for (const g of scheme.guides) // a moving guide is drawn once its slider is: the construction tells where it lies
+      if (g.link === "0" || borne(g)) this.guide(g, there(g.mark), live.angle("∥" + g.name), there);
     const own = frame ? this.data.plans.find(p => p.key === frame.plan).links : [];
     const apart = (/** @type {Link} */ l) => own.length && !own.includes(l.name);
     for (const l of scheme.links) this.link(l, there, apart(l) ? " away" : "");

@@ -162,3 +162,13 @@ def test_no_script_draws_a_sign_itself() -> None:
     for file in sorted(room.glob("*.js")):
         own = [line for line in file.read_text("utf-8").split("\n") if re.search(r'svg\("(path|rect|circle)"', line)]
         assert not [line for line in own if re.search(rf'"({names}|hatch)[" ]|"rect"', line)], file.name
+
+
+def test_a_slotted_lever_is_drawn_once_its_slider_is(browser: Any, tmp_path: Path) -> None:
+    """Before that, nothing constructed tells where it lies; at the end it is there."""
+    with lesson_opened(browser, lesson_written(tmp_path, SAMPLES / "kind-3-rpr.yaml")) as page:
+        levers = "document.querySelectorAll('#scheme .rail').length"
+        page.evaluate("go(0)")
+        assert page.evaluate(levers) == 0
+        page.evaluate("go(data.frames.length - 1)")
+        assert page.evaluate(levers) == 1
