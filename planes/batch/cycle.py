@@ -160,13 +160,15 @@ class Cycle(Ready):
         Numbers without a correct digit are NaN, unless the ``bare`` ones are requested.
         """
         places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
-        if fast is None:
-            fast = "compiled" in self.__dict__ or pays(len(places))
+        fast = self._pays(len(places)) if fast is None else fast
         size = min(chunk, self.loop(fast).row)
         for start in range(0, len(places), size):
             part = np.asarray(places[start : start + size], float)
             into = None if out is None else out[:, start : start + size]
             yield self.block(part, slice(start, start + len(part)), fast, bare, into)
+
+    def _pays(self, count: int) -> bool:
+        return "compiled" in self.__dict__ or pays(count)
 
     def loop(self, fast: bool) -> Loop:
         """The loop, compiled or by arrays."""
@@ -187,7 +189,7 @@ class Cycle(Ready):
     ) -> tuple[Array, Indices]:
         """A row of all values for each column (in ``out``, where given), and the codes. ``fast`` and ``bare`` are those
         of :meth:`blocks`. Several ``threads`` share the positions: machine code runs in parallel."""
-        fast, values = pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
+        fast, values = self._pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
         out = np.empty((len(self.columns), len(values))) if out is None else out
         codes = np.zeros(len(values), np.intp)
         straight = fast and self._alone and not self._dim and out.strides[1] == values.itemsize
@@ -245,15 +247,6 @@ class Cycle(Ready):
             block.table[:, where] = np.where(doubtful, np.nan, table)
             block.codes[where[doubtful.any(axis=0)]] = self.reasons.index(Reason("no_digits", "")) + 1
         return block
-
-    def beside(self, blocks: Iterable[Block]) -> Iterator[Block]:
-        """Blocks of successive positions, with a row of ± after the rows of results."""
-        start = 0
-        for block in blocks:
-            claimed = self.claimed(block.values, start + np.arange(len(block.values)))
-            start += len(block.values)
-            both = np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)])
-            yield Block(block.values, both, block.codes)
 
     def claimed(self, values: Array, at: Indices) -> Array:
         """± of every column for givens with the uncertainty of decimals."""

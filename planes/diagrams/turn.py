@@ -63,26 +63,38 @@ class WholeTurn:
         digits."""
         return self._run(np.asarray(values, float), bare)[0]
 
-    def _run(self, values: Array, bare: bool = False, fast: bool = False) -> tuple[dict[str, Array], Indices]:
+    def _run(self, values: Array, bare: bool = False, fast: bool | None = False) -> tuple[dict[str, Array], Indices]:
         columns: dict[str, Array] = {}
-        codes, past = np.zeros(len(values), int), 0
+        codes, past = np.zeros(len(values), np.intp), 0
         for prefix, run in self.cycles:
-            blocks = list(run.blocks(values, fast=fast, bare=bare))
-            table = np.hstack([b.table for b in blocks])
-            mine = np.hstack([b.codes for b in blocks])
-            codes = np.where((codes == 0) & (mine != 0), mine + past, codes)
+            table, mine = run.table(values, fast, bare=bare)
+            if mine.any():
+                codes = np.where((codes == 0) & (mine != 0), mine + past, codes)
             past += len(run.reasons)
             columns |= {prefix + c.name: row for c, row in zip(run.columns, table, strict=True)}
         return columns, codes
 
-    def blocks(self, values: Span | Array, chunk: int = CHUNK, fast: bool | None = None) -> Iterator[Block]:
-        """The curves (one row each) of successive positions, in blocks: for a long table. ``fast`` says whether to
+    def rows(self, values: Array, fast: bool | None = None, errors: bool = False) -> tuple[list[Array], Indices]:
+        """Every curve at every position, with ``errors`` then the ± of each; and the codes. ``fast`` says whether to
         compile; by default, where that pays."""
+        sample, codes = self._run(values, fast=fast)
+        rows = [c.read(sample) for c in self.curves]
+        if errors:
+            every = np.arange(len(values))
+            known = ((prefix, run.columns, run.claimed(values, every)) for prefix, run in self.cycles)
+            off = {prefix + c.name: row for prefix, cs, some in known for c, row in zip(cs, some, strict=True)}
+            rows += [
+                np.where(np.isnan(row), np.nan, c.off(sample, off)) for c, row in zip(self.curves, rows, strict=True)
+            ]
+        return rows, codes
+
+    def blocks(self, values: Span | Array, fast: bool | None = None, errors: bool = False) -> Iterator[Block]:
+        """The same for successive positions, in blocks: for a long table."""
         fast = pays(len(values)) if fast is None else fast
-        for start in range(0, len(values), chunk):
-            part = np.asarray(values[start : start + chunk], float)
-            columns, codes = self._run(part, fast=fast)
-            yield Block(part, np.array([c.read(columns) + np.zeros(len(part)) for c in self.curves]), codes)
+        for start in range(0, len(values), CHUNK):
+            part = np.asarray(values[start : start + CHUNK], float)
+            rows, codes = self.rows(part, fast, errors)
+            yield Block(part, np.array(rows), codes)
 
 
 def turn_of(
