@@ -67,7 +67,7 @@ class Table(Described, Mapping[str, Array | Complexes]):
         return len(self.columns)
 
     def __repr__(self) -> str:
-        names = [f"{name} [{self.units[name]}]" for name in self.columns]
+        names = [name if (unit := self.units[name]) == SWEPT else f"{name} [{unit}]" for name in self.columns]
         more = ", …" if len(names) > SHOWN else ""
         lost = int(np.count_nonzero(self.failed != ""))
         failed = f", {lost} of them failed" if lost else ""

@@ -10,7 +10,7 @@ import math
 import os
 import re
 import sys
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import partial
 from gettext import NullTranslations
@@ -20,7 +20,7 @@ from typing import Any
 
 from planes.cli.options import COMPLETED, EITHER, OF_SCENE, OPTIONS, POSITIONED, POSITIONS, WITHOUT_SCENE, Option
 from planes.words import Lang, Phrase, home_lang, langs, say, table, under
-from planes.words.errors import PlanesError
+from planes.words.errors import PlanesError, near_name
 
 APART = {
     "check": "check",
@@ -167,6 +167,17 @@ class Parser(argparse.ArgumentParser):
         except ValueError:
             raise argparse.ArgumentTypeError(say(key, self.lang, value=repr(text))) from None
 
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        try:
+            super()._check_value(action, value)
+        except argparse.ArgumentError as error:
+            error.message += self._near(value, action.choices or ())
+            raise
+
+    def _near(self, given: object, names: Iterable[str]) -> str:
+        near = near_name(str(given), map(str, names))
+        return near.told(self.lang) if isinstance(near, Phrase) else ""
+
 
 class CommandParser(Parser):
     """The parser of one command, whose options may be anywhere between its files."""
@@ -181,9 +192,13 @@ class CommandParser(Parser):
         self.usage = self.format_usage().removeprefix(say("usage_line", self.lang))  # before it is split
         self._mixing = True
         try:
-            return self.parse_known_intermixed_args(line, namespace)
+            read, rest = self.parse_known_intermixed_args(line, namespace)
         finally:
             self._mixing = False
+        if strange := next((word for word in rest if word.startswith("--")), ""):
+            known = (name for one in self._actions for name in one.option_strings)
+            self.error(say("usage_unknown", self.lang) % " ".join(rest) + self._near(strange, known))
+        return read, rest
 
     def _ended(self, args: Sequence[str]) -> list[str]:
         """The line with the default number after an option without one; and a value that begins with a minus (``--phi

@@ -60,7 +60,7 @@ def cycle(
     >>> scene = planes.load("samples/kind-1-rrr.yaml")
     >>> table = planes.cycle(scene, ["v_C", "omega_2"], phi=range(0, 360, 90), l_CD=[0.3, 0.35])
     >>> table
-    <Table of 5 columns, 8 positions: l_CD [SI], phi [°], v_C_x [m/s], v_C_y [m/s], omega_2 [rad/s]>
+    <Table of 5 columns, 8 positions: l_CD, phi [°], v_C_x [m/s], v_C_y [m/s], omega_2 [rad/s]>
     >>> table["v_C"].shape
     (8,)
     """

@@ -1,7 +1,7 @@
 """All error classes, and how a message lists the valid choices. The texts are in the table of words."""
 
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from difflib import get_close_matches
 from itertools import islice
 from pathlib import Path
@@ -132,13 +132,26 @@ def _near(given: str, known: list[str]) -> Told:
     if twin := next((name for name in known if latin(name) == latin(given)), None):
         return Phrase("near_alike", name=twin)
     alike = [name for name in known if len(name) == len(given)]
+    known = [name for name in known if len(name) < 2 * len(given)]  # A4x5 is not what A5 means
     matches = get_close_matches(given, known, n=1, cutoff=LIKE) or get_close_matches(given, alike, n=1, cutoff=0.5)
     return Phrase("near_name", name=matches[0]) if matches else ""
 
 
+def near_file(path: str | Path) -> Told:
+    """Words that suggest a file of nearly the same name in the same folder."""
+    with suppress(OSError):
+        return near_name(Path(path).name, (one.name for one in Path(path).parent.iterdir()))
+    return ""
+
+
+def near_name(given: str, names: Iterable[str]) -> Told:
+    """Words that suggest the known name closest in spelling to the given one; empty where none is close."""
+    return _near(given[:OFFERED], [*islice(names, 2000)])
+
+
 def nearest(given: str, names: Iterable[str]) -> str:
-    """The known name closest in spelling to the given one; empty where none is close."""
-    near = _near(given[:OFFERED], [*islice(names, 2000)])
+    """That name alone; empty where none is close."""
+    near = near_name(given, names)
     return str(near.parts["name"]) if isinstance(near, Phrase) else ""
 
 
