@@ -12,6 +12,7 @@ import re
 import sys
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from difflib import get_close_matches
 from functools import partial
 from gettext import NullTranslations
 from importlib import import_module
@@ -20,7 +21,7 @@ from typing import Any
 
 from planes.cli.options import COMPLETED, EITHER, OF_SCENE, OPTIONS, POSITIONED, POSITIONS, WITHOUT_SCENE, Option
 from planes.words import Lang, Phrase, home_lang, langs, say, table, under
-from planes.words.errors import PlanesError, near_name
+from planes.words.errors import PlanesError
 
 APART = {
     "check": "check",
@@ -29,6 +30,7 @@ APART = {
     **dict.fromkeys(("new", "studio", "schema", "completion"), "start"),
 }
 """Commands with their own module; the others are together in ``commands``."""
+CLOSE = 0.7  # how like two words are, of 1, one of which is a misspelling of the other
 SHORT = ("crank-slider", "note", "sheet")
 """Commands that make one document and end, without a search for reference cycles: it took 0.6 of 5 s in the
 crank-slider's report, a twentieth of a note or a sheet; without it the report's peak is 240 MB, not 150."""
@@ -174,9 +176,9 @@ class Parser(argparse.ArgumentParser):
             error.message += self._near(value, action.choices or ())
             raise
 
-    def _near(self, given: object, names: Iterable[str]) -> str:
-        near = near_name(str(given), map(str, names))
-        return near.told(self.lang) if isinstance(near, Phrase) else ""
+    def _near(self, given: object, names: Iterable[object], mark: str = "") -> str:
+        close = get_close_matches(str(given), [*map(str, names)], 1, CLOSE)
+        return say("near_name", self.lang, name=mark + close[0]) if close else ""
 
 
 class CommandParser(Parser):
@@ -196,8 +198,8 @@ class CommandParser(Parser):
         finally:
             self._mixing = False
         if strange := next((word for word in rest if word.startswith("--")), ""):
-            known = (name for one in self._actions for name in one.option_strings)
-            self.error(say("usage_unknown", self.lang) % " ".join(rest) + self._near(strange, known))
+            known = (name[2:] for one in self._actions for name in one.option_strings)
+            self.error(say("usage_unknown", self.lang) % " ".join(rest) + self._near(strange[2:], known, "--"))
         return read, rest
 
     def _ended(self, args: Sequence[str]) -> list[str]:

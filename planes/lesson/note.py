@@ -107,7 +107,7 @@ class Note:
     def cover(self, title: str) -> Cover:
         """The title page by the cells of the sheet's title block; lines to fill in for whom it does not name."""
         cells = {key: str(cell) for key, cell in self.scene.sheet.items()}
-        above = tuple(cells[key] for key in ("company", "department") if key in cells)
+        above = tuple(cells[key] for key in ("university", "company", "department") if cells.get(key))
         student = ", ".join(cells[key] for key in ("student", "group") if cells.get(key)) or BLANK
         people = (
             f"{self.say('note_student')}: {student}",

@@ -45,7 +45,8 @@ class StepWords:
             case s.LayOff():
                 return self.lay_off(step)
             case crossings.Touch():
-                return "touch", "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
+                key = "touch" if step.offset else "touch_through"
+                return key, "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
             case crossings.Cross():
                 special = step.quantity == "special"
                 lines: Names = {"action": self.action(step.along), "across": self.action(step.across)}
@@ -53,7 +54,8 @@ class StepWords:
             case CutTrack():
                 return self.track(step)
             case crossings.CrossArc():
-                return "arc", "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
+                key = "arc_guide" if label_of(step.start).startswith("°") else "arc"  # a guide is known by a place
+                return key, "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
             case crossings.CrossArcs():
                 radius, other = slot(step.radius, "mm", step.mu), slot(step.other_radius, "mm", step.mu)
                 return "arcs", "arcs", {"radius_mm": radius, "other_mm": other}

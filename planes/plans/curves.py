@@ -50,7 +50,7 @@ class Curve:
     margin: Margin | None = None
 
     def off(self, sample: Sample, margins: Sample) -> Real:
-        """± at every position, by the ``margins`` of the columns read: a column's own, where nothing else is said."""
+        """± at every position, by the ``margins`` of the columns read: a column's own, unless the curve has another."""
         return self.margin(sample, margins) if self.margin else np.abs(self.read(margins))
 
 

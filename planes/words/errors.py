@@ -140,18 +140,13 @@ def _near(given: str, known: list[str]) -> Told:
 def near_file(path: str | Path) -> Told:
     """Words that suggest a file of nearly the same name in the same folder."""
     with suppress(OSError):
-        return near_name(Path(path).name, (one.name for one in Path(path).parent.iterdir()))
+        return _near(Path(path).name[:OFFERED], [one.name for one in islice(Path(path).parent.iterdir(), 2000)])
     return ""
 
 
-def near_name(given: str, names: Iterable[str]) -> Told:
-    """Words that suggest the known name closest in spelling to the given one; empty where none is close."""
-    return _near(given[:OFFERED], [*islice(names, 2000)])
-
-
 def nearest(given: str, names: Iterable[str]) -> str:
-    """That name alone; empty where none is close."""
-    near = near_name(given, names)
+    """The known name closest in spelling to the given one; empty where none is close."""
+    near = _near(given[:OFFERED], [*islice(names, 2000)])
     return str(near.parts["name"]) if isinstance(near, Phrase) else ""
 
 

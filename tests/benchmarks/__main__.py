@@ -145,12 +145,12 @@ def sentence(measured: Measured, lang: str) -> str:
     least = {mechanism: one[COUNTS[0]] for mechanism, one in measured.items()}
     quicker = [QUICKER[m][lang == "ru"] for m, one in least.items() if one[by_hand][0] < one[ours][0] and m in QUICKER]
     texts = {
-        "en": "Nanoseconds a position of the compiled loop on one core of an {cpu}, at 360 and at a million: four-bar "
+        "en": "The compiled loop on one core of an {cpu}, in nanoseconds a position at 360 and at a million. Four-bar: "
         "{} and {} (numba by hand {} and {}, pylinkage {} and {}). Six-link with forces: {} and {} (numba {} and {}). "
         "`planes.cycle`, which makes a table by names, costs {} and {} for the four-bar.",
-        "ru": "Скомпилированный цикл, наносекунд на положение при 360 и при миллионе, одно ядро {cpu}: четырёхзвенник "
-        "{} и {} (numba вручную {} и {}, pylinkage {} и {}). Шестизвенник с силами: {} и {} (numba {} и {}). "
-        "`planes.cycle` собирает таблицу по именам; четырёхзвенник в ней стоит {} и {}.",
+        "ru": "Скомпилированный цикл на одном ядре {cpu}, наносекунд на положение при 360 и при миллионе. "
+        "Четырёхзвенник: {} и {} (numba вручную {} и {}, pylinkage {} и {}). Шестизвенник с силами: {} и {} (numba {} "
+        "и {}). Таблица по именам, `planes.cycle`, для четырёхзвенника стоит {} и {}.",
     }
     more = {"en": " At 360, numba by hand is quicker on {}.", "ru": " При 360 numba вручную быстрее {}."}
     text = texts[lang].format(*cells, cpu=machine()[0])
