@@ -10,14 +10,14 @@ import math
 import os
 import re
 import sys
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from difflib import get_close_matches
 from functools import partial
 from gettext import NullTranslations
 from importlib import import_module
 from itertools import pairwise
-from typing import Any
+from typing import Any, NoReturn
 
 from planes.cli.options import COMPLETED, EITHER, OF_SCENE, OPTIONS, POSITIONED, POSITIONS, WITHOUT_SCENE, Option
 from planes.words import Lang, Phrase, home_lang, langs, say, table, under
@@ -30,7 +30,7 @@ APART = {
     **dict.fromkeys(("new", "studio", "schema", "completion"), "start"),
 }
 """Commands with their own module; the others are together in ``commands``."""
-CLOSE = 0.7  # how like two words are, of 1, one of which is a misspelling of the other
+CLOSE = 0.8  # how like two words are, of 1, one of which is a misspelling of the other
 SHORT = ("crank-slider", "note", "sheet")
 """Commands that make one document and end, without a search for reference cycles: it took 0.6 of 5 s in the
 crank-slider's report, a twentieth of a note or a sheet; without it the report's peak is 240 MB, not 150."""
@@ -169,16 +169,15 @@ class Parser(argparse.ArgumentParser):
         except ValueError:
             raise argparse.ArgumentTypeError(say(key, self.lang, value=repr(text))) from None
 
-    def _check_value(self, action: argparse.Action, value: Any) -> None:
-        try:
-            super()._check_value(action, value)
-        except argparse.ArgumentError as error:
-            error.message += self._near(value, action.choices or ())
-            raise
-
-    def _near(self, given: object, names: Iterable[object], mark: str = "") -> str:
-        close = get_close_matches(str(given), [*map(str, names)], 1, CLOSE)
-        return say("near_name", self.lang, name=mark + close[0]) if close else ""
+    def error(self, message: str) -> NoReturn:
+        """The sentence, and the option or choice of nearly the same spelling, if a word of it is unknown."""
+        options = [flags.split()[-1] for own in (OF_SCENE, POSITIONS, *OPTIONS.values()) for flags, _, _ in own]
+        unknown = re.search(r"'([\w-]+)'|--[\w-]+", message)
+        if unknown and unknown[0] not in options:
+            word, names = unknown[1] or unknown[0], re.findall(r"[\w-]+", message[unknown.end() :])
+            near = get_close_matches(word, options if word[0] == "-" else names, 1, CLOSE)
+            message += "".join(say("near_name", self.lang, name=name) for name in near)
+        super().error(message)
 
 
 class CommandParser(Parser):
@@ -194,13 +193,9 @@ class CommandParser(Parser):
         self.usage = self.format_usage().removeprefix(say("usage_line", self.lang))  # before it is split
         self._mixing = True
         try:
-            read, rest = self.parse_known_intermixed_args(line, namespace)
+            return self.parse_known_intermixed_args(line, namespace)
         finally:
             self._mixing = False
-        if strange := next((word for word in rest if word.startswith("--")), ""):
-            known = (name[2:] for one in self._actions for name in one.option_strings)
-            self.error(say("usage_unknown", self.lang) % " ".join(rest) + self._near(strange[2:], known, "--"))
-        return read, rest
 
     def _ended(self, args: Sequence[str]) -> list[str]:
         """The line with the default number after an option without one; and a value that begins with a minus (``--phi

@@ -80,12 +80,9 @@ class WholeTurn:
         sample, codes = self._run(values, fast=fast)
         rows = [c.read(sample) for c in self.curves]
         if errors:
-            every = np.arange(len(values))
-            known = ((prefix, run.columns, run.claimed(values, every)) for prefix, run in self.cycles)
-            off = {prefix + c.name: row for prefix, cs, some in known for c, row in zip(cs, some, strict=True)}
-            rows += [
-                np.where(np.isnan(row), np.nan, c.off(sample, off)) for c, row in zip(self.curves, rows, strict=True)
-            ]
+            runs, every = self.cycles, np.arange(len(values))
+            off = {p + c.name: x for p, r in runs for c, x in zip(r.columns, r.claimed(values, every), strict=True)}
+            rows += [c.off(sample, off) + 0 * row for c, row in zip(self.curves, rows, strict=True)]  # NaN stays
         return rows, codes
 
     def blocks(self, values: Span | Array, fast: bool | None = None, errors: bool = False) -> Iterator[Block]:

@@ -31,9 +31,7 @@ Group = Literal["place", "analogue", "rate", "force"]
 UNIT = "q:"
 T = TypeVar("T", bound="Curve | CycleVector")
 FULL = 360.0
-Margin = Callable[[Sample, Sample], Real]
-"""± of a curve by columns and their ±."""
-ROUNDING = 1e-15  # of what a curve computes from columns: four last places, of the largest number in it
+ROUNDING = 1e-15  # of the numbers a curve is computed from, where they are several: four last places
 
 
 @frozen
@@ -47,11 +45,14 @@ class Curve:
     read: Callable[[Sample], Real]
     slope: Callable[[Sample], Real] | None = None
     angular: bool = False
-    margin: Margin | None = None
 
     def off(self, sample: Sample, margins: Sample) -> Real:
-        """± at every position, by the ``margins`` of the columns read: a column's own, unless the curve has another."""
-        return self.margin(sample, margins) if self.margin else np.abs(self.read(margins))
+        """± at every position, by the ``margins`` of the columns it reads. None of them moves it by more than it moves
+        itself; an angle moves a place along a guide by as much as it turns the lengths read."""
+        names = needs_of([self], False)
+        lengths = sum(np.abs(sample[n]) for n in names) * (len(names) > 1)
+        turned = (np.radians(margins[n]) * lengths if self.unit == "m" and n[0] == "p" else margins[n] for n in names)
+        return sum(turned) + ROUNDING * lengths
 
 
 @frozen
@@ -154,8 +155,7 @@ def _places(plans: Plans) -> Iterator[Curve]:
             slope = _column(f"{UNIT}omega_{link}") if names.omega else None
             yield Curve(f"phi_{link}", "°", "place", _column(f"phi_{link}"), slope, True)
     for link in plans.velocity_slides:
-        read, margin = _along(plans, link)
-        yield Curve(f"s_{link}", "m", "place", read, _column(f"{UNIT}v_slide_{link}"), margin=margin)
+        yield Curve(f"s_{link}", "m", "place", _along(plans, link), _column(f"{UNIT}v_slide_{link}"))
     for p in plans.points:
         if p not in m.frame.points:
             for axis in "xy":
@@ -163,32 +163,22 @@ def _places(plans: Plans) -> Iterator[Curve]:
                 yield Curve(name, "m", "place", _column(name), _column(f"{UNIT}v_{p}_{axis}"))
 
 
-def _along(plans: Plans, link: str) -> tuple[Callable[[Sample], Real], Margin]:
-    """The position of a slider's first point along its guide, from the point that defines the guide; and its margin: no
-    larger than those of both points, and of the guide's angle at that distance."""
+def _along(plans: Plans, link: str) -> Callable[[Sample], Real]:
+    """The position of a slider's first point along its guide, from the point that defines the guide."""
     m = plans.mechanism
     guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner(plans.velocity_slides[link].guide)
     first, way = m.links[link].first_point, np.exp(1j * math.radians(guide.angle_deg))
-    place, ended = CycleVector("", "m", f"r_{first}"), _length(f"r_{first}")
+    place = CycleVector("", "m", f"r_{first}")
     if owner == FRAME:
-        far = abs(guide.through)
-        return (
-            lambda s: ((place.read(s) - guide.through) * np.conj(way)).real,
-            lambda s, off: ended(off) + ROUNDING * (ended(s) + far),
-        )
+        return lambda s: ((place.read(s) - guide.through) * np.conj(way)).real
     base = m.links[owner].first_point
-    start, begun = CycleVector("", "m", f"r_{base}"), _length(f"r_{base}")
-    shift = guide.through - m.links[owner].points[base]
+    start, shift = CycleVector("", "m", f"r_{base}"), guide.through - m.links[owner].points[base]
 
     def read(s: Sample) -> Real:
         turn = np.exp(1j * np.radians(s[f"phi_{owner}"]))
         return (((place.read(s) - start.read(s)) * np.conj(turn) - shift) * np.conj(way)).real
 
-    def margin(s: Sample, off: Sample) -> Real:
-        ends = ended(s) + begun(s)  # no less than the two points are apart
-        return ended(off) + begun(off) + ends * np.radians(off[f"phi_{owner}"]) + ROUNDING * (ends + abs(shift))
-
-    return read, margin
+    return read
 
 
 def _motions(plans: Plans, q: str = "") -> Iterator[Curve]:
@@ -228,10 +218,6 @@ def _column(name: str) -> Callable[[Sample], Real]:
     return lambda s: s[name]
 
 
-def _length(base: str) -> Callable[[Sample], Real]:
-    return lambda s: np.hypot(s[f"{base}_x"], s[f"{base}_y"])
-
-
 def _opposite(name: str) -> Callable[[Sample], Real]:
     return lambda s: -s[name]
 
@@ -247,9 +233,7 @@ def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", fact
     def growing(s: Sample) -> Real:
         return s[f"{speed}_x"] * s[f"{slope}_x"] + s[f"{speed}_y"] * s[f"{slope}_y"]
 
-    length = _length(base)
-    margin = lambda s, off: length(off) + ROUNDING * length(s)  # noqa: E731
-    yield Curve(name, unit, group, length, growing if slope else None, margin=margin)
+    yield Curve(name, unit, group, lambda s: np.hypot(s[f"{base}_x"], s[f"{base}_y"]), growing if slope else None)
     for axis in "xy":
         yield _scalar(f"{name}_{axis}", unit, group, f"{base}_{axis}", f"{slope}_{axis}" if slope else "", factor)
 

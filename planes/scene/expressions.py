@@ -136,14 +136,11 @@ class ExpressionParser:
             factor = FACTORS.get(unit.lower())
             for name in (*self.valid, *RESERVED):
                 if name == word or FACTORS.get(name.lower(), name) == factor:
-                    return Phrase("write_times", text=self._times(near[0][1], word, name))
+                    made = re.sub(rf"{re.escape(near[0][1])}\s*{word}", f"{near[0][1]}*{name}", self.text, count=1)
+                    return Phrase("write_times", text=shown(made)[1:-1])
             hint = unit and Phrase("unit_in_si", unit=unit, factor=factor)
             return Phrase("unit_written", word=shown(word), hint=hint)
         return Phrase("unexpected" if kind == "sign" else "unexpected_operand", word=shown(word))
-
-    def _times(self, number: str, word: str, name: str) -> str:
-        """The text with a sign of times between a number and the word after it, by its right ``name``."""
-        return shown(re.sub(rf"{re.escape(number)}\s*{re.escape(word)}", f"{number}*{name}", self.text, count=1))[1:-1]
 
     def sign(self, *signs: str) -> str:
         """Take one of these signs if it comes next; "" otherwise."""
