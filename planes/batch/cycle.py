@@ -6,7 +6,7 @@ runs by the compiled loop (``compiled``) where that is installed. Where a loop s
 drawn, and proved.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TypeVar
 
@@ -23,7 +23,6 @@ from planes.drafting.clearness import far_apart
 from planes.drafting.drawing import run
 from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
-from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Floats, Indices
 from planes.plans import Plans
 from planes.plans.columns import Column
@@ -44,7 +43,7 @@ def pays(count: int) -> bool:
 
 
 AnyLoop = TypeVar("AnyLoop", bound=Loop)
-Places = Iterable[float] | Span | Array  # positions of the drive
+Places = Sequence[float] | Span | Array  # positions of the drive
 
 
 class Cycle(Ready):
@@ -159,11 +158,10 @@ class Cycle(Ready):
 
         Numbers without a correct digit are NaN, unless the ``bare`` ones are requested.
         """
-        places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
-        fast = self._pays(len(places)) if fast is None else fast
+        fast = self._pays(len(values)) if fast is None else fast
         size = min(chunk, self.loop(fast).row)
-        for start in range(0, len(places), size):
-            part = np.asarray(places[start : start + size], float)
+        for start in range(0, len(values), size):
+            part = np.asarray(values[start : start + size], float)
             into = None if out is None else out[:, start : start + size]
             yield self.block(part, slice(start, start + len(part)), fast, bare, into)
 

@@ -171,12 +171,13 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """The sentence, and the option or choice of nearly the same spelling, if a word of it is unknown."""
-        options = [flags.split()[-1] for own in (OF_SCENE, POSITIONS, *OPTIONS.values()) for flags, _, _ in own]
-        unknown = re.search(r"'([\w-]+)'|--[\w-]+", message)
-        if unknown and unknown[0] not in options:
-            word, names = unknown[1] or unknown[0], re.findall(r"[\w-]+", message[unknown.end() :])
-            near = get_close_matches(word, options if word[0] == "-" else names, 1, CLOSE)
-            message += "".join(say("near_name", self.lang, name=name) for name in near)
+        word = (re.findall(r"(?<=')[\w-]+(?=')|--[\w-]+", message) or [""])[0]
+        options = " ".join(flags for own in (OF_SCENE, POSITIONS, *OPTIONS.values()) for flags, *_ in own)
+        if word not in options.split():
+            names = re.findall(r"[\w-]+", message.partition(word)[2] + options)
+            message += "".join(
+                say("near_name", self.lang, name=name) for name in get_close_matches(word, names, 1, CLOSE)
+            )
         super().error(message)
 
 

@@ -80,16 +80,12 @@ def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]
 def collect(gaps: list[Gap], block: Block) -> None:
     """Merge the failed positions of a block into the ranges found so far."""
     codes = block.codes
-    if not codes.any():
-        gaps.append(Gap(0, 0.0, 0.0, 0)) if gaps and gaps[-1].code else None
-        return
     edges = np.flatnonzero(np.diff(codes)) + 1
     for start, end in zip([0, *edges], [*edges, len(codes)], strict=True):
         code, first, last = int(codes[start]), float(block.values[start]), float(block.values[end - 1])
-        if gaps and gaps[-1].code == code:
-            gaps[-1].last, gaps[-1].count = last, gaps[-1].count + int(end - start) * (code != 0)
-        else:
-            gaps.append(Gap(code, first, last, int(end - start) * (code != 0)))
+        if not gaps or gaps[-1].code != code:
+            gaps.append(Gap(code, first, last, 0))
+        gaps[-1].last, gaps[-1].count = last, gaps[-1].count + int(end - start) * (code != 0)
 
 
 def tell(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, lang: Lang) -> None:
@@ -122,7 +118,7 @@ DECIMALS = 5
 def listed(turn: WholeTurn, values: Any) -> dict[str, list[float]]:
     """Every curve at each position of the drive, by its name."""
     sample = turn.sample(values)
-    return {c.name: [float(x) for x in c.read(sample) + np.zeros(len(values))] for c in turn.curves}
+    return {c.name: c.read(sample).tolist() for c in turn.curves}
 
 
 def listed_json(turn: WholeTurn, values: Any) -> Json:

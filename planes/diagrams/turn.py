@@ -212,7 +212,7 @@ class Grid:
         return tuple(flips)
 
     def _turn(self, curve: Curve, one: float, two: float) -> float:
-        a, b = curve.read(self.turn.sample([one, two])) + np.zeros(2)
+        a, b = curve.read(self.turn.sample([one, two]))
         return float(abs((b - a + FULL / 2) % FULL - FULL / 2))
 
 

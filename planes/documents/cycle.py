@@ -69,8 +69,8 @@ class Turned:
     def joined(self, curve: Curve | CycleVector) -> tuple[Array, Array]:
         """A curve's runs as one row of positions and one of values, with gaps between them."""
         x = numpy.concatenate([part for places, _ in self.pieces for part in (places, places[-1:])][:-1])
-        rows = [curve.read(sample) + numpy.zeros(len(places)) for places, sample in self.pieces]
-        return x, numpy.concatenate([part for row in rows for part in (row, [numpy.nan])][:-1])
+        rows = [part for _, sample in self.pieces for part in (curve.read(sample), [numpy.nan])]
+        return x, numpy.concatenate(rows[:-1])
 
 
 def known(values: Array) -> tuple[Real, ...]:

@@ -254,8 +254,7 @@ class Note:
         head = (self.say("note_link"), f"ω, {w}", f"ε, {e}")
         shown = [(k, *(self.number(x.get(i)) for i in ("omega", "epsilon"))) for k, x in p.rows("links").items()]
         yield from self.table("note_links_table", head, [row for row in shown if row[0] != FRAME])
-        own = self.scene.equations if "equations" in p.results else (), self.scene.file
-        told_of = own_rows(p.plans, p.drawing, p.scales, own, self.lang)
+        told_of = own_rows(p, (self.scene.equations, self.scene.file), self.lang)
         yield from self.table("own_equations", (self.say("own_equations"), ""), told_of)
         forces = list(p.of("reactions").items())
         if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):

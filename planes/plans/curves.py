@@ -168,15 +168,15 @@ def _along(plans: Plans, link: str) -> Callable[[Sample], Real]:
     m = plans.mechanism
     guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner(plans.velocity_slides[link].guide)
     first, way = m.links[link].first_point, np.exp(1j * math.radians(guide.angle_deg))
-    place = CycleVector("", "m", f"r_{first}")
-    if owner == FRAME:
-        return lambda s: ((place.read(s) - guide.through) * np.conj(way)).real
-    base = m.links[owner].first_point
-    start, shift = CycleVector("", "m", f"r_{base}"), guide.through - m.links[owner].points[base]
+    base = m.links[owner].first_point if owner != FRAME else ""
+    place, start = CycleVector("", "m", f"r_{first}"), CycleVector("", "m", f"r_{base}")
+    shift = guide.through - (m.links[owner].points[base] if base else 0)
 
     def read(s: Sample) -> Real:
-        turn = np.exp(1j * np.radians(s[f"phi_{owner}"]))
-        return (((place.read(s) - start.read(s)) * np.conj(turn) - shift) * np.conj(way)).real
+        here = place.read(s)
+        if base:
+            here = (here - start.read(s)) * np.exp(-1j * np.radians(s[f"phi_{owner}"]))
+        return ((here - shift) * np.conj(way)).real
 
     return read
 

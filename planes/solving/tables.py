@@ -35,8 +35,7 @@ def report(solved: Solved, lang: Lang = "en") -> str:
 
 def own_lines(p: Position, scene: Scene, lang: Lang) -> list[str]:
     """The user's equations, each with its result, or whether it closes and what would close it."""
-    own = scene.equations if "equations" in p.results else ()
-    rows = own_rows(p.plans, p.drawing, p.scales, (own, scene.file), lang)
+    rows = own_rows(p, (scene.equations, scene.file), lang)
     return table(say("own_equations", lang), ["", ""], rows)
 
 
