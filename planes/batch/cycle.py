@@ -65,7 +65,7 @@ class Cycle(Ready):
         self.program = plans.program.sliced([n for c in self.columns for n in c.needs])
         self.mus, self.known = unit_scales(plans), frozenset(known or ())
         self.given = {**plans.given, **self.mus}
-        if self.known - {*self.mus, plans.drive_given, *plans.mechanism.drive.rates}:
+        if self.known - {*self.mus, plans.drive_given, *plans.drive.rates}:
             # an overridden number is no fault of the links it belongs to
             proofs = tuple(p for p in self.program.proofs if not isinstance(p, Rigid | Slid))
             self.program = Program(self.program.steps, proofs)
@@ -91,7 +91,7 @@ class Cycle(Ready):
         them."""
         if not (sides := sides_of(self.columns)):
             return []
-        own = np.array([self.plans.mechanism.drive.position])
+        own = np.array([self.plans.drive.position])
         things = run(self.program, {**self.given, **self.moving(own, slice(0, 1))}).things
         if not (still := [s for s in sides if (things[s[0]] == things[s[1]]).all()]):
             return sides

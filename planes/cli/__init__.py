@@ -173,7 +173,7 @@ class Parser(argparse.ArgumentParser):
         """The sentence, and the option or choice of nearly the same spelling, if a word of it is unknown."""
         word = (re.findall(r"(?<=')[\w-]+(?=')|--[\w-]+", message) or [""])[0]
         options = " ".join(flags for own in (OF_SCENE, POSITIONS, *OPTIONS.values()) for flags, *_ in own)
-        if word not in options.split():
+        if word and word not in options.split():
             names = re.findall(r"[\w-]+", message.partition(word)[2] + options)
             message += "".join(
                 say("near_name", self.lang, name=name) for name in get_close_matches(word, names, 1, CLOSE)

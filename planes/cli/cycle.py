@@ -120,7 +120,7 @@ def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.plans.statements.of_scene import scene_plans
 
     plans = scene_plans(scene)
-    chosen = span or Span(plans.mechanism.drive.position, 0.0, 1)
+    chosen = span or Span(plans.drive.position, 0.0, 1)
     if chosen.count > LISTED:
         raise PlanesError(Phrase("listing_long", count=chosen.count, most=LISTED))
     turn = turn_of(plans, _names(args), file=scene.file, slopes=False)

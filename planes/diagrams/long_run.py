@@ -46,8 +46,8 @@ def write_table(
 ) -> int:
     """Write a table of curves, with ``errors`` the ± of each after them; returns the exit status."""
     table, span = turn.cycles[0][1], values or whole(turn.plans)
-    kind, count = turn.plans.mechanism.drive.kind, len(span)
-    drive, heads = ("phi", "°") if kind == "phi" else ("s", "m"), [(c.name, c.unit) for c in turn.curves]
+    kind, count = turn.plans.drive.kind, len(span)
+    drive, heads = (kind, "°" if kind == "phi" else "m"), [(c.name, c.unit) for c in turn.curves]
     heads += [(PLUS_MINUS + name, unit) for name, unit in heads if errors]
     gaps: list[Gap] = []
     with opened(Path(output), TableHead(drive, heads, turn.reasons), count) as writer:
@@ -62,8 +62,8 @@ def write_table(
 
 def whole(plans: Plans) -> Span:
     """The default range of a table: a full turn, or the given position of a slider."""
-    drive = plans.mechanism.drive
-    return FULL_TURN if drive.kind == "phi" else Span(drive.position, 0.0, 1)
+    drive = plans.drive
+    return FULL_TURN if drive.rotates else Span(drive.position, 0.0, 1)
 
 
 def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]:
@@ -82,9 +82,9 @@ def collect(gaps: list[Gap], block: Block) -> None:
     codes = block.codes
     edges = np.flatnonzero(np.diff(codes)) + 1
     for start, end in zip([0, *edges], [*edges, len(codes)], strict=True):
-        code, first, last = int(codes[start]), float(block.values[start]), float(block.values[end - 1])
+        code, last = int(codes[start]), float(block.values[end - 1])
         if not gaps or gaps[-1].code != code:
-            gaps.append(Gap(code, first, last, 0))
+            gaps.append(Gap(code, float(block.values[start]), last, 0))
         gaps[-1].last, gaps[-1].count = last, gaps[-1].count + int(end - start) * (code != 0)
 
 
@@ -139,13 +139,13 @@ def unsolved(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
         try:
             run(plans.program, {**given, plans.drive_given: value})
         except PlanFailure as failure:
-            sentences.append(failed(failure, value, plans.mechanism.drive.kind, nearest.to(value)).told(lang))
+            sentences.append(failed(failure, value, plans.drive.kind, nearest.to(value)).told(lang))
     return sentences
 
 
 def listing(turn: WholeTurn, values: Any, lang: Lang) -> str:
     """Every curve in each position, in the order of the analytic method, with five decimals."""
-    told_rows, kind = listed(turn, values), turn.plans.mechanism.drive.kind
+    told_rows, kind = listed(turn, values), turn.plans.drive.kind
     lines: list[str] = []
     for key, curves in _chapters(turn.curves):
         rows = [[c.name, say(c.unit, lang), *map(five_decimals, told_rows[c.name])] for c in curves]

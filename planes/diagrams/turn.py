@@ -47,7 +47,7 @@ class WholeTurn:
         """The runs there are, each with the prefix of its columns: the drive's own motion, and the unit drive's, ω₁ = 1
         and ε₁ = 0 (or v = 1 and a = 0), velocities of which are analogues, dr/dφ₁."""
         columns = all_columns(self.plans)
-        unit = dict(zip(self.plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
+        unit = dict(zip(self.plans.drive.rates, (1.0, 0.0), strict=True))
         own = [columns[n] for n in self.needs if not n.startswith(UNIT)]
         one = [columns[n.removeprefix(UNIT)] for n in self.needs if n.startswith(UNIT)]
         runs = ("", None, own), (UNIT, unit, one)
@@ -157,14 +157,14 @@ class Grid:
     @cached_property
     def _sizes(self) -> dict[str, float]:
         """Typical magnitudes in each unit, including those with the driver's given motion."""
-        drive, sizes = self.turn.plans.mechanism.drive, {"°": FULL}
-        if drive.kind == "phi":
+        drive, sizes = self.turn.plans.drive, {"°": FULL}
+        if drive.rotates:
             sizes |= {"1": 1.0, "rad/s": abs(drive.velocity), "rad/s²": abs(drive.acceleration)}
         for curve in (c for c in self.turn.curves if not c.angular):
             y = np.abs(self.values(curve))
             if np.isfinite(y).any():
                 sizes[curve.unit] = max(sizes.get(curve.unit, 0.0), float(np.nanmedian(y)))
-        if drive.kind == "phi":
+        if drive.rotates:
             for _, unit, rate in RATES.values():
                 sizes[rate] = max(sizes.get(rate, 0.0), sizes.get(unit, 0.0) * abs(drive.velocity))
         return sizes
@@ -235,14 +235,14 @@ def in_one_piece(g: Grid) -> Grid:
 
 def _is_turn(g: Grid) -> bool:
     """Whether a grid covers exactly one turn."""
-    return g.turn.plans.mechanism.drive.kind == "phi" and abs(float(g.places[-1] - g.places[0]) - FULL) < 1e-9
+    return g.turn.plans.drive.rotates and abs(float(g.places[-1] - g.places[0]) - FULL) < 1e-9
 
 
 def reach(plans: Plans) -> tuple[float, float]:
     """The range of the driver to search: one turn from the scene's position, or twice the longest link to either side
     of it."""
-    drive = plans.mechanism.drive
-    if drive.kind == "phi":
+    drive = plans.drive
+    if drive.rotates:
         return drive.position, drive.position + FULL
     return drive.position - 2 * plans.reach, drive.position + 2 * plans.reach
 
@@ -250,7 +250,7 @@ def reach(plans: Plans) -> tuple[float, float]:
 def span_of(plans: Plans) -> WorkingRange:
     """The range in which the mechanism assembles about the drive's position in the scene."""
     turn = WholeTurn(plans, [c for c in curves_of(plans).values() if c.group == "place"])
-    g, here = in_one_piece(grid(turn, *reach(plans))), plans.mechanism.drive.position
+    g, here = in_one_piece(grid(turn, *reach(plans))), plans.drive.position
     away = lambda ends: max(ends[0] - here, here - ends[1])  # noqa: E731
     start, end = min(g.ranges, key=away, default=(here, here))
     return WorkingRange(start, end, g.closed)

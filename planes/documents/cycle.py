@@ -135,8 +135,8 @@ def cycle_page(
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
     plans = scene_plans(scene)
     if show is None:  # the driven link's motion, and the balancing load
-        drive = plans.mechanism.drive
-        balancing = f"{'M' if drive.kind == 'phi' else 'Fb'}_{drive.link}"
+        drive = plans.drive
+        balancing = f"{'M' if drive.rotates else 'Fb'}_{drive.link}"
         show = () if hodographs or paths else (*output_curves(plans), balancing)
     known = curves_of(plans)
     panels = [[named(n, known, plans, scene.file).name for n in name.split("+")] for name in show]

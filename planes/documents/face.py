@@ -94,18 +94,18 @@ def _turned(
     """The results for one set of parameters. A turn is made ready in milliseconds, so the last ones are kept; while
     used, one is taken out, for another thread may ask for the same."""
     plans = scene_plans(scene)
-    drive, key = plans.mechanism.drive, (id(plans), names)
+    drive, key = plans.drive, (id(plans), names)
     turn = _TURNS.pop(key, None)
     if turn is None:
         asked = None if names is None else [name for name in names if name != drive.kind]
         turn = WholeTurn(plans, curves_meant(plans, asked), slopes=False)
     if values is None:
-        values = np.arange(360.0) if drive.kind == "phi" else np.array([drive.position])
+        values = np.arange(360.0) if drive.rotates else np.array([drive.position])
     rows, codes = turn.rows(values, errors=errors)
     heads = [(sign + c.name, c.unit) for sign in ("", PLUS_MINUS)[: 1 + errors] for c in turn.curves]
     columns = {name: np.full(len(values), number) for name, number in given.items()} | {drive.kind: values}
-    units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.kind == "phi" else "m"} | dict(heads)
-    columns |= {name: row for (name, _), row in zip(heads, rows, strict=True)}
+    units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.rotates else "m"} | dict(heads)
+    columns |= dict(zip(dict(heads), rows, strict=True))
     reasons = np.array(["", *(r.named for r in turn.reasons)], dtype=object)
     if len(_TURNS) >= KEPT:
         _TURNS.clear()

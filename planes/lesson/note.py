@@ -88,12 +88,12 @@ class Note:
 
     def opening(self) -> Iterator[Block]:
         """Title, task and given numbers."""
-        plans, drive = self.position.plans, self.position.plans.mechanism.drive
+        plans, drive = self.position.plans, self.position.plans.drive
         title = text_in(self.lang, self.scene.title)
         yield self.cover(title)
         yield Heading(self.say("note_given"))
         where = told(self.position.at, drive.kind, self.lang)
-        where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
+        where = f"{'φ' if drive.rotates else 's'} = {decimal(where, self.lang)}"
         asked = tuple(f"⟨{name}⟩" for name in self.sought())
         named = {"title": title or Path(self.scene.file).stem, "drive": where, "names": asked}
         yield Paragraph(self.say(f"{self.task}_find" if asked else "note_task", **named))

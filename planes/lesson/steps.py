@@ -154,8 +154,8 @@ class StepWords:
         shown: Names = {**named, "name": name, "value": slot(step.length), "unit": lambda lang: unit(name, lang)}
         if kind == "position":
             along = self.made[step.along]
-            drive = self.plans.mechanism.drive
-            driven = isinstance(along, s.Turn) and drive.kind == "phi" and along.of == f"x_{drive.link}"
+            drive = self.plans.drive
+            driven = isinstance(along, s.Turn) and drive.rotates and along.of == f"x_{drive.link}"
             key = "driver" if driven else "along"
             reason = "moved" if step.quantity == "moved" else "driver" if driven or step.length == "s" else "along"
             return key, reason, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
@@ -174,7 +174,7 @@ class StepWords:
         law = self.plans.acting.laws.get(f"{value}_given")
         if law is None:
             return "load"
-        read = partial(law_said, law, self.plans.mechanism.drive, "⟨{}⟩".format)
+        read = partial(law_said, law, self.plans.drive, "⟨{}⟩".format)
         return lambda lang: say("why_load_law", lang, name=value, law=read(lang))
 
     def vector(self, step: s.LayOff) -> str:

@@ -91,7 +91,7 @@ def curves_of(plans: Plans) -> dict[str, Curve]:
 
 def arrows_of(plans: Plans) -> dict[str, CycleVector]:
     """Every vector of a mechanism by its name: r_C, v_C, vq_C, a_C, aq_C, F_21."""
-    units = analogue_units(plans.mechanism.drive.kind == "phi")
+    units = analogue_units(plans.drive.rotates)
     own = [q for q in results_of(plans) if q.group in ("points", "reactions")]
     vectors = {q.name: CycleVector(q.name, q.columns[0].unit, q.name) for q in own}
     named = ((f"{letter}q_{p}", letter, p) for p in plans.points for letter in "va")
@@ -184,16 +184,16 @@ def _along(plans: Plans, link: str) -> Callable[[Sample], Real]:
 def _motions(plans: Plans, q: str = "") -> Iterator[Curve]:
     """Rates of links, sliders and points, or with "q" their analogues: the same columns of the run with a unit drive.
     The derivative of a velocity is that run's acceleration."""
-    rate, run, units = plans.mechanism.drive.velocity, "", RATE_UNITS
+    rate, run, units = plans.drive.velocity, "", RATE_UNITS
     if q:
-        rate, run, units = 1.0, UNIT, analogue_units(plans.mechanism.drive.kind == "phi")
+        rate, run, units = 1.0, UNIT, analogue_units(plans.drive.rotates)
     group: Group = "analogue" if q else "rate"
     slope = UNIT if rate else ""
     for link in turning(plans):
         name, quick = ratio_name(plans, link) if q else f"omega_{link}", f"epsilon_{link}"
         yield _scalar(name, units["omega"], group, f"{run}omega_{link}", slope and slope + quick, rate)
         yield _scalar(f"epsilon{q}_{link}", units["epsilon"], group, run + quick)
-    for link in (n for n in plans.velocity_slides if n != plans.mechanism.drive.link):
+    for link in (n for n in plans.velocity_slides if n != plans.drive.link):
         need, quick = f"{run}v_slide_{link}", f"a_slide_{link}"
         yield _scalar(f"v{q}_slide_{link}", units["v"], group, need, slope and slope + quick, rate)
         yield _scalar(f"a{q}_slide_{link}", units["a"], group, run + quick)

@@ -74,5 +74,5 @@ def solve(
     if isinstance(at, list):
         return solve_each(scene, at, instrument, home_lang())
     plans, wanted = plans_of(scene)
-    value = plans.mechanism.drive.position if at is None else at
+    value = plans.drive.position if at is None else at
     return position(scene, plans, wanted, value, instrument, home_lang())

@@ -5,7 +5,7 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import permutations
-from typing import TYPE_CHECKING
+from typing import Any
 
 from planes.drafting.drawing import Drawing
 from planes.plans import Plans
@@ -18,9 +18,6 @@ from planes.words.names import POLE, at, kind_of, mu_of, parts_of, plan_of
 from planes.words.read_off import measured
 from planes.words.records import Json
 from planes.words.units import UNIT, number
-
-if TYPE_CHECKING:
-    from planes.solving import Position
 
 CLOSED = 1e-9  # of the largest vector: the gap below which an equation holds
 PARTS = ("n", "t", "k", "r")  # of velocity and acceleration equations: these vectors are most often forgotten
@@ -157,7 +154,7 @@ def _unlike(name: str, other: str) -> tuple[bool, int]:
     return len(one) != len(two), -len({*one} & {*two})
 
 
-def own_rows(p: "Position", own: tuple[tuple[VectorEquation, ...], str], lang: Lang) -> list[tuple[str, str]]:
-    """The equations of a scene, with its file, as rows of a table where they are asked for: each with its sentence."""
+def own_rows(p: Any, own: tuple[tuple[VectorEquation, ...], str], lang: Lang) -> list[tuple[str, str]]:
+    """The equations of a scene, with its file, as rows of a table of a position: each with its sentence."""
     equations, file = own if "equations" in p.results else ((), "")
     return [(e.equation.text, e.said(lang)) for e in own_equations(p.plans, p.drawing, p.scales, equations, file)]

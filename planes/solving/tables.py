@@ -53,7 +53,7 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
     if not p.plans.moves:
         return lines + stated_tables(p, lang, naming)
     e = r.get("errors")
-    lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.mechanism.drive.link)
+    lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.drive.link)
     lines += _slides(p, lang, e) + _derived(p, lang, naming, "transfers")
     for name, plan in r.get("plans", {}).items():
         if name != "position" and any(s["mm"] > 1e-9 for s in plan["segments"].values()):

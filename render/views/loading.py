@@ -167,7 +167,7 @@ class Loading:
         plans = self.position.plans
         if plans.balancing not in self.drawing:
             return
-        if plans.mechanism.drive.kind == "s":
+        if plans.drive.kind == "s":
             foot, along = self.places.foot(plans.mechanism.links[plans.structure.driver])
             sign = _sign(self.drawing[plans.balancing]) * (1 if link == plans.structure.driver else -1)
             self.force(plans.balancing, foot, along * sign)
