@@ -175,9 +175,8 @@ class Parser(argparse.ArgumentParser):
         options = " ".join(flags for own in (OF_SCENE, POSITIONS, *OPTIONS.values()) for flags, *_ in own)
         if word and word not in options.split():
             names = re.findall(r"[\w-]+", message.partition(word)[2] + options)
-            message += "".join(
-                say("near_name", self.lang, name=name) for name in get_close_matches(word, names, 1, CLOSE)
-            )
+            for near in get_close_matches(word, names, 1, CLOSE):
+                message += say("near_name", self.lang, name=near)
         super().error(message)
 
 

@@ -50,8 +50,10 @@ class Curve:
         """± at every position, by the ``margins`` of the columns it reads. None of them moves it by more than it moves
         itself; an angle moves a place along a guide by as much as it turns the lengths read."""
         names = needs_of([self], False)
-        lengths = sum(np.abs(sample[n]) for n in names) * (len(names) > 1)
-        turned = (np.radians(margins[n]) * lengths if self.unit == "m" and n[0] == "p" else margins[n] for n in names)
+        if len(names) == 1:
+            return margins[names[0]]
+        lengths = sum(np.abs(sample[n]) for n in names)
+        turned = (np.radians(margins[n]) * lengths if n[0] == "p" else margins[n] for n in names)
         return sum(turned) + ROUNDING * lengths
 
 

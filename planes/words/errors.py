@@ -132,7 +132,7 @@ def _near(given: str, known: list[str]) -> Told:
     if twin := next((name for name in known if latin(name) == latin(given)), None):
         return Phrase("near_alike", name=twin)
     alike = [name for name in known if len(name) == len(given)]
-    known = [name for name in known if len(name) < 2 * len(given)]  # A4x5 is not what A5 means
+    known = [name for name in known if given in name or len(name) < 2 * len(given)]  # A5 does not mean A4x5
     matches = get_close_matches(given, known, n=1, cutoff=LIKE) or get_close_matches(given, alike, n=1, cutoff=0.5)
     return Phrase("near_name", name=matches[0]) if matches else ""
 
