@@ -45,7 +45,7 @@ def write_table(
     turn: WholeTurn, values: Span | None, output: str, lang: Lang, fast: bool | None = None, errors: bool = False
 ) -> int:
     """Write a table of curves, with ``errors`` the ± of each after them; returns the exit status."""
-    table, span = turn.cycles[0][1], values or whole(turn.plans)
+    span = values or whole(turn.plans)
     kind, count = turn.plans.drive.kind, len(span)
     drive, heads = (kind, "°" if kind == "phi" else "m"), [(c.name, c.unit) for c in turn.curves]
     heads += [(PLUS_MINUS + name, unit) for name, unit in heads if errors]
@@ -54,7 +54,7 @@ def write_table(
         for block in progress(turn.blocks(span, fast, errors), count, lang):
             writer.write(block)
             collect(gaps, block)
-    tell(table, turn.reasons, gaps, kind, lang)
+    tell(turn.cycles[0][1], turn.reasons, gaps, kind, lang)
     failed = sum(gap.count for gap in gaps)
     print(say("cycle_done", lang, file=output, count=count, failed=failed), file=sys.stderr)
     return 0 if failed < count else 2
