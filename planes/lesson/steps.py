@@ -54,7 +54,9 @@ class StepWords:
             case CutTrack():
                 return self.track(step)
             case crossings.CrossArc():
-                key = "arc_guide" if label_of(step.start).startswith("°") else "arc"  # a guide is known by a place
+                key = (
+                    "arc" if lettered(step.start) == label_of(step.start) else "arc_guide"
+                )  # a guide is known by a place
                 return key, "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
             case crossings.CrossArcs():
                 radius, other = slot(step.radius, "mm", step.mu), slot(step.other_radius, "mm", step.mu)
