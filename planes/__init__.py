@@ -7,7 +7,7 @@
 
 Public names: :func:`load`, :func:`loads`, :func:`solve`, :func:`cycle`, :func:`extremes`, :func:`check`,
 :func:`sheet`, :func:`picture`, :func:`lesson`, :func:`animate`, :func:`crank`, and ``Scene``, ``Linkage``,
-``Position``, ``Table``, ``Exact``, ``Pencil``, ``PlanesError``.
+``Position``, ``Solved``, ``Table``, ``Exact``, ``Pencil``, ``PlanesError``, ``PlanFailure``.
 Each is imported on first use, so that nothing is loaded without need.
 
 Packages, lowest level first: ``words`` (all text for people) · ``geometry scene drafting plans solving`` (the engine:
@@ -30,10 +30,10 @@ if TYPE_CHECKING:
     from planes.documents.notebook import crank
     from planes.drafting.instruments import Exact, Pencil
     from planes.scene import Scene
-    from planes.solving import Position
+    from planes.solving import Position, Solved
     from planes.solving.building import Linkage
     from planes.solving.of_scene import load, loads, solve
-    from planes.words.errors import PlanesError
+    from planes.words.errors import PlanesError, PlanFailure
 
 __version__ = "0.18.0"
 
@@ -43,9 +43,9 @@ _FROM = {
     "planes.documents.face": ("animate", "check", "cycle", "extremes", "lesson", "picture", "sheet"),
     "planes.solving.of_scene": ("load", "loads", "solve"),
     "planes.drafting.instruments": ("Exact", "Pencil"),
-    "planes.solving": ("Position",),
+    "planes.solving": ("Position", "Solved"),
     "planes.batch.table": ("Table",),
-    "planes.words.errors": ("PlanesError",),
+    "planes.words.errors": ("PlanFailure", "PlanesError"),
     "planes.solving.tables": ("text_of",),  # asked for by every printed table
     "planes.documents.drawn": ("shown",),  # asked for by every picture in a notebook
     "planes.documents.notebook": ("crank", "in_notebook"),
@@ -56,9 +56,11 @@ __all__ = [
     "Exact",
     "Linkage",
     "Pencil",
+    "PlanFailure",
     "PlanesError",
     "Position",
     "Scene",
+    "Solved",
     "Table",
     "animate",
     "check",

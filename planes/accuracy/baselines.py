@@ -53,7 +53,7 @@ class Loops:
 
     def target(self, q: Array, value: float) -> float:
         """A position of the drive (degrees or m) in the units of the loops, with the pose's count of whole turns."""
-        if self.plans.mechanism.drive.kind == "s":
+        if self.plans.drive.kind == "s":
             return value
         phi = math.radians(value)
         return phi + 2 * math.pi * round((self.drive(q) - phi) / (2 * math.pi))

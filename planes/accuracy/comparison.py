@@ -52,8 +52,8 @@ class Comparison:
     @cached_property
     def working(self) -> Array:
         """Positions of the drive, over a turn or around a slider's position, at which all steps can be drawn."""
-        drive, near = self.plans.mechanism.drive, np.linspace(-0.1, 0.1, 360)
-        values = np.arange(360.0) if drive.kind == "phi" else drive.position + near * self.plans.reach
+        drive, near = self.plans.drive, np.linspace(-0.1, 0.1, 360)
+        values = np.arange(360.0) if drive.rotates else drive.position + near * self.plans.reach
         codes = np.hstack([b.codes for b in self.cycle.blocks(values, fast=False)])
         good = np.asarray(values[codes == 0])
         return good[np.linspace(0, len(good) - 1, min(FEW, len(good))).astype(int)] if len(good) else good
@@ -125,9 +125,9 @@ class Comparison:
     def differences(self, values: Array, step: float = STEP) -> Array:
         """Velocities and accelerations from differences of exact places over a step (rad, or a fraction of the
         reach)."""
-        drive = self.plans.mechanism.drive
+        drive = self.plans.drive
         places = Cycle(self.plans, [f"r_{p}" for p in self.points], self.cycle.moved)
-        width, unit = (step, math.degrees(step)) if drive.kind == "phi" else (step * self.plans.reach,) * 2
+        width, unit = (step, math.degrees(step)) if drive.rotates else (step * self.plans.reach,) * 2
 
         table = np.empty((len(self.letters), len(values)))
         here, back, on = (places.table(x, fast=False)[0] for x in (values, values - unit, values + unit))
@@ -139,7 +139,7 @@ class Comparison:
 
     def newton(self, values: Array) -> Array:
         """Closed loops by iteration; each position of a path starts from the one before."""
-        drive, q, poses = self.plans.mechanism.drive, np.empty(0), list[Mapping[str, Triple]]()
+        drive, q, poses = self.plans.drive, np.empty(0), list[Mapping[str, Triple]]()
         for k, value in enumerate(values):
             plans = self.at(k)
             loops = Loops(plans)

@@ -40,8 +40,8 @@ class LengthField:
         self.plans, self.name = plans, name
         self.base = {**plans.given, mu_of("position"): 1.0}
         self.slopes = lengthened(plans, name)
-        drive = plans.mechanism.drive
-        self.turns = drive.kind == "phi"
+        drive = plans.drive
+        self.turns = drive.rotates
         self.unit = math.degrees(1) if self.turns else plans.reach
         own, reach, by = drive.position / self.unit, math.log(times), COARSER if any(map(_chained, self.steps)) else 1
         ends = (0.0, 2 * math.pi) if self.turns else (own - 1, own + 1)

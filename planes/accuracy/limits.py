@@ -45,7 +45,7 @@ class MovedGiven:
         """The unit of distances; "1": for a length, relative."""
         if self.held is not None:
             return "1" if self.name in self.bench.plans.lengths else "rad"
-        return "rad" if self.bench.plans.mechanism.drive.kind == "phi" else "m"
+        return "rad" if self.bench.plans.drive.rotates else "m"
 
     @property
     def here(self) -> float:
@@ -88,9 +88,9 @@ class MovedGiven:
 
     def _open(self, drawing: Drawing) -> Real:
         """The least sharpness, or the speed of the fastest point relative to the drive, if that is less."""
-        ar, drive = drawing.tool.ar, self.bench.plans.mechanism.drive
+        ar, drive = drawing.tool.ar, self.bench.plans.drive
         least: Real = reduce(ar.minimum, drawing.sharpness.values(), 1.0)
-        slow = QUICK * abs(drive.velocity) * (self.bench.plans.reach if drive.kind == "phi" else 1.0)
+        slow = QUICK * abs(drive.velocity) * (self.bench.plans.reach if drive.rotates else 1.0)
         if slow:
             least = ar.minimum(least, slow / (slow + self._largest(drawing, "v")))
         return least

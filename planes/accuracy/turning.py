@@ -43,7 +43,7 @@ def turning(plans: Plans, name: str, times: float = TIMES) -> Turning:
 def _of(field: LengthField) -> Turning:
     places = [curve for step in field.steps for curve in field.curves(step)]
     curves = [TurningCurve(field.value(at[:, 0]), field.length(at[:, 1])) for at in places]
-    here = field.plans.mechanism.drive.position, field.plans.lengths[field.name]
+    here = field.plans.drive.position, field.plans.lengths[field.name]
     values, lengths = field.value(field.across), field.length(field.up)
     return Turning(field.name, here, tuple(curves), values, lengths, field.count, field.whole)
 

@@ -82,7 +82,7 @@ def _sides(plans: Plans) -> dict[str, Assembly]:
         if words:
             assemblies[key] = Assembly(order=words[0 if plans.given[f"side_{key}"] > 0 else 1])  # type: ignore[arg-type]
     tracked = [g for g in plans.structure.groups if not isinstance(g, Group)]
-    things = drawn_in_si(plans, plans.mechanism.drive.position).things if tracked else {}
+    things = drawn_in_si(plans, plans.drive.position).things if tracked else {}
     for higher in tracked:
         outer = {pair.point for pair in higher.pairs if pair not in higher.inner_pairs}
         key = next(p for link in higher.links for p in plans.mechanism.links[link].points if p not in outer)

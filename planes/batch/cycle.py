@@ -6,7 +6,7 @@ runs by the compiled loop (``compiled``) where that is installed. Where a loop s
 drawn, and proved.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TypeVar
 
@@ -23,7 +23,6 @@ from planes.drafting.clearness import far_apart
 from planes.drafting.drawing import run
 from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
-from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Floats, Indices
 from planes.plans import Plans
 from planes.plans.columns import Column
@@ -44,7 +43,7 @@ def pays(count: int) -> bool:
 
 
 AnyLoop = TypeVar("AnyLoop", bound=Loop)
-Places = Iterable[float] | Span | Array  # positions of the drive
+Places = Sequence[float] | Span | Array  # positions of the drive
 
 
 class Cycle(Ready):
@@ -66,7 +65,7 @@ class Cycle(Ready):
         self.program = plans.program.sliced([n for c in self.columns for n in c.needs])
         self.mus, self.known = unit_scales(plans), frozenset(known or ())
         self.given = {**plans.given, **self.mus}
-        if self.known - {*self.mus, plans.drive_given, *plans.mechanism.drive.rates}:
+        if self.known - {*self.mus, plans.drive_given, *plans.drive.rates}:
             # an overridden number is no fault of the links it belongs to
             proofs = tuple(p for p in self.program.proofs if not isinstance(p, Rigid | Slid))
             self.program = Program(self.program.steps, proofs)
@@ -92,7 +91,7 @@ class Cycle(Ready):
         them."""
         if not (sides := sides_of(self.columns)):
             return []
-        own = np.array([self.plans.mechanism.drive.position])
+        own = np.array([self.plans.drive.position])
         things = run(self.program, {**self.given, **self.moving(own, slice(0, 1))}).things
         if not (still := [s for s in sides if (things[s[0]] == things[s[1]]).all()]):
             return sides
@@ -159,14 +158,15 @@ class Cycle(Ready):
 
         Numbers without a correct digit are NaN, unless the ``bare`` ones are requested.
         """
-        places: Real = values if hasattr(values, "__getitem__") else np.fromiter(values, float)
-        if fast is None:
-            fast = "compiled" in self.__dict__ or pays(len(places))
+        fast = self._pays(len(values)) if fast is None else fast
         size = min(chunk, self.loop(fast).row)
-        for start in range(0, len(places), size):
-            part = np.asarray(places[start : start + size], float)
+        for start in range(0, len(values), size):
+            part = np.asarray(values[start : start + size], float)
             into = None if out is None else out[:, start : start + size]
             yield self.block(part, slice(start, start + len(part)), fast, bare, into)
+
+    def _pays(self, count: int) -> bool:
+        return "compiled" in self.__dict__ or pays(count)
 
     def loop(self, fast: bool) -> Loop:
         """The loop, compiled or by arrays."""
@@ -187,7 +187,7 @@ class Cycle(Ready):
     ) -> tuple[Array, Indices]:
         """A row of all values for each column (in ``out``, where given), and the codes. ``fast`` and ``bare`` are those
         of :meth:`blocks`. Several ``threads`` share the positions: machine code runs in parallel."""
-        fast, values = pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
+        fast, values = self._pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
         out = np.empty((len(self.columns), len(values))) if out is None else out
         codes = np.zeros(len(values), np.intp)
         straight = fast and self._alone and not self._dim and out.strides[1] == values.itemsize
@@ -245,15 +245,6 @@ class Cycle(Ready):
             block.table[:, where] = np.where(doubtful, np.nan, table)
             block.codes[where[doubtful.any(axis=0)]] = self.reasons.index(Reason("no_digits", "")) + 1
         return block
-
-    def beside(self, blocks: Iterable[Block]) -> Iterator[Block]:
-        """Blocks of successive positions, with a row of ± after the rows of results."""
-        start = 0
-        for block in blocks:
-            claimed = self.claimed(block.values, start + np.arange(len(block.values)))
-            start += len(block.values)
-            both = np.vstack([block.table, np.where(np.isnan(block.table), np.nan, claimed)])
-            yield Block(block.values, both, block.codes)
 
     def claimed(self, values: Array, at: Indices) -> Array:
         """± of every column for givens with the uncertainty of decimals."""

@@ -51,18 +51,16 @@ class ArrayLoop(Loop):
         self.width, self.at, self.work = -1, dict[int, Real](), list[tuple[Callable[..., object], list[Real], Real]]()
 
     def _shelved(self) -> dict[int, tuple[bool, int]]:
-        """The array for the result at a place, by its type (boolean or number) and its index."""
-        ops, free, numbers = self.trace.tape.ops, {True: list[int](), False: list[int]()}, count()
+        """The array for the result at a place, by its type (boolean or number) and its index; those of numbers are used
+        again."""
+        ops, free, numbers = self.trace.tape.ops, list[int](), count()
         last = {a: p for p in self.moved for a in ops[p][1]}
         kept, shelves = {*self.trace.outputs, *self.conditions, *self.places}, dict[int, tuple[bool, int]]()
         for place in self.moved:
             op, args = ops[place]
-            test = op in TESTS
-            shelves[place] = test, free[test].pop() if free[test] else next(numbers)
-            for arg in set(args):
-                if last[arg] == place and arg in shelves and arg not in kept:
-                    kind, number = shelves[arg]
-                    free[kind].append(number)
+            shelves[place] = (True, place) if op in TESTS else (False, free.pop() if free else next(numbers))
+            done = (shelves[a] for a in {*args} - kept if last[a] == place and a in shelves)
+            free += [number for test, number in done if not test]
         return shelves
 
     def _ready(self, width: int) -> None:

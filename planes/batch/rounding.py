@@ -140,11 +140,9 @@ BENT: dict[str, Callable[..., Bent]] = {
     "inv": _bent_inverse,
     "sqrt": _bent_root,
     "hypot": _bent_length,
-    "sin": lambda z, a, da: (np.minimum(da * da / 2, 2 + da), None),
-    "cos": lambda z, a, da: (np.minimum(da * da / 2, 2 + da), None),
+    **dict.fromkeys(("sin", "cos"), lambda z, a, da: (np.minimum(da * da / 2, 2 + da), None)),
     "atan2": _bent_angle,
     "gap": _bent_gap,
     "abs": lambda z, a, da: (2 * np.maximum(da - np.abs(a), 0.0), None),
-    "max": lambda z, a, b, da, db: (np.maximum(da + db - np.abs(a - b), 0.0), None),
-    "min": lambda z, a, b, da, db: (np.maximum(da + db - np.abs(a - b), 0.0), None),
+    **dict.fromkeys(("max", "min"), lambda z, a, b, da, db: (np.maximum(da + db - np.abs(a - b), 0.0), None)),
 }

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
 SWEPT = "SI"  # the unit of a parameter with several values
+PLUS_MINUS = "± "  # before the name of a column: the bound on its errors
 SHOWN = 6  # columns named in the short form
 
 
@@ -66,7 +67,7 @@ class Table(Described, Mapping[str, Array | Complexes]):
         return len(self.columns)
 
     def __repr__(self) -> str:
-        names = [f"{name} [{self.units[name]}]" for name in self.columns]
+        names = [name if (unit := self.units[name]) == SWEPT else f"{name} [{unit}]" for name in self.columns]
         more = ", …" if len(names) > SHOWN else ""
         lost = int(np.count_nonzero(self.failed != ""))
         failed = f", {lost} of them failed" if lost else ""
@@ -93,7 +94,7 @@ class Table(Described, Mapping[str, Array | Complexes]):
 
         over = over or next(iter(set(self.columns) & {"phi", "s"}), next(iter(self.columns)))
         swept = [name for name in self.columns if self.units[name] == SWEPT]
-        drawn = names or [name for name in self.quantities if name not in {over, *swept}]
+        drawn = names or [name for name in self.quantities if name not in {over, *swept} and PLUS_MINUS not in name]
         changes = [np.diff(self.columns[name]) != 0 for name in swept]
         ends = (np.flatnonzero(np.any(changes, axis=0)) + 1).tolist() if swept else list[int]()
         panels: dict[str, list[str]] = {}

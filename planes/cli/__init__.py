@@ -12,11 +12,12 @@ import re
 import sys
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from difflib import get_close_matches
 from functools import partial
 from gettext import NullTranslations
 from importlib import import_module
 from itertools import pairwise
-from typing import Any
+from typing import Any, NoReturn
 
 from planes.cli.options import COMPLETED, EITHER, OF_SCENE, OPTIONS, POSITIONED, POSITIONS, WITHOUT_SCENE, Option
 from planes.words import Lang, Phrase, home_lang, langs, say, table, under
@@ -29,6 +30,7 @@ APART = {
     **dict.fromkeys(("new", "studio", "schema", "completion"), "start"),
 }
 """Commands with their own module; the others are together in ``commands``."""
+CLOSE = 0.8  # how like two words are, of 1, one of which is a misspelling of the other
 SHORT = ("crank-slider", "note", "sheet")
 """Commands that make one document and end, without a search for reference cycles: it took 0.6 of 5 s in the
 crank-slider's report, a twentieth of a note or a sheet; without it the report's peak is 240 MB, not 150."""
@@ -166,6 +168,16 @@ class Parser(argparse.ArgumentParser):
             return kind(text)
         except ValueError:
             raise argparse.ArgumentTypeError(say(key, self.lang, value=repr(text))) from None
+
+    def error(self, message: str) -> NoReturn:
+        """The sentence, and the option or choice of nearly the same spelling, if a word of it is unknown."""
+        word = (re.findall(r"(?<=')[\w-]+(?=')|--[\w-]+", message) or [""])[0]
+        options = " ".join(flags for own in (OF_SCENE, POSITIONS, *OPTIONS.values()) for flags, *_ in own)
+        if word and word not in options.split():
+            names = re.findall(r"[\w-]+", message.partition(word)[2] + options)
+            for near in get_close_matches(word, names, 1, CLOSE):
+                message += say("near_name", self.lang, name=near)
+        super().error(message)
 
 
 class CommandParser(Parser):

@@ -100,16 +100,18 @@ def _film(args: Namespace, scene: Scene) -> int:
 
 
 def _table(args: Namespace, scene: Scene, span: Span | None) -> int:
-    from planes.diagrams.long_run import write_curves, write_cycle
 
-    fast = False if args.plain else None
-    if args.show is None:
-        return write_cycle(scene, span, args.output, args.lang, fast, args.errors)
-    from planes.diagrams.turn import turn_of
+    from planes.diagrams.long_run import write_table
+    from planes.diagrams.turn import WholeTurn, turn_of
+    from planes.plans.curves import curves_meant
     from planes.plans.statements.of_scene import scene_plans
 
-    turn = turn_of(scene_plans(scene), _names(args), file=scene.file, slopes=False)
-    return write_curves(turn, span, args.output, args.lang, fast)
+    plans = scene_plans(scene)
+    if args.show is None:
+        turn = WholeTurn(plans, curves_meant(plans, scene.find), slopes=False)
+    else:
+        turn = turn_of(plans, _names(args), file=scene.file, slopes=False)
+    return write_table(turn, span, args.output, args.lang, False if args.plain else None, args.errors)
 
 
 def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
@@ -118,7 +120,7 @@ def _listing(args: Namespace, scene: Scene, span: Span | None) -> int:
     from planes.plans.statements.of_scene import scene_plans
 
     plans = scene_plans(scene)
-    chosen = span or Span(plans.mechanism.drive.position, 0.0, 1)
+    chosen = span or Span(plans.drive.position, 0.0, 1)
     if chosen.count > LISTED:
         raise PlanesError(Phrase("listing_long", count=chosen.count, most=LISTED))
     turn = turn_of(plans, _names(args), file=scene.file, slopes=False)

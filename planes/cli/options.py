@@ -133,7 +133,7 @@ TAKES: Mapping[str, Mapping[str, str]] = {
         "summary": "phi s show omega epsilon json",
         "listing": "phi s show omega epsilon json listing",
         "table": "phi s omega epsilon errors plain",
-        "curves": "phi s show omega epsilon plain",
+        "curves": "phi s show omega epsilon errors plain",
         "picture": "phi s show hodograph path omega epsilon",
         "film": "film omega epsilon",
         "graphical": "graphical pole omega json",

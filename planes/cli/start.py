@@ -50,13 +50,13 @@ def new(args: Namespace) -> int:
 
 def in_language(template: str, lang: Lang) -> str:
     """A template, whose title and comments are in Russian and English, in the requested language."""
-    first = "ru" in stand_ins(lang)
-    lines = []
-    for line in _TITLE.sub(r"title: \1" if first else r"title: \2", template).splitlines():
+    first, others, lines = "ru" in stand_ins(lang), TEMPLATES / f"{lang}.json", []
+    own = json.loads(others.read_text("utf-8")) if others.exists() else {}
+    for line in _TITLE.sub(lambda m: f"title: {own.get(m[1], m[1]) if first else m[2]}", template).splitlines():
         body, mark, remark = line.rpartition("# ")
         both = remark.split(" / ")
         if body or len(both) == 2 or bool(_CYRILLIC.search(remark)) == first or not mark:
-            lines.append(body + mark + both[0 if first else -1])
+            lines.append(body + mark + (own.get(both[0], both[0]) if first and mark else both[-1]))
     text = "\n".join(lines) + "\n"
     return text if first else text.replace("\nsheet: {", "\nsheet: {frame: iso, ") + ISO * ("\nsheet:" not in text)
 
@@ -78,12 +78,11 @@ def _schema_text(kind: str, lang: Lang) -> str:
 
 def _listed(lang: Lang) -> list[str]:
     """A line for each template: its name, the kind of its group, its title."""
-    from planes.scene import load
-
     kinds = {name: kind for kind, name in GROUPS.items()}
     rows = []
     for file in sorted(TEMPLATES.glob("*.yaml")):
-        title = say("course_work", lang) if file.stem == "course" else load(file).title[lang]
+        title = in_language(file.read_text("utf-8"), lang).splitlines()[1].removeprefix("title: ")
+        title = say("course_work", lang) if file.stem == "course" else title
         rows.append(f"{file.stem:15} {kinds.get(file.stem, ''):5} {title}")
     return rows
 

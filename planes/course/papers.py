@@ -136,9 +136,9 @@ def unit_of(name: str, lang: Lang) -> str:
 def work(scene: Scene, drawn: Position, lang: Lang, asked: Sequence[str]) -> Iterator[str]:
     """What is to be done, as far as it is ``asked`` (all, if nothing is) and the mechanism asks for it."""
     plans = {kind_of(name) for name in drawn.plans.drawn} | {"structure"}
-    m, drive = drawn.plans.mechanism, drawn.plans.mechanism.drive
+    m, drive = drawn.plans.mechanism, drawn.plans.drive
     value = decimal(told(drawn.at, drive.kind, lang), lang)
-    value = f"⟨{'phi' if drive.kind == 'phi' else 's'}_{drive.link}⟩ = {value}"
+    value = f"⟨{'phi' if drive.rotates else 's'}_{drive.link}⟩ = {value}"
     loaded = bool(m.loads) or any(link.mass or link.inertia for link in m.links.values())
     for key in _WORK:
         due = not asked or key in ("structure", "position") or ("force" if key == "lever" else key) in asked
@@ -195,7 +195,7 @@ def clearest(plans: Plans, value: float) -> float:
 
     A sliding driver stays where it is.
     """
-    if not plans.moves or plans.mechanism.drive.kind != "phi":
+    if not plans.moves or not plans.drive.rotates:
         return value
     scores = dict(_scores(plans, value))
     return max(scores, key=lambda v: round(scores[v], 3), default=value)

@@ -97,7 +97,7 @@ def draw_numbers(
     """The first set of numbers with which the method works all the way round; ``make`` gives their scene."""
     apart = blunt = 0
     own = scene_plans(make({}))
-    goes_round = own.moves and own.mechanism.drive.kind == "phi" and None not in around_turn(own)
+    goes_round = own.moves and own.mechanism.drive.rotates and None not in around_turn(own)
     for _ in range(TRIES):
         numbers = {name: values[int(chance.random() * len(values))] for name, values in choices.items()}
         try:

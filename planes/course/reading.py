@@ -12,7 +12,7 @@ from planes.scene.reader import Fields, Reader, part
 from planes.scene.settings import read_sheet, read_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told, langs
-from planes.words.errors import PlanesError, SceneError, choices, shown
+from planes.words.errors import PlanesError, SceneError, choices, near_file, shown
 from planes.words.units import PLANS
 
 NAME = "course.yaml"
@@ -29,7 +29,7 @@ def read_course(folder: str | Path) -> Course:
     path = Path(folder)
     file = path if path.is_file() else path / NAME
     if not path.exists():
-        raise SceneError(Phrase("course_no_folder"), str(folder))
+        raise SceneError(Phrase("course_no_folder", near=near_file(folder)), str(folder))
     table = source.parse(source.read(file), str(file)) if file.is_file() else SourceTable({}, 1)
     reader = Reader(str(file))
     course = Fields(reader, table, Phrase("the_course"), KEYS)

@@ -79,7 +79,7 @@ def _line(scene: Scene, name: str, variant: str, lang: Lang) -> SurveyRow:
         solve(scene, lang=lang)
         return SurveyRow(name, variant, "", True, remarks=missing)
     drive = scene.mechanism.drive
-    at = f"{'φ' if drive.kind == 'phi' else 's'} = {told(drive.position, drive.kind, lang)}"
+    at = f"{'φ' if drive.rotates else 's'} = {told(drive.position, drive.kind, lang)}"
     solved = solve(scene, lang=lang)
     if not solved.positions:
         return SurveyRow(name, variant, at, False, remarks=(*missing, solved.failed[0]["error"]))
@@ -100,8 +100,8 @@ def _loads(position: Position, plans: Plans) -> tuple[float | None, float | None
 
 def _no_turn(scene: Scene, plans: Plans, lang: Lang) -> Iterator[str]:
     """A sentence where a turning driver cannot go all the way round."""
-    drive = plans.mechanism.drive
-    if drive.kind != "phi":
+    drive = plans.drive
+    if not drive.rotates:
         return
     ranges = summary(scene, plans).grid.ranges
     starts = [*(low for low, _ in ranges[1:]), ranges[0][0] + FULL]

@@ -52,7 +52,7 @@ class _Recogniser:
     def __init__(self, scene: Scene, mechanism: Mechanism, structure: Structure) -> None:
         self.scene, self.m, self.structure = scene, mechanism, structure
         g = structure.dyads[0] if structure.dyads else None
-        fits = len(structure.groups) == 1 and mechanism.drive.kind == "phi"
+        fits = len(structure.groups) == 1 and mechanism.drive.rotates
         if not (fits and g and g.name == "RRP" and g.last_outer.mate(g.last) == FRAME and g.last_outer.link == g.last):
             raise self.error(Phrase("cs_not_one", formula=structure.formula), "links")
         self.crank, self.rod, self.slider = (mechanism.links[n] for n in (mechanism.drive.link, g.first, g.last))

@@ -3,7 +3,7 @@ listing, as text and as JSON."""
 
 import math
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,13 +12,12 @@ import numpy as np
 
 from planes.batch.cycle import Block, Cycle, Reason
 from planes.batch.streams import TableHead, opened
+from planes.batch.table import PLUS_MINUS
 from planes.diagrams.turn import WholeTurn
 from planes.drafting.drawing import proved, run
 from planes.plans import Plans
 from planes.plans.curves import Curve
 from planes.plans.scales import unit_scales
-from planes.plans.statements.of_scene import scene_plans
-from planes.scene import Scene
 from planes.scene.ranges import Span
 from planes.solving import failed, key_of, told
 from planes.solving.nearest import Nearest
@@ -42,53 +41,29 @@ class Gap:
     count: int
 
 
-def write_cycle(
-    scene: Scene, values: Span | None, output: str, lang: Lang, fast: bool | None = None, errors: bool = False
+def write_table(
+    turn: WholeTurn, values: Span | None, output: str, lang: Lang, fast: bool | None = None, errors: bool = False
 ) -> int:
-    """Write the table, with ``errors`` the ± of every result after the results; returns the exit status."""
-    plans = scene_plans(scene)
-    table = Cycle(plans, scene.find)
-    span = values or whole(plans)
-    blocks, heads = table.blocks(span, fast=fast), [(c.name, c.unit) for c in table.columns]
-    if errors:
-        blocks = table.beside(blocks)
-        heads += [(f"± {name}", unit) for name, unit in heads]
-    return _written(table, heads, table.reasons, blocks, len(span), output, lang)
-
-
-def write_curves(turn: WholeTurn, values: Span | None, output: str, lang: Lang, fast: bool | None = None) -> int:
-    """Write a table of chosen curves, analogues too where requested; returns the exit status."""
+    """Write a table of curves, with ``errors`` the ± of each after them; returns the exit status."""
     span = values or whole(turn.plans)
-    heads = [(c.name, c.unit) for c in turn.curves]
-    return _written(turn.cycles[0][1], heads, turn.reasons, turn.blocks(span, fast=fast), len(span), output, lang)
+    kind, count = turn.plans.drive.kind, len(span)
+    drive, heads = (kind, "°" if kind == "phi" else "m"), [(c.name, c.unit) for c in turn.curves]
+    heads += [(PLUS_MINUS + name, unit) for name, unit in heads if errors]
+    gaps: list[Gap] = []
+    with opened(Path(output), TableHead(drive, heads, turn.reasons), count) as writer:
+        for block in progress(turn.blocks(span, fast, errors), count, lang):
+            writer.write(block)
+            collect(gaps, block)
+    tell(turn.cycles[0][1], turn.reasons, gaps, kind, lang)
+    failed = sum(gap.count for gap in gaps)
+    print(say("cycle_done", lang, file=output, count=count, failed=failed), file=sys.stderr)
+    return 0 if failed < count else 2
 
 
 def whole(plans: Plans) -> Span:
     """The default range of a table: a full turn, or the given position of a slider."""
-    drive = plans.mechanism.drive
-    return FULL_TURN if drive.kind == "phi" else Span(drive.position, 0.0, 1)
-
-
-def _written(
-    table: Cycle,
-    heads: Sequence[tuple[str, str]],
-    reasons: tuple[Reason, ...],
-    blocks: Iterator[Block],
-    count: int,
-    output: str,
-    lang: Lang,
-) -> int:
-    kind = table.plans.mechanism.drive.kind
-    drive = ("phi", "°") if kind == "phi" else ("s", "m")
-    gaps: list[Gap] = []
-    with opened(Path(output), TableHead(drive, heads, reasons), count) as writer:
-        for block in progress(blocks, count, lang):
-            writer.write(block)
-            collect(gaps, block)
-    tell(table, reasons, gaps, kind, lang)
-    failed = sum(gap.count for gap in gaps)
-    print(say("cycle_done", lang, file=output, count=count, failed=failed), file=sys.stderr)
-    return 0 if failed < count else 2
+    drive = plans.drive
+    return FULL_TURN if drive.rotates else Span(drive.position, 0.0, 1)
 
 
 def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]:
@@ -105,16 +80,12 @@ def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]
 def collect(gaps: list[Gap], block: Block) -> None:
     """Merge the failed positions of a block into the ranges found so far."""
     codes = block.codes
-    if not codes.any():
-        gaps.append(Gap(0, 0.0, 0.0, 0)) if gaps and gaps[-1].code else None
-        return
     edges = np.flatnonzero(np.diff(codes)) + 1
     for start, end in zip([0, *edges], [*edges, len(codes)], strict=True):
-        code, first, last = int(codes[start]), float(block.values[start]), float(block.values[end - 1])
-        if gaps and gaps[-1].code == code:
-            gaps[-1].last, gaps[-1].count = last, gaps[-1].count + int(end - start) * (code != 0)
-        else:
-            gaps.append(Gap(code, first, last, int(end - start) * (code != 0)))
+        code, last = int(codes[start]), float(block.values[end - 1])
+        if not gaps or gaps[-1].code != code:
+            gaps.append(Gap(code, float(block.values[start]), last, 0))
+        gaps[-1].last, gaps[-1].count = last, gaps[-1].count + int(end - start) * (code != 0)
 
 
 def tell(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, lang: Lang) -> None:
@@ -147,7 +118,7 @@ DECIMALS = 5
 def listed(turn: WholeTurn, values: Any) -> dict[str, list[float]]:
     """Every curve at each position of the drive, by its name."""
     sample = turn.sample(values)
-    return {c.name: [float(x) for x in c.read(sample) + np.zeros(len(values))] for c in turn.curves}
+    return {c.name: c.read(sample).tolist() for c in turn.curves}
 
 
 def listed_json(turn: WholeTurn, values: Any) -> Json:
@@ -168,13 +139,13 @@ def unsolved(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
         try:
             run(plans.program, {**given, plans.drive_given: value})
         except PlanFailure as failure:
-            sentences.append(failed(failure, value, plans.mechanism.drive.kind, nearest.to(value)).told(lang))
+            sentences.append(failed(failure, value, plans.drive.kind, nearest.to(value)).told(lang))
     return sentences
 
 
 def listing(turn: WholeTurn, values: Any, lang: Lang) -> str:
     """Every curve in each position, in the order of the analytic method, with five decimals."""
-    told_rows, kind = listed(turn, values), turn.plans.mechanism.drive.kind
+    told_rows, kind = listed(turn, values), turn.plans.drive.kind
     lines: list[str] = []
     for key, curves in _chapters(turn.curves):
         rows = [[c.name, say(c.unit, lang), *map(five_decimals, told_rows[c.name])] for c in curves]

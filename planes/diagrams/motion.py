@@ -50,8 +50,8 @@ def motion_of(plans: Plans, sections: int = 12, file: str = "") -> Motion:
 
     Where the mechanism does not assemble all the way round, the working range is divided instead.
     """
-    drive = plans.mechanism.drive
-    if drive.kind != "phi" or not drive.velocity:
+    drive = plans.drive
+    if not drive.rotates or not drive.velocity:
         raise PlanesError(Phrase("graphical_no_turn", file=file))
     if not FEWEST <= sections <= MOST:
         raise PlanesError(Phrase("graphical_sections", count=sections, least=FEWEST, most=MOST))

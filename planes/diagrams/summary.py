@@ -91,7 +91,7 @@ class Summary:
         link, slides = driven(self.plans)
         name = f"{'s' if slides else 'phi'}_{link}"
         curve = next((c for c in self.grid.turn.curves if c.name == name), None)
-        if curve is None or link == self.plans.mechanism.drive.link or name in dict(self.grid.flips):
+        if curve is None or link == self.plans.drive.link or name in dict(self.grid.flips):
             return None
         if self.grid.rounds(curve):
             return DrivenStroke(link, slides, name, (), FULL, True)
@@ -142,8 +142,8 @@ class Summary:
             return False
         if letter_of(curve.name) == "phi":
             moves = varies(self.grid.values(curve), self.grid.noise(curve))
-            return index_of(curve.name) != self.plans.mechanism.drive.link and moves
-        return curve.name != f"s_{self.plans.mechanism.drive.link}"
+            return index_of(curve.name) != self.plans.drive.link and moves
+        return curve.name != f"s_{self.plans.drive.link}"
 
     @cached_property
     def paths(self) -> tuple[Path, ...]:
@@ -194,7 +194,7 @@ def of_cycle(scene: Scene, ends: tuple[float, float] | None = None, names: Itera
     """The cycle of a scene between two positions of the driver, or by default a turn, or a slider's reach.
     :class:`PlanesError` where the mechanism assembles nowhere."""
     plans = scene_plans(scene)
-    start, end = ends or ((0.0, FULL) if plans.mechanism.drive.kind == "phi" else reach(plans))
+    start, end = ends or ((0.0, FULL) if plans.drive.rotates else reach(plans))
     cycle = summary(scene, plans, start, end, names)
     if not cycle.grid.works.any():
         raise PlanesError(Phrase("cycle_never", first=start, last=end))
@@ -209,7 +209,7 @@ def summary(
 
     A full turn in which the mechanism stops somewhere begins there, so that a working range is one piece.
     """
-    count = max(721, round(abs(end - start) / 0.5) + 1) if plans.mechanism.drive.kind == "phi" else 721
+    count = max(721, round(abs(end - start) / 0.5) + 1) if plans.drive.rotates else 721
     shown = () if names is None else tuple(c.name for c in turn_of(plans, names, file=scene.file).curves)
     turn, low, high = turn_of(plans), min(start, end), max(start, end)
     return Summary(scene, plans, in_one_piece(grid(turn, low, high, min(count, 20001))), shown)

@@ -36,12 +36,12 @@ def report(s: Summary, lang: Lang) -> str:
 
 def drive_name(s: Summary) -> str:
     """The letter of the driver's coordinate: φ1, or s1."""
-    return Naming().plain(s.plans.mechanism.drive.letters[0])
+    return Naming().plain(s.plans.drive.letters[0])
 
 
 def _drive(s: Summary, lang: Lang) -> str:
-    drive = s.plans.mechanism.drive
-    rates = zip((drive.velocity, drive.acceleration), RATES[drive.kind != "phi"][1:], strict=True)
+    drive = s.plans.drive
+    rates = zip((drive.velocity, drive.acceleration), RATES[not drive.rotates][1:], strict=True)
     v, a = (f"{quantity(x)} {say(unit, lang)}" for x, unit in rates)
     velocity, acceleration = (Naming().plain(name) for name in drive.letters[1:])
     first, last = (told(float(x), drive.kind, lang) for x in (s.grid.places[0], s.grid.places[-1]))
@@ -50,7 +50,7 @@ def _drive(s: Summary, lang: Lang) -> str:
 
 
 def _place(s: Summary, value: float, lang: Lang) -> str:
-    kind = s.plans.mechanism.drive.kind
+    kind = s.plans.drive.kind
     return told(round(value, 4) + 0.0 if kind == "phi" else float(f"{value:.6g}"), kind, lang)
 
 
@@ -138,7 +138,7 @@ class Extremes(Json):
 
 def as_json(s: Summary) -> Json:
     """The whole summary as plain data, with every extreme of every curve."""
-    drive, stroke = s.plans.mechanism.drive, s.stroke
+    drive, stroke = s.plans.drive, s.stroke
     report: Json = {
         "planes": 1,
         "scene": s.scene.file,

@@ -47,7 +47,7 @@ class WholeTurn:
         """The runs there are, each with the prefix of its columns: the drive's own motion, and the unit drive's, ω₁ = 1
         and ε₁ = 0 (or v = 1 and a = 0), velocities of which are analogues, dr/dφ₁."""
         columns = all_columns(self.plans)
-        unit = dict(zip(self.plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
+        unit = dict(zip(self.plans.drive.rates, (1.0, 0.0), strict=True))
         own = [columns[n] for n in self.needs if not n.startswith(UNIT)]
         one = [columns[n.removeprefix(UNIT)] for n in self.needs if n.startswith(UNIT)]
         runs = ("", None, own), (UNIT, unit, one)
@@ -63,26 +63,35 @@ class WholeTurn:
         digits."""
         return self._run(np.asarray(values, float), bare)[0]
 
-    def _run(self, values: Array, bare: bool = False, fast: bool = False) -> tuple[dict[str, Array], Indices]:
+    def _run(self, values: Array, bare: bool = False, fast: bool | None = False) -> tuple[dict[str, Array], Indices]:
         columns: dict[str, Array] = {}
-        codes, past = np.zeros(len(values), int), 0
+        codes, past = np.zeros(len(values), np.intp), 0
         for prefix, run in self.cycles:
-            blocks = list(run.blocks(values, fast=fast, bare=bare))
-            table = np.hstack([b.table for b in blocks])
-            mine = np.hstack([b.codes for b in blocks])
-            codes = np.where((codes == 0) & (mine != 0), mine + past, codes)
+            table, mine = run.table(values, fast, bare=bare)
+            if mine.any():
+                codes = np.where((codes == 0) & (mine != 0), mine + past, codes)
             past += len(run.reasons)
             columns |= {prefix + c.name: row for c, row in zip(run.columns, table, strict=True)}
         return columns, codes
 
-    def blocks(self, values: Span | Array, chunk: int = CHUNK, fast: bool | None = None) -> Iterator[Block]:
-        """The curves (one row each) of successive positions, in blocks: for a long table. ``fast`` says whether to
+    def rows(self, values: Array, fast: bool | None = None, errors: bool = False) -> tuple[list[Array], Indices]:
+        """Every curve at every position, with ``errors`` then the ± of each; and the codes. ``fast`` says whether to
         compile; by default, where that pays."""
+        sample, codes = self._run(values, fast=fast)
+        rows = [c.read(sample) for c in self.curves]
+        if errors:
+            runs, every = self.cycles, np.arange(len(values))
+            off = {p + c.name: x for p, r in runs for c, x in zip(r.columns, r.claimed(values, every), strict=True)}
+            rows += [c.off(sample, off) + 0 * row for c, row in zip(self.curves, rows, strict=True)]  # NaN stays
+        return rows, codes
+
+    def blocks(self, values: Span | Array, fast: bool | None = None, errors: bool = False) -> Iterator[Block]:
+        """The same for successive positions, in blocks: for a long table."""
         fast = pays(len(values)) if fast is None else fast
-        for start in range(0, len(values), chunk):
-            part = np.asarray(values[start : start + chunk], float)
-            columns, codes = self._run(part, fast=fast)
-            yield Block(part, np.array([c.read(columns) + np.zeros(len(part)) for c in self.curves]), codes)
+        for start in range(0, len(values), CHUNK):
+            part = np.asarray(values[start : start + CHUNK], float)
+            rows, codes = self.rows(part, fast, errors)
+            yield Block(part, np.array(rows), codes)
 
 
 def turn_of(
@@ -148,14 +157,14 @@ class Grid:
     @cached_property
     def _sizes(self) -> dict[str, float]:
         """Typical magnitudes in each unit, including those with the driver's given motion."""
-        drive, sizes = self.turn.plans.mechanism.drive, {"°": FULL}
-        if drive.kind == "phi":
+        drive, sizes = self.turn.plans.drive, {"°": FULL}
+        if drive.rotates:
             sizes |= {"1": 1.0, "rad/s": abs(drive.velocity), "rad/s²": abs(drive.acceleration)}
         for curve in (c for c in self.turn.curves if not c.angular):
             y = np.abs(self.values(curve))
             if np.isfinite(y).any():
                 sizes[curve.unit] = max(sizes.get(curve.unit, 0.0), float(np.nanmedian(y)))
-        if drive.kind == "phi":
+        if drive.rotates:
             for _, unit, rate in RATES.values():
                 sizes[rate] = max(sizes.get(rate, 0.0), sizes.get(unit, 0.0) * abs(drive.velocity))
         return sizes
@@ -203,7 +212,7 @@ class Grid:
         return tuple(flips)
 
     def _turn(self, curve: Curve, one: float, two: float) -> float:
-        a, b = curve.read(self.turn.sample([one, two])) + np.zeros(2)
+        a, b = curve.read(self.turn.sample([one, two]))
         return float(abs((b - a + FULL / 2) % FULL - FULL / 2))
 
 
@@ -226,14 +235,14 @@ def in_one_piece(g: Grid) -> Grid:
 
 def _is_turn(g: Grid) -> bool:
     """Whether a grid covers exactly one turn."""
-    return g.turn.plans.mechanism.drive.kind == "phi" and abs(float(g.places[-1] - g.places[0]) - FULL) < 1e-9
+    return g.turn.plans.drive.rotates and abs(float(g.places[-1] - g.places[0]) - FULL) < 1e-9
 
 
 def reach(plans: Plans) -> tuple[float, float]:
     """The range of the driver to search: one turn from the scene's position, or twice the longest link to either side
     of it."""
-    drive = plans.mechanism.drive
-    if drive.kind == "phi":
+    drive = plans.drive
+    if drive.rotates:
         return drive.position, drive.position + FULL
     return drive.position - 2 * plans.reach, drive.position + 2 * plans.reach
 
@@ -241,7 +250,7 @@ def reach(plans: Plans) -> tuple[float, float]:
 def span_of(plans: Plans) -> WorkingRange:
     """The range in which the mechanism assembles about the drive's position in the scene."""
     turn = WholeTurn(plans, [c for c in curves_of(plans).values() if c.group == "place"])
-    g, here = in_one_piece(grid(turn, *reach(plans))), plans.mechanism.drive.position
+    g, here = in_one_piece(grid(turn, *reach(plans))), plans.drive.position
     away = lambda ends: max(ends[0] - here, here - ends[1])  # noqa: E731
     start, end = min(g.ranges, key=away, default=(here, here))
     return WorkingRange(start, end, g.closed)

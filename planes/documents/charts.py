@@ -48,10 +48,10 @@ def draw_chart(
     name, cores = machine()
     seconds = f"{say('chart_seconds', lang)}\n{say('chart_machine', lang, name=name, cores=cores)}"
     with sayable(output):
-        beside = (turn, say(f"chart_drive_{plans.mechanism.drive.kind}", lang)) if turn else None
+        beside = (turn, say(f"chart_drive_{plans.drive.kind}", lang)) if turn else None
         draw(path, scene.title.get(lang, ""), methods, seconds, way, beneath, names, lang, beside)
     if table:
-        keep((text(methods, way, lang) + turning_text(turn, plans.mechanism.drive.kind, lang)).encode(), table)
+        keep((text(methods, way, lang) + turning_text(turn, plans.drive.kind, lang)).encode(), table)
 
 
 def turning_of(plans: Plans, length: str | None) -> Turning | None:
@@ -83,7 +83,7 @@ def moving(mechanism: Mechanism) -> Mechanism:
 def axis(limit: Limit, lang: Lang) -> str:
     """The kind of distance to a limit, in words."""
     way, value = limit.way, f"{round(float(limit.value), 12):.7g}".replace("-", "−")
-    kind = way.bench.plans.mechanism.drive.kind
+    kind = way.bench.plans.drive.kind
     if way.held is None:
         return say(f"chart_distance_{kind}", lang, value=value)
     letter, held = ("φ", math.remainder(way.held, 360)) if kind == "phi" else ("s", way.held)

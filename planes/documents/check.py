@@ -66,7 +66,7 @@ def _given(bench: PreparedPlan, lang: Lang) -> list[str]:
     """The data of the plan, with numbers that must not be broken across lines."""
     asked, plans = bench.asked, bench.plans
     cut = sliced(plans, [step.makes for step in plans.program.marks[asked.plan]])
-    value = plans.mechanism.drive.position if asked.value is None else asked.value
+    value = plans.drive.position if asked.value is None else asked.value
     at = position(asked.scene, cut, [], value, None, lang)
     given_rows = given_of(asked.scene, at, lang).rows()
     rows = [f"{name} = {number} {unit}".removesuffix(" —").replace(" °", "°") for name, number, unit in given_rows]

@@ -69,8 +69,8 @@ class Turned:
     def joined(self, curve: Curve | CycleVector) -> tuple[Array, Array]:
         """A curve's runs as one row of positions and one of values, with gaps between them."""
         x = numpy.concatenate([part for places, _ in self.pieces for part in (places, places[-1:])][:-1])
-        rows = [curve.read(sample) + numpy.zeros(len(places)) for places, sample in self.pieces]
-        return x, numpy.concatenate([part for row in rows for part in (row, [numpy.nan])][:-1])
+        rows = [part for _, sample in self.pieces for part in (curve.read(sample), [numpy.nan])]
+        return x, numpy.concatenate(rows[:-1])
 
 
 def known(values: Array) -> tuple[Real, ...]:
@@ -135,8 +135,8 @@ def cycle_page(
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
     plans = scene_plans(scene)
     if show is None:  # the driven link's motion, and the balancing load
-        drive = plans.mechanism.drive
-        balancing = f"{'M' if drive.kind == 'phi' else 'Fb'}_{drive.link}"
+        drive = plans.drive
+        balancing = f"{'M' if drive.rotates else 'Fb'}_{drive.link}"
         show = () if hodographs or paths else (*output_curves(plans), balancing)
     known = curves_of(plans)
     panels = [[named(n, known, plans, scene.file).name for n in name.split("+")] for name in show]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from planes.batch.table import SWEPT, Table
+from planes.batch.table import PLUS_MINUS, SWEPT, Table
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked
 from planes.check.handed_in import TABLES, read_paper
@@ -19,12 +19,12 @@ from planes.documents import animation
 from planes.documents.drawn import picture, view_of
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
-from planes.plans.curves import meant, read_as
-from planes.plans.quantities import results_of
+from planes.geometry.arrays import Array
+from planes.plans.curves import curves_meant
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.parameters import finite
-from planes.scene.ranges import places_of
+from planes.scene.ranges import asked_of_drive, places_of
 from planes.solving.of_scene import AnyScene, read
 from planes.words import Lang, home_lang
 from planes.words.names import kind_of
@@ -39,7 +39,13 @@ __all__ = ["animate", "check", "cycle", "extremes", "lesson", "picture", "sheet"
 
 
 def cycle(
-    scene: AnyScene, names: str | Iterable[str] | None = None, phi: Any = None, *, s: Any = None, **parameters: Any
+    scene: AnyScene,
+    names: str | Iterable[str] | None = None,
+    phi: Any = None,
+    *,
+    s: Any = None,
+    errors: bool = False,
+    **parameters: Any,
 ) -> Table:
     """Results for many positions, as arrays by name. ``names`` are results such as "v_C", "omega_2", "F_21", "M_1" or
     the position vector "r_C" (None: everything). Where a position cannot be drawn, there is NaN, and ``failed`` has the
@@ -48,46 +54,63 @@ def cycle(
     ``phi`` (degrees; ``s``, in m, for a sliding driver) is an array of values, by default a whole turn in steps of a
     degree (for a sliding driver its given position). Any other keyword is a parameter of the scene with its value or
     values: each combination is run for all positions of the drive. The table has a column for the drive and one for
-    each parameter.
+    each parameter. With ``errors`` it also has a bound on the error of every number: ``table["± omega_2"]``.
 
     >>> import planes
     >>> scene = planes.load("samples/kind-1-rrr.yaml")
     >>> table = planes.cycle(scene, ["v_C", "omega_2"], phi=range(0, 360, 90), l_CD=[0.3, 0.35])
     >>> table
-    <Table of 5 columns, 8 positions: l_CD [SI], phi [°], v_C_x [m/s], v_C_y [m/s], omega_2 [rad/s]>
+    <Table of 5 columns, 8 positions: l_CD, phi [°], v_C_x [m/s], v_C_y [m/s], omega_2 [rad/s]>
     >>> table["v_C"].shape
     (8,)
     """
     scene = read(scene)
     one = isinstance(names, str) or not isinstance(names, Iterable)
-    asked = None if names is None else [str(names)] if one else list(names)
-    values = places_of(scene, phi, s)
-    values = values if values is None else np.atleast_1d(values)
-    swept = {name: np.atleast_1d(finite(v, name)) for name, v in parameters.items()}
+    asked = None if names is None else (str(names),) if one else tuple(map(str, names))
+    at = asked_of_drive(scene, phi, s)
+    values = None if at is None else _numbers(at, "s" if phi is None else "phi")
+    swept = {name: _numbers(v, name) for name, v in parameters.items()}
     tables = []
     for numbers in product(*swept.values()):
         given = dict(zip(swept, map(float, numbers), strict=True))
-        tables.append(_turned(scene.with_parameters(**given) if given else scene, asked, values, given))
-    return Table.joined(tables)
+        tables.append(_turned(scene.with_parameters(**given) if given else scene, asked, values, given, errors))
+    return Table.joined(tables) if len(tables) > 1 else tables[0]
 
 
-def _turned(scene: Scene, names: list[str] | None, values: Any, given: dict[str, float]) -> Table:
-    """The results for one set of parameters."""
+def _numbers(given: Any, name: str) -> Array:
+    """The numbers given; an array of them is looked at as one, in a tenth of the time."""
+    flat = isinstance(given, np.ndarray) and given.shape == (given.size,) != (0,) and given.dtype == float
+    return given.copy() if flat and np.isfinite(given).all() else np.atleast_1d(finite(given, name))
+
+
+_TURNS: dict[tuple[int, tuple[str, ...] | None], WholeTurn] = {}
+"""Turns ready for the next call: by the plans, which they keep, and the names."""
+KEPT = 8
+
+
+def _turned(
+    scene: Scene, names: tuple[str, ...] | None, values: Array | None, given: dict[str, float], errors: bool
+) -> Table:
+    """The results for one set of parameters. A turn is made ready in milliseconds, so the last ones are kept; while
+    used, one is taken out, for another thread may ask for the same."""
     plans = scene_plans(scene)
-    drive = plans.mechanism.drive
-    asked = (meant(plans, name) for name in map(str, names or ()) if name != drive.kind)
-    read = map(read_as, results_of(plans)) if names is None else asked
-    curves = list({c.name: c for some in read for c in some}.values())
+    drive, key = plans.drive, (id(plans), names)
+    turn = _TURNS.pop(key, None)
+    if turn is None:
+        asked = None if names is None else [name for name in names if name != drive.kind]
+        turn = WholeTurn(plans, curves_meant(plans, asked), slopes=False)
     if values is None:
-        values = np.arange(360.0) if drive.kind == "phi" else np.array([drive.position])
-    turn = WholeTurn(plans, curves, slopes=False)
-    (block,) = turn.blocks(values, len(values))
+        values = np.arange(360.0) if drive.rotates else np.array([drive.position])
+    rows, codes = turn.rows(values, errors=errors)
+    heads = [(sign + c.name, c.unit) for sign in ("", PLUS_MINUS)[: 1 + errors] for c in turn.curves]
     columns = {name: np.full(len(values), number) for name, number in given.items()} | {drive.kind: values}
-    units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.kind == "phi" else "m"}
-    columns |= {c.name: row for c, row in zip(curves, block.table, strict=True)}
-    units |= {c.name: c.unit for c in curves}
+    units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.rotates else "m"} | dict(heads)
+    columns |= dict(zip(dict(heads), rows, strict=True))
     reasons = np.array(["", *(r.named for r in turn.reasons)], dtype=object)
-    return Table(columns, units, reasons[block.codes], plans.naming)
+    if len(_TURNS) >= KEPT:
+        _TURNS.clear()
+    _TURNS[key] = turn
+    return Table(columns, units, reasons[codes], plans.naming)
 
 
 def check(

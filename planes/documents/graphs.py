@@ -40,7 +40,7 @@ def views_beside(scene: Scene, drawn: Position, composer: Composer) -> Makers:
         return alignment_view(drawn, aligned(drawn.plans, scene.file), composer.naming, title, LETTER_MM)
 
     makers: dict[str, Callable[[], View | None]] = {"self-aligning": alignment}
-    drive = drawn.plans.mechanism.drive
-    if drive.kind == "phi" and drive.velocity:
+    drive = drawn.plans.drive
+    if drive.rotates and drive.velocity:
         makers |= {kind: partial(graphical, kind) for kind in ("differentiation", "integration")}
     return makers

@@ -73,8 +73,8 @@ def placed(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
     plans, wanted = plans_of(scene, shown=True)
     if values and len(values) != 1:
         raise PlanesError(Phrase("note_one", count=len(values)))
-    value = values[0] if values else plans.mechanism.drive.position
+    value = values[0] if values else plans.drive.position
     try:
         return position(scene, plans, wanted, value, None, lang)
     except PlanFailure as failure:
-        raise SceneError(failed(failure, value, plans.mechanism.drive.kind), scene.file) from None
+        raise SceneError(failed(failure, value, plans.drive.kind), scene.file) from None

@@ -52,9 +52,9 @@ def _of_scene(scene: Scene, lang: Lang) -> Iterable[str]:
 
 
 def _of_position(here: Position, lang: Lang) -> Iterable[str]:
-    drive = here.plans.mechanism.drive
+    drive = here.plans.drive
     if here.plans.moves:
-        yield f"<b>{'φ' if drive.kind == 'phi' else 's'} = {decimal(told(here.at, drive.kind, lang), lang)}</b>"
+        yield f"<b>{'φ' if drive.rotates else 's'} = {decimal(told(here.at, drive.kind, lang), lang)}</b>"
     yield shown(here) or ""
     rates = [(f"v_{p}", abs(v), "m/s") for p, v in here.v.items()] + [
         (f"a_{p}", abs(a), "m/s²") for p, a in here.a.items()
@@ -130,8 +130,8 @@ def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"),
     plans, wanted = plans_of(own)
     if own.mechanism is None:
         raise SceneError(Phrase("vectors_alone"), own.file, own.where.get(("vectors",), 1))
-    drive, said = plans.mechanism.drive, lang or home_lang()
-    turns = drive.kind == "phi"
+    drive, said = plans.drive, lang or home_lang()
+    turns = drive.rotates
     reach = (0.0, 360.0, 1.0) if turns else (drive.position - 1.0, drive.position + 1.0, 0.01)
 
     class Crank(anywidget.AnyWidget):

@@ -178,7 +178,7 @@ class DrawnPosition:
         try:
             return position(scene or self.scene, plans, wanted, self.value, None, self.lang, fits)
         except PlanFailure as failure:
-            said = failed(failure, self.value, plans.mechanism.drive.kind, nearest(plans, self.value))
+            said = failed(failure, self.value, plans.drive.kind, nearest(plans, self.value))
             raise SceneError(said, self.scene.file) from None
 
 

@@ -208,7 +208,7 @@ class Teller:
         inside = {name: r.key for one in links for name, (r, _) in one.reactions.items() if name == one.force}
         own = (r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan))
         names = [name for name in own if name not in inside.values()]
-        names += [n for n in (self.bodies.balancing(plan),) if n and self.plans.mechanism.drive.kind == "s"]
+        names += [n for n in (self.bodies.balancing(plan),) if n and self.plans.drive.kind == "s"]
         frames = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
         for one in links:
             key = inside[one.force]

@@ -137,7 +137,7 @@ class Choices:
         links = self.plans.mechanism.links
         point = next((p for p in self.plans.points if f"v_{p}" == equation["total"]["name"]), "")
         together = {p for x in links.values() if point in x.points for p in x.points}
-        own = {*links[self.plans.mechanism.drive.link].points}
+        own = {*links[self.plans.drive.link].points}
         for other in sorted(own - together - {point}) if point in self.plans.points and together else ():
             if self.plans.points[other].velocity in made or other in self.plans.mechanism.frame.points:
                 text = f"⟨v_{point}⟩ = ⟨v_{other}⟩ + ⟨v_{point}{other}⟩"

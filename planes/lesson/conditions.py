@@ -109,7 +109,7 @@ class Layout:
         drive, first, slide = self.mechanism.drive, link.points[link.first_point], link.slides
         places = {name: z - first for name, z in link.points.items()}
         aimed = [load.direction_link for load in self.mechanism.loads if self.plans.forces]
-        turned = drive.kind == "phi" and drive.on != FRAME and link.name in (drive.link, drive.on)
+        turned = drive.rotates and drive.on != FRAME and link.name in (drive.link, drive.on)
         uses_axes = any(z.imag for z in places.values()) or link.guides or link.name in aimed or turned
         if slide and (uses_axes or len(places) > 1 or slide.angle_deg):
             key = "way_turned" if slide.angle_deg else "way_guide"
@@ -127,7 +127,7 @@ class Layout:
         """The origin of the drive's coordinate, unless it is the angle from the driver to the x axis."""
         m, drive = self.mechanism, self.mechanism.drive
         name = f"⟨{drive.letters[0]}⟩"
-        if drive.kind == "phi":
+        if drive.rotates:
             if drive.on != FRAME:
                 yield self.say("turned_on", name=name, link=drive.link, on=drive.on)
             return

@@ -90,7 +90,7 @@ def _live(lesson: Told, results: list[str], progress: Progress | None, practice:
     drawn, own = live.drawing, feet(plans, live.drawing)
     made = (s.makes for s in plans.program.steps if s.kind == "mark" and s.makes not in plans.program.trials)
     marks = {name: drawn[name] for name in made if plan_of(name) != "motion"} | own
-    fails = live.failures(plans.drive_given, "φ" if plans.mechanism.drive.kind == "phi" else "s")
+    fails = live.failures(plans.drive_given, "φ" if plans.drive.rotates else "s")
     # directions of guides, and of the forces in moment equations
     ways = [f"∥{g}" for link in (plans.mechanism.frame, *plans.mechanism.links.values()) for g in link.guides]
     loaded = [*arms(plans), *lesson.teller.bodies.drawn.values()]

@@ -67,6 +67,7 @@ class FreeNumbers:
 
     def __init__(self, plans: Plans, given: Mapping[str, Thing]) -> None:
         self.plans, self.given = plans, given
+        self.plain = {n: z for n, z in given.items() if n not in plans.reckoned}
         self.asked, ar = _Asked(plans), Arithmetic()
         for name in plans.program.givens:
             if name in plans.reckoned:
@@ -79,8 +80,7 @@ class FreeNumbers:
     @cached_property
     def home(self) -> dict[str, float]:
         """Every free number as in the scene, of a place both coordinates."""
-        plain = {n: z for n, z in self.given.items() if n not in self.plans.reckoned}
-        flat = {n: float(z) for n, z in given_values(plain).items()}
+        flat = {n: float(z) for n, z in given_values(self.plain).items()}
         means = self.plans.means
         places = {n: z for n, z in flat.items() if (m := means.get(given_of(n))) and m.quantity == "place"}
         return {**places, **self.own, **{n: z for n, z in flat.items() if n not in places}}
@@ -88,15 +88,14 @@ class FreeNumbers:
     def on(self, tape: Tape, ar: Arithmetic) -> dict[str, Thing]:
         """The given numbers of the program on a tape whose inputs are the free ones."""
         own = {n: Num(tape, tape.leaf("given", n)) for n in self.own}
-        plain = {n: given_on(tape, n, z) for n, z in self.given.items() if n not in self.plans.reckoned}
+        plain = {n: given_on(tape, n, z) for n, z in self.plain.items()}
         return self._reckoned(plain, own, ar)
 
     def given_by(self, free: Mapping[str, Any], ar: Arithmetic | None = None) -> dict[str, Thing]:
         """The given numbers of the program by free ones: numbers, or arrays of them."""
         plain = {
             n: free[f"{n}.x"] + 1j * free[f"{n}.y"] if isinstance(z, complex) else free[n]
-            for n, z in self.given.items()
-            if n not in self.plans.reckoned
+            for n, z in self.plain.items()
         }
         return self._reckoned(plain, free, ar or Arithmetic())
 

@@ -94,7 +94,7 @@ class FreeBodies:
 
     def balancing(self, plan: str) -> str:
         """The balancing load, if the polygon is the driver's."""
-        drive = self.plans.mechanism.drive
+        drive = self.plans.drive
         return self.plans.balancing if plan == force_plan(drive.link) and self.plans.balancing else ""
 
     def splits(self, plan: str) -> Iterator[Split]:

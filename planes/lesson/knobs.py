@@ -127,7 +127,7 @@ class Knobs:
                 return [f"{step.at}.x", f"{step.at}.y"]
             case LayOff():
                 turned = getattr(self.plans.program.makers.get(step.along), "of", "")
-                driven = turned == f"x_{self.plans.mechanism.drive.link}" or step.length == drive
+                driven = turned == f"x_{self.plans.drive.link}" or step.length == drive
                 return [step.length, *self.own(step.makes)[1:], *[drive] * driven]
             case CrossArc():
                 return [step.radius]

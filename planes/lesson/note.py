@@ -88,12 +88,12 @@ class Note:
 
     def opening(self) -> Iterator[Block]:
         """Title, task and given numbers."""
-        plans, drive = self.position.plans, self.position.plans.mechanism.drive
+        plans, drive = self.position.plans, self.position.plans.drive
         title = text_in(self.lang, self.scene.title)
         yield self.cover(title)
         yield Heading(self.say("note_given"))
         where = told(self.position.at, drive.kind, self.lang)
-        where = f"{'φ' if drive.kind == 'phi' else 's'} = {decimal(where, self.lang)}"
+        where = f"{'φ' if drive.rotates else 's'} = {decimal(where, self.lang)}"
         asked = tuple(f"⟨{name}⟩" for name in self.sought())
         named = {"title": title or Path(self.scene.file).stem, "drive": where, "names": asked}
         yield Paragraph(self.say(f"{self.task}_find" if asked else "note_task", **named))
@@ -107,7 +107,7 @@ class Note:
     def cover(self, title: str) -> Cover:
         """The title page by the cells of the sheet's title block; lines to fill in for whom it does not name."""
         cells = {key: str(cell) for key, cell in self.scene.sheet.items()}
-        above = tuple(cells[key] for key in ("company", "department") if key in cells)
+        above = tuple(cells[key] for key in ("university", "company", "department") if cells.get(key))
         student = ", ".join(cells[key] for key in ("student", "group") if cells.get(key)) or BLANK
         people = (
             f"{self.say('note_student')}: {student}",
@@ -254,8 +254,7 @@ class Note:
         head = (self.say("note_link"), f"ω, {w}", f"ε, {e}")
         shown = [(k, *(self.number(x.get(i)) for i in ("omega", "epsilon"))) for k, x in p.rows("links").items()]
         yield from self.table("note_links_table", head, [row for row in shown if row[0] != FRAME])
-        own = self.scene.equations if "equations" in p.results else (), self.scene.file
-        told_of = own_rows(p.plans, p.drawing, p.scales, own, self.lang)
+        told_of = own_rows(p, (self.scene.equations, self.scene.file), self.lang)
         yield from self.table("own_equations", (self.say("own_equations"), ""), told_of)
         forces = list(p.of("reactions").items())
         if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):

@@ -45,7 +45,8 @@ class StepWords:
             case s.LayOff():
                 return self.lay_off(step)
             case crossings.Touch():
-                return "touch", "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
+                key = "touch" if step.offset else "touch_through"
+                return key, "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
             case crossings.Cross():
                 special = step.quantity == "special"
                 lines: Names = {"action": self.action(step.along), "across": self.action(step.across)}
@@ -53,7 +54,10 @@ class StepWords:
             case CutTrack():
                 return self.track(step)
             case crossings.CrossArc():
-                return "arc", "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
+                key = (
+                    "arc" if lettered(step.start) == label_of(step.start) else "arc_guide"
+                )  # a guide is known by a place
+                return key, "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
             case crossings.CrossArcs():
                 radius, other = slot(step.radius, "mm", step.mu), slot(step.other_radius, "mm", step.mu)
                 return "arcs", "arcs", {"radius_mm": radius, "other_mm": other}
@@ -152,8 +156,8 @@ class StepWords:
         shown: Names = {**named, "name": name, "value": slot(step.length), "unit": lambda lang: unit(name, lang)}
         if kind == "position":
             along = self.made[step.along]
-            drive = self.plans.mechanism.drive
-            driven = isinstance(along, s.Turn) and drive.kind == "phi" and along.of == f"x_{drive.link}"
+            drive = self.plans.drive
+            driven = isinstance(along, s.Turn) and drive.rotates and along.of == f"x_{drive.link}"
             key = "driver" if driven else "along"
             reason = "moved" if step.quantity == "moved" else "driver" if driven or step.length == "s" else "along"
             return key, reason, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
@@ -172,7 +176,7 @@ class StepWords:
         law = self.plans.acting.laws.get(f"{value}_given")
         if law is None:
             return "load"
-        read = partial(law_said, law, self.plans.mechanism.drive, "⟨{}⟩".format)
+        read = partial(law_said, law, self.plans.drive, "⟨{}⟩".format)
         return lambda lang: say("why_load_law", lang, name=value, law=read(lang))
 
     def vector(self, step: s.LayOff) -> str:

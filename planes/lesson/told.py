@@ -48,7 +48,7 @@ class Told:
         plans = with_centres(plans) if centres else plans
         try:
             mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
-            given = {**plans.given, **plans.at(plans.mechanism.drive.position), **mus}
+            given = {**plans.given, **plans.at(plans.drive.position), **mus}
             drawing = run(plans.program, given)
         except PlanFailure as failure:
             raise SceneError(Phrase("lesson_fails", failure=failure.phrase), scene.file, 1) from None
@@ -96,8 +96,8 @@ def _cycle(knobs: Knobs, leaning: bool = False) -> Drawing:
 
 def drive_of(plans: Plans) -> Json:
     """The driver's number, and its range: a single value, where a law is valid in the given position alone."""
-    drive = plans.mechanism.drive
-    turns = drive.kind == "phi"
+    drive = plans.drive
+    turns = drive.rotates
     reach, start = (0.0, drive.position % 1.0) if turns else (plans.reach, drive.position)
     still: Json = {"symbol": "φ" if turns else "s", "given": plans.drive_given, "at": drive.position, "held": None}
     still |= {"from": drive.position, "to": drive.position}

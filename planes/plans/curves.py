@@ -31,6 +31,7 @@ Group = Literal["place", "analogue", "rate", "force"]
 UNIT = "q:"
 T = TypeVar("T", bound="Curve | CycleVector")
 FULL = 360.0
+ROUNDING = 1e-15  # of the numbers a curve is computed from, where they are several: four last places
 
 
 @frozen
@@ -44,6 +45,16 @@ class Curve:
     read: Callable[[Sample], Real]
     slope: Callable[[Sample], Real] | None = None
     angular: bool = False
+
+    def off(self, sample: Sample, margins: Sample) -> Real:
+        """± at every position, by the ``margins`` of the columns it reads. None of them moves it by more than it moves
+        itself; an angle moves a place along a guide by as much as it turns the lengths read."""
+        names = needs_of([self], False)
+        if len(names) == 1:
+            return margins[names[0]]
+        lengths = sum(np.abs(sample[n]) for n in names)
+        turned = (np.radians(margins[n]) * lengths if n[0] == "p" else margins[n] for n in names)
+        return sum(turned) + ROUNDING * lengths
 
 
 @frozen
@@ -82,7 +93,7 @@ def curves_of(plans: Plans) -> dict[str, Curve]:
 
 def arrows_of(plans: Plans) -> dict[str, CycleVector]:
     """Every vector of a mechanism by its name: r_C, v_C, vq_C, a_C, aq_C, F_21."""
-    units = analogue_units(plans.mechanism.drive.kind == "phi")
+    units = analogue_units(plans.drive.rotates)
     own = [q for q in results_of(plans) if q.group in ("points", "reactions")]
     vectors = {q.name: CycleVector(q.name, q.columns[0].unit, q.name) for q in own}
     named = ((f"{letter}q_{p}", letter, p) for p in plans.points for letter in "va")
@@ -99,6 +110,12 @@ def meant(plans: Plans, name: str) -> list[Curve]:
     curves = askable(plans)
     name = plans.naming.names(curves, poles=False).one(name, "no_quantity", lambda n: curves[n].name)
     return [replace(curves[name], name=name)]  # an analogue has two names
+
+
+def curves_meant(plans: Plans, names: Iterable[str] | None) -> list[Curve]:
+    """The curves that names mean (None: those of all results), each once."""
+    read = map(read_as, results_of(plans)) if names is None else (meant(plans, name) for name in names)
+    return list({c.name: c for some in read for c in some}.values())
 
 
 def names_of(plans: Plans) -> list[str]:
@@ -153,15 +170,15 @@ def _along(plans: Plans, link: str) -> Callable[[Sample], Real]:
     m = plans.mechanism
     guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner(plans.velocity_slides[link].guide)
     first, way = m.links[link].first_point, np.exp(1j * math.radians(guide.angle_deg))
-    place = CycleVector("", "m", f"r_{first}")
-    if owner == FRAME:
-        return lambda s: ((place.read(s) - guide.through) * np.conj(way)).real
-    base = m.links[owner].first_point
-    start, shift = CycleVector("", "m", f"r_{base}"), guide.through - m.links[owner].points[base]
+    base = m.links[owner].first_point if owner != FRAME else ""
+    place, start = CycleVector("", "m", f"r_{first}"), CycleVector("", "m", f"r_{base}")
+    shift = guide.through - (m.links[owner].points[base] if base else 0)
 
     def read(s: Sample) -> Real:
-        turn = np.exp(1j * np.radians(s[f"phi_{owner}"]))
-        return (((place.read(s) - start.read(s)) * np.conj(turn) - shift) * np.conj(way)).real
+        here = place.read(s)
+        if base:
+            here = (here - start.read(s)) * np.exp(-1j * np.radians(s[f"phi_{owner}"]))
+        return ((here - shift) * np.conj(way)).real
 
     return read
 
@@ -169,16 +186,16 @@ def _along(plans: Plans, link: str) -> Callable[[Sample], Real]:
 def _motions(plans: Plans, q: str = "") -> Iterator[Curve]:
     """Rates of links, sliders and points, or with "q" their analogues: the same columns of the run with a unit drive.
     The derivative of a velocity is that run's acceleration."""
-    rate, run, units = plans.mechanism.drive.velocity, "", RATE_UNITS
+    rate, run, units = plans.drive.velocity, "", RATE_UNITS
     if q:
-        rate, run, units = 1.0, UNIT, analogue_units(plans.mechanism.drive.kind == "phi")
+        rate, run, units = 1.0, UNIT, analogue_units(plans.drive.rotates)
     group: Group = "analogue" if q else "rate"
     slope = UNIT if rate else ""
     for link in turning(plans):
         name, quick = ratio_name(plans, link) if q else f"omega_{link}", f"epsilon_{link}"
         yield _scalar(name, units["omega"], group, f"{run}omega_{link}", slope and slope + quick, rate)
         yield _scalar(f"epsilon{q}_{link}", units["epsilon"], group, run + quick)
-    for link in (n for n in plans.velocity_slides if n != plans.mechanism.drive.link):
+    for link in (n for n in plans.velocity_slides if n != plans.drive.link):
         need, quick = f"{run}v_slide_{link}", f"a_slide_{link}"
         yield _scalar(f"v{q}_slide_{link}", units["v"], group, need, slope and slope + quick, rate)
         yield _scalar(f"a{q}_slide_{link}", units["a"], group, run + quick)

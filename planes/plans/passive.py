@@ -78,11 +78,11 @@ def _without(mechanism: Mechanism, gone: Sequence[Link]) -> Mechanism:
 
 def _held(plans: Any, link: Link) -> bool:
     """Whether the distance held by a link stays constant without it."""
-    drive, points = plans.mechanism.drive, [p for p in link.points if p in plans.mechanism.names]
+    drive, points = plans.drive, [p for p in link.points if p in plans.mechanism.names]
     if len(points) != (1 if link.slides else 2):  # it is attached to another link left out
         return False
     program = plans.program.sliced([at("position", p) for p in points])
-    reach = NEAR_DEG if drive.kind == "phi" else NEAR * plans.reach
+    reach = NEAR_DEG if drive.rotates else NEAR * plans.reach
     held = False
     for side in (1.0, -1.0):  # a dead point, beyond which the assembly changes, may be near
         values = Listed(drive.position + side * reach * k / (PLACES - 1) for k in range(PLACES))

@@ -82,7 +82,7 @@ def _balanced(s: Statics) -> Iterator[Proof]:
             if r.pair.joins(link):
                 sides.append((r.start, r.end, 1 if link == r.pair.link else -1, s.bodies.place(r.pair), r.moment))
         pair, sign = s.bodies.structure.drive_pair, 1 if link == drive.link else -1
-        if drive.kind == "phi" and pair.joins(link):
+        if drive.rotates and pair.joins(link):
             couples.append((s.balancing, sign))
         elif pair.joins(link):
             plan = force_plan(drive.link)

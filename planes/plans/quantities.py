@@ -200,8 +200,8 @@ def _reaction(plans: Plans, r: Reaction) -> tuple[Column, ...]:
 
 
 def _balancing(plans: Plans) -> Iterator[Quantity]:
-    drive = plans.mechanism.drive
-    what, letter, unit = ("moment", "M", "N·m") if drive.kind == "phi" else ("force", "Fb", "N")
+    drive = plans.drive
+    what, letter, unit = ("moment", "M", "N·m") if drive.rotates else ("force", "Fb", "N")
     for by, sign, value in (("balancing", "", plans.balancing), ("zhukovsky", "Z", plans.zhukovsky)):
         for name in (f"{letter}{sign}_{drive.link}", f"{by}_{what}") if value else ():
             yield Quantity(name, (Column(name, unit, value),), f"{by}_{what}")
@@ -230,8 +230,8 @@ def _lettered(plans: Plans) -> Iterator[Quantity]:
     components of reactions that are plain values."""
     for couple in (c for couples in plans.acting.couples.values() for c in couples if not (c.inertia or c.handed)):
         yield Quantity(couple.name, (Column(couple.name, "N·m", couple.value),), "loads", couple.name)
-    for rate, unit in zip(plans.mechanism.drive.rates, ("rad/s", "rad/s²"), strict=True):
-        if plans.mechanism.drive.on != FRAME and rate in plans.given:
+    for rate, unit in zip(plans.drive.rates, ("rad/s", "rad/s²"), strict=True):
+        if plans.drive.on != FRAME and rate in plans.given:
             yield Quantity(rate, (Column(rate, unit, rate),), "drive", rate)
     for name in plans.program.made:
         letter, _, part = parts_of(name)

@@ -19,7 +19,7 @@ from planes.plans.other_leads import Leads, Restating
 from planes.plans.passive_motion import LinkValues, values_of
 from planes.plans.position.decimals import AsWritten, Lost
 from planes.plans.structures.figure import StaticsFigure
-from planes.scene.mechanism import FRAME, Link, Mechanism
+from planes.scene.mechanism import FRAME, Drive, Link, Mechanism
 from planes.words.errors import SceneError
 from planes.words.frozen import frozen
 from planes.words.names import HELPERS, Meaning, at, force_plan, kind_of, links_of
@@ -83,7 +83,7 @@ class Plans:
         """The part of the mechanism that sets the lettering: the frame's number, the driver, the vectors that end at a
         point of the frame under a slider."""
         grounded = [name for name, m in self.means.items() if m.quantity == "rate" and m.link == FRAME]
-        return {"frame": self.mechanism.frame_number, "driver": self.mechanism.drive.link, "grounded": grounded}
+        return {"frame": self.mechanism.frame_number, "driver": self.drive.link, "grounded": grounded}
 
     def restated(self, leads: Mapping[str, Leads]) -> "Plans":
         """The same mechanism, unsliced, with other leads meeting in special points."""
@@ -101,19 +101,24 @@ class Plans:
         return {n: lost for n, z in named if (lost := written.lost(z, self.reckoned.get(n)))}
 
     @property
+    def drive(self) -> Drive:
+        """Its driver."""
+        return self.mechanism.drive
+
+    @property
     def moves(self) -> bool:
         """Whether there is a mechanism: only that has other positions."""
-        return self.mechanism.drive.link != FRAME
+        return self.drive.link != FRAME
 
     @property
     def turns(self) -> bool:
         """Whether anything depends on a drive: a mechanism, or laws of stated vectors and loads."""
-        return self.moves or self.mechanism.drive.given in self.given
+        return self.moves or self.drive.given in self.given
 
     @cached_property
     def drive_given(self) -> str:
         """Name of the given that moves the driver: its angle in degrees, or s in m; an unused name without a drive."""
-        return self.mechanism.drive.given if self.turns else STILL
+        return self.drive.given if self.turns else STILL
 
     def at(self, value: Real, program: Program | None = None, known: Container[str] = ()) -> dict[str, Thing]:
         """The given of the drive at one position or many, for a program that overrides the ``known`` givens.
@@ -121,7 +126,7 @@ class Plans:
         Raises :class:`SceneError` where the program reads a number that would have to change with the drive, and
         cannot.
         """
-        moved = value != self.mechanism.drive.position
+        moved = value != self.drive.position
         if self.laws and (moved.any() if hasattr(moved, "any") else moved):
             cut = program or self.program
             reads = {*cut.givens, *cut.made}

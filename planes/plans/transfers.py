@@ -19,7 +19,7 @@ PLAN = "velocity"
 def driver_vector(plans: Plans) -> DriverVector | None:
     """The vector from which the driver's rate is computed; None where the driver is at rest or its vector is not
     drawn."""
-    drive, steps = plans.mechanism.drive, {s.makes: s for s in plans.program.steps}
+    drive, steps = plans.drive, {s.makes: s for s in plans.program.steps}
     if not drive.velocity:
         return None
     if drive.kind == "s":
@@ -41,7 +41,7 @@ def transfers(plans: Plans) -> Iterator[Derived]:
     vector = driver_vector(plans)
     if vector is None:
         return
-    units = analogue_units(plans.mechanism.drive.kind == "phi")
+    units = analogue_units(plans.drive.rotates)
     for link in turning(plans):
         names = dict.fromkeys((as_indexed(ratio_name(plans, link)), f"omega_q{link}", f"omegaq_{link}"))
         yield Derived((*names,), units["omega"], plans.links[link].omega, "transfers", per=vector)
@@ -64,8 +64,8 @@ def analogue_units(turns: bool) -> dict[str, str]:
 
 def ratio_name(plans: Plans, link: str) -> str:
     """The name of the transfer ratio ω_link/ω_driver: u_31; with a drive that slides or is inside, omegaq_3."""
-    drive = plans.mechanism.drive
-    if drive.kind != "phi" or drive.on != FRAME:
+    drive = plans.drive
+    if not drive.rotates or drive.on != FRAME:
         return f"omegaq_{link}"
     driver = drive.link
     return f"u_{link}{driver}" if len(link) == len(driver) == 1 else f"u_{link}_{driver}"
@@ -73,6 +73,6 @@ def ratio_name(plans: Plans, link: str) -> str:
 
 def turning(plans: Plans) -> list[str]:
     """Links that turn, without a driver whose rotation is given."""
-    drive = plans.mechanism.drive
-    given = drive.link if drive.kind == "phi" and drive.on == FRAME else ""
+    drive = plans.drive
+    given = drive.link if drive.rotates and drive.on == FRAME else ""
     return [n for n, v in plans.links.items() if n not in (FRAME, given) and v.omega]

@@ -217,5 +217,5 @@ def _drive(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
     if ("drive", rate) not in mechanism.where and not statics:
         yield Phrase("doubt_at_rest", key=rate), ("drive",)
     link = mechanism.links[drive.link]
-    if drive.kind == "phi" and len(link.points) > 1 and not _size(link):
+    if drive.rotates and len(link.points) > 1 and not _size(link):
         yield Phrase("doubt_no_crank", link=link.name), ("links", link.name, "points")

@@ -136,7 +136,8 @@ class ExpressionParser:
             factor = FACTORS.get(unit.lower())
             for name in (*self.valid, *RESERVED):
                 if name == word or FACTORS.get(name.lower(), name) == factor:
-                    return Phrase("write_times", number=near[0][1], name=name)
+                    made = re.sub(rf"{re.escape(near[0][1])}\s*{word}", f"{near[0][1]}*{name}", self.text, count=1)
+                    return Phrase("write_times", text=shown(made)[1:-1])
             hint = unit and Phrase("unit_in_si", unit=unit, factor=factor)
             return Phrase("unit_written", word=shown(word), hint=hint)
         return Phrase("unexpected" if kind == "sign" else "unexpected_operand", word=shown(word))

@@ -109,6 +109,11 @@ class Drive:
     balance: tuple[str, float] | None = None  # where a balancing force acts, and its angle in the link's axes
 
     @property
+    def rotates(self) -> bool:
+        """Whether it turns, and does not slide."""
+        return self.kind == "phi"
+
+    @property
     def turning(self) -> str:
         """The index of its angle: its link, "2_1" where it turns on another."""
         return self.link if self.on == FRAME else f"{self.link}_{self.on}"
@@ -117,12 +122,12 @@ class Drive:
     def given(self) -> str:
         """The name of its coordinate: the angle of its link's axis, absolute or relative to another link; or s."""
         turned = f"angle_x_{self.link}" if self.on == FRAME else f"angle_{self.turning}"
-        return turned if self.kind == "phi" else "s"
+        return turned if self.rotates else "s"
 
     @property
     def letters(self) -> tuple[str, str, str]:
         """Names of its position, velocity and acceleration: phi_1, omega_1, epsilon_1; of a slider s_1, v_1, a_1."""
-        if self.kind == "phi":
+        if self.rotates:
             return f"phi_{self.turning}", *self.rates
         return f"s_{self.link}", f"v_{self.link}", f"a_{self.link}"
 
@@ -130,7 +135,7 @@ class Drive:
     def rates(self) -> tuple[str, str]:
         """The names of its given velocity and acceleration."""
         turning = f"omega_{self.turning}", f"epsilon_{self.turning}"
-        return turning if self.kind == "phi" else ("v_drive", "a_drive")
+        return turning if self.rotates else ("v_drive", "a_drive")
 
 
 @frozen

@@ -50,7 +50,7 @@ def finite(value: Any, name: str, several: bool = True) -> Any:
     try:
         plain = value.tolist() if hasattr(value, "tolist") else value
         many = several and isinstance(plain, Iterable) and not isinstance(plain, str)
-        numbers = [float(one) for one in (plain if many else [plain])]
+        numbers = [float(+one) for one in (plain if many else [plain])]  # a text has no sign
         if numbers and all(map(math.isfinite, numbers)):
             return numbers if many else numbers[0]
     except (TypeError, ValueError):

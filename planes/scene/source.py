@@ -8,6 +8,7 @@ wrong encoding) is refused in one sentence with its line.
 from __future__ import annotations
 
 import errno
+import re
 import stat
 import sys
 import unicodedata
@@ -17,9 +18,10 @@ from pathlib import Path
 
 import yaml
 
+from planes.scene.unit_words import IN_SI
 from planes.scene.yaml_faults import explained
 from planes.words import Phrase
-from planes.words.errors import SceneError, shown
+from planes.words.errors import SceneError, near_file, shown
 from planes.words.frozen import field, frozen
 from planes.words.records import table_text
 
@@ -96,7 +98,7 @@ def read(path: str | Path, table: bool = False) -> str:
     except SceneError:
         raise
     except FileNotFoundError:
-        raise SceneError(Phrase("no_file"), name) from None
+        raise SceneError(Phrase("no_file", near=near_file(path)), name) from None
     except (OSError, TypeError, ValueError) as error:
         key = _REASONS.get(getattr(error, "errno", None))
         reason = Phrase(key) if key else getattr(error, "strerror", None) or str(error)
@@ -242,7 +244,9 @@ class _Builder:
             written = shown(f"{last.text}, {key}")
             raise self.error(Phrase("quotes_needed", written=written), last.line)
         if key[0].isdigit() and last.text[-1:].isdigit():
-            why = Phrase("decimal_point", number=f"{_brief(last.text)}.{_brief(key)}")
+            figures, unit = [*re.split(r"(?<=\d)\s*(?=\D)", key, maxsplit=1), ""][:2]
+            number = f"{last.text}.{figures}{IN_SI.get(unit.lower(), unit)}"
+            why = Phrase("decimal_point", number=_brief(number))
             raise self.error(Phrase("about", what=shown(f"{last.text},{key}"), why=why), last.line)
 
 

@@ -17,6 +17,8 @@ _UNITS = {
 }
 """Each row has a different factor, by which units of one kind are known."""
 FACTORS = {unit: factor for units, factor in _UNITS.items() for unit in units.split()}
+IN_SI = {unit: f"*{factor}" for unit, factor in FACTORS.items()} | dict.fromkeys(("n", "н", "m", "м", "kg", "кг"), "")
+"""What is written instead of a unit: a factor, or nothing where it is of SI."""
 
 
 def unit_of(words: Sequence[str]) -> str:

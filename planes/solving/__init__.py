@@ -115,7 +115,7 @@ class Position(Pictured, Tabulated):
         or one that ``find:`` left out, a :class:`PlanesError`."""
         from planes.plans.curves import meant
 
-        if str(name) == self.plans.mechanism.drive.kind:
+        if str(name) == self.plans.drive.kind:
             return self.at
         columns = CurveColumns(self)
         try:
@@ -134,7 +134,7 @@ class Position(Pictured, Tabulated):
     def __repr__(self) -> str:
         if not self.plans.moves:
             return f"<Position: vectors {', '.join(self.of('vectors'))}>"
-        drive = self.plans.mechanism.drive
+        drive = self.plans.drive
         return f"<Position {drive.kind} = {told(self.at, drive.kind, 'en')}: {self.plans.structure.formula}>"
 
 
@@ -152,7 +152,7 @@ class CurveColumns(dict[str, Any]):
         here, plans = self.position, self.position.plans
         column, drawing = all_columns(plans)[name.removeprefix(UNIT)], here.drawing
         if name.startswith(UNIT):
-            unit = dict(zip(plans.mechanism.drive.rates, (1.0, 0.0), strict=True))
+            unit = dict(zip(plans.drive.rates, (1.0, 0.0), strict=True))
             given = {**plans.given, **here.scales, **plans.at(here.at), **unit}
             drawing = run(plans.program.sliced(column.needs), given)
         number = DrawingReader(plans, drawing, here.scales).column(column)
@@ -207,7 +207,7 @@ def solve(
 ) -> Solved:
     """Draw and measure every requested position. Raises :class:`SceneError` where the scene itself is invalid."""
     plans, wanted = plans_of(scene)
-    drive = plans.mechanism.drive
+    drive = plans.drive
     asked_at = [drive.position] if values is None else list(values)
     solved = Solved(scene, plans, wanted, asked_at, instrument=instrument, lang=lang)
     nearest = Nearest(plans)
@@ -242,7 +242,7 @@ def _place(value: float, kind: str, exact: bool = False) -> Phrase | Written:
 
 def key_of(plans: Plans) -> str:
     """The JSON key of the drive's position."""
-    return "phi_deg" if plans.mechanism.drive.kind == "phi" else "s"
+    return "phi_deg" if plans.drive.rotates else "s"
 
 
 def position(

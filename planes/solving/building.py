@@ -57,7 +57,7 @@ class Linkage:
         }
 
     def fix(self, **places: Place) -> Self:
-        """Add points of the frame by name, in m: ``fix(O=(0, 0), C=(0.3, -0.1))``."""
+        """Add points of the frame by name, in m: ``fix(O=(0, 0), C=(0.3, -0.1))``; one number alone is x."""
         self.parts["frame"]["points"] |= places
         return self
 

@@ -62,10 +62,10 @@ class GivenTable:
 
     def drive(self) -> list[GivenRow]:
         """The driver's position, and its motion."""
-        drive = self.plans.mechanism.drive
+        drive = self.plans.drive
         if not self.plans.turns:
             return []
-        units = ("°", "rad/s", "rad/s²") if drive.kind == "phi" else ("m", "m/s", "m/s²")
+        units = ("°", "rad/s", "rad/s²") if drive.rotates else ("m", "m/s", "m/s²")
         letters = drive.letters if self.plans.moves else (drive.kind,)
         names, given = map(self.naming.vector, letters), ("", *drive.rates)
         values = (self.position.at, drive.velocity, drive.acceleration)
@@ -74,7 +74,7 @@ class GivenTable:
     def named(self) -> Iterator[GivenRow]:
         """The parameters; beside each, the lettering on the sheet of the load, guide or friction it gives."""
         shown = {r.name for r in self.drive()}
-        drive = self.plans.mechanism.drive
+        drive = self.plans.drive
         for name, value in self.parameters.items():
             row = GivenRow(greek(name), value, unit_of_parameter(name))
             moved = letter_of(name) == drive.kind and value == drive.position
@@ -232,7 +232,7 @@ class GivenTable:
 
     def law(self, law: Amount) -> str:
         """A law, as much of it as fits in a cell."""
-        drive = self.plans.mechanism.drive
+        drive = self.plans.drive
         text = law_said(law, drive, self.naming.vector, self.naming.lang, pairs=False)
         return text if len(text) <= LONGEST else "…"
 

@@ -43,7 +43,7 @@ class Nearest:
         numpy, which tests a thousand positions at once."""
         if not find_spec("numpy"):
             return None
-        turning = self.plans.mechanism.drive.kind == "phi"
+        turning = self.plans.drive.rotates
         for low, high, ends in self.gaps:
             turns = (value - low) // 360.0 if turning else 0.0
             at = value - 360.0 * turns
@@ -69,7 +69,7 @@ class _Side:
 
     def __init__(self, plans: Plans, value: float, side: float) -> None:
         self.plans, self.value, self.side = plans, value, side
-        self.turning = plans.mechanism.drive.kind == "phi"
+        self.turning = plans.drive.rotates
         self.step = (180.0 if self.turning else 4 * plans.reach) / STEPS
 
     def first(self) -> float | None:

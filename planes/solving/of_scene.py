@@ -57,8 +57,9 @@ def solve(
     """Draw and measure one position of a scene (or of the file at a path), or each of several.
 
     ``phi`` (degrees; ``s``, in m, for a sliding driver) is one value or an iterable of them; the default is the value
-    in the scene. One value gives a :class:`Position`, or raises ``PlanFailure`` where it cannot be drawn; several give
-    a :class:`Solved`: ``positions`` are those that could be drawn, ``failed`` has the reasons for the others.
+    in the scene. One value gives a :class:`Position`, or raises :class:`planes.PlanFailure` where it cannot be drawn;
+    several give a :class:`Solved`: ``positions`` are those that could be drawn, ``failed`` has the reasons for the
+    others.
 
     >>> import planes
     >>> scene = planes.load("samples/kind-1-rrr.yaml")
@@ -73,5 +74,5 @@ def solve(
     if isinstance(at, list):
         return solve_each(scene, at, instrument, home_lang())
     plans, wanted = plans_of(scene)
-    value = plans.mechanism.drive.position if at is None else at
+    value = plans.drive.position if at is None else at
     return position(scene, plans, wanted, value, instrument, home_lang())

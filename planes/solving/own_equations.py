@@ -5,6 +5,7 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import permutations
+from typing import Any
 
 from planes.drafting.drawing import Drawing
 from planes.plans import Plans
@@ -153,12 +154,7 @@ def _unlike(name: str, other: str) -> tuple[bool, int]:
     return len(one) != len(two), -len({*one} & {*two})
 
 
-def own_rows(
-    plans: Plans,
-    drawing: Drawing,
-    scales: Mapping[str, float],
-    equations: tuple[tuple[VectorEquation, ...], str],
-    lang: Lang,
-) -> list[tuple[str, str]]:
-    """The equations of a scene, with its file, as rows of a table: each with its sentence."""
-    return [(e.equation.text, e.said(lang)) for e in own_equations(plans, drawing, scales, *equations)]
+def own_rows(p: Any, own: tuple[tuple[VectorEquation, ...], str], lang: Lang) -> list[tuple[str, str]]:
+    """The equations of a scene, with its file, as rows of a table of a position: each with its sentence."""
+    equations, file = own if "equations" in p.results else ((), "")
+    return [(e.equation.text, e.said(lang)) for e in own_equations(p.plans, p.drawing, p.scales, equations, file)]

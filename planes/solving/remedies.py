@@ -68,7 +68,7 @@ def rescaled(solved: Solved, p: Position) -> Position:
 def for_sheet(scene: Scene, values: list[float] | None, lang: Lang) -> tuple[Scene, list[float] | None, list[str]]:
     """The position to draw on a sheet instead, and sentences about it: released scales, or the neighbour used."""
     solved = Solved(scene, *plans_of(scene), lang=lang)
-    drive = solved.plans.mechanism.drive
+    drive = solved.plans.drive
     asked = [drive.position] if values is None else values
     if len(asked) != 1:
         return scene, values, []
@@ -97,9 +97,9 @@ def interpolated(solved: Solved, value: float, why: str) -> Position | None:
     They are the means of the positions 5° to either side, where the motion is smooth; where it turns back at a change
     point, the extrapolation from 10° and 5° before it, in the driver's direction.
     """
-    plans, lang, drive = solved.plans, solved.lang, solved.plans.mechanism.drive
+    plans, lang, drive = solved.plans, solved.lang, solved.plans.drive
     near = [value - BESIDE_DEG, value + BESIDE_DEG]
-    if drive.kind != "phi" or not all(works(plans, v) for v in near):
+    if not drive.rotates or not all(works(plans, v) for v in near):
         return None
     way = math.copysign(ASIDE_DEG, drive.velocity)
     ways = {

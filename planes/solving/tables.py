@@ -35,8 +35,7 @@ def report(solved: Solved, lang: Lang = "en") -> str:
 
 def own_lines(p: Position, scene: Scene, lang: Lang) -> list[str]:
     """The user's equations, each with its result, or whether it closes and what would close it."""
-    own = scene.equations if "equations" in p.results else ()
-    rows = own_rows(p.plans, p.drawing, p.scales, (own, scene.file), lang)
+    rows = own_rows(p, (scene.equations, scene.file), lang)
     return table(say("own_equations", lang), ["", ""], rows)
 
 
@@ -54,7 +53,7 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
     if not p.plans.moves:
         return lines + stated_tables(p, lang, naming)
     e = r.get("errors")
-    lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.mechanism.drive.link)
+    lines += _points(p.rows("points"), lang, e) + _links(p.rows("links"), lang, e, p.plans.drive.link)
     lines += _slides(p, lang, e) + _derived(p, lang, naming, "transfers")
     for name, plan in r.get("plans", {}).items():
         if name != "position" and any(s["mm"] > 1e-9 for s in plan["segments"].values()):

@@ -48,7 +48,7 @@ class NumberInText:
 def home_of(text: str) -> dict[str, float]:
     """The numbers of a scene that a reader may change, by name, SI and degrees."""
     plans, _ = plans_of(loads(text), shown=True)
-    given = {**plans.given, **plans.at(plans.mechanism.drive.position)}
+    given = {**plans.given, **plans.at(plans.drive.position)}
     knobs = Knobs(plans, given)
     names = {plans.drive_given, *(knob["given"] for knob in knobs.all)}
     return {name: value for name, value in knobs.free.home.items() if name in names}

@@ -56,7 +56,7 @@ def marks_of(plans: Plans) -> tuple[dict[str, str], Program]:
 def _drive_of(m: Mechanism) -> Json:
     """The drive; a motor between moving links names the link it is ``on``."""
     own: Json = {"link": m.drive.link, "kind": m.drive.kind, "rate": m.drive.velocity}
-    return own | ({"on": m.drive.on} if m.drive.kind == "phi" and m.drive.on != FRAME else {})
+    return own | ({"on": m.drive.on} if m.drive.rotates and m.drive.on != FRAME else {})
 
 
 def _link(x: Link) -> Json:

@@ -1,7 +1,7 @@
 """All error classes, and how a message lists the valid choices. The texts are in the table of words."""
 
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from difflib import get_close_matches
 from itertools import islice
 from pathlib import Path
@@ -132,8 +132,16 @@ def _near(given: str, known: list[str]) -> Told:
     if twin := next((name for name in known if latin(name) == latin(given)), None):
         return Phrase("near_alike", name=twin)
     alike = [name for name in known if len(name) == len(given)]
+    known = [name for name in known if given in name or len(name) < 2 * len(given)]  # A5 does not mean A4x5
     matches = get_close_matches(given, known, n=1, cutoff=LIKE) or get_close_matches(given, alike, n=1, cutoff=0.5)
     return Phrase("near_name", name=matches[0]) if matches else ""
+
+
+def near_file(path: str | Path) -> Told:
+    """Words that suggest a file of nearly the same name in the same folder."""
+    with suppress(OSError):
+        return _near(Path(path).name[:OFFERED], [one.name for one in islice(Path(path).parent.iterdir(), 2000)])
+    return ""
 
 
 def nearest(given: str, names: Iterable[str]) -> str:

@@ -109,8 +109,11 @@ def _meaning(unit: str, plan: str, brief: str) -> tuple[str, float, bool]:
     raise UnitError(Phrase("mu_unit", mu=brief, unit=unit.strip(), other=other, units=fitting_units(plan)))
 
 
-def _meanings() -> dict[tuple[str, frozenset[tuple[str, int]]], tuple[float, bool]]:
-    table: dict[tuple[str, frozenset[tuple[str, int]]], tuple[float, bool]] = {}
+_Meanings = dict[tuple[str, frozenset[tuple[str, int]]], tuple[float, bool]]
+
+
+def _meanings() -> _Meanings:
+    table = _Meanings()
     for plan, time in (("position", 0), ("velocity", 1), ("acceleration", 2), ("force", 0)):
         for name in ("N", "kN", "MN") if plan == "force" else _LENGTHS:
             direct = Counter({"mm": 1, "s": time})

@@ -115,9 +115,13 @@ def gaps(boxes: Array, others: Array) -> tuple[Array, Array]:
     return np.maximum(x0 - right, left - x1), np.maximum(y0 - top, low - y1)
 
 
+def _spans(lines: Complexes) -> tuple[Complexes, Complexes]:
+    return lines[..., 0], lines[..., 1] - lines[..., 0]
+
+
 def crossed(boxes: Array, lines: Complexes) -> Booleans:
     """Whether segments (…, 2; complex) pass through boxes (…, 4), by broadcasting; NaN passes through none."""
-    start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
+    start, span = _spans(lines)
     enter = np.zeros(np.broadcast_shapes(start.shape, boxes.shape[:-1]))
     leave = enter + 1.0
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -134,8 +138,8 @@ def crossed(boxes: Array, lines: Complexes) -> Booleans:
 
 def meeting(lines: Complexes, others: Complexes) -> Booleans:
     """Whether segments (…, 2; complex) meet others, by broadcasting; including collinear ones that overlap."""
-    start, span = lines[..., 0], lines[..., 1] - lines[..., 0]
-    began, way = others[..., 0], others[..., 1] - others[..., 0]
+    start, span = _spans(lines)
+    began, way = _spans(others)
     across = (span.conjugate() * way).imag
     safe = np.where(across == 0, np.inf, across)
     apart = began - start

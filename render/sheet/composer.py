@@ -131,7 +131,7 @@ class Composer:
         kind = kind_of(plan)
         letter, unit = MU.get(kind, ""), kind
         if kind == "motion" and self.stated:
-            unit = "position" if self.stated.mechanism.drive.kind == "phi" else "vectors"
+            unit = "position" if self.stated.mechanism.drive.rotates else "vectors"
         return f"μ{letter and f'_{{{letter}}}'} = {self.naming.mu(plotted.mu(plan), unit)}"
 
     def scheme(self, position: Position) -> View | None:

@@ -101,7 +101,7 @@ class Diagrams:
     @property
     def driver(self) -> tuple[str, str]:
         """The letter of the driver's coordinate, and its unit."""
-        return ("φ", "°") if self.plans.mechanism.drive.kind == "phi" else ("s", "m")
+        return ("φ", "°") if self.plans.drive.rotates else ("s", "m")
 
     @property
     def letter(self) -> float:
@@ -146,7 +146,7 @@ class Diagrams:
         """Curves on their axes, with thin verticals at the numbered positions."""
         low, zero, high = axes.zero + axes.bottom, axes.zero, axes.zero + axes.top
         key, lang = self.driver[1], self.naming.lang
-        abscissa = self.naming.vector(self.plans.mechanism.drive.letters[0])
+        abscissa = self.naming.vector(self.plans.drive.letters[0])
         sides = (self.section * k for k in range(1, SECTIONS + 1))
         marks = [
             *(Line((complex(x, low - 1.5), complex(x, high + 1.5)), "construction", "construction") for x in sides),
@@ -236,7 +236,7 @@ class Diagrams:
         texts = [Text(str(k), z, self.letter, "middle") for k, z in enumerate(places)]
         (letter, key), lang = self.driver, self.naming.lang
         turning = key == "°"
-        drive = flat(self.naming.vector(self.plans.mechanism.drive.letters[0]))
+        drive = flat(self.naming.vector(self.plans.drive.letters[0]))
         text = f"μ_{{{drive}}} = {scale(self.wide / (self.angles[-1] - self.angles[0]), key, self.naming)}"
         if self.to_read:
             places_told = [round(a, 1 if turning else 3) for a in self.angles]

@@ -131,7 +131,7 @@ def _held(places: Places, way: complex) -> Iterator[complex]:
 def driver_angle(places: Places, naming: Naming) -> tuple[list[Mark], list[Label]]:
     """The driver's angle from the x axis, about its pivot, and its name."""
     drive, pair = places.mechanism.drive, places.position.plans.structure.drive_pair.point
-    turn = places.position.at % 360 if drive.kind == "phi" and places.has(pair) and drive.on == FRAME else 0.0
+    turn = places.position.at % 360 if drive.rotates and places.has(pair) and drive.on == FRAME else 0.0
     if not turn:
         return [], []
     pivot, text = places.at(pair), f"φ_{{{naming.link(drive.link)}}}"

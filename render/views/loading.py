@@ -167,7 +167,7 @@ class Loading:
         plans = self.position.plans
         if plans.balancing not in self.drawing:
             return
-        if plans.mechanism.drive.kind == "s":
+        if plans.drive.kind == "s":
             foot, along = self.places.foot(plans.mechanism.links[plans.structure.driver])
             sign = _sign(self.drawing[plans.balancing]) * (1 if link == plans.structure.driver else -1)
             self.force(plans.balancing, foot, along * sign)
@@ -209,9 +209,7 @@ class Loading:
         far = start if from_outside else end
         self.named.append(labels.Label(self.naming.vector(name), (far, (start + end) / 2), NAME_MM, name=name))
 
-    def couple(
-        self, name: str, link: str, value: float, number: int, text: str = "", about: complex | None = None
-    ) -> None:
+    def couple(self, name: str, link: str, value: float, number: int, about: complex | None = None) -> None:
         """A curved arrow about a place, or the mass centre of its link, where it crosses least."""
         body = self.places.mechanism.links[link]
         centre = self.places.at(body.mass_centre) if about is None else about
@@ -220,7 +218,7 @@ class Loading:
         begins = [start if sense > 0 else 180.0 - start for start in (100.0, 190.0, 10.0, -80.0)]
         arrow, middle = freest(centre, product(radii, begins), sense * 150, self.marks, 0.8, "vector", "force")
         self.marks += arrow
-        self.named.append(labels.Label(text or self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
+        self.named.append(labels.Label(self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
 
     def arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the moment point to the lines of action, which are extended to meet them."""

@@ -77,7 +77,7 @@ class ManyPositions:
 
     def size(self, result: PlacedMechanism) -> float:
         """The largest distance of a point from the driver's pair, on paper."""
-        centre = self.place(result, self.plans.mechanism.links[self.plans.mechanism.drive.link].first_point)
+        centre = self.place(result, self.plans.mechanism.links[self.plans.drive.link].first_point)
         return max(abs(self.place(result, p) - centre) for p in result.points)
 
     def near(self, result: PlacedMechanism | None) -> bool:
@@ -172,7 +172,7 @@ class ManyPositions:
     def labels(self) -> list[Label]:
         """Numbers of the positions at the end of the crank, or beneath a sliding driver; of extreme ones at sliders of
         the frame, or at the ends of rockers if there are none."""
-        drive, pair = self.plans.mechanism.drive, self.plans.structure.drive_pair
+        drive, pair = self.plans.drive, self.plans.structure.drive_pair
         link, numbers = self.plans.mechanism.links[drive.link], list[Label]()
         ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
         for one, result in self.shown():

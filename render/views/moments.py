@@ -104,7 +104,7 @@ class MomentLines:
     def unit(self, of_power: bool) -> str:
         """The unit of every product: on the lever that of power, or the rest of it for rates of a unit drive."""
         plans = self.position.plans
-        if not of_power or (plans.at_rest and plans.mechanism.drive.kind == "phi"):
+        if not of_power or (plans.at_rest and plans.drive.rotates):
             return "N·m"
         return "N" if plans.at_rest else "W"
 

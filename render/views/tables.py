@@ -126,8 +126,7 @@ class Tables:
     def equations(self) -> View | None:
         """The user's equations: the result of each, or whether it closes and what would close it."""
         p = self.position
-        own = self.own if "equations" in p.results else ((), "")
-        told_rows = own_rows(p.plans, p.drawing, p.scales, own, self.naming.lang)
+        told_rows = own_rows(p, self.own, self.naming.lang)
         rows = [[VECTOR_NAMED.sub(lambda m: self.naming.vector(m[0]), text) for text in row] for row in told_rows]
         return self.table("own-equations", self.say("own_equations"), ["", ""], rows)
 

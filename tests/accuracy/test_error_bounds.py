@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import planes
 from planes.accuracy.digits import Digits
 from planes.accuracy.errors import Spread
 from planes.accuracy.stability import approach
@@ -20,10 +21,13 @@ from planes.batch.error_bounds import Claims
 from planes.batch.rounding import EXACT, LARGEST, USUAL, bent, rounding, whole_numbers
 from planes.batch.tracing import given_values
 from planes.cli import main
+from planes.diagrams.turn import WholeTurn, turn_of
 from planes.drafting.drawing import run
 from planes.drafting.instruments import Pencil
 from planes.plans import plans_of
+from planes.plans.curves import UNIT
 from planes.plans.scales import scales
+from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load, loads
 from tests.helpers import ROOT
 from tests.helpers.double_double import TWO_OPS, apart
@@ -123,16 +127,15 @@ def test_arrays_may_round_more_often_than_a_tape() -> None:
     assert ratios(random_cycle(8000064, sliding=False), 173.69206220142857 + np.linspace(-1e-9, 1e-9, 101)).size
 
 
-def test_a_table_carries_its_claims_block_by_block() -> None:
+def test_claims_of_blocks_are_those_of_single_positions() -> None:
     c = cycle_of("kind-1-rrr")
     lengths = c.given["l_BC"] * np.linspace(1, 1.01, 9)
     many, values = Cycle(c.plans, known={"l_BC": lengths}), np.linspace(0, 359, 9)
-    table = np.hstack([b.table for b in many.beside(many.blocks(values, chunk=4, fast=False))])
-    results, claims = np.split(table, 2)
-    assert (np.isnan(results) == np.isnan(claims)).all() and not np.isnan(results).all()
+    results = np.hstack([b.table for b in many.blocks(values, chunk=4, fast=False)])
+    claims = np.hstack([many.claimed(values[k : k + 4], np.arange(k, min(k + 4, 9))) for k in (0, 4, 8)])
     for k in range(9):
         one = Cycle(c.plans, known={"l_BC": lengths[k]}).rough.bounds(values[k : k + 1])[:, 0]
-        good = ~np.isnan(claims[:, k])
+        good = ~np.isnan(results[:, k])
         assert claims[good, k] == pytest.approx(one[good], rel=1e-6)
 
 
@@ -146,6 +149,28 @@ def test_a_long_table_is_written_with_its_claims(tmp_path: Path, capsys: pytest.
     capsys.readouterr()
     assert main(["cycle", scene, "--errors", "--lang", "en"]) == 2
     assert "(-o FILE.csv" in capsys.readouterr().err
+
+
+def test_chosen_columns_have_their_claims_in_python_and_in_a_table(tmp_path: Path) -> None:
+    """A length, a position along a guide and an analogue among them: no curve is off by more than its ±."""
+    scene, names = planes.load(SAMPLES / "six-link.yaml"), ["a_C", "s_5", "u_31", "phi_3", "F_12"]
+    assert scene.mechanism
+    plans, values = scene_plans(scene), np.linspace(150, 300, 7)
+    turn = turn_of(plans, names, slopes=False)
+    rows, _ = turn.rows(values, errors=True)
+    shifted = WholeTurn(plans, turn.curves, slopes=False).sample(values)
+    for curve, row, off in zip(turn.curves, rows, rows[len(names) :], strict=False):
+        assert (off > 0).all() and (off < 1e-9 * np.abs(row).max()).all(), curve.name
+        rng = np.random.default_rng(1)
+        bounds = {c.name: np.full(7, 1e-7) for _, run in turn.cycles for c in run.columns}
+        bounds |= {UNIT + name: row for name, row in bounds.items()}
+        spoilt = {name: x + 1e-7 * rng.uniform(-1, 1, 7) for name, x in shifted.items()}
+        assert (np.abs(curve.read(spoilt) - row) <= curve.off(shifted, bounds)).all(), curve.name
+    table = planes.cycle(scene, ["a_C", "F_12"], phi=values, errors=True)
+    assert table["± a_C_x"].max() < 1e-9 and list(table)[-1] == "± F_12_y" and table.plot().axes[0].lines
+    to = tmp_path / "table.csv"
+    assert main(["cycle", str(SAMPLES / "six-link.yaml"), "--show", "a_C,s_5", "--errors", "-o", str(to)]) == 0
+    assert "± a_C [m/s²],± s_5 [m]" in to.read_text("utf-8")
 
 
 @pytest.mark.slow

@@ -66,9 +66,11 @@ def test_new_writes_and_leaves_what_is_there(tmp_path: Path, capsys: pytest.Capt
 def test_a_template_is_told_in_one_language(file: Path) -> None:
     """Its remarks and its title; what it says to the program is the same."""
     text = file.read_text("utf-8")
-    english, russian = (in_language(text, lang) for lang in ("en", "uk"))
+    english, russian, *others = (in_language(text, lang) for lang in ("en", "ru", "uk", "be"))
     assert not re.search("[а-яё]", english, re.I) and "# " in english
     assert re.search("[а-яё]", russian) and " / " not in russian + english
+    for other, foreign in zip(others, ("[ыэёъ]", "[ищъ]"), strict=True):
+        assert other.count("\n") == russian.count("\n") and not re.search(foreign, other, re.I)
     if file.stem != "course":
         whole = loads(text)
         for said, lang in ((english, "en"), (russian, "ru")):

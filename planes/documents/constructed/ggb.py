@@ -67,7 +67,7 @@ def _label(figure: LiveFigure, name: str) -> str:
     """A label in the style of GeoGebra: a letter and an index."""
     drive, plan = figure.stated.mechanism.drive, plan_of(name)
     if figure.stated.moves and name == drive.given:
-        return f"{'φ' if drive.kind == 'phi' else 's'}_{{{drive.link}}}"
+        return f"{'φ' if drive.rotates else 's'}_{{{drive.link}}}"
     own = given_of(name)
     head, tail, part = parts_of(own)
     tail += part

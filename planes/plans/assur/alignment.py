@@ -143,8 +143,8 @@ def _places(plans: Plans, file: str) -> list[PairPlaces]:
     position, if it assembles there."""
     wanted = [v.angle for v in plans.links.values() if v.angle] + [m.position for m in plans.points.values()]
     program = plans.program.sliced(wanted)
-    drive = plans.mechanism.drive
-    turn = [drive.position + 360.0 * k / POSITIONS for k in range(1, POSITIONS)] if drive.kind == "phi" else []
+    drive = plans.drive
+    turn = [drive.position + 360.0 * k / POSITIONS for k in range(1, POSITIONS)] if drive.rotates else []
     cycle = []
     for value in (drive.position, *turn):
         with suppress(PlanFailure):

@@ -118,7 +118,7 @@ class _Finder:
         if drive.kind == "s" and slides and self.mechanism.owner(slides.guide) != FRAME:
             return next(s for s in self.slides if s.link == drive.link)
         pairs = self.between(drive.link, drive.on)
-        wanted: Literal["R", "P"] = "R" if drive.kind == "phi" else "P"
+        wanted: Literal["R", "P"] = "R" if drive.rotates else "P"
         fitting = [p for p in pairs if p.kind == wanted]
         if len(pairs) != 1 or not fitting:
             need = Phrase("need_hinge" if wanted == "R" else "need_guide")

@@ -7,7 +7,7 @@ Two leads of a basic link at an end of the chain turn it into a lead of the next
 
 from collections.abc import Sequence
 
-from planes.plans.assur.basic_links import Lead, lead_pairs
+from planes.plans.assur.basic_links import Lead, SolvedByLeads, lead_pairs
 from planes.plans.assur.groups import Between, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
@@ -15,7 +15,7 @@ from planes.words.records import Json
 
 
 @frozen
-class BasicChain:
+class BasicChain(SolvedByLeads):
     """The ``basics``, each but the first with a hinge on an earlier one (``hinges``), and the leads of each."""
 
     links: tuple[str, ...]
@@ -74,20 +74,6 @@ class BasicChain:
     def members(self) -> str:
         """Its links as in a structural formula."""
         return ";".join(self.links)
-
-    @property
-    def ends(self) -> tuple[str, ...]:
-        """The links that may be the output of the mechanism, the likeliest first."""
-        return tuple(lead.link for lead in reversed(self.leads))
-
-    @property
-    def solved(self) -> tuple[str, ...]:
-        """Its links in the order of solving."""
-        return *(x for x in self.links if x in self.basics), *(lead.link for lead in self.leads)
-
-    def reached(self, drive: Pair) -> tuple[str, ...]:
-        """The links solved together with it where the drive is inside."""
-        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
 
     @property
     def pairs(self) -> tuple[Pair, ...]:

@@ -5,6 +5,7 @@ link on three leads (поводки), each attached to a solved link.
 """
 
 from collections.abc import Iterable
+from typing import Any
 
 from planes.plans.assur.groups import Group, Pair
 from planes.words import Phrase
@@ -42,7 +43,25 @@ def lead_pairs(leads: Iterable[Lead]) -> tuple[Pair, ...]:
     return tuple(p for lead in leads for p in (lead.outer, lead.inner))
 
 
-class OnLeads:
+class SolvedByLeads:
+    """The common part of groups of ``basics``, basic links, on ``leads``."""
+
+    @property
+    def ends(self: Any) -> tuple[str, ...]:
+        """The links that may be the output of the mechanism, the likeliest first."""
+        return tuple(lead.link for lead in reversed(self.leads))
+
+    @property
+    def solved(self: Any) -> tuple[str, ...]:
+        """Its links in the order of solving."""
+        return *(x for x in self.links if x in self.basics), *(lead.link for lead in self.leads)
+
+    def reached(self: Any, drive: Pair) -> tuple[str, ...]:
+        """The links solved together with it where the drive is inside."""
+        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
+
+
+class OnLeads(SolvedByLeads):
     """The common part of groups of one ``basic`` link on leads; each lead may have a drive inside."""
 
     links: tuple[str, ...]
@@ -71,15 +90,6 @@ class OnLeads:
         return (self.balanced,)
 
     @property
-    def solved(self) -> tuple[str, ...]:
-        """Its links in the order of solving."""
-        return self.basic, *(lead.link for lead in self.leads)
-
-    def reached(self, drive: Pair) -> tuple[str, ...]:
-        """The links solved together with it where the drive is inside."""
-        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
-
-    @property
     def members(self) -> str:
         """Its links as in a structural formula."""
         mates = {lead.link: lead.parts for lead in self.leads}
@@ -95,11 +105,6 @@ class Triad(OnLeads):
     leads: tuple[Lead, Lead, Lead]
     order: tuple[str, ...] = ()  # with a drive inside: all its links in the order of the file
     level = "III"
-
-    @property
-    def ends(self) -> tuple[str, ...]:
-        """The links that may be the output of the mechanism, the likeliest first."""
-        return tuple(lead.link for lead in reversed(self.leads))
 
     @property
     def slid(self) -> bool:

@@ -32,7 +32,7 @@ def draw_lever(s: Statics) -> str:
                 terms.append((couple.name, spin, Product(-1.0, ((couple.value, 1), (spin, 1), (rate, -1)))))
     for value, speed in rubbing(s):
         terms.append((value, speed, Product(-1.0, ((value, 1), (speed, 1), (rate, -1)))))
-    name = f"{'M' if drive.kind == 'phi' else 'F'}Z_{drive.link}"
+    name = f"{'M' if drive.rotates else 'F'}Z_{drive.link}"
     return b.draft.balance(name, at("lever", POLE), ("lever",), terms)
 
 

@@ -98,7 +98,7 @@ class ContourRates:
         rate = {"velocity": drive.velocity, "acceleration": drive.velocity**2}.get(r.plan, 1.0) or 1.0
         given, named = b.draft.given, b.distance(b.known[drive.link].link, *ends) if ends else ""
         reach = next((abs(given[x]) for x in (named, self.swing.length) if x in given), largest(b, self.group))
-        size = abs(rate) * (reach if drive.kind == "phi" else 1.0)
+        size = abs(rate) * (reach if drive.rotates else 1.0)
         return self.draft.give(f"{r.letter}{self.swing.symbol}^II", size, means=Meaning("rate", self.swing.new.name))
 
     def proportion(self, first: str, second: str) -> tuple[tuple[str, str], tuple[str, str]]:

@@ -34,6 +34,15 @@ def side_of(b: Bodies, key: str, group: Group | Triad | Contour) -> str:
     return name
 
 
+def meet(
+    b: Bodies, key: str, group: Group | Triad | Contour, ends: tuple[tuple[Term, ...], tuple[Term, ...]], label: str
+) -> None:
+    """Draw the point that both ends of a group reach, on the chosen side unless both move along lines."""
+    one, two = ends
+    side = None if one[-1].direction and two[-1].direction else side_of(b, key, group)
+    b.draft.draw(Equation(SCHEME, ends, f"r_{label}", side))
+
+
 def two_hinges(b: Bodies, name: str, one: str, two: str) -> Link:
     """Two hinges of a link in different places (:class:`SceneError` where there are none)."""
     link = b.mechanism.link(name)
@@ -56,8 +65,7 @@ def _place_hinged(b: Bodies, g: Group) -> None:
     """RRR, RRP and PRP: each link reaches the inner hinge on an arc about a pivot or along a guide."""
     hinge = g.inner.point
     one, two = (chain_held(b, link, pair, hinge) for link, pair in g.hangs)
-    side = None if one[-1].direction and two[-1].direction else side_of(b, hinge, g)
-    b.draft.draw(Equation(SCHEME, (one, two), f"r_{hinge}", side))
+    meet(b, hinge, g, (one, two), hinge)
     for (link, pair), (*_, on) in zip(g.hangs, (one, two), strict=True):
         place_held(b, link, pair, hinge, on.direction)
 

@@ -53,7 +53,7 @@ def stands(b: Bodies, g: Group) -> bool:
 def _place_driver(b: Bodies) -> None:
     drive, pair = b.mechanism.drive, b.structure.drive_pair
     link = b.mechanism.links[drive.link]
-    if drive.kind == "phi":
+    if drive.rotates:
         axis = b.draft.aim(f"x_{link.name}", drive.position, Meaning("own", link.name))
         body = Body(link, BodyPoint(pair.point, pair.point), axis, link.name)
         b.place_points(body)

@@ -17,7 +17,7 @@ from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Contour
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, on_scheme
 from planes.plans.position.driven_positions import driven_way
-from planes.plans.position.positions import chain_to, on_line, place_slider, side_of
+from planes.plans.position.positions import chain_to, meet, on_line, place_slider
 from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
 from planes.plans.position.triads import first_reached, place_lead
 from planes.words.names import Meaning, label_of
@@ -34,8 +34,7 @@ def place_slid(b: Bodies, g: Triad) -> None:
     axis = b.axis_along(inner, g.basic, way)
     key = next((lead.inner.point for lead in leads if lead.inner.kind == "R"), link.first_point)
     one, two = (_reaching(b, g.basic, lead, key, axis) for lead in leads)
-    side = None if one[-1].direction and two[-1].direction else side_of(b, key, g)
-    b.draft.draw(Equation(SCHEME, (one, two), f"r_{key}", side))
+    meet(b, key, g, (one, two), key)
     b.place_points(Body(link, BodyPoint(key, key), axis, mate.root))
     for lead in leads:
         place_lead(b, g.basic, lead)
@@ -98,9 +97,8 @@ class BaseAside:
         key = first_reached(b, g)
         b.leads[g.basic] = g.leads
         one, two = (self.reaching(lead, key) for lead in g.leads)
-        side = None if one[-1].direction and two[-1].direction else side_of(b, key, g)
         aside = f"{key}°{self.first}"
-        d.draw(Equation(SCHEME, (one, two), f"r_{aside}", side))
+        meet(b, key, g, (one, two), aside)
         d.steps[on_scheme(aside)] = replace(d.steps[on_scheme(aside)], means=Meaning("guide", key))
         start, way = on_line(b, g.outer[1], g.basic, key)
         d.draw(Equation(SCHEME, (chain_to(key, aside, along=self.along), chain_to(key, start, along=way)), f"r_{key}"))

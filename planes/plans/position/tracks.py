@@ -174,7 +174,7 @@ def one_chosen(b: Bodies, choice: AnyChoice, chosen: Mapping[str, object], offer
 def named(b: Bodies, choice: AnyChoice) -> dict[str, object]:
     """The names of a group and of the drive's position, for sentences."""
     g, drive = choice.group, b.mechanism.drive
-    name, unit = ("φ", "°") if drive.kind == "phi" else ("s", " m")
+    name, unit = ("φ", "°") if drive.rotates else ("s", " m")
     return {"level": g.level, "links": g.links, "name": g.name, "drive": name, "value": f"{drive.position:.10g}{unit}"}
 
 

@@ -53,7 +53,7 @@ def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
         d.give(f"{what}_{g.basic}", value) for what, value in (("middle", 0.0), ("half", 1.0), ("size", 1.0))
     )
     place, turn = d.give(f"track_{g.basic}_0", 0j), d.give(f"turning_{g.basic}_0", 0.0)
-    guess = SeriesGuess(drive.given, drive.kind == "phi", middle, half, size, (place,), ((turn,),))
+    guess = SeriesGuess(drive.given, drive.rotates, middle, half, size, (place,), ((turn,),))
     side = d.give(f"sense_{g.basic}", 1.0)
     b.choices.append(TrackChoice(key, g, holds, guess, side))
     return holds, guess, mu_of(SCHEME), side

@@ -3,6 +3,7 @@ each number taken from the plans before it."""
 
 from collections.abc import Iterable
 from dataclasses import replace
+from math import inf
 
 from planes.drafting.drawing import reached, run
 from planes.drafting.equations import Equation, unknown
@@ -78,10 +79,14 @@ class StatedPlansBuilder:
             unknowns += [unknown(term.name, part) for part, given in parts if given is None]
         return unknowns
 
+    def _lacking(self, terms: Side) -> float:
+        """How many parts of the vectors are unknown; infinite where what they depend on is."""
+        return len(self.unknowns(terms)) if self._ready(t.name for t in terms) else inf
+
     def _one(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
         for row in left:
             equation, (one, two) = row
-            if self._ready(t.name for t in one + two) and len(self.unknowns(one + two)) == 2:
+            if self._lacking(one + two) == 2:
                 self._draw(equation, one, two)
                 return [row]
         return []
@@ -91,7 +96,7 @@ class StatedPlansBuilder:
         for i, (one, (total, first)) in enumerate(left):
             for other, (same, second) in left[i + 1 :]:
                 alone = len(total) == 1 and total == same and total[0].times == 1.0
-                if alone and self._ready(t.name for t in first + second) and len(self.unknowns(first + second)) == 2:
+                if alone and self._lacking(first + second) == 2:
                     self._draw(one, first, second, total[0].name, other)
                     return [left[i], (other, (same, second))]
         return []
@@ -100,7 +105,7 @@ class StatedPlansBuilder:
         """An equation whose unknowns no other equation needs: it is compared with the known data."""
         for row in left:
             terms = row[1][0] + row[1][1]
-            if self._ready(t.name for t in terms) and len(self.unknowns(terms)) < 2:
+            if self._lacking(terms) < 2:
                 self.closings.draw(row)
                 return [row]
         return []
