@@ -151,7 +151,7 @@ def sheet(args: Namespace) -> int:
         warn(said, args.lang)
     drawn = draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text")
     warn(drawn.said, args.lang)
-    args.made, args.remarks = f"{drawn.size}, ", drawn.remarks
+    args.made, args.remarks = drawn.size and f"{drawn.size}, ", drawn.remarks
     return 0
 
 

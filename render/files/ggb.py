@@ -46,7 +46,7 @@ class GeogebraFile:
     def number(self, label: str, value: float, slider: tuple[float, float] | None = None, at: complex = 0j) -> None:
         """A number; on a slider between two limits, shown ``at`` a place of the screen unless that is 0."""
         element = self._element("numeric", label, HIDDEN)
-        xml.SubElement(element, "value", val=written(value))
+        element.insert(0, xml.Element("value", val=written(value)))  # before it is shown, which would limit it to ±5
         if slider:
             low, high = sorted(slider)
             drawn = xml.SubElement(element, "slider", min=written(low), max=written(high), width="240")

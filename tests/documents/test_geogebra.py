@@ -109,3 +109,10 @@ def test_every_thing_has_one_label_and_an_element_of_its_own() -> None:
     assert {"φ_{1}", "l_{OA}", "l_{AB}"} <= {*sliders}
     captions = {str(c.get("val")) for e in body if (c := e.find("caption")) is not None}
     assert {"$A$", "$v_{BA}$", "$a_{BA}^{n}$"} <= captions
+
+
+def test_a_number_has_its_value_before_it_is_shown() -> None:
+    """GeoGebra gives a number that is shown the limits ±5, and would make φ₁ = 150° of a later value 5°."""
+    body = Page(ggb.written(figure_of(load(ROOT / "samples" / "six-link.yaml"), None, None, "en"))[0]).body
+    numbers = [e for e in body or () if e.tag == "element" and e.find("value") is not None]
+    assert any(e.get("label") == "φ_{1}" for e in numbers) and all(e[0].tag == "value" for e in numbers)
