@@ -245,7 +245,8 @@ class _Builder:
             raise self.error(Phrase("quotes_needed", written=written), last.line)
         if key[0].isdigit() and last.text[-1:].isdigit():
             figures, unit = [*re.split(r"(?<=\d)\s*(?=\D)", key, maxsplit=1), ""][:2]
-            number = f"{last.text}.{figures}{IN_SI.get(unit.lower(), unit)}"
+            in_si = IN_SI.get(unit.lower())
+            number = f"{last.text}.{figures}{in_si}" if in_si else f"{last.text}.{key}"
             why = Phrase("decimal_point", number=_brief(number))
             raise self.error(Phrase("about", what=shown(f"{last.text},{key}"), why=why), last.line)
 
