@@ -1,7 +1,6 @@
 """The whole calculation of a scene, in the order of the text."""
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from planes.crank_slider.kinematics import (
     as_plane_motion,
     as_points,
     follow,
+    largest,
     swing,
 )
 from planes.crank_slider.reading import read
@@ -26,15 +26,17 @@ from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.frozen import frozen
 
+Differences = dict[str, float]  # by the two methods
+
 
 @frozen
 class Agreement:
     """The largest differences of two methods over the cycle, relative to ωr, ω²r, ω, ω², and to the largest force."""
 
-    velocity: dict[str, float]
-    acceleration: dict[str, float]
-    omega: dict[str, float]
-    epsilon: dict[str, float]
+    velocity: Differences
+    acceleration: Differences
+    omega: Differences
+    epsilon: Differences
     forces: float
     torque: float
     lever: float
@@ -65,7 +67,7 @@ class Calculation:
 
     def at(self, phi_deg: float) -> int:
         """The step of the cycle nearest to a crank angle."""
-        return int(np.argmin(np.abs(self.motion.phi_deg - phi_deg)))
+        return int(np.abs(self.motion.phi_deg - phi_deg).argmin())
 
     def angle(self, phi_deg: float) -> float:
         """The crank angle of that step, degrees."""
@@ -137,7 +139,7 @@ def calculate(scene: Scene) -> Calculation:
 def _check_friction(scene: Scene, given: Given, motion: EngineCycle) -> None:
     locked = given.shape.f * np.abs(np.tan(swing(given.shape, motion.phi))) >= 1.0
     if locked.any():
-        phi = float(motion.phi_deg[int(np.argmax(locked))])
+        phi = float(motion.phi_deg[locked.argmax()])
         raise SceneError(Phrase("cs_locked", phi=phi, f=given.shape.f), scene.file)
 
 
@@ -172,8 +174,8 @@ def _agreement(
     ways = {"points_plane": (points, plane), "points_plans": (points, drawn_plans), "plane_plans": (plane, drawn_plans)}
     velocity = {k: apart(a.v, b.v, w * r) for k, (a, b) in ways.items()}
     acceleration = {k: apart(a.a, b.a, w**2 * r) for k, (a, b) in ways.items()}
-    omega = {k: _largest(a.omega - b.omega) / w for k, (a, b) in ways.items()}
-    epsilon = {k: _largest(a.epsilon - b.epsilon) / w**2 for k, (a, b) in ways.items()}
+    omega = {k: largest(a.omega - b.omega) / w for k, (a, b) in ways.items()}
+    epsilon = {k: largest(a.epsilon - b.epsilon) / w**2 for k, (a, b) in ways.items()}
     own = f.on_pin, -f.on_rod_at_b, f.N, f.on_crank_from_frame
     drawn = (
         -drawn_plans.on_rod_from_crank,
@@ -181,12 +183,8 @@ def _agreement(
         drawn_plans.push,
         drawn_plans.on_crank_from_frame,
     )
-    forces = max(_largest(a - b) for a, b in zip(own, drawn, strict=True)) / max(map(_largest, own))
-    top = _largest(f.torque) or 1.0
-    torque, lever = (_largest(one - drawn_plans.torque) / top for one in (f.torque, drawn_plans.lever))
+    forces = max(largest(a - b) for a, b in zip(own, drawn, strict=True)) / max(map(largest, own))
+    top = largest(f.torque) or 1.0
+    torque, lever = (largest(one - drawn_plans.torque) / top for one in (f.torque, drawn_plans.lever))
     of_work = abs(done.torque - done.gas - done.friction) / max(abs(done.gas), abs(done.torque), 1e-300)
     return Agreement(velocity, acceleration, omega, epsilon, forces, torque, lever, of_work)
-
-
-def _largest(numbers: np.ndarray[Any, Any]) -> float:
-    return float(np.max(np.abs(numbers)))

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from planes.crank_slider.kinematics import EngineCycle, RodMotion, swing
+from planes.crank_slider.kinematics import EngineCycle, RodMotion, largest, swing
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Complexes
 from planes.geometry.plane import cross
@@ -67,9 +67,10 @@ def _push(shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, bet
     """N and the friction: N(1 − σ·s·f·tan β) = m₃g − P-part·tan β − own, with σ the bearing side, s the sense of
     sliding."""
     speed = way.v["B"].real
-    sense = np.where(np.abs(speed) > 1e-12 * np.max(np.abs(speed)), np.sign(speed), 0.0)
-    still = shape.m3 * shape.g - along * np.tan(beta) - own
-    tangent = shape.f * sense * np.tan(beta)
+    sense = np.where(np.abs(speed) > 1e-12 * largest(speed), np.sign(speed), 0.0)
+    slope = np.tan(beta)
+    still = shape.m3 * shape.g - along * slope - own
+    tangent = shape.f * sense * slope
     up = still / (1.0 - tangent)
     push = np.where(up >= 0.0, up, still / (1.0 + tangent))
     return push, -shape.f * sense * np.abs(push)
@@ -155,7 +156,8 @@ def work(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces
     gas = float(np.trapezoid(-m.gas * drop, m.phi))
     total = float(np.trapezoid(f.torque, m.phi))
     mean = total / cycle
-    steps = np.diff(m.phi) * ((f.torque - mean)[1:] + (f.torque - mean)[:-1]) / 2
+    rest = f.torque - mean
+    steps = np.diff(m.phi) * (rest[1:] + rest[:-1]) / 2
     curve = np.concatenate([[0.0], np.cumsum(steps)])
     excess = float(curve.max() - curve.min())
     high, low = float(f.torque.max()), float(f.torque.min())
@@ -189,10 +191,11 @@ class Printed:
 
 def printed(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, k: int) -> Printed:
     """The text's equations at step ``k``: (22) lacks the crank's torque, (25), (26) the vertical force in B."""
-    phi, at_c, inertia = float(m.phi[k]), complex(way.r["C"][k]), -shape.m2 * complex(way.a["C"][k])
+    at_c, inertia = complex(way.r["C"][k]), -shape.m2 * complex(way.a["C"][k])
+    sin, cos = np.sin(m.phi[k]), np.cos(m.phi[k])
     g1, g2, g3 = (mass * shape.g for mass in (shape.m1, shape.m2, shape.m3))
-    weights, p = -g1 * shape.s * np.cos(phi) - g2 * at_c.real, float(f.P[k])
+    weights, p = -g1 * shape.s * cos - g2 * at_c.real, float(f.P[k])
     moments = weights + at_c.real * inertia.imag - at_c.imag * inertia.real - shape.j2 * float(way.epsilon[k])
-    t = -g2 * np.cos(phi) + p * np.sin(phi) - inertia.real * np.sin(phi) + inertia.imag * np.cos(phi)
-    out = -g2 * np.sin(phi) + inertia.imag * np.sin(phi) + inertia.real * np.cos(phi) - p * np.cos(phi)
+    t = -g2 * cos + p * sin - inertia.real * sin + inertia.imag * cos
+    out = -g2 * sin + inertia.imag * sin + inertia.real * cos - p * cos
     return Printed(g3 - moments / float(way.r["B"][k].real), float(t), -float(out), 4 / 9 * shape.m2 * shape.l**2)

@@ -5,6 +5,8 @@ The text's (3) holds for steady rotation only; here it has the terms with ε too
 is perpendicular to the guide (cos φ = 0); here ω_AB is taken from (5*), which has no such position.
 """
 
+from typing import Any
+
 import numpy as np
 
 from planes.crank_slider.shape import CrankSliderShape
@@ -18,6 +20,8 @@ from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.frozen import frozen, replace
 from planes.words.names import at
+
+ByPoint = dict[str, Complexes]  # A, B, C
 
 
 @frozen
@@ -39,9 +43,9 @@ class EngineCycle:
 class RodMotion:
     """Places, velocities, accelerations of A, B, C as complex numbers; ω_AB, ε_AB, counter-clockwise positive."""
 
-    r: dict[str, Complexes]
-    v: dict[str, Complexes]
-    a: dict[str, Complexes]
+    r: ByPoint
+    v: ByPoint
+    a: ByPoint
     omega: Array
     epsilon: Array
 
@@ -114,7 +118,7 @@ def _read(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[i
 def _check(scene: Scene, shape: CrankSliderShape, motion: EngineCycle, drawn: Found) -> None:
     bad = ~np.isfinite(drawn.torque) | ~np.isfinite(drawn.r["B"])
     if bad.any():
-        phi = float(motion.phi_deg[np.argmax(bad)])
+        phi = float(motion.phi_deg[bad.argmax()])
         words = Phrase("cs_locked", phi=phi, f=shape.f) if shape.f else Phrase("cs_engine", phi=phi)
         raise SceneError(words, scene.file)
     if (drawn.r["B"].real < drawn.r["A"].real).any():
@@ -130,19 +134,16 @@ def as_points(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     """Coordinates (1), differentiated once (2) and twice (3)."""
     r, l, k = shape.r, shape.l, shape.c / shape.l  # noqa: E741
     sin, cos, w, e = np.sin(m.phi), np.cos(m.phi), m.omega, m.epsilon
+    x, y, across = r * cos, r * sin, 1j * (1 - k) * r
     root = np.sqrt(l**2 - r**2 * sin**2)
     drop = -(r**2) * sin * cos / root  # d root / dφ
     bend = -(r**2) * (cos**2 - sin**2) / root - (r**2 * sin * cos) ** 2 / root**3
-    place = {
-        "A": r * (cos + 1j * sin),
-        "B": (r * cos + root).astype(complex),
-        "C": r * cos + k * root + 1j * (1 - k) * r * sin,
-    }
-    first = {"A": r * (-sin + 1j * cos), "B": -r * sin + drop + 0j, "C": -r * sin + k * drop + 1j * (1 - k) * r * cos}
-    second = {"A": -r * (cos + 1j * sin), "B": -r * cos + bend + 0j, "C": -r * cos + k * bend - 1j * (1 - k) * r * sin}
-    turn = -r * cos / root  # dβ/dφ with the sign of the rod's rotation
+    place = {"A": r * (cos + 1j * sin), "B": (x + root).astype(complex), "C": x + k * root + across * sin}
+    first = {"A": r * (-sin + 1j * cos), "B": -y + drop + 0j, "C": -y + k * drop + across * cos}
+    second = {"A": -r * (cos + 1j * sin), "B": -x + bend + 0j, "C": -x + k * bend - across * sin}
+    turn = -x / root  # dβ/dφ with the sign of the rod's rotation
     speed = w * turn
-    rate = e * turn + w**2 * (r * sin / root + r * cos * drop / root**2)
+    rate = e * turn + w**2 * (y / root + x * drop / root**2)
     velocities = {n: w * first[n] for n in first}
     return RodMotion(place, velocities, {n: w**2 * second[n] + e * first[n] for n in second}, speed, rate)
 
@@ -151,21 +152,22 @@ def as_plane_motion(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     """Instant centre and the theorem on accelerations: (5*)–(7), (9)–(13)."""
     r, l, c = shape.r, shape.l, shape.c  # noqa: E741
     phi, beta, w, e = m.phi, swing(shape, m.phi), m.omega, m.epsilon
-    turning = w * r * np.cos(phi) / (l * np.cos(beta))  # (5*), clockwise positive
+    sin_phi, cos_phi, sin_beta, cos_beta = np.sin(phi), np.cos(phi), np.sin(beta), np.cos(beta)
+    turning = w * r * cos_phi / (l * cos_beta)  # (5*), clockwise positive
     normal, tangent = w**2 * r, e * r  # (8)
     normal_b = turning**2 * l  # (9)
-    tangent_b = (normal * np.sin(phi) - tangent * np.cos(phi) - normal_b * np.sin(beta)) / np.cos(beta)  # (11)
-    left = normal * np.cos(phi) + tangent * np.sin(phi)
-    down = normal * np.sin(phi) - tangent * np.cos(phi)
+    left = normal * cos_phi + tangent * sin_phi
+    down = normal * sin_phi - tangent * cos_phi
+    tangent_b = (down - normal_b * sin_beta) / cos_beta  # (11)
     share = c / l
-    a_b = left + normal_b * np.cos(beta) - tangent_b * np.sin(beta)
-    a_cx = left + share * (normal_b * np.cos(beta) - tangent_b * np.sin(beta))  # (13)
-    a_cy = down - share * (normal_b * np.sin(beta) + tangent_b * np.cos(beta))
+    a_b = left + normal_b * cos_beta - tangent_b * sin_beta
+    a_cx = left + share * (normal_b * cos_beta - tangent_b * sin_beta)  # (13)
+    a_cy = down - share * (normal_b * sin_beta + tangent_b * cos_beta)
     place = r * np.exp(1j * phi)
     reach = l * np.exp(-1j * beta)
     r_of = {"A": place, "B": place + reach, "C": place + share * reach}
     v_a = 1j * w * place
-    v_b = (-w * r * np.sin(beta + phi) / np.cos(beta)).astype(complex)  # (6)
+    v_b = (-w * r * np.sin(beta + phi) / cos_beta).astype(complex)  # (6)
     v_c = v_a - 1j * turning * share * reach
     a_of = {"A": -left - 1j * down, "B": -a_b + 0j, "C": -a_cx - 1j * a_cy}
     return RodMotion(r_of, {"A": v_a, "B": v_b, "C": v_c}, a_of, -turning, tangent_b / l)
@@ -177,6 +179,11 @@ def text_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Complexes:
     return as_points(shape, still).a["B"]
 
 
-def apart(one: dict[str, Complexes], other: dict[str, Complexes], unit: float) -> float:
+def apart(one: ByPoint, other: ByPoint, unit: float) -> float:
     """The largest difference of two methods over all points and angles, relative to ``unit``."""
-    return max(float(np.max(np.abs(one[n] - other[n]) / unit)) for n in ("A", "B", "C"))
+    return max(largest(one[n] - other[n]) for n in "ABC") / unit
+
+
+def largest(numbers: np.ndarray[Any, Any]) -> float:
+    """The largest magnitude over the cycle."""
+    return float(np.abs(numbers).max())

@@ -13,8 +13,7 @@ from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
+from planes.crank_slider.kinematics import largest
 from planes.geometry.arrays import Array
 from planes.solving.document import (
     Block,
@@ -121,8 +120,8 @@ class ChapterWriter:
 
     def over_cycle(self, key: str, steps: range, columns: Mapping[str, Array]) -> None:
         """A table of numbers at some steps of the cycle."""
-        noise = [float(np.max(np.abs(x))) for x in columns.values()]
-        rows = [[self.number(x[i], near=n) for x, n in zip(columns.values(), noise, strict=True)] for i in steps]
+        noise = [(x, largest(x)) for x in columns.values()]
+        rows = [[self.number(x[i], near=n) for x, n in noise] for i in steps]
         self.table(key, list(columns), rows)
 
 

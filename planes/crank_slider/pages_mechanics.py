@@ -8,9 +8,8 @@ import numpy as np
 
 from planes.crank_slider.calculation import Calculation
 from planes.crank_slider.forces import printed
-from planes.crank_slider.kinematics import loaded, swing, text_acceleration
+from planes.crank_slider.kinematics import largest, loaded, swing, text_acceleration
 from planes.crank_slider.pages import KN, ChapterWriter, lines
-from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position
 from planes.solving.document import Chart, DrawnViews, PlottedLine
@@ -139,7 +138,7 @@ def write_forces(w: ChapterWriter, c: Calculation) -> None:
 
 def _gas(w: ChapterWriter, c: Calculation) -> None:
     g, s, mpa = c.given, c.given.shape, c.pressure / 1e6
-    top = int(np.argmax(mpa))
+    top = mpa.argmax()
     highest = {"p": mpa[c.at(worked(c))], "top": mpa[top], "top_deg": c.motion.phi_deg[top]}
     w.write("gas", values_at(c, worked(c), **highest, strokes=float(len(g.indicator.names)), p0=g.ambient / 1e6))
     w.chart("f_gas", "x_phi", "y_p", lines(c.motion.phi_deg, {"": mpa}), ticks=60, height_mm=50)
@@ -153,8 +152,8 @@ def _equations(w: ChapterWriter, c: Calculation) -> None:
     f, a_c = v.forces, complex(v.plane.a.C)
     v.at_a, v.at_c, v.at_b = parts.three
     v.negative, v.more_or_less = v.at_c < 0, w.say("s_more" if parts.error > 0 else "s_less")
-    v.couple = abs(parts.error) * float(np.max(np.abs(c.plane.epsilon)))
-    v.off_T, v.off_N = (_off(getattr(c.forces, name), getattr(c.simple, name)) for name in "TN")
+    v.couple = abs(parts.error) * largest(c.plane.epsilon)
+    v.off_T, v.off_N = (_off(largest(getattr(c.forces, name)), largest(getattr(c.simple, name))) for name in "TN")
     v.inertia_b, v.inertia_c, v.couple_c = s.m3 * abs(v.plane.a.B), s.m2 * abs(a_c), s.j2 * abs(v.plane.epsilon)
     v.spin = r"-(J_1+m_1\,OS_1^2)\,\varepsilon" if c.given.speed.unevenness else ""
     v.arm = complex(v.plane.r.C - v.plane.r.A)
@@ -169,10 +168,9 @@ def _equations(w: ChapterWriter, c: Calculation) -> None:
     w.write("equations", v)
 
 
-def _off(true: Array, simple: Array) -> float:
+def _off(true: float, simple: float) -> float:
     """The difference of the maxima of two curves, per cent."""
-    largest, other = (float(np.max(np.abs(x))) for x in (true, simple))
-    return 100 * abs(other - largest) / largest
+    return 100 * abs(simple - true) / true
 
 
 def _cycle(w: ChapterWriter, c: Calculation) -> None:
@@ -188,16 +186,16 @@ def _cycle(w: ChapterWriter, c: Calculation) -> None:
     w.chart("f_TK", "x_phi", "y_kN", lines(phi, {n: kn[n] for n in "TK"}), ticks=60)
     _polar(w, c)
     load, frame = np.abs(f.on_pin) * KN, np.abs(f.on_crank_from_frame) * KN
-    i, j = int(np.argmax(frame)), int(np.argmax(load))
+    i, j = frame.argmax(), load.argmax()
     largest = {"force": frame[i], "force_deg": phi[i], "pin": load[j], "pin_deg": phi[j]}
     w.write("bearing", SimpleNamespace(**largest, mean=np.mean(load[:-1])))
 
 
 def _polar(w: ChapterWriter, c: Calculation) -> None:
     f, phi = c.forces, c.motion.phi_deg
-    far = float(np.max(np.abs(f.on_pin))) * KN
+    far = largest(f.on_pin) * KN
     notes = []
-    kept: list[complex] = []
+    kept = list[complex]()
     for i in c.steps(len(phi) - 1):
         at = complex(-f.K[i] * KN, f.T[i] * KN)
         clear = all(abs(at - other) > 0.1 * far for other in kept)

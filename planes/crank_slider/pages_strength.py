@@ -69,7 +69,7 @@ def write_strength(w: ChapterWriter, c: Calculation) -> None:
 
 def cases(c: Calculation) -> dict[str, int]:
     """The steps of the largest normal and the largest tangential force."""
-    return {"I": int(np.argmax(np.abs(c.forces.K))), "II": int(np.argmax(np.abs(c.forces.T)))}
+    return {"I": int(np.abs(c.forces.K).argmax()), "II": int(np.abs(c.forces.T).argmax())}
 
 
 def shaft_sketch(c: Calculation, **shown: Mapping[Any, str]) -> ShaftSketch:
@@ -110,7 +110,7 @@ def _static(w: ChapterWriter, c: Calculation) -> None:
     head = (w.say("c_section"), "M_{z}", "M_{y}", "M_{x}", "σ", "τ", f"σ_{{{w.say('sub_eq')}}}")
     w.table("t_static", head, rows)
     worst, limits, steel = dangerous(c), c.given.limits, c.given.materials["shaft"]
-    at = int(np.argmax(worst.equivalent))
+    at = int(worst.equivalent.argmax())
     v = SimpleNamespace(limits=limits, steel=steel, worst=at_step(worst, at), section=w.say(f"x_{worst.name}"))
     v.phi, v.top, v.allowed = c.motion.phi_deg[at], worst.equivalent[at], steel.yields / limits.static
     v.holds = v.top <= v.allowed

@@ -12,34 +12,27 @@ from planes.scene.source import SourceScalar
 from planes.words import Phrase
 from planes.words.errors import SceneError, choices, shown
 
-KEYS = {
+_WRITTEN = {
     "crank_slider": (
-        *("bore", "ambient", "indicator", "step", "speed", "flywheel", "positions", "shaft", "counterweights"),
-        *("rod", "piston_pin", "materials", "fatigue", "limits"),
+        "bore ambient indicator step speed flywheel positions shaft counterweights rod piston_pin materials fatigue "
+        "limits"
     ),
-    "flywheel": ("unevenness",),
-    "speed": ("unevenness", "waves", "phase"),
-    "shaft": ("span", "pin_from_B", "webs", "journal", "crankpin", "web", "masses"),
-    "round": ("diameter", "bore"),
-    "web": ("width", "thickness"),
-    "masses": ("pin", "webs", "webs_radius"),
-    "counterweights": ("radius", "masses", "translating"),
-    "rod": ("height", "width", "flange", "web"),
-    "piston_pin": ("diameter", "bore", "length", "bush", "gap"),
-    "materials": ("shaft", "rod", "piston_pin"),
-    "material": (
-        "name",
-        "strength_MPa",
-        "yield_MPa",
-        "alloyed",
-        "fatigue_MPa",
-        "fatigue_torsion_MPa",
-        "elasticity_MPa",
-    ),
-    "fatigue": ("journal", "crankpin"),
-    "concentration": ("k_sigma", "k_tau", "size_sigma", "size_tau"),
-    "limits": ("static", "fatigue", "buckling", "bush_MPa", "boss_MPa"),
+    "flywheel": "unevenness",
+    "speed": "unevenness waves phase",
+    "shaft": "span pin_from_B webs journal crankpin web masses",
+    "round": "diameter bore",
+    "web": "width thickness",
+    "masses": "pin webs webs_radius",
+    "counterweights": "radius masses translating",
+    "rod": "height width flange web",
+    "piston_pin": "diameter bore length bush gap",
+    "materials": "shaft rod piston_pin",
+    "material": "name strength_MPa yield_MPa alloyed fatigue_MPa fatigue_torsion_MPa elasticity_MPa",
+    "fatigue": "journal crankpin",
+    "concentration": "k_sigma k_tau size_sigma size_tau",
+    "limits": "static fatigue buckling bush_MPa boss_MPa",
 }
+KEYS = {name: tuple(keys.split()) for name, keys in _WRITTEN.items()}
 """The keys of the section and of its tables, by the name of the table."""
 
 

@@ -65,12 +65,12 @@ def rod_strength(
 ) -> RodStrength:
     """Stresses of the shank over the cycle; compression positive."""
     beta = swing(shape, m.phi)
-    axial = (f.S, -(f.on_pin * np.exp(1j * beta)).real)  # at B, at A
-    large = np.where(np.abs(axial[0]) >= np.abs(axial[1]), axial[0], axial[1])
+    at_b, at_a = f.S, -(f.on_pin * np.exp(1j * beta)).real
+    large = np.where(np.abs(at_b) >= np.abs(at_a), at_b, at_a)
     moment = _bending(shape, way, beta)
     sigma_b = moment / shank.modulus * MPA
     both = np.abs(large) / shank.area * MPA + sigma_b
-    push, pull, bend, worst = (int(np.argmax(x)) for x in (large, -large, moment, both))
+    push, pull, bend, worst = (x.argmax() for x in (large, -large, moment, both))
     squeezed, pulled = max(float(large[push]), 0.0), max(float(-large[pull]), 0.0)
     stress, limit = squeezed / shank.area * MPA, math.pi * math.sqrt(2 * steel.elasticity / steel.yields)
     freely, held = (math.sqrt(j / shank.area) for j in (shank.inertia, shank.inertia_across))
@@ -106,8 +106,9 @@ def _bending(shape: CrankSliderShape, way: RodMotion, beta: Array) -> Array:
 
 def moment_along(q_a: Array, q_b: Array, x: Array, length: float) -> Array:
     """M(x) of a hinged beam under a load that varies linearly from q_a to q_b (N/m)."""
-    falling = length * x / 3 - x**2 / 2 + x**3 / (6 * length)
-    rising = length * x / 6 - x**3 / (6 * length)
+    cube = x**3 / (6 * length)
+    falling = length * x / 3 - x**2 / 2 + cube
+    rising = length * x / 6 - cube
     return q_a * falling + q_b * rising
 
 
@@ -124,7 +125,7 @@ def _buckling(mu: float, length: float, radius: float, limit: float, stress: flo
 def pin_strength(m: EngineCycle, f: CycleForces, pin: PistonPin, steel: Material) -> PinStrength:
     """The pin as a beam: a uniform load from the rod's bush, loads from the bosses that fall to zero at its ends."""
     force = np.abs(f.on_rod_at_b)
-    at = int(np.argmax(force))
+    at = force.argmax()
     q = float(force[at])
     moment = q * (pin.length + 2 * pin.gap - 1.5 * pin.bush) / 12
     d, a = pin.section.d, pin.section.bore / pin.section.d

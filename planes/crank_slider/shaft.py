@@ -21,6 +21,7 @@ from planes.geometry.arrays import Array, Complexes
 from planes.words.frozen import frozen
 
 MPA = 1e-6
+Pair = tuple[float, float]  # of the two counterweights, or components
 
 
 @frozen
@@ -47,8 +48,8 @@ class Balance:
     rotating: float
     of_rod: float
     translating: float
-    needed: tuple[float, float]
-    chosen: tuple[float, float]
+    needed: Pair
+    chosen: Pair
     force: float
     residual_force: float
     residual_moment: float
@@ -62,18 +63,19 @@ def balanced(shape: CrankSliderShape, shaft: Shaft, weights: Counterweights, m: 
     parts = replaced(shape)
     rotating = shaft.pin_mass + shaft.web_mass * shaft.web_radius / shape.r + parts.at_a  # (27)
     a, b = shaft.left, shaft.right
-    static_sum = rotating * shape.r / weights.radius  # (28): m₁ + m₂
+    turned = rotating * shape.r
+    static_sum = turned / weights.radius  # (28): m₁ + m₂
     needed = static_sum * b / (a + b), static_sum * a / (a + b)  # (29)
     chosen = weights.masses or needed
     w2 = shape.omega**2
-    force = rotating * shape.r * w2
-    left_over = (sum(chosen) * weights.radius - rotating * shape.r) * w2
+    force, held = turned * w2, sum(chosen) * weights.radius
+    left_over = (held - turned) * w2
     moment = (chosen[1] * b - chosen[0] * a) * weights.radius * w2
     translating = shape.m3 + parts.at_b
     moments = {
         "none": 0.0,
-        "rotating": rotating * shape.r,
-        "chosen": sum(chosen) * weights.radius,
+        "rotating": turned,
+        "chosen": held,
         "part": (rotating + weights.translating * translating) * shape.r,
     }
     cases = tuple(
@@ -85,13 +87,7 @@ def balanced(shape: CrankSliderShape, shaft: Shaft, weights: Counterweights, m: 
 
 
 def _shaking(
-    name: str,
-    moment: float,
-    shape: CrankSliderShape,
-    shaft: Shaft,
-    m: EngineCycle,
-    drawn: Found,
-    masses: tuple[float, float],
+    name: str, moment: float, shape: CrankSliderShape, shaft: Shaft, m: EngineCycle, drawn: Found, masses: Pair
 ) -> Shaking:
     turn = (m.phi_deg >= m.phi_deg[0]) & (m.phi_deg < m.phi_deg[0] + 360.0 - 1e-9)
     radial = np.exp(1j * m.phi[turn]) * (m.omega**2 - 1j * m.epsilon)[turn]
@@ -104,7 +100,7 @@ def _shaking(
     return Shaking(name, moment, curve, first[0], first[1], second[0], expected)
 
 
-def _harmonic(curve: Complexes, phi: Array, order: int) -> tuple[float, float]:
+def _harmonic(curve: Complexes, phi: Array, order: int) -> Pair:
     """Amplitudes of one harmonic of the components along and across the guide."""
     wave = np.exp(-1j * order * phi)
     return tuple(float(abs(2 * np.mean(part * wave))) for part in (curve.real, curve.imag))  # type: ignore[return-value]
@@ -226,7 +222,7 @@ def checked(section: Section, round_part: Round, steel: Material, k: Concentrati
     top, low = sigma.max(axis=1), sigma.min(axis=1)
     amplitude, mean = (top - low) / 2, (top + low) / 2
     worse = k.k_sigma / k.size_sigma * amplitude + steel.psi * np.maximum(mean, 0.0)
-    at = int(np.argmax(worse))
+    at = worse.argmax()
     tau = section.torsion / (2 * round_part.modulus) * MPA
     tau_a, tau_m = float(tau.max() - tau.min()) / 2, abs(float(tau.max() + tau.min())) / 2
     n_sigma = factor(steel.fatigue, float(worse[at]))

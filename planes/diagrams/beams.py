@@ -59,17 +59,18 @@ class _Beam:
         """Both diagrams."""
         level = {tuple(sorted(two, key=self.stops.__getitem__)): self.value(name) for *two, name in self.figure.shears}
         moments = {p: self.value(name) for p, name in self.figure.moments}
-        shears, bent = [(0.0, 0.0)], list[tuple[float, float]]()
+        shears, bent = [(0.0, 0.0)], Outline()
         known = [p for p in self.stops if p in moments]
         for one, other in pairwise(known):
             start, end = self.stops[one], self.stops[other]
+            long = end - start
             loads = [x for x in self.figure.spread if x.spread and self.covered(x, start, end)]
             for k in range(PIECES + 1) if loads else (0, PIECES):
                 t = k / PIECES
                 sag, slope = (sum(way(x, start, end, t) for x in loads) for way in (self.sag, self.slope))
-                chord = (moments[other] - moments[one]) / (end - start)
-                bent.append((start + t * (end - start), moments[one] + t * (end - start) * chord + sag))
-                shears.append((start + t * (end - start), level.get((one, other), chord) + slope))
+                chord = (moments[other] - moments[one]) / long
+                bent.append((start + t * long, moments[one] + t * long * chord + sag))
+                shears.append((start + t * long, level.get((one, other), chord) + slope))
         return BeamOutlines(self.stops, [*shears, (max(self.stops.values()), 0.0)], bent)
 
     def covered(self, load: StaticLoad, start: float, end: float) -> bool:

@@ -81,7 +81,7 @@ def extremes(g: Grid) -> list[list[Extreme]]:
 def _inside(g: Grid, brackets: list[_Bracket]) -> list[tuple[_Bracket, float, float]]:
     """The extremes in brackets of the grid: those of smooth curves, then the others, and those without digits there."""
     places, values = np.full((2, len(brackets)), np.nan)
-    index, sense = np.array([b.index for b in brackets]), np.array([b.sense for b in brackets])
+    index, sense = np.array([(b.index, b.sense) for b in brackets]).T
     for curve, mine in _by_curve(g.turn, brackets):
         places[mine] = flat_places(g, curve, index[mine], sense[mine])
     if len(smooth := np.flatnonzero(np.isfinite(places))):
@@ -177,8 +177,7 @@ def _at_limit(curve: Curve, y: float, at: _Limit) -> list[Extreme]:
 def _refined(turn: WholeTurn, brackets: list[_Bracket]) -> Array:
     """Places of the bracketed extremes, all narrowed down together: to the zero of the slope, or, if that is unknown or
     has one sign throughout (a value passes through infinity), by the value itself."""
-    low, high = np.array([b.low for b in brackets]), np.array([b.high for b in brackets])
-    sense = np.array([b.sense for b in brackets])
+    low, high, sense = np.array([(b.low, b.high, b.sense) for b in brackets]).T
     parts = np.linspace(0.0, 1.0, CELLS + 1)
     for _ in range(ROUNDS):
         x = low[:, None] + (high - low)[:, None] * parts

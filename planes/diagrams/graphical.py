@@ -156,7 +156,7 @@ def _derived(c: Construction, plan: str, rank: int, pole_mm: float | None) -> No
     pole = pole_mm or _pole(steepest, c.mu_t, before.mu)
     mu = before.mu * pole / c.mu_t
     c.axes(plan, mu, pole)
-    made: list[tuple[int, str]] = []
+    made = list[tuple[int, str]]()
     for (one, first), (two, second) in pairwise(before.points):
         half, label = (one + two) // 2, _label((one + two) // 2)
         chord = d.step(Through(f"{source}:{first}–{second}", at(source, first), at(source, second)))

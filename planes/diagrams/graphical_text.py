@@ -102,7 +102,7 @@ def _diagram(c: Construction, r: MeasuredDiagram) -> Json:
 
 def report(constructions: list[Construction], lang: Lang) -> str:
     """Tables of the constructions, one after the other."""
-    lines: list[str] = []
+    lines = list[str]()
     for c in constructions:
         lines += ["", say(f"graphical_{c.kind}", lang, link=c.motion.link, count=c.motion.sections)]
         lines += [f"  {line}" for line in scales(c, lang)]

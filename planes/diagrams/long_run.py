@@ -82,10 +82,11 @@ def collect(gaps: list[Gap], block: Block) -> None:
     codes = block.codes
     edges = np.flatnonzero(np.diff(codes)) + 1
     for start, end in zip([0, *edges], [*edges, len(codes)], strict=True):
-        code, last = int(codes[start]), float(block.values[end - 1])
+        code, first, last = int(codes[start]), float(block.values[start]), float(block.values[end - 1])
         if not gaps or gaps[-1].code != code:
-            gaps.append(Gap(code, float(block.values[start]), last, 0))
-        gaps[-1].last, gaps[-1].count = last, gaps[-1].count + int(end - start) * (code != 0)
+            gaps.append(Gap(code, first, last, 0))
+        gaps[-1].last = last
+        gaps[-1].count += int(end - start) * (code != 0)
 
 
 def tell(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, lang: Lang) -> None:
@@ -146,7 +147,7 @@ def unsolved(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
 def listing(turn: WholeTurn, values: Any, lang: Lang) -> str:
     """Every curve in each position, in the order of the analytic method, with five decimals."""
     told_rows, kind = listed(turn, values), turn.plans.drive.kind
-    lines: list[str] = []
+    lines = list[str]()
     for key, curves in _chapters(turn.curves):
         rows = [[c.name, say(c.unit, lang), *map(five_decimals, told_rows[c.name])] for c in curves]
         head = ["", say("column_unit", lang), *(told(float(v), kind, lang) for v in values)]

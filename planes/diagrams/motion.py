@@ -17,6 +17,7 @@ from planes.words.frozen import frozen
 DENSE = 10  # points of the drawn curve per section
 FEWEST, MOST = 6, 72
 INSET = 0.02  # part left off a range that ends at limits of assembly
+Row = tuple[float, ...]
 
 
 @frozen
@@ -31,13 +32,13 @@ class Motion:
     link: str
     slides: bool
     driver: str
-    angles: tuple[float, ...]
-    time: tuple[float, ...]
+    angles: Row
+    time: Row
     closed: bool
-    ends: tuple[tuple[float, ...], ...]
-    middles: tuple[tuple[float, ...], ...]
-    dense_time: tuple[float, ...]
-    curves: tuple[tuple[float, ...], ...]
+    ends: tuple[Row, ...]
+    middles: tuple[Row, ...]
+    dense_time: Row
+    curves: tuple[Row, ...]
 
     @property
     def sections(self) -> int:

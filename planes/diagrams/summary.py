@@ -112,7 +112,7 @@ class Summary:
     @cached_property
     def rows(self) -> tuple[CurveSummary, ...]:
         """The curves to show: of vectors the magnitudes; equal ones in one row; no curve that is always zero."""
-        rows_with_values: list[tuple[Array, CurveSummary]] = []
+        rows_with_values = list[tuple[Array, CurveSummary]]()
         for curve in self.grid.turn.curves:
             if not self._shown(curve):
                 continue
@@ -136,27 +136,28 @@ class Summary:
         return CurveSummary((curve.name,), curve.unit, curve.group, low, high, size, rounds, still)
 
     def _shown(self, curve: Curve) -> bool:
+        name, driver = curve.name, self.plans.drive.link
         if self.names:
-            return curve.name in self.names
-        if letter_of(curve.name) in ("MZ", "FbZ") or component_of(curve.name):
+            return name in self.names
+        if letter_of(name) in ("MZ", "FbZ") or component_of(name):
             return False
-        if letter_of(curve.name) == "phi":
-            moves = varies(self.grid.values(curve), self.grid.noise(curve))
-            return index_of(curve.name) != self.plans.drive.link and moves
-        return curve.name != f"s_{self.plans.drive.link}"
+        if letter_of(name) == "phi":
+            return index_of(name) != driver and varies(self.grid.values(curve), self.grid.noise(curve))
+        return name != f"s_{driver}"
 
     @cached_property
     def paths(self) -> tuple[Path, ...]:
         """Paths of the moving points."""
         paths, frame = [], self.plans.mechanism.frame.points
-        for p in (p for p in self.plans.points if p not in frame):
-            z = self.grid.sample[f"r_{p}_x"] + 1j * self.grid.sample[f"r_{p}_y"]
-            length = sum(_length(run) for run in np.split(z, np.flatnonzero(~self.grid.works)))
-            if length:
-                both = (*self.extremes[f"r_{p}_x"], *self.extremes[f"r_{p}_y"])
-                length = np.inf if any(np.isinf(e.value) for e in both) else length
-                x, y = ((self._most(f"r_{p}_{axis}", -1), self._most(f"r_{p}_{axis}", 1)) for axis in "xy")
-                paths.append(Path(p, length, x, y))
+        for p in self.plans.points:
+            if p not in frame:
+                z = self.grid.sample[f"r_{p}_x"] + 1j * self.grid.sample[f"r_{p}_y"]
+                length = sum(_length(run) for run in np.split(z, np.flatnonzero(~self.grid.works)))
+                if length:
+                    both = (*self.extremes[f"r_{p}_x"], *self.extremes[f"r_{p}_y"])
+                    length = np.inf if any(np.isinf(e.value) for e in both) else length
+                    x, y = ((self._most(f"r_{p}_{axis}", -1), self._most(f"r_{p}_{axis}", 1)) for axis in "xy")
+                    paths.append(Path(p, length, x, y))
         return tuple(paths)
 
     def _most(self, name: str, sense: int) -> float:

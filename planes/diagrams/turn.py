@@ -3,7 +3,7 @@
 Evenly spaced samples show the driver's range, where a link turns over and where the mechanism does not assemble.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -16,6 +16,7 @@ from planes.plans.curves import (
     UNIT,
     Curve,
     CycleVector,
+    Sample,
     WorkingRange,
     all_columns,
     arrows_of,
@@ -58,12 +59,12 @@ class WholeTurn:
         """The reasons for the codes of a block, of both runs: code k is reason k - 1."""
         return tuple(r for _, c in self.cycles for r in c.reasons)
 
-    def sample(self, values: Sequence[float] | Array, bare: bool = False) -> dict[str, Array]:
+    def sample(self, values: Sequence[float] | Array, bare: bool = False) -> Sample:
         """Every column needed, at every position; NaN where it cannot be drawn, or, unless ``bare``, has no correct
         digits."""
         return self._run(np.asarray(values, float), bare)[0]
 
-    def _run(self, values: Array, bare: bool = False, fast: bool | None = False) -> tuple[dict[str, Array], Indices]:
+    def _run(self, values: Array, bare: bool = False, fast: bool | None = False) -> tuple[Sample, Indices]:
         columns: dict[str, Array] = {}
         codes, past = np.zeros(len(values), np.intp), 0
         for prefix, run in self.cycles:
@@ -114,7 +115,7 @@ def unwound(angles: Array) -> Array:
     return unwrapped
 
 
-def _assembled(sample: Mapping[str, Array], places: Array) -> Booleans:
+def _assembled(sample: Sample, places: Array) -> Booleans:
     assembles = np.ones(len(places), bool)
     for name, row in sample.items():
         if letter_of(name) in ("r", "phi", "q:v", "q:omega"):
@@ -131,7 +132,7 @@ class Grid:
     closed: bool
 
     @cached_property
-    def sample(self) -> dict[str, Array]:
+    def sample(self) -> Sample:
         """The columns at every position."""
         return self.turn.sample(self.places)
 
@@ -160,10 +161,11 @@ class Grid:
         drive, sizes = self.turn.plans.drive, {"°": FULL}
         if drive.rotates:
             sizes |= {"1": 1.0, "rad/s": abs(drive.velocity), "rad/s²": abs(drive.acceleration)}
-        for curve in (c for c in self.turn.curves if not c.angular):
-            y = np.abs(self.values(curve))
-            if np.isfinite(y).any():
-                sizes[curve.unit] = max(sizes.get(curve.unit, 0.0), float(np.nanmedian(y)))
+        for curve in self.turn.curves:
+            if not curve.angular:
+                y = np.abs(self.values(curve))
+                if np.isfinite(y).any():
+                    sizes[curve.unit] = max(sizes.get(curve.unit, 0.0), float(np.nanmedian(y)))
         if drive.rotates:
             for _, unit, rate in RATES.values():
                 sizes[rate] = max(sizes.get(rate, 0.0), sizes.get(unit, 0.0) * abs(drive.velocity))
@@ -201,14 +203,15 @@ class Grid:
     def flips(self) -> tuple[tuple[str, float], ...]:
         """Angles of links that turn over, and where: a slider passes through its hinge, the assembly changes."""
         flips = []
-        for curve in (c for c in self.turn.curves if c.angular):
-            for i in np.flatnonzero(np.abs(np.diff(self.values(curve))) > FLIP):
-                low, high = float(self.places[i]), float(self.places[i + 1])
-                for _ in range(24):
-                    middle = (low + high) / 2
-                    low, high = (middle, high) if self._turn(curve, low, middle) <= FLIP else (low, middle)
-                if not self._turn(curve, low, high) <= FLIP:  # or it cannot be drawn there at all
-                    flips.append((curve.name, high))
+        for curve in self.turn.curves:
+            if curve.angular:
+                for i in np.flatnonzero(np.abs(np.diff(self.values(curve))) > FLIP):
+                    low, high = float(self.places[i]), float(self.places[i + 1])
+                    for _ in range(24):
+                        middle = (low + high) / 2
+                        low, high = (middle, high) if self._turn(curve, low, middle) <= FLIP else (low, middle)
+                    if not self._turn(curve, low, high) <= FLIP:  # or it cannot be drawn there at all
+                        flips.append((curve.name, high))
         return tuple(flips)
 
     def _turn(self, curve: Curve, one: float, two: float) -> float:

@@ -5,9 +5,9 @@ Numbers are in slots (:mod:`planes.lesson.formulas`), so a frame serves every po
 
 from functools import partial
 
-from planes.drafting import steps as s
 from planes.drafting.drawing import Drawing
-from planes.drafting.steps import crossings
+from planes.drafting.steps import Put, Step
+from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
 from planes.lesson.centres import CentreFrames
@@ -58,11 +58,11 @@ class Teller:
 
     def frames(self) -> list[Frame]:
         """All frames, in drawing order."""
-        put: list[s.Step] = [step for step in self.drawing.program.steps if isinstance(step, s.Put) and step.at]
+        put: list[Step] = [step for step in self.drawing.program.steps if isinstance(step, Put) and step.at]
         fixed: Names = {"names": ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put if not p.helper)}
         key = "points" if self.plans.figure else "fixed"
         frames = [self.frame(key, "position", tuple(p.makes for p in put), names=fixed)] if put else []
-        readings: list[s.Step] = []
+        readings = list[Step]()
         for step in self.drawing.program.steps:
             if step.makes in self.moments or step.makes in self.rates:
                 readings.append(step)
@@ -99,11 +99,11 @@ class Teller:
         own = [s.makes for s in self.drawing.program.steps if s.kind == "mark" and shown_on(s) == plan]
         return all(not size >= 1e-6 for mark in own for size in many(abs(self.cycle[mark])))
 
-    def shown(self, step: s.Step) -> bool:
+    def shown(self, step: Step) -> bool:
         """Whether a step has its own frame."""
         if kind_of(shown_on(step)) == "motion" or step.makes == at("position", POLE) or shown_on(step) in self.still:
             return False
-        return isinstance(step, crossings.Touch) or step.kind == "mark"
+        return isinstance(step, Touch) or step.kind == "mark"
 
     def frame(
         self,
@@ -141,17 +141,17 @@ class Teller:
         first = next((e for e in self.plans.segments if e.plan == plan and e.end in labels and e.start == POLE), None)
         return None, (first.name,) if first else ()
 
-    def mark(self, step: s.Step) -> Frame:
+    def mark(self, step: Step) -> Frame:
         """The frame of one mark, or of a tangent."""
         read = dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and name not in self.trials)
         uses = tuple(name for name in read if plan_of(name) != "motion")
         names: Names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
         key, reason, more = self.words.of(step)
-        makes = () if isinstance(step, crossings.Touch) else (step.makes,)
+        makes = () if isinstance(step, Touch) else (step.makes,)
         names = {**names, "end": lettered(step.makes), **more}
         return self.frame(key, shown_on(step), makes, uses, reason, names=names)
 
-    def readings(self, values: list[s.Step], before: list[Frame]) -> list[Frame]:
+    def readings(self, values: list[Step], before: list[Frame]) -> list[Frame]:
         """Frames for the values computed since the last mark: angular velocities and accelerations together, each
         moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
@@ -231,7 +231,7 @@ class Teller:
         names: Names = {"force": r.key, "formula": (reckoned(arm),), "mm": slot(r.arm, "mm", mu_of("position"))}
         return self.frame("seated", r.plan, names=names, terms=(r.key,))
 
-    def moment(self, step: s.Step) -> list[Frame]:
+    def moment(self, step: Step) -> list[Frame]:
         """A moment equation with its numbers."""
         if not isinstance(step, Calculate):
             return []

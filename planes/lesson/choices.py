@@ -9,12 +9,11 @@ from functools import cached_property, partial
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import LayOff
-from planes.lesson.formulas import in_both
+from planes.lesson.formulas import in_both, spoken
 from planes.lesson.frame import Frame
 from planes.lesson.free_bodies import FreeBodies, links_told
 from planes.plans import Plans
 from planes.plans.scales import fitting
-from planes.words import say
 from planes.words.frozen import frozen
 from planes.words.names import POLE, at, kind_of, label_of, links_of, mu_of
 from planes.words.records import Json
@@ -60,9 +59,13 @@ class Choices:
         made = (s for s in self.plans.program.marks[plan] if not s.loose and label_of(s.makes) != POLE)
         shown = [s.makes for s in made if s.makes not in self.plans.program.trials]
         kind = kind_of(plan)
-        unit_said = in_both(partial(say, UNIT.get(kind, "one_unit")))
-        named: Json = {"name": long or next(iter(frame.terms), label_of(first.makes)), "unit": unit_said}
-        return {"offered": [{"value": mu} for mu in offered], "marks": shown, "most": self.fit_mm[kind], **named}
+        return {
+            "offered": [{"value": mu} for mu in offered],
+            "marks": shown,
+            "most": self.fit_mm[kind],
+            "name": long or next(iter(frame.terms), label_of(first.makes)),
+            "unit": spoken(UNIT.get(kind, "one_unit")),
+        }
 
     @cached_property
     def forces(self) -> list[str]:
@@ -98,28 +101,26 @@ class Choices:
     def early(self, names: Sequence[str]) -> Json:
         """Why links come too early: forces on them are still unknown."""
         forces = ", ".join(f"⟨{n}⟩" for n in names)
-        return {"why": in_both(partial(say, "lesson_choice_early", forces=forces))} if names else {}
+        return {"why": spoken("lesson_choice_early", forces=forces)} if names else {}
 
     def reason(self, plan: str) -> Json | None:
         """Why the first links come first."""
         if plan != self.forces[0] or not self.order(plan):
             return None
-        offered: list[Json] = []
-        for key in sorted(REASONS):
-            offered.append({"value": key, "said": in_both(partial(say, f"lesson_choice_{key}"))})
-            if key != REASONS[0]:
-                offered[-1]["why"] = in_both(partial(say, "why_free_body_first"))
-        return {"offered": offered}
+        why = {"why": spoken("why_free_body_first")}
+        offered = ({"value": key, "said": spoken(f"lesson_choice_{key}")} for key in sorted(REASONS))
+        return {"offered": [one if one["value"] == REASONS[0] else one | why for one in offered]}
 
     def first(self, index: int, frame: int) -> Json | None:
         """Velocity equations; those that begin with a known vector can be written first."""
         own = [e for e in self.equations if e["plan"] == "velocity" and e["total"]]
-        if self.equations[index] not in own:
+        equation = self.equations[index]
+        if equation not in own:
             return None
         made = {m for f in self.frames[:frame] for m in f.makes} | {at("velocity", POLE)}
         later = [e for e in own if self.equations.index(e) > index]
-        offered = {text: self.unknown(term, made) for text, term in lines(self.equations[index])}
-        offered |= self.unlinked(self.equations[index], made)
+        offered = {text: self.unknown(term, made) for text, term in lines(equation)}
+        offered |= self.unlinked(equation, made)
         waiting = [(text, why) for e in later for text, term in lines(e)[:1] if (why := self.unknown(term, made))]
         offered |= dict(waiting[:LATER])
         if not any(offered.values()) or all(offered.values()):
@@ -130,7 +131,7 @@ class Choices:
         """Why an equation that begins with a vector cannot be written yet; empty where it can."""
         if term["action"] == "=0" or term["at"] in made:
             return {}
-        return {"why": in_both(partial(say, "lesson_choice_unknown", name=term["name"]))}
+        return {"why": spoken("lesson_choice_unknown", name=term["name"])}
 
     def unlinked(self, equation: Json, made: set[str]) -> dict[str, Json]:
         """The unknown point by a known one that is on none of its links."""
@@ -141,8 +142,8 @@ class Choices:
         for other in sorted(own - together - {point}) if point in self.plans.points and together else ():
             if self.plans.points[other].velocity in made or other in self.plans.mechanism.frame.points:
                 text = f"⟨v_{point}⟩ = ⟨v_{other}⟩ + ⟨v_{point}{other}⟩"
-                names = {"one": point, "two": other, "name": f"v_{point}{other}"}
-                return {text: {"why": in_both(partial(say, "lesson_choice_unlinked", **names))}}
+                why = spoken("lesson_choice_unlinked", one=point, two=other, name=f"v_{point}{other}")
+                return {text: {"why": why}}
         return {}
 
 

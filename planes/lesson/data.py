@@ -12,7 +12,7 @@ from planes.drafting.steps.reckoning import Choose
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson import value_of
 from planes.lesson.centres import NOTED, lines_of
-from planes.lesson.formulas import in_both, mu_said, slot, unit
+from planes.lesson.formulas import in_both, mu_said, slot, spoken, unit
 from planes.lesson.frame import Frame, needed
 from planes.lesson.kit import Kit
 from planes.lesson.live import Live
@@ -20,7 +20,7 @@ from planes.lesson.practice import JUDGING, sentences, told_values
 from planes.lesson.rows import templates
 from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
 from planes.lesson.steps import whole
-from planes.lesson.told import Told, drive_of
+from planes.lesson.told import Told
 from planes.plans import Plans
 from planes.plans.measuring import lettering, say_plan, title_of
 from planes.scene import Scene
@@ -43,7 +43,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "moves": plans.moves,
         "formula": plans.structure.formula_as(scene.frame_number).replace("->", "→") if plans.moves else "",
         "lettering": lettering(scene, plans),
-        "drive": drive_of(plans),
+        "drive": lesson.drive,
         "home": knobs.free.home,
         "knobs": [k for k in knobs.all if lesson.leaning is not None or "stays" not in k],
         "drags": knobs.drags(),
@@ -58,13 +58,13 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "under": {at("position", u.point): u.other for u in lesson.teller.stating.under.values()},
         "equations": lesson.equations,
         "centres": lines_of(plans),
-        "noted": {k: in_both(partial(say, f"lesson_centre_{k}", name="{name}")) for k in NOTED * bool(plans.centres)},
+        "noted": {k: spoken(f"lesson_centre_{k}", name="{name}") for k in NOTED * bool(plans.centres)},
         "frames": (shown := [_shown(f, kit) for f in frames]),
         "leaning": {k: {n: z for n, z in _shown(f, kit).items() if z != shown[k][n]} for k, f in more.items()},
         "reckoned": templates(row for f in [*frames, *more.values()] for row in f.rows),
-        "results": (results := _results(plans)),
+        "results": _results(plans),
         "units": {n: in_both(partial(unit, n)) for n in needed([*frames, *more.values()]) if unit(n, "en")},
-        **_live(lesson, [r["value"] for r in results], progress, practice),
+        **_live(lesson, progress, practice),
         **({} if practice else {"pending": True}),
     }
 
@@ -72,8 +72,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
 def practice_data(scene: Scene) -> Json:
     """What a lesson lacks without its practice: the mistakes, and the tape with their places."""
     lesson = Told.of(scene)
-    live = _live(lesson, [r["value"] for r in _results(lesson.plans)], None, True)
-    return {**live, "lettering": lettering(scene, lesson.plans), "pending": False}
+    return {**_live(lesson), "lettering": lettering(scene, lesson.plans), "pending": False}
 
 
 def _shown(frame: Frame, kit: Kit) -> Json:
@@ -83,7 +82,7 @@ def _shown(frame: Frame, kit: Kit) -> Json:
     return {**own, "values": told_values(frame), "tells": tells, "tools": kit.of_frame(frame)}
 
 
-def _live(lesson: Told, results: list[str], progress: Progress | None, practice: bool) -> Json:
+def _live(lesson: Told, progress: Progress | None = None, practice: bool = True) -> Json:
     """The tape, and the places on it of every mark, direction, value, sharpness and mistake; with the practice."""
     plans, frames = lesson.plans, lesson.frames
     live = Live(lesson.knobs.free)
@@ -98,8 +97,8 @@ def _live(lesson: Told, results: list[str], progress: Progress | None, practice:
     ways += [line.along for c in plans.centres for line in c.lines]
     ways += [f["along"] for one in loaded for f in one["forces"]]
     sizes = [f["size"] for one in loaded for kind in ("forces", "couples") for f in one[kind] if f["size"] in drawn]
-    sharp = {n: z for n, z in drawn.sharpness.items() if n not in plans.program.trials and plan_of(n) != "motion"}
     told_in = needed([*frames, *(lesson.leaning or {}).values()])
+    results = (r["value"] for r in _results(plans))
     names = dict.fromkeys([*told_in, *results, *sizes, *map(mu_of, plans.drawn), plans.drive_given])
     slips, wrong = lesson.practice.slips(live, progress) if practice else ([], {})
     lines = lesson.practice.lines()
@@ -112,7 +111,7 @@ def _live(lesson: Told, results: list[str], progress: Progress | None, practice:
                 **live.numbers,
                 **lesson.practice.senses(drawn),
             },
-            "sharp": sharp,
+            "sharp": live.sharp,
             "holds": {str(k): ok for k, (ok, _) in enumerate(fails)},
             "slips": wrong,
         }
@@ -128,7 +127,7 @@ def _live(lesson: Told, results: list[str], progress: Progress | None, practice:
         "id": lesson.practice.id,
         "tape": tape,
         "holds": [{"at": places["holds"][str(k)], "said": said} for k, (_, said) in enumerate(fails)],
-        "blunt": {n: in_both(partial(_blunt, n)) for n in sharp},
+        "blunt": {n: in_both(partial(_blunt, n)) for n in live.sharp},
         "helpers": [*(n for n in marks if n in plans.helpers - lettered), *own],
     }
 

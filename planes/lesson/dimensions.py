@@ -4,14 +4,13 @@ for a guide its direction; and the given numbers of the program computed from th
 import cmath
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 from planes.batch.symbols import Num
 from planes.batch.tape import Tape
 from planes.batch.tracing import given_on, given_values
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Env, Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.plans import Plans
 from planes.plans.position.reckoned import OwnPlace, SceneDimensions, anew
@@ -34,7 +33,6 @@ class Reach:
     angle: str = ""
 
 
-@dataclass
 class _Asked(SceneDimensions):
     """Records which dimensions are used."""
 
@@ -85,13 +83,13 @@ class FreeNumbers:
         places = {n: z for n, z in flat.items() if (m := means.get(given_of(n))) and m.quantity == "place"}
         return {**places, **self.own, **{n: z for n, z in flat.items() if n not in places}}
 
-    def on(self, tape: Tape, ar: Arithmetic) -> dict[str, Thing]:
+    def on(self, tape: Tape, ar: Arithmetic) -> Env:
         """The given numbers of the program on a tape whose inputs are the free ones."""
         own = {n: Num(tape, tape.leaf("given", n)) for n in self.own}
         plain = {n: given_on(tape, n, z) for n, z in self.plain.items()}
         return self._reckoned(plain, own, ar)
 
-    def given_by(self, free: Mapping[str, Any], ar: Arithmetic | None = None) -> dict[str, Thing]:
+    def given_by(self, free: Mapping[str, Any], ar: Arithmetic | None = None) -> Env:
         """The given numbers of the program by free ones: numbers, or arrays of them."""
         plain = {
             n: free[f"{n}.x"] + 1j * free[f"{n}.y"] if isinstance(z, complex) else free[n]
@@ -99,7 +97,7 @@ class FreeNumbers:
         }
         return self._reckoned(plain, free, ar or Arithmetic())
 
-    def _reckoned(self, things: dict[str, Thing], own: Mapping[str, Any], ar: Arithmetic) -> dict[str, Thing]:
+    def _reckoned(self, things: Env, own: Mapping[str, Any], ar: Arithmetic) -> Env:
         shape = _Changed(self, things, own, ar)
         for name in self.given:
             if name in self.plans.reckoned:
@@ -123,20 +121,21 @@ class FreeNumbers:
     def _reaches(self) -> Iterator[tuple[OwnPlace, Reach]]:
         """For every link: its first length, from which the angles are counted (for a slider from its axis), and the
         places of its other points."""
-        for link in (x for x in self.plans.mechanism.links.values() if len(x.points) > 1):
-            given = {(m.of, m.about): n for n, m in self.lengths.items() if m.link == link.name}
-            base = next(iter(given), ("", ""))[0] or link.first_point
-            ways = {p: z - link.points[base] for p, z in link.points.items()}
-            far = [p for p, way in ways.items() if abs(way) > APART * max(map(abs, ways.values()))]
-            ends = [q for p, q in given if p == base and q in far]
-            first = "" if link.slides else next(iter(ends or far), "")
-            level = ways[first] / abs(ways[first]) if first else 1 + 0j
-            for p in sorted(far, key=lambda p: p != first):
-                if (spot := OwnPlace(link.name, p)) in self.asked.places:
-                    named = given.get((base, p)) or given.get((p, base)) or f"l_{base}{p}"
-                    length = self._named(named, abs(ways[p]))
-                    turned = "" if p == first else self._named(f"{ANGLE}{first}{base}{p}", degrees(ways[p] / level))
-                    yield spot, Reach(link.points[base], level, length, turned)
+        for link in self.plans.mechanism.links.values():
+            if len(link.points) > 1:
+                given = {(m.of, m.about): n for n, m in self.lengths.items() if m.link == link.name}
+                base = next(iter(given), ("", ""))[0] or link.first_point
+                ways = {p: z - link.points[base] for p, z in link.points.items()}
+                far = [p for p, way in ways.items() if abs(way) > APART * max(map(abs, ways.values()))]
+                ends = [q for p, q in given if p == base and q in far]
+                first = "" if link.slides else next(iter(ends or far), "")
+                level = ways[first] / abs(ways[first]) if first else 1 + 0j
+                for p in sorted(far, key=lambda p: p != first):
+                    if (spot := OwnPlace(link.name, p)) in self.asked.places:
+                        named = given.get((base, p)) or given.get((p, base)) or f"l_{base}{p}"
+                        length = self._named(named, abs(ways[p]))
+                        turned = "" if p == first else self._named(f"{ANGLE}{first}{base}{p}", degrees(ways[p] / level))
+                        yield spot, Reach(link.points[base], level, length, turned)
 
     @cached_property
     def lengths(self) -> dict[str, Meaning]:

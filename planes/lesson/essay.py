@@ -5,13 +5,11 @@ A page is the data of a lesson, with the words of each paragraph and the part of
 """
 
 from collections.abc import Container, Mapping
-from functools import partial
 from pathlib import Path
 
 from planes.lesson.data import lesson_data
-from planes.lesson.formulas import in_both, slots
+from planes.lesson.formulas import slots, spoken
 from planes.scene import load, loads
-from planes.words import say
 from planes.words.records import Json
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
@@ -88,12 +86,12 @@ def essay_data(number: int) -> Json:
     data = dict(lesson_data(loads(RAFT, "raft") if name == "raft" else load(str(TEMPLATES / f"{name}.yaml"))))
     frames, paragraphs = data["frames"], list[Json]()
     for k, (view, frame, *knobs) in enumerate(map(str.split, shown), 1):
-        said = {lang: _known(text, data["values"]) for lang, text in _told(f"essay_{number}_{k}").items()}
+        said = {lang: _known(text, data["values"]) for lang, text in spoken(f"essay_{number}_{k}").items()}
         paragraphs.append({"view": view, "frame": _place(frame, frames), "knobs": knobs, "said": said})
     kept: Mapping[str, object] = {"said": {"en": ""}, "why": {"en": ""}}
     for unused in ("practice", "results", "blunt"):
         del data[unused]
-    titles = [_told(f"essay_{k}") for k in range(1, len(PAGES) + 1)]
+    titles = [spoken(f"essay_{k}") for k in range(1, len(PAGES) + 1)]
     own = {"frames": [{**{key: f[key] for key in KEPT}, **kept} for f in frames], "paragraphs": paragraphs}
     return {**data, **own, "title": titles[number - 1], "titles": titles, "number": number}
 
@@ -111,7 +109,3 @@ def _known(text: str, values: Container[str]) -> str:
     for name in slots(text):
         text = text if name in values else text.replace(name, name.replace("‖", "|"))
     return text
-
-
-def _told(key: str) -> Json:
-    return in_both(partial(say, key))

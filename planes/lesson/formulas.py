@@ -43,6 +43,11 @@ def in_both(say_in: Callable[[Lang], One]) -> dict[Lang, One]:
     return {lang: say_in(lang) for lang in LANGS}
 
 
+def spoken(key: str, **names: object) -> dict[Lang, str]:
+    """A sentence of the table in every language of lessons."""
+    return in_both(lambda lang: say(key, lang, **names))
+
+
 def unit(name: str, lang: Lang) -> str:
     """The SI unit of a value by its name, as written in the language."""
     key = UNITS.get(parts_of(name)[0])

@@ -45,11 +45,8 @@ class FreeBodies:
                 waiting[f.plan] = f
                 opened += self.apart(f.plan, make)
                 continue
-            if f.plan in waiting and f.key != "equation":
-                opened.append(waiting.pop(f.plan))
-            opened.append(f)
-            if f.key == "equation" and f.plan in waiting:
-                opened.append(waiting.pop(f.plan))
+            pole = [waiting.pop(f.plan)] if f.plan in waiting else []
+            opened += [f, *pole] if f.key == "equation" else [*pole, f]
         return opened
 
     def apart(self, plan: str, make: Make) -> Iterator[Frame]:
@@ -58,18 +55,19 @@ class FreeBodies:
         names: Names = {
             "links": partial(links_told, plan),
             "known": ", ".join(f"⟨{n}⟩" for n in known) or "—",
-            "unknown": lambda lang: ", ".join(_unknown(n, r, lang) for n, r in sought.items()) + _also(balancing, lang),
+            "unknown": partial(_unknown, sought, balancing),
             "count": str(2 * len(sought) + bool(balancing)),
         }
         carried = [n for n in known if any(n in r.names for r in self.plans.reactions.values())]
         key = "driver" if balancing else "next" if carried else "first"
         forces = ", ".join(f"⟨{n}⟩" for n in carried)
         why = partial(say, f"why_free_body_{key}", forces=forces)
-        yield make("free_body", plan, (), (), why, tuple(known), names=names)
+        yield make("free_body", plan, reason=why, terms=tuple(known), names=names)
         for one in self.splits(plan):
             parts = {"force": one.force, "normal": one.normal.name, "tangential": one.tangential.name, "line": one.line}
             terms = one.normal.name, one.tangential.name
-            yield make("split", plan, (), (), partial(say, "why_split", **parts, about=one.about), terms, names=parts)
+            why = partial(say, "why_split", **parts, about=one.about)
+            yield make("split", plan, reason=why, terms=terms, names=parts)
 
     def known(self, plan: str) -> Iterator[tuple[str, Json]]:
         """The known forces and couples on the links of a polygon, and how each is drawn."""
@@ -132,9 +130,7 @@ def links_told(plan: str, lang: Lang) -> str:
     return say("lesson_link" if len(links) == 1 else "lesson_links", lang, links="–".join(links))
 
 
-def _unknown(name: str, reaction: Reaction, lang: Lang) -> str:
-    return say(f"lesson_free_{reaction.pair.kind}", lang, name=name)
-
-
-def _also(balancing: str, lang: Lang) -> str:
-    return f", {say('lesson_free_size', lang, name=balancing)}" if balancing else ""
+def _unknown(sought: dict[str, Reaction], balancing: str, lang: Lang) -> str:
+    parts = [say(f"lesson_free_{r.pair.kind}", lang, name=name) for name, r in sought.items()]
+    parts += [say("lesson_free_size", lang, name=balancing)] if balancing else []
+    return ", ".join(parts)

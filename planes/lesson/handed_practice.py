@@ -5,8 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import math
-from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -22,6 +21,8 @@ from planes.words.records import Json
 if TYPE_CHECKING:
     from planes.lesson.told import Told
 
+Numbers = Mapping[str, complex]  # marks and values of the lesson's tape
+Given = Mapping[str, float]
 HEAD, LARGEST = "planes-practice", 200_000
 
 
@@ -85,19 +86,19 @@ class PracticeJudge:
 
     def __init__(self, lesson: Told) -> None:
         self.told, self.items = lesson, lesson.practice.items()
-        self.live = Live(lesson.knobs.free)
-        drawn, trials = self.live.drawing, lesson.plans.program.trials
+        self.live, self.home = Live(lesson.knobs.free), lesson.knobs.free.home
+        drawn = self.live.drawing
         self.marks = [item["what"] for item in self.items if item["kind"] == "mark"]
         slips, wrong = lesson.practice.slips(self.live)
         self.slips = [(slip["at"], f"wrong {k}") for k, slip in enumerate(slips)]
-        sharp = {n: z for n, z in drawn.sharpness.items() if n not in trials and plan_of(n) != "motion"}
+
         self.things = {
             **{m: drawn[m] for m in self.marks},
             **{f"at {m}": drawn[m] for item in self.items if item["kind"] == "mu" for m in item["marks"]},
             **{f"= {n}": value_of(n, lesson.teller, drawn) for n in lesson.practice.values},
             **{f"= {n}": z for n, z in lesson.practice.senses(drawn).items()},
             **{f"wrong {k}": z for k, z in wrong.items()},
-            **{f"sharp {n}": z for n, z in sharp.items()},
+            **{f"sharp {n}": z for n, z in self.live.sharp.items()},
             **{f"holds {k}": ok for k, (_, _, ok, _) in enumerate(self.live.tool.failures)},
         }
 
@@ -120,12 +121,7 @@ class PracticeJudge:
             raise PlanesError(Phrase("practice_altered", **names, count=str(len(self.items))))
         return HandedPractice(practice["name"], practice["seed"], right, len(self.items))
 
-    @cached_property
-    def home(self) -> dict[str, float]:
-        """The scene's own numbers."""
-        return self.told.knobs.free.home
-
-    def right(self, item: Json, answer: object, numbers: Mapping[str, complex], given: Mapping[str, float]) -> bool:
+    def right(self, item: Json, answer: object, numbers: Numbers, given: Given) -> bool:
         """Whether an answer is right, by the rule of the page."""
         what, kind = item["what"], item["kind"]
         if kind == "known":
@@ -150,28 +146,29 @@ class PracticeJudge:
         seen = (answer, value) if "signed" in item else (abs(answer), abs(value))
         return bool(abs(seen[0] - seen[1]) <= max(JUDGING["number_share"] * abs(value), ruler))
 
-    def holds(self, item: Json, scale: float, numbers: Mapping[str, complex], given: Mapping[str, float]) -> bool:
+    def holds(self, item: Json, scale: float, numbers: Numbers, given: Given) -> bool:
         """Whether a plan fits its place at a scale, and can be measured as well as at that of the lesson."""
         mu, places = mu_of(item["what"]), [numbers[f"at {m}"] for m in item["marks"]]
         places = [z for z in places if z == z] + [0j] * (item["what"] != "position")
-        wide, high = (max(side, default=math.nan) - min(side, default=math.nan) for side in _sides(places))
+        sides = [z.real for z in places], [z.imag for z in places]
+        wide, high = (max(side, default=math.nan) - min(side, default=math.nan) for side in sides)
         size = max(wide, high) / given[mu]
         own, least = size * self.home[mu], JUDGING["ruler_mm"] / JUDGING["number_share"]
         return bool(min(least, own / 2) <= size * scale <= max(item["most"], own))
 
-    def drawn_at(self, plan: str, scale: float, given: Mapping[str, float]) -> dict[str, float]:
+    def drawn_at(self, plan: str, scale: float, given: Given) -> dict[str, float]:
         """The numbers with a plan's scale, and with the scales tied to it."""
         times, tied = scale / given[mu_of(plan)], [k["tied"] for k in self.told.knobs.all if k["given"] == mu_of(plan)]
         return {**given, mu_of(plan): scale, **{n: given[n] * times for names in tied for n in names}}
 
-    def fits(self, mark: str, numbers: Mapping[str, complex]) -> float:
+    def fits(self, mark: str, numbers: Numbers) -> float:
         """The tolerance of a mark, mm: closer to its place than to any mistake, within the limits of a hand."""
         wide = max(JUDGING["fits_mm"], JUDGING["fits_share"] * self.size(plan_of(mark) or "", numbers))
         wrong = (abs(numbers[slip] - numbers[mark]) for at, slip in self.slips if at == mark)
         nearest = min((off for off in wrong if off == off), default=math.inf)
         return float(max(JUDGING["least_mm"], min(wide, nearest / 2)))
 
-    def size(self, plan: str, numbers: Mapping[str, complex]) -> float:
+    def size(self, plan: str, numbers: Numbers) -> float:
         """The size of a plan: the distance of its farthest mark, mm."""
         return max((abs(numbers[m]) for m in self.marks if plan_of(m) == plan), default=0.0)
 
@@ -205,9 +202,5 @@ class PracticeJudge:
         return given
 
 
-def _sides(places: Sequence[complex]) -> tuple[list[float], list[float]]:
-    return ([z.real for z in places], [z.imag for z in places])
-
-
-def _bluntest(numbers: Mapping[str, complex]) -> float:
+def _bluntest(numbers: Numbers) -> float:
     return min((z.real for n, z in numbers.items() if n.startswith("sharp ")), default=math.inf)

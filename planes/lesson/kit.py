@@ -5,9 +5,9 @@ A tool is described by marks alone: a page knows their places, whatever numbers 
 
 from collections.abc import Iterator, Mapping
 
-from planes.drafting import steps as s
 from planes.drafting.drawing import Drawing
-from planes.drafting.steps import crossings
+from planes.drafting.steps import Aim, Carry, Image, LayOff, Similar, Step, Turn
+from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose, Drop
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson.frame import Frame
@@ -29,7 +29,7 @@ class Kit:
     drawing: Drawing
 
     @property
-    def made(self) -> Mapping[str, s.Step]:
+    def made(self) -> Mapping[str, Step]:
         """The steps by their results."""
         return self.drawing.program.makers
 
@@ -50,33 +50,33 @@ class Kit:
         own = {x.name: (at(x.plan, x.start), at(x.plan, x.end)) for x in self.plans.segments if x.plan == f.plan}
         return [own[name] for name in f.terms if name in own and own[name][0] != own[name][1]]
 
-    def of(self, step: s.Step) -> Handled:
+    def of(self, step: Step) -> Handled:
         """The tools for a step, in order of use."""
         end = step.makes
+        if isinstance(step, LayOff | Cross | CrossArc):
+            yield from self.line(step.along, step.start, end)
         match step:
             case Choose():  # all trials are drawn the same way
                 yield from self.of(self.made[step.trials[0].mark])
-            case s.LayOff():
-                yield from self.line(step.along, step.start, end)
+            case LayOff():
                 yield _dividers((), (step.start, end))
-            case crossings.Cross():
-                yield from self.line(step.along, step.start, end)
+            case Cross():
                 yield from self.line(step.across, step.other, end)
             case CutTrack():
-                for hold in (h for h in step.holds if h.local == step.local):
-                    if hold.kind == "arc":
-                        yield _compass(hold.place, end)
-                    elif hold.kind == "line":
-                        yield from self.line(hold.turn, hold.place, end)
-            case crossings.CrossArc():
-                yield from self.line(step.along, step.start, end)
+                for hold in step.holds:
+                    if hold.local == step.local:
+                        if hold.kind == "arc":
+                            yield _compass(hold.place, end)
+                        elif hold.kind == "line":
+                            yield from self.line(hold.turn, hold.place, end)
+            case CrossArc():
                 yield _compass(step.centre, end)
-            case crossings.CrossArcs():
+            case CrossArcs():
                 yield _compass(step.centre, end)
                 yield _compass(step.other, end)
-            case s.Similar() | s.Image():
+            case Similar() | Image():
                 yield from self.figure(step)
-            case s.Carry():
+            case Carry():
                 yield _dividers((step.first, step.second), (step.start, end))
 
     def line(self, direction: str, start: str, end: str) -> Handled:
@@ -86,13 +86,13 @@ class Kit:
         if on != "position":
             yield {"tool": "square", "to": (start, end), **self.laid(step)}
             return
-        while isinstance(step, s.Turn) and not step.angle:
+        while isinstance(step, Turn) and not step.angle:
             step = self.made[step.of]
-        base = self.laid(step).get("from", ()) if isinstance(step, s.Turn) else ()
-        turned = isinstance(step, s.Turn | s.Aim) and not self.guided(step)
+        base = self.laid(step).get("from", ()) if isinstance(step, Turn) else ()
+        turned = isinstance(step, Turn | Aim) and not self.guided(step)
         yield {"tool": "protractor" if base or turned else "square", "to": (start, end), "from": base}
 
-    def laid(self, step: s.Step) -> Json:
+    def laid(self, step: Step) -> Json:
         """What a set square is laid against: two marks of the scheme, or a guide."""
         if guide := self.guided(step):
             return {"guide": guide}
@@ -100,21 +100,21 @@ class Kit:
         ends = tuple(at("position", point) for point in (means.of, means.about)) if means else ()
         if ends and all(mark in self.drawing for mark in ends):
             return {"from": ends}
-        return self.laid(self.made[step.of]) if isinstance(step, s.Turn) else {}
+        return self.laid(self.made[step.of]) if isinstance(step, Turn) else {}
 
-    def guided(self, step: s.Step) -> str:
+    def guided(self, step: Step) -> str:
         """The guide that a direction is along or across, "" for another."""
         means = self.plans.means.get(step.makes)
         links = (self.plans.mechanism.frame, *self.plans.mechanism.links.values()) if self.plans.moves else ()
         own = means is not None and any(means.of in link.guides for link in links)
         return means.of if own and means and not means.about else ""
 
-    def figure(self, step: s.Similar | s.Image) -> Handled:
+    def figure(self, step: Similar | Image) -> Handled:
         """A figure similar to one of the scheme: both its angles by protractor; a point on the line itself by
         dividers."""
-        ends = (step.start, step.end) if isinstance(step, s.Similar) else step.image
-        apart = isinstance(step, s.Image) and step.start not in ends
-        if apart or (isinstance(step, s.Similar) and not complex(self.drawing[step.ratio]).imag):
+        ends = (step.start, step.end) if isinstance(step, Similar) else step.image
+        apart = isinstance(step, Image) and step.start not in ends
+        if apart or (isinstance(step, Similar) and not complex(self.drawing[step.ratio]).imag):
             yield _dividers((), (step.start, step.makes))
             return
         for vertex, other in (ends, ends[::-1]):

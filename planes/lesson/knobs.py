@@ -10,9 +10,8 @@ from planes.drafting.steps.tracks import CutTrack
 from planes.drafting.tools import Thing
 from planes.geometry.listed import ListArithmetic, Listed
 from planes.lesson.dimensions import FreeNumbers
-from planes.lesson.formulas import in_both, unit
+from planes.lesson.formulas import in_both, spoken, unit
 from planes.plans import Plans
-from planes.words import say
 from planes.words.frozen import frozen
 from planes.words.names import aimed, label_of, mu_of, parts_of, plan_of
 from planes.words.records import Json
@@ -51,9 +50,7 @@ class Knobs:
                 )
                 kind |= {"unit": in_both(lambda _: "°")} if aimed(given) else {}
                 kind |= (
-                    {"when": in_both(partial(say, STROKES[given[0]]))}
-                    if given[0] in STROKES and given not in self.plans.means
-                    else {}
+                    {"when": spoken(STROKES[given[0]])} if given[0] in STROKES and given not in self.plans.means else {}
                 )
                 kind |= {"stays": True} if given in self.free.turned.values() or (not value and aimed(given)) else {}
                 knobs.append({"given": name, "at": value, "tied": self.tied(given), **kind})

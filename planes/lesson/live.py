@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
 from types import MappingProxyType
 
 from planes.batch.plain_tape import PLAIN, PlainRecording, exported
@@ -14,8 +13,9 @@ from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Thing, names_of
 from planes.geometry.arrays import Floats
 from planes.lesson.dimensions import FreeNumbers
-from planes.lesson.formulas import in_both, slot
-from planes.words import Lang, Phrase, say
+from planes.lesson.formulas import slot, spoken
+from planes.words import Lang, Phrase
+from planes.words.names import plan_of
 from planes.words.records import Json
 
 FEW, NEAR = 4, 1e3
@@ -44,7 +44,9 @@ class Live:
         things = free.on(self.tape, self.tool.ar)
         draw_steps(program.steps, things, self.tool)
         self.drawing = Drawing(program, things, self.tool)
-        self.numbers: dict[str, Thing] = {}  # names used in failure sentences
+        self.numbers = Env()  # names used in failure sentences
+        sharp = self.drawing.sharpness.items()
+        self.sharp = {n: z for n, z in sharp if n not in program.trials and plan_of(n) != "motion"}
 
     def another(self, kept: Mapping[str, Thing] = MappingProxyType({})) -> _KeepingTool:
         """Another tool that continues the tape; marks that are ``kept`` stay, whatever they depend on."""
@@ -71,7 +73,7 @@ class Live:
             self.numbers |= {f"!{n}_{k}": x if n == "value" else abs(x) for n, x in numbers.items()}
             why = Phrase(reason, **names_of(step), **details)
             where = slot(drive, "k") + "°" * (symbol == "φ")
-            failures.append((ok, in_both(partial(say, "at", name=symbol, value=where, why=why, nearest=""))))
+            failures.append((ok, spoken("at", name=symbol, value=where, why=why, nearest="")))
         return failures
 
     def exported(self, things: Mapping[str, Mapping[str, Thing]]) -> tuple[Json, Json]:

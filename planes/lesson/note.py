@@ -260,9 +260,10 @@ class Note:
         if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):
             head = (self.say("reaction"), f"|F|, {n}", angle)
             yield from self.table("note_reactions_table", head, [(f"⟨{k}⟩", *self.vector(f)) for k, f in forces])
-        for f in (f for f in p.found if f.quantity.group.startswith("balancing")):
-            size = f"⟨{f.quantity.name}⟩ = {self.number(f)} {self.say(f.quantity.columns[0].unit)}"
-            yield Paragraph(f"{self.say(f.quantity.group)}: {size}.")
+        for f in p.found:
+            if f.quantity.group.startswith("balancing"):
+                size = f"⟨{f.quantity.name}⟩ = {self.number(f)} {self.say(f.quantity.columns[0].unit)}"
+                yield Paragraph(f"{self.say(f.quantity.group)}: {size}.")
         yield from self.warned()
 
     def warned(self) -> Iterator[Block]:

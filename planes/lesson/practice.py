@@ -5,7 +5,7 @@ The variants of the catalogue are drawn on the lesson's tape, so a page knows th
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property
 from hashlib import sha256
 
 from planes.check.grading.plan_steps import PlanSteps
@@ -15,16 +15,16 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps import Image, LayOff, Similar, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Env, Thing
 from planes.geometry.arrays import Floats
 from planes.lesson.choices import CHOICES, Choices
-from planes.lesson.formulas import in_both
+from planes.lesson.formulas import in_both, spoken
 from planes.lesson.frame import CENTRES, Frame
 from planes.lesson.live import Live
 from planes.lesson.reckoning import plain
 from planes.lesson.scheme import arms
 from planes.plans import Plans
-from planes.words import Phrase, say, table
+from planes.words import Phrase, table
 from planes.words.frozen import frozen
 from planes.words.names import at, letter_of, mu_of, plan_of
 from planes.words.records import Json
@@ -33,7 +33,7 @@ Progress = Callable[[int, int], None]
 SHORT_MM = 2.0  # shorter vectors are not asked for
 APART_MM = 0.3  # a wrong place closer than this to the right one is no mistake
 NOTHING = 1e-7  # a smaller value is zero
-PARTS = (
+PARTS = [
     "mark",
     "line",
     "other",
@@ -47,7 +47,7 @@ PARTS = (
     "gap",
     "vector",
     "which",
-)
+]
 NUMBERS = {m: f"mistake_{m}" for m in ("mm_for_value", "mu_inverted", "omega_without_mu_l", "sense_wrong")}
 SENSE, MOMENTS = "↺", ("M", "MI")
 LENGTHS = {m: f"lesson_{m}" for m in ("value_for_mm", "value_over_mu")}
@@ -128,7 +128,7 @@ class Practice:
         """The sense in which each tangential reaction turns its link about the moment point, if it does."""
         return {n: z for n, z in self.senses(self.drawing).items() if abs(z) > NOTHING}
 
-    def senses(self, drawn: Drawing) -> dict[str, Thing]:
+    def senses(self, drawn: Drawing) -> Env:
         """The moments of tangential reactions on paper, in a drawing: plus is counter-clockwise."""
         senses = {}
         for moment, equation in zip(self.plans.moments, arms(self.plans), strict=True):
@@ -180,7 +180,7 @@ class Practice:
         step = self.plans.program.makers.get(direction)
         return step.of if isinstance(step, Turn) and step.quarter and not step.angle else direction
 
-    def slips(self, live: Live, progress: Progress | None = None) -> tuple[list[Json], dict[str, Thing]]:
+    def slips(self, live: Live, progress: Progress | None = None) -> tuple[list[Json], Env]:
         """Every mistake at every mark asked for, and the place on the lesson's tape where it puts the mark."""
         slips = list[tuple[Json, Thing]]()
         asked = {item["what"] for item in self.items() if item["kind"] == "mark"}
@@ -213,9 +213,7 @@ def sentences(slips: Sequence[Json]) -> Json:
     """The sentences of the possible mistakes, with placeholders for names, and the contents of these in order."""
     keys = {slip["m"]: f"mistake_{slip['m']}" for slip in slips} | NUMBERS | LENGTHS
     places = {part: f"{{{part}}}" for part in PARTS}
-    return {
-        m: {"said": in_both(partial(say, key, **places)), "parts": parts_of_sentence(key)} for m, key in keys.items()
-    }
+    return {m: {"said": spoken(key, **places), "parts": parts_of_sentence(key)} for m, key in keys.items()}
 
 
 def parts_of_sentence(key: str) -> list[str]:

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from functools import partial
 
 from planes.drafting.steps.reckoning import Calculate
-from planes.lesson.formulas import LANGS, SLOT, UNITS, formula, in_both, slot, unit
+from planes.lesson.formulas import LANGS, SLOT, UNITS, formula, in_both, slot, spoken, unit
 from planes.words import Lang, say, under
 from planes.words.frozen import frozen
 from planes.words.names import parts_of
@@ -84,4 +84,4 @@ def templates(rows: Iterable[Row]) -> Json:
         return sentences[lang][kind].replace("{remark}", remark(kind, lang))
 
     words = {kind: {lang: template(kind, lang) for lang in LANGS} for kind in sentences["en"]}
-    return {"words": words, "units": {key: in_both(partial(say, key)) for key in units}}
+    return {"words": words, "units": {key: spoken(key) for key in units}}

@@ -3,9 +3,9 @@
 import math
 from cmath import phase
 
-from planes.drafting import steps as s
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import crossings
+from planes.drafting.steps import Image, LayOff, Put, Similar, Step
+from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.rows import reckoned
 from planes.lesson.steps import Names, Said, StepWords, Words
@@ -19,7 +19,7 @@ from planes.words.units import number
 class StatedWords(StepWords):
     """Finds the words of the steps of one drawing of stated vectors."""
 
-    def of(self, step: s.Step) -> Words:
+    def of(self, step: Step) -> Words:
         key, reason, names = self.plain(step)
         said = self.plans.figure.said.get(step.makes) if self.plans.figure else None
         if said is None:
@@ -32,12 +32,12 @@ class StatedWords(StepWords):
         """The strings of a figure of statics."""
         return tuple(x for x in self.plans.figure.strokes if x.kind == "string") if self.plans.figure else ()
 
-    def plain(self, step: s.Step) -> Words:
+    def plain(self, step: Step) -> Words:
         """The words of a step by its kind alone."""
         match step:
-            case s.Put():
+            case Put():
                 return "pole", "pole_stated", {}
-            case crossings.CrossArc() | crossings.CrossArcs():
+            case CrossArc() | CrossArcs():
                 key, _, names = super().of(step)
                 return ("arcs_stated" if key == "arcs" else key), f"{key}_stated", names
         return super().of(step)
@@ -50,7 +50,7 @@ class StatedWords(StepWords):
         angle = round(math.degrees(phase(complex(self.drawing[direction]))), 1) + 0.0
         return lambda lang: f"∠{number(angle, lang)}°"
 
-    def similar(self, step: s.Similar) -> Words:
+    def similar(self, step: Similar) -> Words:
         ratio = complex(self.drawing[step.ratio])
         turned, first, second = abs(ratio.imag) > 1e-9 * abs(ratio), lettered(step.start), lettered(step.end)
         size, angle = (abs(ratio), math.degrees(phase(ratio))) if turned else (ratio.real, 0.0)
@@ -58,7 +58,7 @@ class StatedWords(StepWords):
         more: Names = {"angle": lambda lang: number(angle, lang)}
         return ("turned_stated" if turned else "similar_stated"), "alike_stated", {**names, **more}
 
-    def image(self, step: s.Image) -> Words:
+    def image(self, step: Image) -> Words:
         vectors = {ends: f"⟨{n}⟩" for n, ends in self.plans.vectors.items()}
         names: Names = {"start": lettered(step.start), "own": vectors[step.of], "whole": vectors[step.like]}
         return (
@@ -73,7 +73,7 @@ class StatedWords(StepWords):
         known = kind != "force" and key in table(lang) and not term.name.startswith(line.line)
         return say(key if known else "why_line", lang, name=name, line=line.line)
 
-    def lay_off(self, step: s.LayOff) -> Words:
+    def lay_off(self, step: LayOff) -> Words:
         key, reason, names = super().lay_off(step)
         source = self.made.get(step.length)
         if isinstance(source, Measure):

@@ -46,7 +46,7 @@ class Stating:
                 stated_equations.add(f.equation)
                 e = self.plans.equations[f.equation]
                 names: Names = {"equation": self.written(e), "unknown": partial(self.unknown, e)}
-                frame = make("equation", f.plan, (), (), partial(self.why, e), (), names=names)
+                frame = make("equation", f.plan, reason=partial(self.why, e), terms=(), names=names)
                 frames_with_equations.append(replace(frame, equation=f.equation))
             frames_with_equations.append(f)
         return frames_with_equations
@@ -94,14 +94,14 @@ class Stating:
     def under(self) -> dict[str, Under]:
         """The sliders by the names of their motion relative to the guide: HL, B3B."""
         m, sliders = self.plans.mechanism, {}
-        for x in (x for x in m.links.values() if x.slides):
-            owner = next((y.name for y in (m.frame, *m.links.values()) if x.slides and x.slides.guide in y.guides), "")
-            for pair in (parts_of(s.name)[1] for s in self.plans.segments if s.plan == "velocity"):
-                p = x.first_point
-                other = pair.removesuffix(p) if pair.endswith(p) else pair.removeprefix(p)
-                if x.slides and p != pair and other not in (pair, "", "0") and owner in (*m.links,):
-                    marked = m.links[owner].guides[x.slides.guide].mark
-                    if other in (marked, p + owner):
+        for x in m.links.values():
+            if x.slides:
+                owner = m.owner(x.slides.guide)
+                for pair in (parts_of(s.name)[1] for s in self.plans.segments if s.plan == "velocity"):
+                    p = x.first_point
+                    other = pair.removesuffix(p) if pair.endswith(p) else pair.removeprefix(p)
+                    marks = m.guide(x.slides.guide).mark, p + owner
+                    if p != pair and other not in (pair, "", "0") and owner in m.links and other in marks:
                         sliders[pair] = Under(p, other, owner, x.slides.guide)
         return self.driven() | sliders
 

@@ -4,10 +4,10 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 
-from planes.drafting import steps as s
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps import crossings
+from planes.drafting.steps import Carry, Image, LayOff, Put, Same, Similar, Step, Turn
+from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs, Touch
 from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson.false_plans import false_words
@@ -32,42 +32,41 @@ class StepWords:
 
     plans: Plans
     drawing: Drawing
-    made: Mapping[str, s.Step]
+    made: Mapping[str, Step]
 
-    def of(self, step: s.Step) -> Words:
+    def of(self, step: Step) -> Words:
         """The key of the sentence of a step, of its reason, and its contents besides the step's own names."""
         if words := false_words(step, self.made):
             return words
         match step:
-            case s.Put():
+            case Put():
                 kind = kind_of(step.makes)
                 return "pole", f"pole_{kind}" if kind in ("force", "lever") else "pole", {}
-            case s.LayOff():
+            case LayOff():
                 return self.lay_off(step)
-            case crossings.Touch():
+            case Touch():
                 key = "touch" if step.offset else "touch_through"
                 return key, "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
-            case crossings.Cross():
-                special = step.quantity == "special"
+            case Cross():
                 lines: Names = {"action": self.action(step.along), "across": self.action(step.across)}
-                return "special" if special else "cross", "special" if special else self.crossing(step.makes), lines
+                if step.quantity == "special":
+                    return "special", "special", lines
+                return "cross", self.crossing(step.makes), lines
             case CutTrack():
                 return self.track(step)
-            case crossings.CrossArc():
-                key = (
-                    "arc" if lettered(step.start) == label_of(step.start) else "arc_guide"
-                )  # a guide is known by a place
+            case CrossArc():  # a guide is known by a place
+                key = "arc" if lettered(step.start) == label_of(step.start) else "arc_guide"
                 return key, "arc", {"action": self.action(step.along), "radius_mm": slot(step.radius, "mm", step.mu)}
-            case crossings.CrossArcs():
+            case CrossArcs():
                 radius, other = slot(step.radius, "mm", step.mu), slot(step.other_radius, "mm", step.mu)
                 return "arcs", "arcs", {"radius_mm": radius, "other_mm": other}
-            case s.Similar():
+            case Similar():
                 return self.similar(step)
-            case s.Image():
+            case Image():
                 return self.image(step)
-            case s.Same():
+            case Same():
                 return "same", "same", {"start": lettered(step.of)}
-            case s.Carry():
+            case Carry():
                 aside = plan_of(step.makes) == SCHEME or self.made[step.first].quantity == "false"
                 key = "carry" if step.quarter else "carry_aside" if aside else "carry_back"
                 return key, key, {}
@@ -95,7 +94,7 @@ class StepWords:
         """A line of action as written."""
         return self.plans.means[direction].action
 
-    def similar(self, step: s.Similar) -> Words:
+    def similar(self, step: Similar) -> Words:
         """Proportional division, or a similar figure."""
         ratio = complex(self.drawing[step.ratio])
         names: Names = {"first": lettered(step.start), "second": lettered(step.end)}
@@ -106,7 +105,7 @@ class StepWords:
             return "image", "similar", {**names, **corners}
         return "similar", "similar", {**names, "ratio": lambda lang: number(ratio.real, lang)}
 
-    def image(self, step: s.Image) -> Words:
+    def image(self, step: Image) -> Words:
         """A figure on the segment of two points; or, from a mark that is neither, a vector in the same ratio to the
         segment as on the scheme."""
         key = "image" if step.start == step.image[0] else "carried_image"
@@ -116,7 +115,7 @@ class StepWords:
         reason = "similar" if key == "image" else lambda lang: say(f"why_{key}", lang, **names)
         return key, reason, names
 
-    def corners(self, step: s.Similar) -> Iterator[str]:
+    def corners(self, step: Similar) -> Iterator[str]:
         """The points of the link on the scheme, in the order of a similar figure's marks."""
         links = self.plans.mechanism.links.values()
         own = next(x.points for x in links for p in x.points if step.ratio == f"ratio_{p}_{x.name}")
@@ -124,7 +123,7 @@ class StepWords:
             named = self.plans.points
             yield next(p for p in own if mark in (named[p].velocity, named[p].acceleration))
 
-    def crossing(self, mark: str) -> str | Callable[[Lang], str]:
+    def crossing(self, mark: str) -> Said:
         """Why the lines that cross at a mark have their directions."""
         plan, label = plan_of(mark), label_of(mark)
         kind = kind_of(plan)
@@ -146,7 +145,7 @@ class StepWords:
         line = self.plans.means[term.direction or ""]
         return say(f"why_{line.quantity}_{kind}", lang, name=name, line=line.line)
 
-    def lay_off(self, step: s.LayOff) -> Words:
+    def lay_off(self, step: LayOff) -> Words:
         """A known vector: with the formula of its length if that was calculated."""
         kind = kind_of(step.makes)
         mm = slot(step.length, "mm", step.mu)
@@ -157,7 +156,7 @@ class StepWords:
         if kind == "position":
             along = self.made[step.along]
             drive = self.plans.drive
-            driven = isinstance(along, s.Turn) and drive.rotates and along.of == f"x_{drive.link}"
+            driven = isinstance(along, Turn) and drive.rotates and along.of == f"x_{drive.link}"
             key = "driver" if driven else "along"
             reason = "moved" if step.quantity == "moved" else "driver" if driven or step.length == "s" else "along"
             return key, reason, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
@@ -171,7 +170,7 @@ class StepWords:
             return "carried", "carried", shown
         return "given", "slide_v", shown
 
-    def why_load(self, value: str) -> str | Callable[[Lang], str]:
+    def why_load(self, value: str) -> Said:
         """That a force is given; with its law, if it has one."""
         law = self.plans.acting.laws.get(f"{value}_given")
         if law is None:
@@ -179,7 +178,7 @@ class StepWords:
         read = partial(law_said, law, self.plans.drive, "⟨{}⟩".format)
         return lambda lang: say("why_load_law", lang, name=value, law=read(lang))
 
-    def vector(self, step: s.LayOff) -> str:
+    def vector(self, step: LayOff) -> str:
         """The name of the vector a step lays off."""
         plan, label = plan_of(step.makes), label_of(step.makes)
         ends = [t for e in self.plans.equations if e.plan == plan for t in e.terms if t.end == label]
@@ -201,7 +200,7 @@ def worded(said: Said | tuple[Row, ...], lang: Lang, rows: tuple[Row, ...]) -> s
     return said(lang) if callable(said) else said
 
 
-def shown_on(step: s.Step) -> str:
+def shown_on(step: Step) -> str:
     """The plan of a mark (for a tangent, the scheme)."""
     return plan_of(step.makes) or "position"
 
@@ -220,7 +219,7 @@ def way(direction: Meaning, lang: Lang) -> str:
     return say(key, lang, line=line, vector=line, one=direction.of, other=direction.about)
 
 
-def _kind_of_vector(step: s.LayOff, kind: str, source: Calculate) -> str:
+def _kind_of_vector(step: LayOff, kind: str, source: Calculate) -> str:
     """The reason for a calculated vector."""
     if kind == "force":
         reasons = {"tangential": "projected", "weight": "weight", "inertia": "inertia"}

@@ -40,11 +40,12 @@ class TransferFunctions:
         noise = NOISE * (abs(self.position.drawing[drive.length]) if drive.length else 1.0)
         plans = self.position.plans
         still = {marks.velocity for p, marks in plans.points.items() if p in plans.standing}
-        for one in (f for f in transfers.values() if f.quantity.columns[0].part):
-            if (column := one.quantity.columns[0]).end in still:
-                continue
-            ends = self.ends(*column.needs[:2])
-            yield self.row([one], f"{ends}{times}/{segment}", noise)
+        for one in transfers.values():
+            if one.quantity.columns[0].part:
+                if (column := one.quantity.columns[0]).end in still:
+                    continue
+                ends = self.ends(*column.needs[:2])
+                yield self.row([one], f"{ends}{times}/{segment}", noise)
 
     def row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:
         """A row of the table, for equal quantities; one below ``noise`` is zero."""

@@ -17,8 +17,10 @@ from render.paper.marks import Line, Mark, Text, within
 from render.paper.style import LARGER, large, tall
 from render.paper.typeset import box_of
 
-__all__ = ["Label", "Placed", "place", "rough", "roughly"]
+__all__ = ["Label", "Labelled", "Placed", "place", "rough", "roughly"]
 
+Labelled = tuple[list[Mark], list[Label]]
+"""Marks, and labels still to be placed."""
 SMALLER = {larger: mm for mm, larger in LARGER.items() if larger <= 5.0}  # 2.5 mm are the smallest readable letters
 MOST_WIDE = len(FAR_PLACES)
 _rough = ContextVar("rough", default=False)

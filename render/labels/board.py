@@ -77,12 +77,13 @@ class Board:
         self.costs = self.around.judged(self.options)
         for k in range(len(labels)):
             self.costs[k] += AMBIGUOUS * self._strays(k)
-        self.chosen, self.wide, self.moves = dict[int, int](), dict[int, int](), 0
+        self.chosen, self.wide = dict[int, int](), dict[int, int]()
         self._list()
 
     def _list(self) -> None:
         """Put the candidates of all labels into one list."""
         self.everywhere, self.static = Everywhere(union(self.options)), np.concatenate(self.costs)
+        self.moves = 0
         ends = np.cumsum([0, *map(len, self.costs)]).tolist()
         self.rows = [slice(*two) for two in pairwise(ends)]
         self.clashes, self.near = (np.zeros((len(self.labels), ends[-1]), kind) for kind in (np.int16, np.bool_))
@@ -200,7 +201,6 @@ class Board:
         for k, some, cost, rows, more in zip(late, farther, costs, free, crossings, strict=True):
             self.options[k] = union([self.options[k], some])
             self.costs[k] = np.concatenate([self.costs[k], cost[rows] + more])
-        self.moves = 0
         self._list()
         return True
 
@@ -212,7 +212,6 @@ class Board:
         for k in late:
             self.options[k] = union([self.options[k], nowhere(self.labels[k])])
             self.costs[k] = np.append(self.costs[k], AWAY)
-        self.moves = 0
         self._list()
         return True
 

@@ -12,11 +12,12 @@ import numpy as np
 
 from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from planes.words.frozen import frozen
-from render.labels.footprints import crossed, gaps, meeting
+from render.labels.footprints import Bounds, crossed, gaps, meeting
 from render.paper.marks import Arc, Line, Text
 from render.paper.typeset import extent
 
 Ends = tuple[complex, complex]
+Size = tuple[float, float]  # width and height
 
 NEAR = (0.9, 1.8, 3.2)
 """Distances in mm from a point or segment to its label's box."""
@@ -57,7 +58,7 @@ class Label:
     told: bool = False
 
     @property
-    def extent(self) -> tuple[float, float, float, float]:
+    def extent(self) -> Bounds:
         """Bounds of its ink in mm from the left end of its base line."""
         x0, y0, x1, y1 = extent(self.text, self.height)
         return (x0 - BESIDE_MM, y0 - UNDER_MM, x1 + BESIDE_MM, y1) if self.underlined else (x0, y0, x1, y1)
@@ -112,7 +113,7 @@ def _candidates(label: Label, boxes: Array, wish: Array, leaders: Complexes) -> 
     return Candidates(boxes, wish, leaders, np.full(len(boxes), label.height))
 
 
-def _size(label: Label) -> tuple[float, float]:
+def _size(label: Label) -> Size:
     x0, y0, x1, y1 = label.extent
     return x1 - x0, y1 - y0
 
@@ -141,12 +142,8 @@ def nowhere(label: Label) -> Candidates:
 
 def union(parts: Sequence[Candidates]) -> Candidates:
     """The candidates of all, in order."""
-    return Candidates(
-        boxes=np.concatenate([one.boxes for one in parts]),
-        wish=np.concatenate([one.wish for one in parts]),
-        leaders=np.concatenate([one.leaders for one in parts]),
-        heights=np.concatenate([one.heights for one in parts]),
-    )
+    columns = zip(*((one.boxes, one.wish, one.leaders, one.heights) for one in parts), strict=True)
+    return Candidates(*map(np.concatenate, columns))
 
 
 def distances(boxes: Array, points: Complexes) -> Array:
@@ -174,12 +171,12 @@ def _direction(ends: Ends) -> complex:
     return span / abs(span) if span else 1 + 0j
 
 
-def _boxes(middles: Complexes, size: tuple[float, float]) -> Array:
+def _boxes(middles: Complexes, size: Size) -> Array:
     x, y = middles.real, middles.imag
     return np.stack([x - size[0] / 2, y - size[1] / 2, x + size[0] / 2, y + size[1] / 2], axis=1)
 
 
-def _around(at: complex, label: Label, size: tuple[float, float], gaps: Array, ways: Complexes) -> tuple[Array, Array]:
+def _around(at: complex, label: Label, size: Size, gaps: Array, ways: Complexes) -> tuple[Array, Array]:
     """Boxes around a point and their wishes, the nearest first."""
     liked = label.side / abs(label.side) if label.side else _EYE
     x, y = (np.clip(math.sqrt(2) * part, -1.0, 1.0) for part in (ways.real, ways.imag))
@@ -188,7 +185,7 @@ def _around(at: complex, label: Label, size: tuple[float, float], gaps: Array, w
     return _boxes(middles.ravel(), size), (turned + 0.8 * (gaps - gaps[0])[:, None]).ravel()
 
 
-def _along(ends: Ends, label: Label, size: tuple[float, float], gaps: Array) -> tuple[Array, Array]:
+def _along(ends: Ends, label: Label, size: Size, gaps: Array) -> tuple[Array, Array]:
     """Boxes on both sides of a segment and their wishes, the middle of the segment first."""
     liked, out = label.side or _EYE, np.array([1j, -1j]) * _direction(ends)
     reach = (label.clear + gaps)[:, None] + (np.abs(out.real) * size[0] + np.abs(out.imag) * size[1]) / 2

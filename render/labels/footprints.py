@@ -39,11 +39,6 @@ class InkedShapes:
         """The edges of the shapes."""
         return edges_of(self.shapes, self.halves)
 
-    def near(self, boxes: Array, clears: Sequence[float]) -> list[Indices]:
-        """The number of shapes within a given distance of each box (n, 4), in mm, for each of ``clears``; the first is
-        the greatest."""
-        return self.edges.near(boxes, clears)
-
     def within(self, areas: Shapes, clear: float) -> Indices:
         """Pairs (index of the area, index of the shape) with less than ``clear`` mm between them."""
         x0, y0, x1, y1 = shapely.bounds(areas).T

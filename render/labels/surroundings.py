@@ -58,8 +58,8 @@ class Surroundings:
     def _on_ink(self, boxes: Array) -> Array:
         """Cost of the strokes that each box touches or nearly touches."""
         (roomless, struck), (broken,) = (
-            self.ground.near(boxes, (ROOM_MM, CLEAR_MM)),
-            self.yielding.near(boxes, (CLEAR_MM,)),
+            self.ground.edges.near(boxes, (ROOM_MM, CLEAR_MM)),
+            self.yielding.edges.near(boxes, (CLEAR_MM,)),
         )
         return TIGHT * (roomless > 0) + HARD * struck + BROKEN * _bounded(broken)
 

@@ -105,38 +105,33 @@ class Studio:
 
 def _view(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, alone: bool) -> View | None:
     kind, _, asked_for = name.partition(" ")
-    if kind == "asked":
-        return composer.formulas(plotted, (asked_for,), LETTER_MM[alone], "", True)
-    if kind == "equations":
-        return composer.formulas(plotted, (asked_for,), LETTER_MM[alone], "")
+    position, naming = block.position, composer.naming
+    if kind in ("asked", "equations"):
+        return composer.formulas(plotted, (asked_for,), LETTER_MM[alone], "", kind == "asked")
     if name == CREMONA:
-        return view(name, "", Cremona(plotted, composer.naming).drawn())
-    if kind == "beam" or (kind in ("scheme", "structure") and block.position.plans.figure):
-        asked = kind == "structure"
-        of_statics = composer.beam(block.position) if kind == "beam" else composer.space(block.position, asked)
+        return view(name, "", Cremona(plotted, naming).drawn())
+    if kind == "beam" or (kind in ("scheme", "structure") and position.plans.figure):
+        of_statics = composer.beam(position) if kind == "beam" else composer.space(position, kind == "structure")
         return of_statics and replace(of_statics, title="")
     if kind == "scheme":
-        special = special_points(block.position, composer.naming)
-        return view(name, "", Scheme(block.position, composer.naming).drawn(True, *special))
+        return view(name, "", Scheme(position, naming).drawn(True, *special_points(position, naming)))
     if kind == "loaded":
         forces = ForceSheet(composer)
-        return (
-            forces.alone(block.position, asked_for) if asked_for else replace(forces.loaded(block.position), title="")
-        )
-    if kind == "group" and (group := ForceSheet(composer).group(block.position, asked_for, links_of(asked_for))):
+        return forces.alone(position, asked_for) if asked_for else replace(forces.loaded(position), title="")
+    if kind == "group" and (group := ForceSheet(composer).group(position, asked_for, links_of(asked_for))):
         return replace(group, title="")
     if kind == "studio":
         return code_view(block.scene, composer.lang, ON_TASK_MM)
     if kind == "lever":
-        return view(name, "", Lever(block.position, composer.naming).drawn())
+        return view(name, "", Lever(position, naming).drawn())
     if kind == "centre":
-        return instant_centre(block.position, asked_for, composer.naming)
+        return instant_centre(position, asked_for, naming)
     if kind == "self-aligning":
-        alignment = aligned(block.position.plans, block.scene.file)
-        return alignment_view(block.position, alignment, composer.naming, "", LETTER_MM[alone])
+        alignment = aligned(position.plans, block.scene.file)
+        return alignment_view(position, alignment, naming, "", LETTER_MM[alone])
     if plotted.still(name):
         return None
-    return view(name, "", Polygon(plotted, name, composer.naming, counted=composer.details).drawn())
+    return view(name, "", Polygon(plotted, name, naming, counted=composer.details).drawn())
 
 
 def _scaled(name: str, composer: Composer, plotted: Plotted) -> str:
@@ -147,7 +142,7 @@ def _scaled(name: str, composer: Composer, plotted: Plotted) -> str:
 
 def rows(views: list[View]) -> list[Shown]:
     """Views set in rows of the page's width."""
-    rows_of_views: list[list[View]] = []
+    rows_of_views = list[list[View]]()
     for v in views:
         if not rows_of_views or sum(x.width + GAP_MM for x in rows_of_views[-1]) + v.width > WIDTH_MM:
             rows_of_views.append([])

@@ -52,7 +52,7 @@ class Filled:
 def glued(blocks: Iterable[PagePiece]) -> list[PagePiece]:
     """Elements joined to those they must precede; a figure right after its heading stays there."""
     groups = []
-    held: list[Flowable] = []
+    held = list[Flowable]()
     for piece in blocks:
         if piece.parts and piece.parts[-1].getKeepWithNext():
             held += piece.parts

@@ -163,13 +163,14 @@ class _Setter:
         styles = [ParagraphStyle("cell", alignment=a, **face) for a in (0, 1, 2)]
         cells = [[Words(self.text(c), styles[1]) for c in rows[0]]]
         cells += [[Words(self.text(c), styles[2 if is_number(c) else 0]) for c in row] for row in rows[1:]]
+        first, last = (0, 0), (-1, -1)
         grid = [
-            ("GRID", (0, 0), (-1, -1), 0.5, "#777777"),
-            ("VALIGN", (0, 0), (-1, -1), "MIDDLE"),
-            ("BACKGROUND", (0, 0), (-1, 0), "#f2f2f2"),
-            ("LEFTPADDING", (0, 0), (-1, -1), 3),
-            ("RIGHTPADDING", (0, 0), (-1, -1), 3),
-            ("TOPPADDING", (0, 0), (-1, -1), 1.5),
+            ("GRID", first, last, 0.5, "#777777"),
+            ("VALIGN", first, last, "MIDDLE"),
+            ("BACKGROUND", first, (-1, 0), "#f2f2f2"),
+            ("LEFTPADDING", first, last, 3),
+            ("RIGHTPADDING", first, last, 3),
+            ("TOPPADDING", first, last, 1.5),
         ]
         widths = [WIDTH * n / max(sum(longest), 60) for n in longest]
         return Grid(cells, widths, style=grid, repeatRows=1, hAlign="LEFT", spaceAfter=6)

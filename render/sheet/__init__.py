@@ -12,7 +12,7 @@ from planes.words.errors import SceneError
 from planes.words.frozen import frozen
 from render.files import Page
 from render.paper.typeset import plain
-from render.sheet.fitting import LETTERS, NOTE, Contents, Held, Way, attempts, fitted, laid, shaped
+from render.sheet.fitting import LETTERS, NOTE, Contents, Held, PlacedView, Way, attempts, fitted, laid, shaped
 from render.sheet.frame import FORMATS, Paper, said_cells
 from render.sheet.packing import packed, stacking_of, stacking_on
 from render.sheet.sizes import Sizes
@@ -28,7 +28,7 @@ class Sheet(Page):
     """A composed sheet: its format, its marks, its views with their places (left, top), and the remarks about it."""
 
     paper: Paper
-    views: tuple[tuple[View, float, float], ...]
+    views: tuple[PlacedView, ...]
 
     def __repr__(self) -> str:
         return f"<Sheet {self.title!r}, {self.size[0]:g} × {self.size[1]:g} mm, {len(self.views)} views>"
@@ -61,7 +61,7 @@ class FilledPaper:
     paper: Paper
     contents: Contents
     how: Way
-    places: list[tuple[View, float, float]]
+    places: list[PlacedView]
 
     @cached_property
     def waiting(self) -> list[View]:
@@ -95,7 +95,7 @@ def without(spare: Sequence[View], views: Sequence[View], paper: Paper, number: 
 def finished(
     scene: Scene,
     paper: Paper,
-    places: Sequence[tuple[View, float, float]],
+    places: Sequence[PlacedView],
     lang: Lang,
     number: int | None = None,
     warnings: tuple[str, ...] = (),

@@ -72,7 +72,7 @@ def printed_square(centre: complex, cells: Sequence[Sequence[bool]], side: float
     """A corner mark as runs of black cells."""
     step = side / len(cells)
     corner = centre + complex(-side, side) / 2
-    out: list[Mark] = []
+    out = list[Mark]()
     for r, row in enumerate(cells):
         for black, run in groupby(range(len(row)), key=row.__getitem__):
             if black:

@@ -95,7 +95,7 @@ def compose(size_mm: tuple[float, float], sheet: Overlay) -> tuple[list[Mark], P
 def _said(sheet: Overlay, w: float, h: float) -> tuple[list[Mark], float]:
     """Title, sentence and notes, and the height where they end."""
     left, top = LEFT + GAP, h - EDGE - GAP
-    out: list[Mark] = []
+    out = list[Mark]()
     parts = [(sheet.sentence, LETTER, LINE), *((note, SMALL, SMALL_LINE) for note in sheet.notes)]
     for text, letter, line in [(sheet.title, TITLE, 2 * TITLE), *parts]:
         for words in wrapped(text, w - left - EDGE - GAP, letter):
@@ -106,7 +106,7 @@ def _said(sheet: Overlay, w: float, h: float) -> tuple[list[Mark], float]:
 
 def _tables(sheet: Overlay) -> tuple[list[Mark], complex]:
     """The tables one beneath another, their upper left corner at 0; width and height."""
-    out: list[Mark] = []
+    out = list[Mark]()
     wide = low = 0.0
     for head, rows in sheet.tables:
         if not rows:
@@ -135,8 +135,7 @@ def _drawing(sheet: Overlay, fit: Fit, photo: Photo | None) -> list[Mark]:
     """The plans: the student's own, the correct one, and where the student's marks should have led."""
     own, true, leads = ([(fit.at(a), fit.at(b)) for a, b in part] for part in (sheet.own, sheet.true, sheet.next))
     marks = {n: (fit.at(z), v) for n, (z, v) in sheet.marks.items()}
-    drawn = [_stroke(sheet, a, b, "own") for a, b in own if abs(b - a) > LEAST_MM]
-    drawn += [_stroke(sheet, a, b, "truth") for a, b in true if abs(b - a) > LEAST_MM]
+    drawn = [*_strokes(sheet, own, "own"), *_strokes(sheet, true, "truth")]
     drawn += [Line(v, "next", "plan") for v in leads] + [Arc(b, 0.8, style="follows", layer="plan") for _, b in leads]
     drawn += [Arc(z, RING[v], style=v, layer="result") for z, v in marks.values() if v in RING]
     labels = [Label(n, z, LETTER, clear=RING.get(v, 0.5)) for n, (z, v) in marks.items() if n not in sheet.along]
@@ -147,13 +146,15 @@ def _drawing(sheet: Overlay, fit: Fit, photo: Photo | None) -> list[Mark]:
     return [*drawn, *place(labels, ink, fit.field).marks]
 
 
-def _stroke(sheet: Overlay, a: complex, b: complex, style: str) -> Mark:
-    return Line((a, b), style, "plan") if sheet.lines else Arrow(a, b, style, "plan")
+def _strokes(sheet: Overlay, vectors: Sequence[Vector], style: str) -> list[Mark]:
+    """The vectors, or links of a scheme, that are long enough to see."""
+    seen = [(a, b) for a, b in vectors if abs(b - a) > LEAST_MM]
+    return [Line(two, style, "plan") if sheet.lines else Arrow(*two, style, "plan") for two in seen]
 
 
 def _legend(sheet: Overlay, corner: complex) -> list[Mark]:
     """What the kinds of lines mean."""
-    out: list[Mark] = []
+    out = list[Mark]()
     for name, style, shown in zip(sheet.legend, PENS, (sheet.own, sheet.true, sheet.next), strict=True):
         if shown:
             out.append(Line((corner + LETTER * 0.5j, corner + 12 + LETTER * 0.5j), style, "text"))

@@ -22,7 +22,7 @@ from render.views.beam_diagrams import BeamDiagrams
 from render.views.cremona import Cremona
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines
-from render.views.plotted import Plotted, of_position
+from render.views.plotted import Plotted, of_position, scheme_mu
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
 from render.views.space_diagram import SpaceDiagram
@@ -45,6 +45,8 @@ NOTE_MM = tuple(share * MODULE_MM - GAP_MM for share in (1.0, 1.5, 2.0, 0.6, 0.4
 """Line widths of a note, the preferred shape first."""
 
 
+Key = tuple[object, ...]
+"""What a view depends on."""
 Shown = TypeVar("Shown", bound=View | None)
 
 
@@ -62,7 +64,7 @@ class Composer:
     scene: Scene
     lang: Lang
     stated: Plans | None = None  # of a mechanism: the meanings of its names
-    made: dict[tuple[object, ...], Any] = field(default_factory=dict)
+    made: dict[Key, Any] = field(default_factory=dict)
     details: dict[tuple[str, float], int] = field(default_factory=dict)  # the number of details in a plan at its μ
 
     @cached_property
@@ -70,7 +72,7 @@ class Composer:
         """The lettering of this sheet."""
         return Naming(self.lang, **lettering(self.scene, self.stated))
 
-    def once(self, key: tuple[object, ...], make: Callable[[], Shown]) -> Shown:
+    def once(self, key: Key, make: Callable[[], Shown]) -> Shown:
         """The view with that key, made on first request."""
         key = (large(), *key)
         if rough() and key not in self.made:
@@ -79,11 +81,12 @@ class Composer:
             self.made[key] = make()
         return self.made[key]  # type: ignore[no-any-return]
 
-    def written(self, key: tuple[object, ...], make: Callable[[], Shown]) -> Shown:
+    def written(self, key: Key, make: Callable[[], Shown]) -> Shown:
         """The same for a view without label placement: its rough version is already final."""
-        if (large(), *key) not in self.made:
-            self.made[large(), *key] = make()
-        return self.made[large(), *key]  # type: ignore[no-any-return]
+        key = (large(), *key)
+        if key not in self.made:
+            self.made[key] = make()
+        return self.made[key]  # type: ignore[no-any-return]
 
     def stack(self, key: str, *views: View | None, gap: float = 6.0) -> View:
         """Views of this composer one beneath another, those that exist."""
@@ -137,7 +140,7 @@ class Composer:
     def scheme(self, position: Position) -> View | None:
         """The scheme in the calculated position."""
         title, drawer = self.titled(position, "scheme"), Scheme(position, self.naming)
-        key = ("scheme", position.scales[mu_of("position")])
+        key = ("scheme", scheme_mu(position))
 
         def make() -> View:
             drawn = drawer.drawn(True, *special_points(position, self.naming))
@@ -150,14 +153,14 @@ class Composer:
         if not position.plans.figure:
             return None
         title, drawer = self.titled(position, "space_diagram"), SpaceDiagram(position, self.naming, asked)
-        key = ("space", asked, position.scales[mu_of("position")])
+        key = ("space", asked, scheme_mu(position))
         return self.once(key, lambda: view("space", title, drawer.drawn(), True))
 
     def beam(self, position: Position) -> View | None:
         """Shear force and bending moment of a straight beam; none for other scenes."""
         if not (outlines := beam_outlines(position)):
             return None
-        mu = position.scales[mu_of("position")]
+        mu = scheme_mu(position)
         drawn = BeamDiagrams(outlines, self.naming, mu)
         return self.once(("beam", mu), lambda: view("beam", say("beam_diagrams", self.lang), drawn.drawn(), True))
 

@@ -9,7 +9,7 @@ from planes.words.frozen import field, frozen, replace
 from render.labels import rough, roughly
 from render.paper.style import LARGER, lettered_for
 from render.sheet.columns import OVER
-from render.sheet.composer import Together
+from render.sheet.composer import Key, Together
 from render.sheet.frame import Paper
 from render.sheet.module import GAP_MM
 from render.sheet.packing import blocks, columns_of, packed, stacking_of
@@ -33,6 +33,8 @@ LETTERS = {"A4": (Letters(2.5),), "A3": (Letters(3.5), Letters(2.5)), "A1": LARG
 LETTERS["A2"] = LETTERS["A3"]
 """Letters to try on a format, or on several of it side by side; equations are a step larger than tables."""
 NOTE = "note"
+PlacedView = tuple[View, float, float]
+"""A view, and the left and upper edges of its place."""
 Held = tuple[list[View], list[View]]
 """The views that a sheet must hold, and the optional ones."""
 Upright = tuple[str, ...]
@@ -53,7 +55,7 @@ class Contents:
     extras: tuple[str, ...] = ()  # those of the waiting views that have found room
     free: bool = False
     together: Sequence[Together] = tuple(starmap(Together, product((True, False), repeat=2)))
-    known: dict[tuple[object, ...], Held] = field(default_factory=dict, repr=False)
+    known: dict[Key, Held] = field(default_factory=dict, repr=False)
 
     @property
     def factors(self) -> tuple[float, ...]:
@@ -65,7 +67,7 @@ class Contents:
         key = self.extras, sizes, letters, together, upright
         return self.once(key, lambda: self._lettered(sizes, letters, together, upright))
 
-    def once(self, key: tuple[object, ...], made: Callable[[], Held]) -> Held:
+    def once(self, key: Key, made: Callable[[], Held]) -> Held:
         """Views made before for this key; rough versions are dropped once final ones are made."""
         key = (rough(), *key)
         if key not in self.known:
@@ -192,9 +194,7 @@ def enlarged(contents: Contents, how: Way, everything: bool, paper: Paper) -> tu
     return (sizes, *how[1:]), tuple(order)
 
 
-def laid(
-    contents: Contents, how: Way, order: Sequence[int], everything: bool, paper: Paper
-) -> list[tuple[View, float, float]]:
+def laid(contents: Contents, how: Way, order: Sequence[int], everything: bool, paper: Paper) -> list[PlacedView]:
     """Places of the views on the paper; empty if there is no room, or if leaving out optional views is better than
     drawing all too small for its letters."""
     views = shown(contents, how, everything)
@@ -203,7 +203,7 @@ def laid(
     tried = map(columns_of(views, stacking).arranged, begun)
     order, best = next((one for one in tried if one[1].cost < OVER), ((), columns_of(views, stacking)))
     knotted = everything and how[0].factor < 1 and contents.lettered(*how)[1] and any(v.crowded for v in views)
-    placed, every = list[tuple[View, float, float]](), blocks(views)
+    placed, every = list[PlacedView](), blocks(views)
     for k, spot in zip(order, best.spots, strict=True) if best.cost < OVER and not knotted else ():
         tops = accumulate((-v.height - GAP_MM for v in every[k]), initial=spot.top)
         placed += [(v, spot.x, top) for v, top in zip(every[k], tops, strict=False)]

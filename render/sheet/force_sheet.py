@@ -14,7 +14,7 @@ from render.views import View, beside, view
 from render.views.arms import with_unlettered
 from render.views.loading import Loading
 from render.views.moments import Lever
-from render.views.plotted import Plotted, of_position, with_links_apart
+from render.views.plotted import Plotted, of_position, scheme_mu, with_links_apart
 from render.views.scheme import Scheme
 
 
@@ -29,18 +29,17 @@ class ForceSheet:
         tables, all at one choice of μ, used for the arms everywhere."""
         c, (plotted, links_apart) = self.composer, with_links_apart(position)
         every_view: list[View | None] = [self.loaded(scheme)]
-        for plan in (p for p in position.plans.drawn if kind_of(p) == "force"):
-            links = links_of(plan)
-            moments = c.moments(position, letter, links)
-            step = [
-                c.stack("group", self.group(position, plan, links), moments, gap=5.0),
-                c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")),
-                self.apart(position, links, self.closed(plotted, links_apart[plan], letter, False))
-                if links_apart[plan]
-                else None,
-                *self.closed(plotted, links_apart[plan], letter, True),
-            ]
-            every_view += [replace(v, step=plan) for v in step if v]
+        for plan in position.plans.drawn:
+            if kind_of(plan) == "force":
+                links, single = links_of(plan), links_apart[plan]
+                moments = c.moments(position, letter, links)
+                step = [
+                    c.stack("group", self.group(position, plan, links), moments, gap=5.0),
+                    c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")),
+                    self.apart(position, links, self.closed(plotted, single, letter, False)) if single else None,
+                    *self.closed(plotted, single, letter, True),
+                ]
+                every_view += [replace(v, step=plan) for v in step if v]
         every_view.append(self.lever(position, letter))
         tables = c.tables(position, letter)
         return [v for v in (*every_view, tables.given(), tables.reactions(), tables.check(), *c.notes(letter)) if v]
@@ -55,7 +54,7 @@ class ForceSheet:
             drawn = Scheme(position, c.naming).drawn(True, loading.marks, loading.named)
             return view(LOADED, c.titled(position, "loaded"), drawn, True)
 
-        return c.once(("loaded", position.scales[mu_of("position")]), make)
+        return c.once(("loaded", scheme_mu(position)), make)
 
     def group(self, position: Position, plan: str, links: tuple[str, ...]) -> View | None:
         """A group as a free body with its forces, reactions and arms."""
@@ -65,17 +64,18 @@ class ForceSheet:
             loading = Loading(position, c.naming, links)
             loading.loads(carried=True)
             loading.reactions(plan)
-            if links == (position.plans.structure.driver,):
+            driver = links == (position.plans.structure.driver,)
+            if driver:
                 loading.balancing(*links)
             loading.arms(position.plans.on(links))
             drawn = Scheme(position, c.naming, links, False).drawn(False, loading.marks, loading.named)
             drawn = with_unlettered(loading.named, drawn, c.lang)
-            alone = "loaded_driver" if links == (position.plans.structure.driver,) else "loaded_link"
+            alone = "loaded_driver" if driver else "loaded_link"
             key = "loaded_group" if len(links) > 1 else alone
             title = c.titled(position, key, links="–".join(map(c.naming.link, links)))
             return view("group", title, drawn, True)
 
-        return c.once(("loaded", links, position.scales[mu_of("position")]), make)
+        return c.once(("loaded", links, scheme_mu(position)), make)
 
     def apart(self, position: Position, links: tuple[str, ...], written: Sequence[View] = ()) -> View | None:
         """The links of a group one by one, each with its loads and all reactions on it, including the inner ones; with
@@ -88,7 +88,7 @@ class ForceSheet:
             title = c.titled(position, "links_apart", links=", ".join(map(c.naming.link, links)))
             return view(APART, title, beside([self.alone(position, x) for x in links]).marks, True)
 
-        return c.stack(APART, c.once(("apart", links, position.scales[mu_of("position")]), make), *written)
+        return c.stack(APART, c.once(("apart", links, scheme_mu(position)), make), *written)
 
     def closed(self, plotted: Plotted, apart: Sequence[LinkApart], letter: float, polygons: bool) -> list[View]:
         """The plans of single links with their equations; or only the equations where just two forces act."""

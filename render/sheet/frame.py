@@ -18,7 +18,8 @@ from render.paper.form1 import BESIDE, Cell, Form
 from render.paper.iso7200 import FORMS
 from render.paper.lettering import PEN
 from render.paper.letters import decimal
-from render.paper.marks import Line, Mark, Text, within
+from render.paper.marks import Line, Text, within
+from render.paper.symbols import Marks
 from render.paper.typeset import ink_width, wrapped
 
 FORMATS = {
@@ -94,7 +95,7 @@ class Paper:
         wide, high = self.form.top_cell or (0.0, 0.0)
         return (self.block, (left, top - high, left + wide, top)) if high else (self.block,)
 
-    def marks(self, cells: Mapping[str, str], lang: Lang = "ru") -> tuple[Mark, ...]:
+    def marks(self, cells: Mapping[str, str], lang: Lang = "ru") -> Marks:
         """Frame, title block and the columns beside the frame, with the cells filled."""
         ruled = [Line((a, b), style, "frame") for a, b, style in self.form.lines(self.size)]
         own = [mark for text, cell in self.form.words(self.size, lang) for mark in fitted(text, cell)]

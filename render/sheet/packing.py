@@ -13,7 +13,7 @@ from render.views import View, plumbed
 
 def blocks(views: Sequence[View]) -> list[list[View]]:
     """Views put beneath each other in any case: those of one block."""
-    stacks: list[list[View]] = []
+    stacks = list[list[View]]()
     for v in views:
         if v.block and stacks and stacks[-1][-1].block == v.block:
             stacks[-1].append(v)
@@ -36,10 +36,10 @@ def stacking_on(module: Module) -> Stacking:
 
 def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:
     """The views in columns, in the order given."""
-    every = blocks(views)
-    high = [sum(v.height + GAP_MM for v in block) - GAP_MM for block in every]
-    wide = [max(v.width for v in block) for block in every]
-    items = [Item(w, h, b[0].step, not b[0].figure) for w, h, b in zip(wide, high, every, strict=True)]
+    items = []
+    for block in blocks(views):
+        high = sum(v.height + GAP_MM for v in block) - GAP_MM
+        items.append(Item(max(v.width for v in block), high, block[0].step, not block[0].figure))
     return Columns(items, stacking)
 
 

@@ -9,7 +9,7 @@ from planes.solving import Position
 from planes.solving.structure_text import ways_told
 from planes.words import say
 from planes.words.errors import PlanesError
-from planes.words.names import kind_of, mu_of
+from planes.words.names import kind_of
 from render.labels.footprints import bounds
 from render.paper.marks import Text
 from render.paper.style import LARGER
@@ -23,7 +23,7 @@ from render.views.dimensions import driver_angle, frame_sizes, sizes_drawn
 from render.views.directions import Directions
 from render.views.hodographs import Hodograph, hodograph_view
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
-from render.views.plotted import of_position
+from render.views.plotted import of_position, scheme_mu
 from render.views.scheme import Scheme
 from render.views.special_points import special_points
 
@@ -70,7 +70,7 @@ class Project:
 
     def many(self, position: Position) -> View | None:
         """The scheme, in the calculated position thick, in twelve others thin."""
-        c, mu = self.composer, position.scales[mu_of("position")]
+        c, mu = self.composer, scheme_mu(position)
         if not self.numbered:
             return c.scheme(position)
 
@@ -114,7 +114,7 @@ class Project:
                     figure = min(figure, self.structure(self.reduced(mm), letter), key=lambda v: v.width * v.height)
             return figure
 
-        return c.once(("groups", position.scales[mu_of("position")], letter), make)
+        return c.once(("groups", scheme_mu(position), letter), make)
 
     def structure(self, position: Position, letter: float) -> View:
         """The primary mechanism and the Assur groups separately, with W, q and the structural formula."""
@@ -149,7 +149,7 @@ class Project:
 
     def part(self, position: Position, links: tuple[str, ...], text: str, framed: bool, letter: float) -> View:
         """Some links by themselves, with words beneath."""
-        c, mu = self.composer, position.scales[mu_of("position")]
+        c, mu = self.composer, scheme_mu(position)
         drawer = Scheme(position, c.naming, links, framed)
         drawn = c.once(("part", links, mu), lambda: view("part", "", drawer.drawn(False)))
         return stacked("part", [drawn, view("part", "", [Text(text, 0j, letter, "middle")])], 3.0, True)

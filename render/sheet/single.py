@@ -14,8 +14,8 @@ from planes.words.names import POLE, kind_of, label_of, links_of, plan_of
 from planes.words.naming import Naming
 from render.files import Page
 from render.labels import Label, place
-from render.paper import symbols
 from render.paper.marks import Line
+from render.paper.symbols import dot
 from render.sheet import unseen
 from render.sheet.composer import Composer, drawn_plans
 from render.sheet.force_sheet import ForceSheet
@@ -137,7 +137,7 @@ def _plan(drawing: Drawing, plan: str, lang: Lang) -> View | None:
     lines = [Line((places[a], places[b]), "thin", "plan") for a, b in ways]
     if not lines:
         return None
-    dots = [d for z in dict.fromkeys(places.values()) for d in symbols.dot(z, 0.7, "plan")]
+    dots = [d for z in dict.fromkeys(places.values()) for d in dot(z, 0.7, "plan")]
     labels = [Label(Naming(lang).mark(label_of(s.makes), plan), places[s.makes], 3.5) for s in steps if not s.helper]
     marks = (*lines, *dots)
     return view(f"traces {plan}", say_plan(plan, lang), (*marks, *place(labels, marks).marks))

@@ -56,7 +56,7 @@ class Stacking:
 
     def high(self, piece: Piece) -> Array:
         """The least height of views, by their span in units: two parts beneath or beside each other."""
-        number = self._number(piece)
+        number = self._number(piece)  # may add rows to ``highs``
         heights: Array = self.highs[number]
         return heights
 

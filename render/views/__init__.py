@@ -7,6 +7,7 @@ from planes.words.frozen import frozen, replace
 from render.labels.footprints import Bounds, bounds, overprinted
 from render.paper.marks import Mark, Text, moved
 from render.paper.style import tall
+from render.paper.symbols import Marks
 from render.paper.typeset import extent, ink_width, plain, wrapped
 
 TITLE_MM = 5.0  # letter height of titles
@@ -26,7 +27,7 @@ class View:
 
     key: str
     title: str
-    body: tuple[Mark, ...]
+    body: Marks
     inked: Bounds
     figure: bool = False  # a scheme or a plan: read one after another
     unseen: tuple[str, ...] = ()
@@ -37,7 +38,7 @@ class View:
     plumb: float | None = None  # x of the body
 
     @cached_property
-    def titled(self) -> tuple[tuple[Mark, ...], Bounds]:
+    def titled(self) -> tuple[Marks, Bounds]:
         """The marks with the title, which begins at their left edge, and the box of all."""
         if not self.title:
             return self.body, self.inked
@@ -46,7 +47,7 @@ class View:
         return (*self.body, text), (left, low, max(right, left - x0 + x1), text.place.imag + y1)
 
     @property
-    def marks(self) -> tuple[Mark, ...]:
+    def marks(self) -> Marks:
         """All marks, with the title."""
         return self.titled[0]
 
@@ -70,7 +71,7 @@ class View:
         """Height of the box in mm."""
         return self.box[3] - self.box[1]
 
-    def placed(self, left: float, top: float) -> tuple[Mark, ...]:
+    def placed(self, left: float, top: float) -> Marks:
         """The marks with the upper left corner of the box at a place of the sheet."""
         by = complex(left - self.box[0], top - self.box[3])
         return tuple(moved(mark, by) for mark in self.marks)
@@ -100,7 +101,7 @@ def paragraph(key: str, title: str, text: str, width: float, letter: float) -> V
 
 def stacked(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = False) -> View:
     """Views one beneath another, flush left or centred, as one view with the title of the first."""
-    marks: list[Mark] = []
+    marks = list[Mark]()
     y, boxes = 0.0, list[Bounds]()
     for one in (replace(views[0], title=""), *views[1:]):
         by = complex(-(one.box[0] + one.box[2]) / 2 if centred else -one.box[0], y - one.box[3])
@@ -126,7 +127,7 @@ def plumbed(views: Sequence[View]) -> list[View]:
 
 def beside(views: Sequence[View], gap: float = 8.0, top: float | None = None, left: float = 0.0) -> View:
     """Views side by side as one view, their lower edges in line, or their upper ones at ``top``."""
-    marks: list[Mark] = []
+    marks = list[Mark]()
     for one in views:
         marks += one.placed(left, one.height if top is None else top)
         left += one.width + gap

@@ -9,10 +9,11 @@ from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
 from planes.words import say
 from planes.words.naming import Naming
-from render import labels
+from render.labels import Label
 from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark, Text, moved
 from render.paper.style import HINGE_MM
+from render.paper.symbols import Marks
 from render.views import View, stacked, view
 from render.views.plotted import degrees
 from render.views.scheme import Scheme
@@ -36,7 +37,7 @@ class AlignedScheme(Scheme):
             if pair.kind == "R" and sign != "R" and self.places.has(pair.point):
                 self.hinges += self.sign(pair, sign)
 
-    def sign(self, pair: Pair, sign: Sign) -> tuple[Mark, ...]:
+    def sign(self, pair: Pair, sign: Sign) -> Marks:
         """A ball in its cup, open towards its link; or a pin in a bushing, seen along its axis."""
         z = self.places.at(pair.point)
         if sign == "C":
@@ -64,19 +65,20 @@ class AlignedScheme(Scheme):
         super().letters()
         said: dict[str, list[str]] = {}
         for pair, sign in self.aligned.pairs:
+            short = say(f"short_{sign}", self.naming.lang)
             if pair.kind == "R":
-                said.setdefault(pair.point, []).append(say(f"short_{sign}", self.naming.lang))
-            elif self.places.has(self.mechanism.links[pair.link].first_point):
-                foot, _ = self.places.foot(self.mechanism.links[pair.link])
-                text = f"{between(pair, self.naming)}_{{{say(f'short_{sign}', self.naming.lang)}}}"
-                self.named.append(labels.Label(text, foot, 3.5, clear=4.5, name=f"sign {pair.guide}"))
+                said.setdefault(pair.point, []).append(short)
+            elif self.places.has((link := self.mechanism.links[pair.link]).first_point):
+                foot, _ = self.places.foot(link)
+                text = f"{between(pair, self.naming)}_{{{short}}}"
+                self.named.append(Label(text, foot, 3.5, clear=4.5, name=f"sign {pair.guide}"))
         for k, label in enumerate(self.named):
             if label.name in said and label.name in self.shared:
                 text = f"{label.text}_{{{', '.join(said[label.name])}}}"
                 self.named[k] = replace(label, text=text, clear=CUP_MM)
 
 
-def _bushing(foot: complex, angle: float, size: tuple[float, float]) -> tuple[Mark, ...]:
+def _bushing(foot: complex, angle: float, size: tuple[float, float]) -> Marks:
     """Short strokes over both ends of a slider's block: the edges of its bore."""
     along, (long, wide) = symbols.unit(angle), size
     starts = (foot + side * 1j * along * (0.28 * wide) for side in (-1, 1))

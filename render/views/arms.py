@@ -7,8 +7,9 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Drop
 from planes.geometry.plane import dropped, toward
 from planes.words import Lang, say
-from render import labels
+from render.labels import Label
 from render.paper.marks import Line, Mark, Text
+from render.paper.symbols import Marks
 from render.views import remark
 
 NAME_MM = 3.5
@@ -23,7 +24,7 @@ class Arms:
     """Arms with their lines of action; an arm shared by two forces is drawn once, with both names."""
 
     marks: list[Mark] = field(default_factory=list)
-    named: list[labels.Label] = field(default_factory=list)
+    named: list[Label] = field(default_factory=list)
 
     def add(self, point: complex, along: complex, about: complex, text: str, force: str) -> None:
         """Add the arm about a place of the force at ``point``, unless it is too short to see."""
@@ -37,7 +38,7 @@ class Arms:
                     self.named[k] = replace(other, text=f"{other.text} = {text}")
                 return
         self.marks.append(Line(ends, "thin", "dimension"))
-        self.named.append(labels.Label(text, ends, NAME_MM, name=f"{ARM}{force}", told=True))
+        self.named.append(Label(text, ends, NAME_MM, name=f"{ARM}{force}", told=True))
 
 
 def drops_of(drawing: Drawing) -> dict[str, Drop]:
@@ -56,7 +57,7 @@ def broken(start: complex, end: complex) -> list[Mark]:
     ]
 
 
-def with_unlettered(named: Iterable[labels.Label], marks: Sequence[Mark], lang: Lang) -> tuple[Mark, ...]:
+def with_unlettered(named: Iterable[Label], marks: Sequence[Mark], lang: Lang) -> Marks:
     """A figure with the names of the arms beneath it that have no room in it, and are in their equation."""
     there = {m.name for m in marks if isinstance(m, Text)}
     missing = [x.text for x in named if x.name.startswith(ARM) and x.name not in there]

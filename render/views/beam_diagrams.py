@@ -7,9 +7,10 @@ from planes.diagrams.beams import BeamOutlines, Outline
 from planes.words import say
 from planes.words.naming import Naming
 from planes.words.read_off import measured
-from render import labels
+from render.labels import Label
 from render.paper.marks import Line, Mark, Text
 from render.paper.style import tall
+from render.paper.symbols import Marks
 from render.views.senses import labelled
 
 HIGH_MM = 20.0  # of the largest ordinate
@@ -28,13 +29,14 @@ class BeamDiagrams:
     naming: Naming
     mu: float  # mm per m
 
-    def drawn(self) -> tuple[Mark, ...]:
+    def drawn(self) -> Marks:
         """The beam with its letters, and the diagrams beneath it."""
-        marks, named, y = list[Mark](), list[labels.Label](), -8.0
-        ends = [self.mu * x for x in (min(self.found.stops.values()), max(self.found.stops.values()))]
-        marks.append(Line((complex(ends[0]), complex(ends[1])), "thick"))
+        marks, named, y = list[Mark](), list[Label](), -8.0
+        stops = {p: self.mu * x for p, x in self.found.stops.items()}
+        left, right = min(stops.values()), max(stops.values())
+        marks.append(Line((complex(left), complex(right)), "thick"))
         named += [
-            labels.Label(self.naming.point(p), complex(self.mu * x), LETTER_MM, 1j, 0.8, name=p)
+            Label(self.naming.point(p), complex(self.mu * x), LETTER_MM, 1j, 0.8, name=p)
             for p, x in self.found.stops.items()
         ]
         for title, unit, outline in (("Q", "N", self.found.shears), ("M", "N·m", self.found.moments)):
@@ -42,7 +44,7 @@ class BeamDiagrams:
             up, down = (max(0.0, *(k * v for _, v in outline)) / most * HIGH_MM for k in (1, -1))
             y -= up + 4.0
             text = f"{title}, {say(unit, self.naming.lang)}"
-            marks.append(Text(text, complex(ends[0] - 4.0, y - tall(NAME_MM) / 2), tall(NAME_MM), "end", name=title))
+            marks.append(Text(text, complex(left - 4.0, y - tall(NAME_MM) / 2), tall(NAME_MM), "end", name=title))
             marks += self.diagram(outline, y, most)
             named += self.values(outline, y, most)
             y -= down + APART_MM
@@ -59,11 +61,12 @@ class BeamDiagrams:
     def diagram(self, outline: Outline, y: float, most: float) -> list[Mark]:
         """The line of zero, the outline, and the hatching between."""
         spots = [self.place(x, v, y, most) for x, v in outline]
-        marks: list[Mark] = [Line((complex(spots[0].real, y), complex(spots[-1].real, y)), "vector")]
+        left, right = spots[0].real, spots[-1].real
+        marks: list[Mark] = [Line((complex(left, y), complex(right, y)), "vector")]
         marks.append(Line(tuple(spots), "result", "result"))
-        count = int((spots[-1].real - spots[0].real) / HATCH_MM)
+        count = int((right - left) / HATCH_MM)
         for k in range(1, count):
-            x = spots[0].real + k * (spots[-1].real - spots[0].real) / count
+            x = left + k * (right - left) / count
             for a, b in pairwise(spots):
                 if a.real < x <= b.real:
                     top = a.imag + (x - a.real) / (b.real - a.real) * (b.imag - a.imag)
@@ -71,7 +74,7 @@ class BeamDiagrams:
                         marks.append(Line((complex(x, y), complex(x, top)), "thin", "construction"))
         return marks
 
-    def values(self, outline: Outline, y: float, most: float) -> list[labels.Label]:
+    def values(self, outline: Outline, y: float, most: float) -> list[Label]:
         """The values where the outline bends or jumps, and the greatest."""
         stops, shown = set(self.found.stops.values()), dict[tuple[float, float], None]()
         extreme = max(outline, key=lambda one: abs(one[1]))
@@ -86,5 +89,5 @@ class BeamDiagrams:
         for x, v in shown:
             z = self.place(x, v, y, most)
             text = measured(abs(v), self.naming.lang)
-            value_labels.append(labels.Label(text, z, NAME_MM, 1j if v > 0 else -1j, 0.6, name=f"value {text}"))
+            value_labels.append(Label(text, z, NAME_MM, 1j if v > 0 else -1j, 0.6, name=f"value {text}"))
         return value_labels

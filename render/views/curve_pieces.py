@@ -22,7 +22,7 @@ def round_between(low: float, high: float, step: float) -> list[float]:
 def runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple[list[complex], bool]]:
     """Runs of a path, with jumps across its single gaps, if they are short."""
     pieces = []
-    run: list[complex] = []
+    run = list[complex]()
     gap = 0
     for z in path:
         if z is None:

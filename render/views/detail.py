@@ -4,11 +4,12 @@ from collections.abc import Iterable, Sequence
 
 from planes.geometry.plane import corners, toward
 from planes.words.frozen import frozen, replace
-from render import labels
+from render.labels import Label, place
 from render.labels.footprints import bounds
 from render.paper.hues import PART
 from render.paper.marks import Arc, Arrow, Line, Mark, Shape, Text, moved
 from render.paper.style import tall
+from render.paper.symbols import Marks
 from render.views import TITLE_GAP
 from render.views.plotted import Ends, upon
 
@@ -25,6 +26,7 @@ BESIDE_MM = 8.0
 LOOK_ALIKE = dict(zip("АВЕКМНРСТУ", "ABEKMHPCTY", strict=True))
 UPON_MM = 1.0  # parallel vectors no farther apart are read as one line
 SEEN_MM = 1.5  # a part shorter than this in its detail gets another
+Groups = list[list[Ends]]
 
 
 @frozen
@@ -45,10 +47,10 @@ class Detail:
         """The circle on the plan."""
         return Arc(self.centre, max(self.radius, LEAST_MM), style="thin", layer="dimension")
 
-    def named(self) -> labels.Label:
+    def named(self) -> Label:
         """The letter beside the circle."""
         clear = max(self.radius, LEAST_MM) + 0.3
-        return labels.Label(self.letter, self.centre, LETTER_MM, clear=clear, name=self.title)
+        return Label(self.letter, self.centre, LETTER_MM, clear=clear, name=self.title)
 
     def enlarged(self, z: complex) -> complex:
         """The place of a plan's point in the detail, whose centre is the origin."""
@@ -62,19 +64,20 @@ class Detail:
         """The part of a straight stroke within the detail, enlarged; None if there is almost nothing."""
         a, b = map(self.enlarged, ends)
         reach, way = self.times * self.radius, toward(a, b)
-        foot = a - (a * way.conjugate()).real * way
+        back = way.conjugate()
+        foot = a - (a * back).real * way
         if abs(foot) >= reach:
             return None
         half = (reach**2 - abs(foot) ** 2) ** 0.5
-        low = max((a * way.conjugate()).real, -half)
-        high = min((b * way.conjugate()).real, half)
+        low = max((a * back).real, -half)
+        high = min((b * back).real, half)
         return (foot + low * way, foot + high * way) if high - low > 1.0 else None
 
-    def drawn(self, marks: Iterable[Mark], named: Sequence[labels.Label]) -> tuple[Mark, ...]:
+    def drawn(self, marks: Iterable[Mark], named: Sequence[Label]) -> Marks:
         """The strokes of the plan within the circle, the labels of vectors wholly inside, and the title."""
         ground: list[Mark] = [Arc(0j, self.times * self.radius, style="thin", layer="dimension")]
         ground += (part for mark in marks for part in self.part(mark))
-        ground += labels.place([self.label(x) for x in named if self.shows(x)], ground).marks
+        ground += place([self.label(x) for x in named if self.shows(x)], ground).marks
         top = bounds(ground)[3]
         return (*ground, Text(self.title, complex(0, top + TITLE_GAP), tall(LETTER_MM), "middle", name=self.title))
 
@@ -82,25 +85,25 @@ class Detail:
         """The visible part of one mark."""
         if isinstance(mark, Arrow) or (isinstance(mark, Line) and len(mark.points) == 2):
             ends = (mark.start, mark.end) if isinstance(mark, Arrow) else (mark.points[0], mark.points[1])
-            piece = self.seen(ends)
+            piece, name = self.seen(ends), mark.name and mark.name + PART
             if piece and isinstance(mark, Arrow) and self.holds(mark.end):
-                return [replace(mark, start=piece[0], end=piece[1], name=mark.name and mark.name + PART)]
-            return [Line(piece, mark.style, mark.layer, name=mark.name and mark.name + PART)] if piece else []
+                return [replace(mark, start=piece[0], end=piece[1], name=name)]
+            return [Line(piece, mark.style, mark.layer, name=name)] if piece else []
         if isinstance(mark, (Arc, Shape)):
             at = mark.centre if isinstance(mark, Arc) else sum(mark.points) / len(mark.points)
             return [moved(mark, self.enlarged(at) - at)] if self.holds(at) else []  # the pole's dot keeps its size
         return []
 
-    def shows(self, label: labels.Label) -> bool:
+    def shows(self, label: Label) -> bool:
         """Whether the object of a label is wholly visible."""
         return all(map(self.holds, label.at if isinstance(label.at, tuple) else (label.at,)))
 
-    def alone(self, named: Sequence[labels.Label]) -> list[labels.Label]:
+    def alone(self, named: Sequence[Label]) -> list[Label]:
         """The labels that are read in the detail alone: those of vectors wholly visible there, where they are many."""
         held = [x for x in named if self.shows(x)]
         return held if len(held) > MOST_LABELS else []
 
-    def label(self, label: labels.Label) -> labels.Label:
+    def label(self, label: Label) -> Label:
         """The label in its enlarged place."""
         z = label.at
         at = (self.enlarged(z[0]), self.enlarged(z[1])) if isinstance(z, tuple) else self.enlarged(z)
@@ -129,9 +132,9 @@ def _seat(group: Sequence[Ends]) -> tuple[complex, float, int]:
     return centre, radius, max((t for t in ENLARGED if t * radius <= RADIUS_MM), default=ENLARGED[0])
 
 
-def groups_of(vectors: Iterable[Ends], alone: bool = True) -> list[list[Ends]]:
+def groups_of(vectors: Iterable[Ends], alone: bool = True) -> Groups:
     """Short vectors by details: neighbours together, and again, separately, those that are hardly visible there."""
-    details = list[list[Ends]]()
+    details = Groups()
     for group in _neighbours(ends for ends in vectors if abs(ends[1] - ends[0]) < SHORT_MM):
         times = _seat(group)[2]
         lost = [(a, b) for a, b in group if abs(b - a) * times < SEEN_MM]
@@ -140,9 +143,9 @@ def groups_of(vectors: Iterable[Ends], alone: bool = True) -> list[list[Ends]]:
     return [group for group in details if alone or len(group) > 1 or _seat(group)[2] < ALONE_TIMES]
 
 
-def _neighbours(short: Iterable[Ends]) -> list[list[Ends]]:
+def _neighbours(short: Iterable[Ends]) -> Groups:
     """Vectors in groups of neighbours."""
-    groups: list[list[Ends]] = []
+    groups: Groups = []
     for ends in short:
         near = [g for g in groups if any(abs(z - w) < TOGETHER_MM for two in g for z in two for w in ends)]
         groups = [g for g in groups if g not in near]
@@ -156,7 +159,7 @@ def letters(points: Iterable[str], alphabet: str) -> list[str]:
     return [x for x in alphabet if LOOK_ALIKE.get(x, x) not in taken]
 
 
-def beside(marks: tuple[Mark, ...], drawn: Sequence[tuple[Mark, ...]]) -> tuple[Mark, ...]:
+def beside(marks: Marks, drawn: Sequence[Marks]) -> Marks:
     """A plan with its details: in a row beneath it or in a column to its right, whichever takes less paper."""
     if not drawn:
         return marks

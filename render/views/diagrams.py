@@ -12,11 +12,11 @@ from planes.words.lettering import flat
 from planes.words.naming import Naming
 from planes.words.read_off import measured
 from planes.words.units import number, standard_mu
-from render import labels
+from render.labels import Label
 from render.paper.letters import of_unit, scale, with_unit
 from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.style import tall
-from render.paper.symbols import dot
+from render.paper.symbols import Marks, dot
 from render.paper.typeset import ink_width
 from render.views.curve_pieces import cut_off, round_between, round_step, runs
 from render.views.senses import labelled
@@ -113,9 +113,9 @@ class Diagrams:
         """The length of the driver's range, mm."""
         return self.section * SECTIONS
 
-    def drawn(self) -> tuple[Mark, ...]:
+    def drawn(self) -> Marks:
         """Axes, curves, numbers of positions and scales."""
-        marks: list[Mark] = []
+        marks = list[Mark]()
         lowest = 0.0
         for panel in self.panels:
             curves = panel if self.whole or self.to_read else [replace(c, values=cut_off(c.values)) for c in panel]
@@ -142,7 +142,7 @@ class Diagrams:
         zero = 0.0 if above is None else above - BETWEEN_MM - 7.0 - lift - top
         return Axes(mu, zero, base, mu * min(0.0, low - base), top, lift)
 
-    def one(self, panel: Sequence[DiagramCurve], axes: Axes) -> tuple[Mark, ...]:
+    def one(self, panel: Sequence[DiagramCurve], axes: Axes) -> Marks:
         """Curves on their axes, with thin verticals at the numbered positions."""
         low, zero, high = axes.zero + axes.bottom, axes.zero, axes.zero + axes.top
         key, lang = self.driver[1], self.naming.lang
@@ -193,7 +193,7 @@ class Diagrams:
         scales = ", ".join(f"μ_{{{letter}}} = {scale(mu, unit, self.naming)}" for letter, unit in letters.items())
         if len(panel) == 1:
             return [Text(f"{names[0]}, {scales}", place, self.letter)]
-        marks: list[Mark] = []
+        marks = list[Mark]()
         for name, style in zip(names, cycle(LINES), strict=False):
             marks.append(Line((place + 1.2j, place + complex(SAMPLE_MM, 1.2)), style, "plan"))
             marks.append(Text(name, place + SAMPLE_MM + 2, self.letter))
@@ -210,9 +210,9 @@ class Diagrams:
             added.append(Text(number(value, lang, 6), z - complex(STROKE_MM + 1, 1.25), 2.5, "end"))
         return added
 
-    def with_values(self, curve: DiagramCurve, axes: Axes, marks: Sequence[Mark]) -> tuple[Mark, ...]:
+    def with_values(self, curve: DiagramCurve, axes: Axes, marks: Sequence[Mark]) -> Marks:
         """The same with dots and values at the least and the greatest."""
-        lang, added, named = self.naming.lang, list(marks), list[labels.Label]()
+        lang, added, named = self.naming.lang, list(marks), list[Label]()
         for side, (place, value) in self.ends(curve):
             z, seen = axes.at(self.x(place), value), abs(axes.mu * value) > 1e-6
             if seen or self.to_read:
@@ -222,7 +222,7 @@ class Diagrams:
                     if self.to_read
                     else of_unit(measured(value, lang), curve.unit, lang)
                 )
-                named.append(labels.Label(text, z, 2.5, side, 0.8, name=text))
+                named.append(Label(text, z, 2.5, side, 0.8, name=text))
         return labelled(named, added)
 
     def x(self, angle: float) -> float:

@@ -9,13 +9,13 @@ from planes.words import Lang
 from planes.words.frozen import frozen, replace
 from planes.words.naming import Naming
 from planes.words.units import number
-from render.labels import Label
+from render.labels import Label, Labelled
 from render.labels.footprints import Bounds
-from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.style import tall
+from render.paper.symbols import turn_arrow, unit
 from render.paper.typeset import ink_width
-from render.views.plotted import Places, degrees
+from render.views.plotted import Ends, Places, degrees
 
 PAST_MM = 1.5  # of an extension line beyond the arrow
 OVER_MM = 0.9  # of the number over the dimension line
@@ -32,8 +32,8 @@ SQUARE = 1e-6
 class Size:
     """A dimension between two ``places``, with the ends of its arrows, ``aside`` of them."""
 
-    places: tuple[complex, complex]
-    ends: tuple[complex, complex]
+    places: Ends
+    ends: Ends
     aside: complex
     text: str
     name: str = "size"
@@ -55,7 +55,7 @@ class Size:
         parting = next(free, (a + b) / 2)
         arrows = [Arrow(parting, end, "thin", "dimension") for end in self.ends]
         short = min(abs(end - parting) for end in self.ends) < (ink_width(self.text, tall(LETTER_MM)) + HEADS_MM) / 2
-        place = parting + (OVER_MM + (TAIL_MM if short else 0.0)) * 1j * symbols.unit(self.turn)
+        place = parting + (OVER_MM + (TAIL_MM if short else 0.0)) * 1j * unit(self.turn)
         return [
             *self.leading(),
             *arrows,
@@ -78,7 +78,7 @@ class Size:
 
     def clear(self, z: complex, others: Iterable[Line]) -> bool:
         """Whether a text over a place is clear of other lines."""
-        half, way = ink_width(self.text, tall(LETTER_MM)) / 2 + OVER_MM, symbols.unit(self.turn)
+        half, way = ink_width(self.text, tall(LETTER_MM)) / 2 + OVER_MM, unit(self.turn)
         box = shapely.box(-half, -tall(LETTER_MM), half, tall(LETTER_MM) + 2 * OVER_MM)
         turned = ([(w - z) / way for w in line.points] for line in others)
         return not any(box.intersects(shapely.LineString([(w.real, w.imag) for w in line])) for line in turned)
@@ -128,7 +128,7 @@ def _held(places: Places, way: complex) -> Iterator[complex]:
             yield foot
 
 
-def driver_angle(places: Places, naming: Naming) -> tuple[list[Mark], list[Label]]:
+def driver_angle(places: Places, naming: Naming) -> Labelled:
     """The driver's angle from the x axis, about its pivot, and its name."""
     drive, pair = places.mechanism.drive, places.position.plans.structure.drive_pair.point
     turn = places.position.at % 360 if drive.rotates and places.has(pair) and drive.on == FRAME else 0.0
@@ -136,6 +136,6 @@ def driver_angle(places: Places, naming: Naming) -> tuple[list[Mark], list[Label
         return [], []
     pivot, text = places.at(pair), f"φ_{{{naming.link(drive.link)}}}"
     axis = Line((pivot, pivot + AXIS_MM), "axis", "axis")
-    arc = symbols.turn_arrow(pivot, ANGLE_MM, 0, turn, layer="dimension")
-    middle, out = pivot + ANGLE_MM * symbols.unit(turn / 2), symbols.unit(turn / 2)
+    arc = turn_arrow(pivot, ANGLE_MM, 0, turn, layer="dimension")
+    middle, out = pivot + ANGLE_MM * unit(turn / 2), unit(turn / 2)
     return [axis, *arc], [Label(text, middle, LETTER_MM, side=out, clear=0.5, name=text)]

@@ -12,9 +12,9 @@ from planes.words.frozen import frozen, replace
 from planes.words.names import label_of, parts_of
 from planes.words.naming import Naming
 from render.labels import Label
-from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.style import tall
+from render.paper.symbols import bar, hinge, turn_arrow, unit
 from render.views import View, beside, stacked, view
 from render.views.formulas import NOISE_MM
 from render.views.plotted import degrees
@@ -73,7 +73,7 @@ class Directions:
     def turning(self, rod: Through, way: complex, vector: str, rate: str) -> Sequence[Mark]:
         """One rod."""
         tip = ROD * self.letter * self.way(rod.start, rod.end)
-        ground = [*symbols.bar(0j, tip), *symbols.hinge(0j), *symbols.hinge(tip)]
+        ground = [*bar(0j, tip), *hinge(0j), *hinge(tip)]
         ends = ((rod.start, 0j), (rod.end, tip))
         letters = [Label(self.naming.point(label_of(x)), z, LETTER_MM, clear=1.6, name=x) for x, z in ends]
         vectors = [Arrow(tip, tip + ARROW * self.letter * way, "vector", "plan", vector)]
@@ -102,8 +102,8 @@ class Directions:
     ) -> Sequence[Mark]:
         """A figure with its vectors and the curved arrow of an angular velocity or acceleration, and all letters."""
         sense, (kind, link, _) = math.copysign(1.0, float(self.position.drawing[rate])), parts_of(rate)
-        turning = symbols.turn_arrow(0j, SENSE * self.letter, from_deg + sense * FROM_DEG, sense * SWEEP_DEG)
-        middle = SENSE * self.letter * symbols.unit(from_deg + sense * (FROM_DEG + SWEEP_DEG / 2))
+        turning = turn_arrow(0j, SENSE * self.letter, from_deg + sense * FROM_DEG, sense * SWEEP_DEG)
+        middle = SENSE * self.letter * unit(from_deg + sense * (FROM_DEG + SWEEP_DEG / 2))
         rates = f"{'ω' if kind == 'omega' else 'ε'}_{{{self.naming.link(link)}}}"
         named = [
             Label(self.naming.vector(a.name), (a.end, (a.start + a.end) / 2), LETTER_MM, name=a.name) for a in vectors

@@ -13,6 +13,7 @@ from planes.words.naming import Naming
 from planes.words.read_off import fixed, measured
 from planes.words.units import UNIT
 from render.paper.marks import Line, Mark, Text
+from render.paper.symbols import Marks
 from render.paper.typeset import extent, ink_width, over
 from render.views.plotted import Plotted
 
@@ -123,11 +124,12 @@ class Formulas:
     letter: float = 5.0
     asked: bool = False  # in the form for drawing: without numbers
 
-    def drawn(self, plans: tuple[str, ...]) -> tuple[Mark, ...]:
+    def drawn(self, plans: tuple[str, ...]) -> Marks:
         """All equations of these plans, from the top down."""
         setter, y = Setter(self.letter), 0.0
-        for equation in (e for e in self.plotted.equations if e.plan in plans):
-            if all(self.plotted.has(equation.plan, t.start, t.end) for t in equation.terms):
+        for equation in self.plotted.equations:
+            shown = (self.plotted.has(equation.plan, t.start, t.end) for t in equation.terms)
+            if equation.plan in plans and all(shown):
                 words = self.words(equation) if equation.total else self.closed_words(equation)
                 y = setter.row(words, y) - 1.9 * self.letter
         return tuple(setter.marks)
@@ -168,7 +170,7 @@ class Formulas:
         """A vector with its underlines, its line of action and, where known, its number."""
         text, known, value = self.naming.vector(term.name), term.known, ""
         if known == 2 and not self.asked:
-            length = abs(self.plotted.mark(plan, term.end) - self.plotted.mark(plan, term.start))
+            length = self.plotted.long(plan, term)
             si = length / self.plotted.mu(plan) if length > NOISE_MM else 0.0
             value = measured(si, self.naming.lang)
         return Word(text, known, self.action(term), value)

@@ -14,7 +14,7 @@ from planes.words.units import RATES, number
 from render.paper.letters import scale
 from render.paper.marks import Arc, Arrow, Line, Mark, Text
 from render.paper.style import DOT_MM
-from render.paper.symbols import dot
+from render.paper.symbols import Marks, dot
 from render.paper.typeset import ink_width
 
 BETWEEN_MM = 15.0
@@ -35,7 +35,7 @@ class Graphical:
     drawing: Drawing
     naming: Naming
 
-    def drawn(self) -> tuple[Mark, ...]:
+    def drawn(self) -> Marks:
         """All diagrams, the first one on top."""
         marks = []
         lowest = 0.0
@@ -168,7 +168,7 @@ class Graphical:
 
     def legend(self, level: float) -> list[Mark]:
         """A legend of the lines."""
-        marks: list[Mark] = []
+        marks = list[Mark]()
         for x, style, key in ((0, "thick", "graphical_drawn"), (62, "dash", "graphical_exact")):
             marks.append(Line((complex(x, level), complex(x + 14, level)), style, "plan"))
             marks.append(Text(say(key, self.naming.lang), complex(x + 16, level - 1.3), 3.5))

@@ -9,6 +9,7 @@ import shapely
 
 from render.paper.ink import hatch_strokes
 from render.paper.marks import Hatch, Line
+from render.views.plotted import corners_of
 
 HATCHED_MM, HATCH_GAP_MM, HATCH_MM = 6.0, 3.5, 1.0  # triangles: least radius, stroke spacing, distance to sides
 ALONG_DEG = 12.0  # angle to a side within which strokes look parallel to it
@@ -16,7 +17,7 @@ ALONG_DEG = 12.0  # angle to a side within which strokes look parallel to it
 
 def hatched(triangles: Iterable[tuple[complex, complex, complex]]) -> list[Line]:
     """Thin strokes in the similar triangles that do not overlap, and are large enough for some."""
-    kept: list[shapely.Polygon] = []
+    kept = list[shapely.Polygon]()
     for corners in triangles:
         area = shapely.Polygon([(z.real, z.imag) for z in corners])
         if 2 * area.area > HATCHED_MM * area.length and all(
@@ -25,10 +26,9 @@ def hatched(triangles: Iterable[tuple[complex, complex, complex]]) -> list[Line]
             kept.append(area)
     strokes = []
     for area in kept:
-        points = tuple(complex(x, y) for x, y in area.exterior.coords[:-1])
-        inner = tuple(complex(x, y) for x, y in area.buffer(-HATCH_MM, join_style="mitre").exterior.coords[:-1])
-        if inner:
-            strokes += [Line(z, "thin", "hatch") for z in hatch_strokes(Hatch(inner, _across(points), HATCH_GAP_MM))]
+        if inner := tuple(corners_of(area.buffer(-HATCH_MM, join_style="mitre"))):
+            hatch = Hatch(inner, _across(corners_of(area)), HATCH_GAP_MM)
+            strokes += [Line(z, "thin", "hatch") for z in hatch_strokes(hatch)]
     return [one for one in strokes if abs(one.points[1] - one.points[0]) > HATCH_GAP_MM]
 
 

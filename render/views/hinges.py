@@ -5,8 +5,8 @@ import math
 from collections.abc import Sequence
 
 from render.labels.footprints import ink
-from render.paper import symbols
 from render.paper.marks import Line, Mark
+from render.paper.symbols import fixed_hinge, unit
 
 
 def base_angle(z: complex, ways: Sequence[complex], marks: Sequence[Mark]) -> float:
@@ -15,10 +15,10 @@ def base_angle(z: complex, ways: Sequence[complex], marks: Sequence[Mark]) -> fl
     bars = ink(marks)
 
     def hits(turn: int) -> tuple[int, int]:
-        leg = -1j * symbols.unit(turn)
+        leg = -1j * unit(turn)
         room = min((math.degrees(abs(cmath.phase(w / leg))) for w in ways), default=180.0)
         own = 3 if room < 25 else 1 if room < 50 else 0
-        feet = [m for m in symbols.fixed_hinge(z, turn) if isinstance(m, Line)]
+        feet = [m for m in fixed_hinge(z, turn) if isinstance(m, Line)]
         return own, len(set(bars.within(ink(feet).shapes, 0.5)[1])) if len(bars.shapes) else 0
 
     return float(min((0, 90, 270, 180), key=lambda turn: (sum(hits(turn)), hits(turn))))

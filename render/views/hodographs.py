@@ -8,10 +8,10 @@ from planes.words.frozen import frozen
 from planes.words.names import letter_of
 from planes.words.naming import Naming
 from planes.words.units import number, standard_mu
-from render import labels
+from render.labels import Label
 from render.paper.letters import scale, with_unit
 from render.paper.marks import Arrow, Line, Mark, Text
-from render.paper.symbols import dot
+from render.paper.symbols import Marks, dot
 from render.paper.typeset import ink_width
 from render.views import View, beside, view
 from render.views.curve_pieces import round_between, round_step, runs
@@ -59,13 +59,13 @@ def _one(loop: Hodograph, naming: Naming, to_read: bool) -> View:
     ]
     axes = [with_unit(letter, loop.unit if to_read else "", lang) for letter in "xy"]
     letters = zip((*axes, "p")[: 2 if path else 3], (*ends, pole), strict=False)
-    named = [labels.Label(text, z, 3.5, clear=0.8, name=text) for text, z in letters]
+    named = [Label(text, z, 3.5, clear=0.8, name=text) for text, z in letters]
     return view("hodograph", title, _drawn(loop, mu, ground, named))
 
 
 def _net(low: complex, high: complex, mu: float, lang: Lang) -> list[Mark]:
     """Thin lines at round values with these beside them, beneath and at the left."""
-    marks: list[Mark] = []
+    marks = list[Mark]()
     widest = max(ink_width(number(x / mu, lang, 2), 2.5) for x in (low.real, high.real))
     step = round_step(mu, max(ROUND_MM, widest + 3.0))
     for x in round_between(low.real / mu, high.real / mu, step):
@@ -80,15 +80,15 @@ def _net(low: complex, high: complex, mu: float, lang: Lang) -> list[Mark]:
     return marks
 
 
-def _drawn(loop: Hodograph, mu: float, ground: list[Mark], named: list[labels.Label]) -> tuple[Mark, ...]:
+def _drawn(loop: Hodograph, mu: float, ground: list[Mark], named: list[Label]) -> Marks:
     """The curve on its axes, and the numbered positions."""
     for piece, jump in runs([None if z is None else z * mu for z in loop.path]):
         ground.append(Line(tuple(piece), "dash" if jump else "thick", "plan"))
-    seen: list[complex] = []
+    seen = list[complex]()
     for k, z in enumerate(loop.stations):
         if z is None or any(abs(z - other) * mu < 0.4 for other in seen):
             continue
         seen.append(z)
         ground += dot(z * mu, 0.6, "plan")
-        named.append(labels.Label(str(k), z * mu, 2.5, clear=0.8, name=f"position {k}"))
+        named.append(Label(str(k), z * mu, 2.5, clear=0.8, name=f"position {k}"))
     return labelled(named, ground)

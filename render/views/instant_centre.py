@@ -5,8 +5,8 @@ from itertools import combinations
 from planes.solving import Position
 from planes.words.naming import Naming
 from render.labels import Label
-from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark
+from render.paper.symbols import dot
 from render.views import View, view
 from render.views.plotted import Places
 from render.views.scheme import Scheme
@@ -20,18 +20,19 @@ def instant_centre(position: Position, link: str, naming: Naming) -> View | None
     """The scheme with the instantaneous centre P of a link and the velocities of its points; None if it is too far
     off."""
     places, v = Places(position), position.v
-    points = [p for p in position.plans.mechanism.links[link].points if places.has(p) and p in v]
-    centre = _centre([(places.at(p), v[p]) for p in points])
-    if centre is None or min(abs(centre - places.at(p)) for p in points) > FAR_MM:
+    own = position.plans.mechanism.links[link].points
+    points = {p: places.at(p) for p in own if places.has(p) and p in v}
+    centre = _centre([(z, v[p]) for p, z in points.items()])
+    if centre is None or min(abs(centre - z) for z in points.values()) > FAR_MM:
         return None
     fastest = max(abs(v[p]) for p in points)
-    marks: list[Mark] = [Line((places.at(p), centre), "thin", "construction") for p in points]
+    marks: list[Mark] = [Line((z, centre), "thin", "construction") for z in points.values()]
     named = [Label(f"P_{{{naming.link(link)}}}", centre, clear=1.0, name="P")]
-    for p in points:
-        tip = places.at(p) + LONGEST_MM * v[p] / fastest
-        marks.append(Arrow(places.at(p), tip, name=f"v_{p}"))
-        named.append(Label(naming.vector(f"v_{p}"), (places.at(p), tip), 3.5, name=f"v_{p}"))
-    marks += symbols.dot(centre)
+    for p, z in points.items():
+        tip, name = z + LONGEST_MM * v[p] / fastest, f"v_{p}"
+        marks.append(Arrow(z, tip, name=name))
+        named.append(Label(naming.vector(name), (z, tip), 3.5, name=name))
+    marks += dot(centre)
     return view("centre", "", Scheme(position, naming).drawn(True, marks, named))
 
 

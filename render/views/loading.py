@@ -6,17 +6,16 @@ from itertools import product
 
 from planes.drafting.equations import Moments
 from planes.plans.force.loads import force_name
-from planes.plans.position.bodies import SCHEME
 from planes.solving import Position
 from planes.words import say
-from planes.words.names import at, mu_of
+from planes.words.names import at
 from planes.words.naming import Naming
 from planes.words.units import number
-from render import labels
+from render.labels import Label
 from render.paper.marks import Arc, Arrow, Line, Mark
 from render.paper.style import BLOCK_MM
 from render.views.arms import BREAK_MM, Arms, broken, drops_of
-from render.views.plotted import Ends, Places, set_apart
+from render.views.plotted import Ends, Places, scheme_mu, set_apart
 from render.views.senses import freest
 
 FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale
@@ -59,19 +58,20 @@ class Loading:
     naming: Naming
     links: tuple[str, ...]
     marks: list[Mark] = field(default_factory=list)
-    named: list[labels.Label] = field(default_factory=list)
+    named: list[Label] = field(default_factory=list)
     arrows: Arrows = field(init=False)
 
     def __post_init__(self) -> None:
-        self.places, self.drawing = Places(self.position), self.position.drawing
+        self.places, self.drawing, self.plans = Places(self.position), self.position.drawing, self.position.plans
         self.arrows = Arrows([rod for link in self.links for rod in self.places.rods(link)])
 
     def loads(self, carried: bool, from_outside: bool = False) -> None:
         """Weights, inertia, loads; and, where ``carried``, the reactions from groups solved before."""
-        acting, inner = self.position.plans.acting, self.inner() if carried else set[str]()
+        acting, inner = self.plans.acting, self.inner() if carried else set[str]()
         for link in self.links:
-            for f in (f for f in acting.forces[link] if f.spot or (carried and f.name not in inner)):
-                if f.size in self.drawing and self.big(float(self.drawing[f.size])):
+            for f in acting.forces[link]:
+                acts = f.size in self.drawing and (f.spot or (carried and f.name not in inner))
+                if acts and self.big(float(self.drawing[f.size])):
                     way = complex(self.drawing[f.along]) * _sign(self.drawing[f.size])
                     self.force(f.name, complex(self.drawing[f.point]), way, from_outside)
             couples = (c for c in acting.couples[link] if not c.handed or (carried and c.value not in inner))
@@ -83,7 +83,7 @@ class Loading:
     def reactions(self, plan: str) -> None:
         """The reactions of a plan's outer pairs, in the components found on the plan, at their points."""
         outer, rubbing = self.outer(), dict[str, None]()
-        for equation in self.position.plans.equations:
+        for equation in self.plans.equations:
             for term in equation.terms if equation.plan == plan else ():
                 marks = [at(plan, end) for end in (term.start, term.end)]
                 if term.name in outer and all(mark in self.drawing for mark in marks):
@@ -99,7 +99,7 @@ class Loading:
     def whole_reactions(self) -> None:
         """Every whole reaction on these links from outside, on its line of action."""
         results = self.position.of("reactions")
-        for key, reaction in self.position.plans.reactions.items():
+        for key, reaction in self.plans.reactions.items():
             pair, result = reaction.pair, results.get(key)
             inside = [x for x in (pair.link, pair.other) if x in self.links]
             if result is None or len(inside) != 1:
@@ -115,26 +115,27 @@ class Loading:
 
     def arm(self, key: str) -> float | None:
         """The arm of a slider's reaction, m; None where it is negligible."""
-        name = self.position.plans.reactions[key].arm
+        name = self.plans.reactions[key].arm
         arm = float(self.drawing[name]) if name in self.drawing else math.nan
         return arm if math.isfinite(arm) and abs(arm) < FAR_M else None
 
     def hinge(self, couple: str) -> complex | None:
         """The place of the hinge with that friction couple; None for any other couple."""
-        own = (r.pair.point for r in self.position.plans.reactions.values() if r.moment == couple and r.pair.point)
+        own = (r.pair.point for r in self.plans.reactions.values() if r.moment == couple and r.pair.point)
         return next(map(self.places.at, own), None)
 
     def rub(self, key: str) -> None:
         """The friction couple on one of these links, in its hinge."""
-        r = self.position.plans.reactions[key]
-        value = float(self.drawing[r.friction]) if r.pair.point and r.friction in self.drawing else 0.0
+        r = self.plans.reactions[key]
+        pair = r.pair
+        value = float(self.drawing[r.friction]) if pair.point and r.friction in self.drawing else 0.0
         if abs(value) > NOTHING:
-            on = r.pair.link if r.pair.link in self.links else r.pair.other
-            self.couple(r.moment, on, value if on == r.pair.link else -value, 0, about=self.places.at(r.pair.point))
+            on = pair.link if pair.link in self.links else pair.other
+            self.couple(r.moment, on, value if on == pair.link else -value, 0, about=self.places.at(pair.point))
 
     def friction_circle(self, key: str) -> None:
         """The friction circle in a hinge, and the line of the reaction tangent to it."""
-        pair = self.position.plans.reactions[key].pair
+        pair = self.plans.reactions[key].pair
         place = self.seat(key) if pair.kind == "R" else 0j
         if place and (shift := place - (centre := self.places.at(pair.point))):
             along = 1j * shift / abs(shift) * BESIDE_MM
@@ -144,19 +145,19 @@ class Loading:
     def seat(self, key: str, aside: bool = True) -> complex:
         """The point of application of a reaction: in its hinge, or ``aside`` on its friction circle; its arm from the
         foot on the guide, which is drawn up to there."""
-        r = self.position.plans.reactions[key]
-        pair = r.pair
+        r = self.plans.reactions[key]
+        pair, metres, mu = r.pair, self.arm(key) or 0.0, scheme_mu(self.position)
         if pair.kind == "R":
-            way, arm = complex(self.drawing[r.end]) - complex(self.drawing[r.start]), self.arm(key) or 0.0
-            shift = -1j * way / abs(way) * arm * self.position.scales[mu_of(SCHEME)] if way and aside else 0j
+            way = complex(self.drawing[r.end]) - complex(self.drawing[r.start])
+            shift = -1j * way / abs(way) * metres * mu if way and aside else 0j
             return self.places.at(pair.point) + shift
         foot, along = self.places.foot(self.places.mechanism.links[pair.link])
-        arm = (self.arm(key) or 0.0) * self.position.scales[mu_of(SCHEME)]
+        arm = metres * mu
         shown = math.copysign(min(abs(arm), max(FAR_MM, self.places.size(self.links))), arm)
         if shown != arm:
             ends = foot, foot + shown * along
-            text = f"{number(abs(self.arm(key) or 0.0), self.naming.lang)} {say('m', self.naming.lang)}"
-            self.named.append(labels.Label(text, (sum(ends) / 2, ends[1]), NAME_MM, clear=BREAK_MM, name="arm"))
+            text = f"{number(abs(metres), self.naming.lang)} {say('m', self.naming.lang)}"
+            self.named.append(Label(text, (sum(ends) / 2, ends[1]), NAME_MM, clear=BREAK_MM, name="arm"))
             self.marks += broken(*ends)
         elif abs(arm) > BLOCK_MM[0] / 2:
             self.marks.append(Line((foot, foot + arm * along), "axis", "axis"))
@@ -164,22 +165,21 @@ class Loading:
 
     def balancing(self, link: str) -> None:
         """The balancing couple (or force) on the driver, or the opposite force on the link that drives it."""
-        plans = self.position.plans
+        plans, driver = self.plans, self.plans.structure.driver
         if plans.balancing not in self.drawing:
             return
+        load = float(self.drawing[plans.balancing]) * (1 if link == driver else -1)
         if plans.drive.kind == "s":
-            foot, along = self.places.foot(plans.mechanism.links[plans.structure.driver])
-            sign = _sign(self.drawing[plans.balancing]) * (1 if link == plans.structure.driver else -1)
-            self.force(plans.balancing, foot, along * sign)
+            foot, along = self.places.foot(plans.mechanism.links[driver])
+            self.force(plans.balancing, foot, along * _sign(load))
         else:
-            taken = len([c for c in plans.acting.couples[link] if not c.handed])
-            sign = 1 if link == plans.structure.driver else -1
-            self.couple(plans.balancing, link, float(self.drawing[plans.balancing]) * sign, taken)
+            taken = sum(not c.handed for c in plans.acting.couples[link])
+            self.couple(plans.balancing, link, load, taken)
 
     def inner(self) -> set[str]:
         """Names of the reactions between these links, and of their couples."""
         names = set[str]()
-        for key, r in self.position.plans.reactions.items():
+        for key, r in self.plans.reactions.items():
             if {r.pair.link, r.pair.other} <= set(self.links):
                 names |= {key, force_name(r.pair.other, r.pair.link), r.moment}
         return names
@@ -187,9 +187,9 @@ class Loading:
     def outer(self) -> dict[str, str]:
         """Names of the reactions from outside on these links, whole and in components, that are not known from an
         earlier plan; with the reaction that each is, or is opposite to."""
-        known = {f.name for link in self.links for f in self.position.plans.acting.forces[link]}
+        known = {f.name for link in self.links for f in self.plans.acting.forces[link]}
         reactions: dict[str, str] = {}
-        for key, reaction in self.position.plans.reactions.items():
+        for key, reaction in self.plans.reactions.items():
             link, other = reaction.pair.link, reaction.pair.other
             for name, on, by in ((key, link, other), (force_name(other, link), other, link)):
                 if on in self.links and by not in self.links and name not in known:
@@ -198,7 +198,7 @@ class Loading:
 
     def big(self, size: float) -> bool:
         """Whether a force is more than rounding noise."""
-        names = {f.size for forces in self.position.plans.acting.forces.values() for f in forces}
+        names = {f.size for forces in self.plans.acting.forces.values() for f in forces}
         sizes = (abs(float(self.drawing[name])) for name in names if name in self.drawing)
         return abs(size) > NOTHING * max(sizes, default=0.0)
 
@@ -207,7 +207,7 @@ class Loading:
         start, end = self.arrows.placed(point, way, from_outside)
         self.marks.append(Arrow(start, end, "vector", "force", name))
         far = start if from_outside else end
-        self.named.append(labels.Label(self.naming.vector(name), (far, (start + end) / 2), NAME_MM, name=name))
+        self.named.append(Label(self.naming.vector(name), (far, (start + end) / 2), NAME_MM, name=name))
 
     def couple(self, name: str, link: str, value: float, number: int, about: complex | None = None) -> None:
         """A curved arrow about a place, or the mass centre of its link, where it crosses least."""
@@ -218,7 +218,7 @@ class Loading:
         begins = [start if sense > 0 else 180.0 - start for start in (100.0, 190.0, 10.0, -80.0)]
         arrow, middle = freest(centre, product(radii, begins), sense * 150, self.marks, 0.8, "vector", "force")
         self.marks += arrow
-        self.named.append(labels.Label(self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
+        self.named.append(Label(self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
 
     def arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the moment point to the lines of action, which are extended to meet them."""

@@ -92,7 +92,7 @@ class ManyPositions:
     @cached_property
     def marks(self) -> list[Mark]:
         """Bars of all links in all positions, the extreme ones blacker, and the paths."""
-        bars: list[Mark] = []
+        bars = list[Mark]()
         for one, result in self.shown():
             style = "thin" if one.extreme else "construction"
             shapes = (x for link in self.plans.mechanism.links.values() for x in self.axes(link, result))
@@ -141,7 +141,7 @@ class ManyPositions:
 
     def paths(self) -> list[Mark]:
         """Paths of the moving points, dashed; a point on a frame's guide has none of interest."""
-        dashed: list[Mark] = []
+        dashed = list[Mark]()
         m = self.plans.mechanism
         straight = {p for x in m.links.values() if x.slides and m.owner(x.slides.guide) == FRAME for p in x.points}
         fixed = set(m.frame.points) | straight
@@ -191,13 +191,14 @@ class ManyPositions:
     def followers(self) -> Iterator[tuple[Link, str]]:
         """The links except the driver that slide on the frame or turn about it, each with its farthest point."""
         m = self.plans.mechanism
-        for link in (x for x in m.links.values() if x.name != m.drive.link):
-            held = [p for p in link.points if p in m.frame.points]
-            others = {p for x in m.links.values() if x is not link for p in x.points}
-            if link.slides and m.owner(link.slides.guide) == FRAME:
-                yield link, link.first_point
-            elif held and (free := [p for p in link.points if p in others and p not in self.plans.standing]):
-                yield link, max(free, key=lambda p: abs(link.points[p] - link.points[held[0]]))
+        for link in m.links.values():
+            if link.name != m.drive.link:
+                held = [p for p in link.points if p in m.frame.points]
+                others = {p for x in m.links.values() if x is not link for p in x.points}
+                if link.slides and m.owner(link.slides.guide) == FRAME:
+                    yield link, link.first_point
+                elif held and (free := [p for p in link.points if p in others and p not in self.plans.standing]):
+                    yield link, max(free, key=lambda p: abs(link.points[p] - link.points[held[0]]))
 
     def stations(self, link: Link, point: str) -> Iterator[Label]:
         """Numbers of the extreme positions along the path of a point, coinciding ones together; the first and the last

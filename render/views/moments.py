@@ -15,16 +15,16 @@ from planes.solving import Position
 from planes.words import say
 from planes.words.frozen import frozen
 from planes.words.lettering import flat
-from planes.words.names import POLE, at, mu_of
+from planes.words.names import POLE, at
 from planes.words.naming import Naming
 from planes.words.read_off import fixed, measured
-from render import labels
+from render.labels import Label, Labelled
 from render.paper.marks import Arrow, Line, Mark
-from render.paper.symbols import dot
+from render.paper.symbols import Marks, dot
 from render.views.arms import Arms, drops_of, with_unlettered
 from render.views.formulas import Setter, Word
 from render.views.loading import Arrows
-from render.views.plotted import Ends, gathered, of_position
+from render.views.plotted import Ends, gathered, of_position, scheme_mu
 from render.views.senses import labelled
 
 NOISE = 1e-9  # of the largest moment of the equation: below this it is zero
@@ -38,7 +38,7 @@ class MomentLines:
     naming: Naming
     letter: float = 5.0
 
-    def drawn(self, links: tuple[str, ...] | None = None) -> tuple[Mark, ...]:
+    def drawn(self, links: tuple[str, ...] | None = None) -> Marks:
         """All nontrivial equations (those of some links), from the top down."""
         setter, y = Setter(self.letter), 0.0
         plans = self.position.plans
@@ -50,7 +50,7 @@ class MomentLines:
 
     def words(self, equation: Moments) -> list[Word]:
         """ΣM_C: F^t l = ± G h ± … with the value of every product beneath."""
-        made = next((s for s in self.position.drawing.program.steps if s.makes == equation.unknown), None)
+        made = self.position.drawing.program.makers.get(equation.unknown)
         if not isinstance(made, Calculate) or not made.terms:
             return []
         unknown_value = float(self.position.drawing[equation.unknown])
@@ -75,7 +75,7 @@ class MomentLines:
         unit = say(self.unit(factor != equation.arm), lang)
         armed = {lever: self.length(lever) for _, lever, _ in shown if lever in self.arms}
         if factor and factor == equation.arm:
-            armed[factor] = by * self.position.scales[mu_of("position")]
+            armed[factor] = by * scheme_mu(self.position)
         mm = {name: fixed(length, 1, lang) for name, length in armed.items()}
         height = "H" if equation.links == ("lever",) else "h"
         arms = f"{height}, {say('mm', lang)}" if mm else ""
@@ -145,7 +145,7 @@ class Lever:
     position: Position
     naming: Naming
 
-    def drawn(self) -> tuple[Mark, ...]:
+    def drawn(self) -> Marks:
         """The turned plan, the forces, their arms and all names."""
         plan = "motion" if self.position.plans.at_rest else "velocity"
         plotted = of_position(self.position)
@@ -165,15 +165,15 @@ class Lever:
             if at(plan, x) not in aside
         )
         places = gathered(letters)  # letters of coinciding marks share one label
-        named = [labels.Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
+        named = [Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
         marks += dot(0j, 0.8, "plan")
         forces, names = self.forces(lines)
         named += names
         return with_unlettered(named, labelled(named, [*marks, *forces]), self.naming.lang)
 
-    def forces(self, lines: list[Ends]) -> tuple[list[Mark], list[labels.Label]]:
+    def forces(self, lines: list[Ends]) -> Labelled:
         """Arrows of the forces at their images, not to scale, and their arms about the pole."""
-        drawing, marks, named = self.position.drawing, list[Mark](), list[labels.Label]()
+        drawing, marks, named = self.position.drawing, list[Mark](), list[Label]()
         drops = drops_of(drawing)
         arms, arrows = Arms(), Arrows(lines)
         lever = next((m for m in self.position.plans.moments if m.links == ("lever",)), None)
@@ -185,6 +185,6 @@ class Lever:
             point, along = complex(drawing[step.point]), complex(drawing[step.along]) * (1 if size >= 0 else -1)
             start, end = arrows.placed(point, along)
             marks.append(Arrow(start, end, "vector", "force", name))
-            named.append(labels.Label(self.naming.vector(name), ((start + end) / 2, end), 3.5, name=name))
+            named.append(Label(self.naming.vector(name), ((start + end) / 2, end), 3.5, name=name))
             arms.add(point, along, 0j, self.naming.arm(name, arm), name)
         return [*marks, *arms.marks], [*named, *arms.named]

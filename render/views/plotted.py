@@ -10,7 +10,7 @@ import shapely
 
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
-from planes.drafting.equations import Equation
+from planes.drafting.equations import Equation, Term
 from planes.geometry.plane import corners, dropped, toward
 from planes.plans.apart import LinkApart, links_apart
 from planes.plans.position.bodies import SCHEME
@@ -21,6 +21,7 @@ from planes.words.frozen import frozen, replace
 from planes.words.names import at, label_of, mu_of, plan_of
 
 Ends = tuple[complex, complex]
+Clusters = list[tuple[complex, list[str]]]  # places with the names there
 
 
 @frozen
@@ -37,6 +38,15 @@ class Plotted:
     def mark(self, plan: str, label: str) -> complex:
         """The place of a mark, mm from the pole of its plan."""
         return complex(self.drawing[at(plan, label)])
+
+    def ends(self, plan: str, vector: Segment | Term) -> Ends:
+        """The places of both ends of a vector."""
+        return self.mark(plan, vector.start), self.mark(plan, vector.end)
+
+    def long(self, plan: str, vector: Segment | Term) -> float:
+        """The length of a vector, mm."""
+        start, end = self.ends(plan, vector)
+        return abs(end - start)
 
     def has(self, plan: str, *labels: str) -> bool:
         """Whether all these marks are drawn (a sliced program draws only the requested ones)."""
@@ -71,12 +81,8 @@ def of_position(p: Position) -> Plotted:
 def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
     """The same with the plans of single links; and these links by the plan of their group."""
     plotted, plans = of_position(p), {plan: [*links_apart(p.plans, plan)] for plan in p.plans.drawn}
-    things, scales, segments, equations = (
-        dict(p.drawing.things),
-        dict(p.scales),
-        [*plotted.segments],
-        [*plotted.equations],
-    )
+    things, scales = dict(p.drawing.things), dict(p.scales)
+    segments, equations = [*plotted.segments], [*plotted.equations]
     for one in (x for links in plans.values() for x in links):
         if marks := one.marks(p.plans, p.drawing):
             things |= {at(one.plan, label): z for label, z in marks.items()}
@@ -85,6 +91,11 @@ def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:
             equations.append(one.equation)
     drawing = replace(p.drawing, things=things)
     return replace(plotted, drawing=drawing, segments=tuple(segments), equations=tuple(equations), scales=scales), plans
+
+
+def scheme_mu(position: Position) -> float:
+    """The scale of the scheme, mm per metre."""
+    return position.scales[mu_of(SCHEME)]
 
 
 NEAR_MM = 0.4  # closer places are one
@@ -151,13 +162,13 @@ class Places:
         given = self.mechanism.guide(guide)
         label = given.through_point or f"°{guide}"
         if f"∥{guide}" not in self.position.drawing:  # nothing that moves determines it
-            return self.position.scales[mu_of(SCHEME)] * given.through, cmath.rect(1.0, math.radians(given.angle_deg))
+            return scheme_mu(self.position) * given.through, cmath.rect(1.0, math.radians(given.angle_deg))
         along = complex(self.position.drawing[f"∥{guide}"])
         if self.has(label):
             return self.at(label), along
         slider = next(x for x in self.mechanism.links.values() if x.slides and x.slides.guide == guide)
         offset = (slider.slides.offset if slider.slides else None) or 0.0
-        return self.at(slider.first_point) - 1j * along * offset * self.position.scales[mu_of(SCHEME)], along
+        return self.at(slider.first_point) - 1j * along * offset * scheme_mu(self.position), along
 
     def foot(self, link: Link) -> tuple[complex, complex]:
         """The foot of the perpendicular from a slider's first point to its guide, and the guide's direction."""
@@ -183,10 +194,11 @@ def upon(one: Ends, other: Ends, near: float, touch: float = -1.0) -> bool:
 def set_apart(ends: Ends, others: Iterable[Ends], step: float, near: float, touch: float = -1.0) -> Ends:
     """The ends of a vector, shifted sideways step by step where it would overlap others, or be ``near``
     them."""
-    side, others = 1j * (ends[1] - ends[0]) / abs(ends[1] - ends[0]), list(others)
+    (start, end), others = ends, list(others)
+    side = 1j * (end - start) / abs(end - start)
     if side.real < -1e-9 or (abs(side.real) <= 1e-9 and side.imag < 0):
         side = -side
-    places = ((ends[0] + k * step * side, ends[1] + k * step * side) for k in (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5))
+    places = ((start + k * step * side, end + k * step * side) for k in (0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5))
     return next((two for two in places if not any(upon(two, other, near, touch) for other in others)), ends)
 
 
@@ -197,7 +209,7 @@ def degrees(along: complex) -> float:
 
 def outline_of(places: list[complex]) -> list[complex]:
     """The corners of a link: one point, the ends of a bar, or the hull of a plate."""
-    unique: list[complex] = []
+    unique = list[complex]()
     for z in places:
         if all(abs(z - u) > NEAR_MM for u in unique):
             unique.append(z)
@@ -207,8 +219,12 @@ def outline_of(places: list[complex]) -> list[complex]:
     way = toward(a, b)
     if all(abs(((z - a) * way.conjugate()).imag) < NEAR_MM for z in unique):
         return [a, b]
-    hull = shapely.MultiPoint([(z.real, z.imag) for z in unique]).convex_hull
-    return [complex(x, y) for x, y in list(hull.exterior.coords)[:-1]]
+    return corners_of(shapely.MultiPoint([(z.real, z.imag) for z in unique]).convex_hull)
+
+
+def corners_of(area: shapely.Polygon) -> list[complex]:
+    """The corners of an area, each once."""
+    return [complex(x, y) for x, y in area.exterior.coords[:-1]]
 
 
 def along_joints(places: list[complex]) -> list[complex]:
@@ -227,9 +243,9 @@ def nearest(z: complex, outline: list[complex]) -> complex:
     return complex(*shapely.shortest_line(shape, shapely.Point(z.real, z.imag)).coords[0])
 
 
-def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> list[tuple[complex, list[str]]]:
+def gathered(marks: Iterable[tuple[str, complex]], same: float = SAME_MM) -> Clusters:
     """Names by their places; those closer than ``same`` mm to an earlier one share its place."""
-    clusters: list[tuple[complex, list[str]]] = []
+    clusters: Clusters = []
     for name, z in marks:
         near = next((names for place, names in clusters if abs(place - z) <= same), None)
         if near is None:

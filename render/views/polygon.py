@@ -14,13 +14,14 @@ from planes.words.naming import Naming
 from planes.words.read_off import measured
 from planes.words.units import UNIT, number
 from render import labels
+from render.labels import Label
 from render.labels.footprints import overprinted
 from render.paper.marks import Arrow, Layer, Line, Mark
-from render.paper.symbols import dot
+from render.paper.symbols import Marks, dot
 from render.paper.typeset import plain
 from render.views import detail, remark
 from render.views.hatching import hatched
-from render.views.plotted import SAME_MM, Ends, Plotted, gathered, set_apart
+from render.views.plotted import SAME_MM, Clusters, Ends, Plotted, gathered, set_apart
 from render.views.senses import parted
 from render.views.strings import drawn_strokes
 from render.views.traces import traces
@@ -64,7 +65,7 @@ class Polygon:
         """The place of a mark, mm from the pole."""
         return self.plotted.mark(self.plan, label)
 
-    def drawn(self) -> tuple[Mark, ...]:
+    def drawn(self) -> Marks:
         """All marks of the plan, including its labels."""
         self.collect()
         lines, triangles = traces(self.plotted, self.plan, self.arrows)
@@ -112,8 +113,8 @@ class Polygon:
     def collect(self) -> None:
         """Every measured segment by its ends."""
         rays = self.plotted.figure.poles if self.plotted.figure else ()
-        for s in (s for s in self.plotted.drawn_segments(self.plan) if at(s.plan, s.start) not in rays):
-            if abs(self.mark(s.end) - self.mark(s.start)) > ZERO_MM:
+        for s in self.plotted.drawn_segments(self.plan):
+            if at(s.plan, s.start) not in rays and self.plotted.long(self.plan, s) > ZERO_MM:
                 names = self.arrows.setdefault((s.start, s.end), [])
                 name = self.naming.own(s.name)
                 names += [name] * (name not in names)
@@ -121,7 +122,7 @@ class Polygon:
     def unseen(self, title: str) -> list[str]:
         """A sentence about the vectors that are too short to be drawn, if there are any."""
         drawn = self.plotted.drawn_segments(self.plan)
-        sizes = {s.name: abs(self.mark(s.end) - self.mark(s.start)) for s in drawn}
+        sizes = {s.name: self.plotted.long(self.plan, s) for s in drawn}
         names = [plain(self.naming.vector(n)) for n, size in sizes.items() if NOTHING_MM < size <= ZERO_MM]
         facts = {"view": plain(title), "names": ", ".join(names), "least": number(ZERO_MM, self.naming.lang)}
         return [say("too_short", self.naming.lang, **facts)] if names else []
@@ -142,7 +143,7 @@ class Polygon:
         for term in self.terms():
             if term.known != 1 or not term.direction:
                 continue
-            start, end = self.mark(term.start), self.mark(term.end)
+            start, end = self.plotted.ends(self.plan, term)
             way, along = end - start, ALONE_MM * complex(self.plotted.drawing[term.direction])
             ends = (start, end + BEYOND_MM * way / abs(way)) if abs(way) > ZERO_MM else (end - along, end + along)
             self.marks.append(Line(ends, "construction", "construction"))
@@ -172,7 +173,7 @@ class Polygon:
             return any("^" not in name and name not in self.given for name in names)
         return ends[0] == POLE and at(self.plan, ends[1]) not in self.plotted.drawing.program.corners
 
-    def named(self, details: Sequence[detail.Detail] = (), times: float = 1.0) -> list[labels.Label]:
+    def named(self, details: Sequence[detail.Detail] = (), times: float = 1.0) -> list[Label]:
         """The names of marks or vectors, in their places on a plan enlarged by a factor."""
         if self.of_rates:
             return self.mark_labels(SAME_MM / times)
@@ -180,7 +181,7 @@ class Polygon:
         numbers = {corner: k for k, (_, corners) in enumerate(places, 1) for corner in corners}
         pole = [(self.naming.mark(POLE, self.plan), self.mark(POLE))] if self.plotted.has(self.plan, POLE) else []
         ends = gathered([*pole, *((str(k), z) for k, (z, _) in enumerate(places, 1))], SAME_MM / times)
-        named_labels = [labels.Label(", ".join(n), z, END_MM, clear=0.4, name=f"end {n[0]}") for z, n in ends]
+        named_labels = [Label(", ".join(n), z, END_MM, clear=0.4, name=f"end {n[0]}") for z, n in ends]
         for k, ((start, end), names) in enumerate(self.arrows.items()):
             back = self.arrows.get((end, start), [])
             if back and (end, start) in [*self.arrows][:k]:
@@ -188,10 +189,10 @@ class Polygon:
             text = " = ".join(map(self.naming.vector, names))
             text += f" ({numbers[start]}–{numbers[end]})" if {start, end} <= numbers.keys() else ""
             text += "".join(f" = −{self.naming.vector(name)}" for name in back)
-            named_labels.append(labels.Label(text, self.places[start, end], FORCE_MM, name=names[0]))
+            named_labels.append(Label(text, self.places[start, end], FORCE_MM, name=names[0]))
         return named_labels
 
-    def numbered(self, details: Sequence[detail.Detail]) -> list[tuple[complex, list[str]]]:
+    def numbered(self, details: Sequence[detail.Detail]) -> Clusters:
         """The ends of the vectors that overlap here or in a detail, along the polygon."""
         standing = {(a, b): (self.mark(a), self.mark(b)) for a, b in self.arrows}
         standing = {key: ends for key, ends in standing.items() if self.places[key] == ends}
@@ -206,24 +207,24 @@ class Polygon:
         corners = dict.fromkeys(z for key in (*terms, *standing) if key in lying for z in key)
         return gathered([(corner, self.mark(corner)) for corner in corners], ZERO_MM)
 
-    def with_values(self, named: Sequence[labels.Label]) -> list[labels.Label]:
+    def with_values(self, named: Sequence[Label]) -> list[Label]:
         """The same labels with the values of vectors, if requested: of forces after their names; of velocities and
         accelerations, whose ends are named, as separate names, as far as there is room."""
         at = {self.places[ends]: names for ends, names in self.arrows.items() if self.valued}
         if self.of_rates:
             texts = ((place, " = ".join(map(self.naming.vector, names))) for place, names in at.items())
-            own = [labels.Label(text, place, FORCE_MM, name=VALUE, told=True) for place, text in texts]
+            own = [Label(text, place, FORCE_MM, name=VALUE, told=True) for place, text in texts]
             return [*named, *map(self.with_value, own)]
         return [replace(self.with_value(x), name=f"{VALUE} {x.name}") if x.at in at else x for x in named]
 
-    def with_value(self, label: labels.Label) -> labels.Label:
+    def with_value(self, label: Label) -> Label:
         """The label of a vector with its value."""
         assert isinstance(label.at, tuple)
         size = abs(label.at[1] - label.at[0]) / self.plotted.mu(self.plan)
         sign = " = " if " = " in label.text else " "
         return replace(label, text=f"{label.text}{sign}{measured(size, self.naming.lang)}")
 
-    def mark_labels(self, same: float = SAME_MM) -> list[labels.Label]:
+    def mark_labels(self, same: float = SAME_MM) -> list[Label]:
         """Letters of the marks; coinciding ones share one label."""
         clusters = gathered([(label, self.mark(label)) for label in self.plotted.labels(self.plan)], same)
         centre = sum(z for z, _ in clusters) / len(clusters)
@@ -232,7 +233,7 @@ class Polygon:
             fixed = [n + prime for n in self.plotted.fixed] if POLE in names else []
             text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *fixed]))
             away = toward(centre, z) if abs(z - centre) > ZERO_MM else 0
-            letters.append(labels.Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
+            letters.append(Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
         return letters
 
 

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 
 from planes.geometry.plane import toward
 from planes.scene.mechanism import FRAME, Link, RoundGuide
-from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark
 from render.paper.style import BLOCK_MM, ROUND_GAP_MM, ROUND_HATCH_MM, ROUND_MM
+from render.paper.symbols import block, unit
 from render.views.plotted import Places, degrees
 
 
@@ -15,12 +15,12 @@ def round_slider(places: Places, link: Link, guide: RoundGuide, owner: str) -> I
     """The block turned along its arc, and the arc beneath it, hatched if it is the frame's."""
     centre, z = places.at(guide.centre), places.at(link.first_point)
     radius, out = abs(z - centre), toward(centre, z)
-    yield from symbols.block(z, degrees(1j * out))
+    yield from block(z, degrees(1j * out))
     rail, here = radius + BLOCK_MM[1] / 2, degrees(out)
     half = min(math.degrees(ROUND_MM / radius), 180.0)
     yield Arc(centre, rail, here - half, here + half)
     if owner == FRAME:
         step = math.degrees(ROUND_GAP_MM / rail)
         for k in range(int(2 * half / step)):
-            way = symbols.unit(here - half + (k + 0.5) * step)
-            yield Line((centre + rail * way, centre + rail * way + ROUND_HATCH_MM * way * symbols.unit(45)), "thin")
+            way = unit(here - half + (k + 0.5) * step)
+            yield Line((centre + rail * way, centre + rail * way + ROUND_HATCH_MM * way * unit(45)), "thin")

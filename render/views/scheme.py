@@ -3,7 +3,7 @@
 import cmath
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 
@@ -11,12 +11,13 @@ from planes.scene.mechanism import FRAME, Link
 from planes.solving import Position
 from planes.words.names import POLE, ends_of, label_of
 from planes.words.naming import Naming
-from render import labels
+from render.labels import Label
 from render.paper import symbols
 from render.paper.marks import Line, Mark
 from render.paper.style import BLOCK_MM, HINGE_MM, LARGE_MM, SMALL_MM
+from render.paper.symbols import Marks
 from render.views.hinges import base_angle
-from render.views.plotted import NEAR_MM, Places, degrees, nearest, outline_of
+from render.views.plotted import NEAR_MM, Ends, Places, degrees, nearest, outline_of
 from render.views.round_guides import round_slider
 from render.views.senses import driver_arrows, labelled
 
@@ -35,23 +36,15 @@ class Scheme:
     naming: Naming
     only: tuple[str, ...] = ()  # the links that are drawn; none named: all
     framed: bool = True  # whether the frame is drawn
-    axes: list[Mark] = field(default_factory=list)
-    rails: list[Mark] = field(default_factory=list)
-    guides: list[Mark] = field(default_factory=list)
-    blocks: list[Mark] = field(default_factory=list)
-    bars: list[Mark] = field(default_factory=list)
-    hinges: list[Mark] = field(default_factory=list)
-    named: list[labels.Label] = field(default_factory=list)
-    ways: dict[str, list[complex]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.places = Places(self.position)
         self.mechanism, self.shared = self.places.mechanism, self.places.shared
         self.links = [x for x in self.places.links if not self.only or x.name in self.only]
+        self.axes, self.rails, self.guides, self.blocks, self.bars, self.hinges = (list[Mark]() for _ in range(6))
+        self.named, self.ways = list[Label](), dict[str, list[complex]]()
 
-    def drawn(
-        self, arrows: bool = True, marks: Sequence[Mark] = (), named: Sequence[labels.Label] = ()
-    ) -> tuple[Mark, ...]:
+    def drawn(self, arrows: bool = True, marks: Sequence[Mark] = (), named: Sequence[Label] = ()) -> Marks:
         """All marks: guides, sliders, bars, hinges, letters, the driver's arrows; and the marks on top."""
         ground = [*self.strokes, *marks]
         if arrows:
@@ -123,7 +116,7 @@ class Scheme:
         self.axes.append(Line((foot - reach, foot + reach), "axis", "axis"))
         for letter, end in zip(ends_of(link.slides.guide), (foot + reach, foot - reach), strict=True):
             if letter:
-                self.named.append(labels.Label(self.naming.point(letter), end, 3.5, name=f"guide {link.slides.guide}"))
+                self.named.append(Label(self.naming.point(letter), end, 3.5, name=f"guide {link.slides.guide}"))
 
     def size(self, link: Link) -> tuple[float, float]:
         """The size of a slider's block: of two in one place the frame's (or the later one) holds the other."""
@@ -181,7 +174,7 @@ class Scheme:
 
     def rod(self, reach: list[float], stops: list[float]) -> tuple[float, float]:
         """From the place where the link holds the guide to beyond its sliders; no farther on the holding side."""
-        low, high = min([*reach, *stops]), max([*reach, *stops])
+        low, high = min(*reach, *stops), max(*reach, *stops)
         if min(reach) <= min(stops) + ROD_MM:
             low = min(reach)
         if max(reach) >= max(stops) - ROD_MM:
@@ -191,7 +184,7 @@ class Scheme:
     def number(self, link: Link, outline: list[complex]) -> None:
         """The number of a link beside its longest side, of a slider beside its block."""
         clear = 0.0
-        at: complex | tuple[complex, complex] | None = None
+        at: complex | Ends | None = None
         if len(outline) > 1:
             at = max(pairwise((*outline, outline[0])), key=lambda e: abs(e[1] - e[0]))
         elif link.slides:
@@ -206,7 +199,7 @@ class Scheme:
             at = self.places.at(link.first_point), self.places.foot(slider)[0]
         if at is not None:
             text, name = self.naming.link(link.name), f"link {link.name}"
-            self.named.append(labels.Label(text, at, LETTER_MM, clear=clear, name=name, underlined=True))
+            self.named.append(Label(text, at, LETTER_MM, clear=clear, name=name, underlined=True))
 
     # pairs and letters
 
@@ -229,15 +222,16 @@ class Scheme:
                 self.hinges += symbols.dot(z)
             clear = HINGE_MM if hinged else 0.8
             text = ", ".join(map(self.naming.point, (p, *self.images(p))))
-            self.named.append(labels.Label(text, z, LETTER_MM, clear=clear, priority=1, name=p))
+            self.named.append(Label(text, z, LETTER_MM, clear=clear, priority=1, name=p))
 
     def images(self, point: str) -> list[str]:
         """Letters of the places on guides that coincide with a slider's point, as on the plans: L, B3."""
         plans, drawn = self.position.plans, {x.name for x in self.links}
         known, images = {POLE, *(label_of(x.velocity) for x in plans.points.values())}, list[str]()
-        for link in (x for x in self.links if x.slides and x.first_point == point and x.name in plans.velocity_slides):
-            reading = plans.velocity_slides[link.name]
-            if self.mechanism.owner(reading.guide) in drawn:
-                ends = (reading.under,) if reading.under else reading.ends
-                images += (x.upper() for x in map(label_of, ends) if x not in known)
+        for link in self.links:
+            if link.slides and link.first_point == point and link.name in plans.velocity_slides:
+                reading = plans.velocity_slides[link.name]
+                if self.mechanism.owner(reading.guide) in drawn:
+                    ends = (reading.under,) if reading.under else reading.ends
+                    images += (x.upper() for x in map(label_of, ends) if x not in known)
         return images

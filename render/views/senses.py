@@ -8,11 +8,12 @@ from itertools import compress
 
 from planes.scene.mechanism import FRAME
 from planes.words.naming import Naming
-from render import labels
+from render.labels import Label, Labelled, place, rough
 from render.labels.footprints import ink, polygons
 from render.paper import symbols
 from render.paper.ink import cut
 from render.paper.marks import Hatch, Layer, Line, Mark, Shape, Text
+from render.paper.symbols import Marks
 from render.paper.typeset import box_of
 from render.views.plotted import Places
 
@@ -21,11 +22,11 @@ POSITION = "position"  # prefixes of names of links in other positions, and of t
 CLEAR_MM = 0.6  # between a letter and the thin line broken for it
 
 
-def driver_arrows(places: Places, naming: Naming, ground: Sequence[Mark]) -> tuple[list[Mark], list[labels.Label]]:
+def driver_arrows(places: Places, naming: Naming, ground: Sequence[Mark]) -> Labelled:
     """Curved arrows of the driver's ω and ε about its pivot, where they cross nothing, and their names."""
     drive, pair = places.mechanism.drive, places.position.plans.structure.drive_pair
-    arcs: list[Mark] = []
-    named: list[labels.Label] = []
+    arcs = list[Mark]()
+    named = list[Label]()
     if drive.kind == "s" or not places.has(pair.point):
         return arcs, named
     for rate, letter, radius in ((drive.velocity, "ω", 9.0), (drive.acceleration, "ε", 12.5)):
@@ -34,7 +35,7 @@ def driver_arrows(places: Places, naming: Naming, ground: Sequence[Mark]) -> tup
             arcs += arrow
             on = "" if drive.on == FRAME else f",{naming.link(drive.on)}"
             text = f"{letter}_{{{naming.link(drive.link)}{on}}}"
-            named.append(labels.Label(text, middle, LETTER_MM, clear=0.5, name=text))
+            named.append(Label(text, middle, LETTER_MM, clear=0.5, name=text))
     return arcs, named
 
 
@@ -63,7 +64,7 @@ def freest(
         (symbols.turn_arrow(centre, r, start, sweep, style, layer), centre + r * symbols.unit(start + sweep / 2))
         for r, start in ways
     )
-    if labels.rough():
+    if rough():
         return next(iter(arrows))
     inked, least, freest_arrow = ink(ground), math.inf, None
     for arrow in arrows:
@@ -76,23 +77,24 @@ def freest(
     return freest_arrow
 
 
-def labelled(named: Sequence[labels.Label], marks: Sequence[Mark]) -> tuple[Mark, ...]:
+def labelled(named: Sequence[Label], marks: Sequence[Mark]) -> Marks:
     """Marks with their letters in places found for them; construction lines and hatching are broken under a letter, but
     links in other positions not for their numbers, which are placed first."""
     kept = [m for m in marks if isinstance(m, Line) and m.name == POSITION]
     numbers = [x for x in named if x.name.startswith(POSITION)]
     gives = [isinstance(m, Hatch) or (isinstance(m, Line) and m.layer == "construction") for m in marks]
     thin, rest = list(compress(marks, gives)), [m for m, way in zip(marks, gives, strict=True) if not way]
-    first = labels.place(numbers, [*rest, *kept], None, [m for m in thin if m not in kept])
+    broken = [m for m in thin if m not in kept]
+    first = place(numbers, [*rest, *kept], None, broken)
     others = [x for x in named if x not in numbers]
-    placed = labels.place(others, [*rest, *first.marks], None, thin)
-    lines = (*parted([m for m in thin if m not in kept], [*first.texts, *placed.texts]), *parted(kept, placed.texts))
+    placed = place(others, [*rest, *first.marks], None, thin)
+    lines = (*parted(broken, [*first.texts, *placed.texts]), *parted(kept, placed.texts))
     return (*lines, *rest, *first.marks, *placed.marks)
 
 
-def parted(lines: Sequence[Mark], texts: Sequence[Text]) -> tuple[Mark, ...]:
+def parted(lines: Sequence[Mark], texts: Sequence[Text]) -> Marks:
     """The lines broken under letters, as a draughtsman breaks them."""
-    if not lines or not texts or labels.rough():
+    if not lines or not texts or rough():
         return tuple(lines)
     boxes = polygons([box_of(t) for t in texts])
     struck = sorted(set(ink(lines).within(boxes, CLEAR_MM / 2)[0].tolist()))

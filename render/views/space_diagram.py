@@ -10,13 +10,14 @@ from planes.plans.structures.figure import StaticsFigure, strains
 from planes.scene.mechanism import Link
 from planes.scene.structures import ALONE, StaticLoad, Support
 from planes.solving import Position
-from planes.words.names import at, label_of, mu_of
+from planes.words.names import at, label_of
 from planes.words.naming import Naming
-from render import labels
+from render.labels import Label
 from render.paper import symbols
 from render.paper.marks import Arrow, Line, Mark
+from render.paper.symbols import Marks
 from render.views.loading import Loading
-from render.views.plotted import NEAR_MM, degrees
+from render.views.plotted import NEAR_MM, degrees, scheme_mu
 from render.views.scheme import Scheme
 from render.views.strings import STRING_MM, drawn_strokes
 
@@ -57,7 +58,7 @@ class SpaceDiagram:
         self.scheme = BodyScheme(self.position, self.naming)
         self.places = self.scheme.places
 
-    def drawn(self) -> tuple[Mark, ...]:
+    def drawn(self) -> Marks:
         """All marks with their letters."""
         strokes, named = drawn_strokes(self.position.drawing, None if self.asked else self.figure, SCHEME)
         signs = [m for s in self.figure.supports for m in self.sign(s)]
@@ -69,7 +70,7 @@ class SpaceDiagram:
         return scheme.drawn(False, more, [*named, *loading.named, *([] if self.asked else self.knots())])
 
     def at(self, mark: str) -> complex:
-        """The place of a mark on the paper."""
+        """The place of a mark on the paper, or a direction."""
         return complex(self.position.drawing[mark])
 
     def loads(self) -> Loading:
@@ -77,24 +78,25 @@ class SpaceDiagram:
         plans = self.position.plans
         loading = Loading(self.position, self.naming, () if self.figure.members else tuple(plans.mechanism.links))
         loading.loads(False, from_outside=True)
-        for f in (f for f in plans.acting.forces.get(ALONE, ()) if f.spot and self.figure.members):
-            way = complex(self.position.drawing[f.along]) * math.copysign(1.0, float(self.position.drawing[f.size]))
-            loading.force(f.name, self.at(f.point), way, from_outside=True)
+        for f in plans.acting.forces.get(ALONE, ()):
+            if f.spot and self.figure.members:
+                way = self.at(f.along) * math.copysign(1.0, float(self.position.drawing[f.size]))
+                loading.force(f.name, self.at(f.point), way, from_outside=True)
         for s in () if self.asked else self.figure.supports:
             start, end = (self.at(x) for x in plans.vectors[s.name])
             if abs(end - start) > NEAR_MM and not s.to:
                 loading.force(s.name, self.places.at(s.point), toward(start, end))
         for name, mark, along in () if self.asked else self.figure.results:
-            loading.force(name, self.at(mark), complex(self.position.drawing[along]))
+            loading.force(name, self.at(mark), self.at(along))
         return loading
 
-    def knots(self) -> Iterator[labels.Label]:
+    def knots(self) -> Iterator[Label]:
         """Letters of the points where lines of action meet, and of regions."""
-        mu = self.position.scales[mu_of(SCHEME)]
+        mu = scheme_mu(self.position)
         for text, z in self.figure.letters.items():
-            yield labels.Label(text, z * mu, REGION_MM, name=f"region {text}")
+            yield Label(text, z * mu, REGION_MM, name=f"region {text}")
         for mark in self.figure.knots:
-            yield labels.Label(self.naming.point(label_of(mark)), self.at(mark), STRING_MM, clear=0.8, name=mark)
+            yield Label(self.naming.point(label_of(mark)), self.at(mark), STRING_MM, clear=0.8, name=mark)
 
     def members(self) -> Iterator[Mark]:
         """The members of a truss, by tension and compression."""
@@ -106,14 +108,14 @@ class SpaceDiagram:
 
     # signs
 
-    def sign(self, s: Support) -> tuple[Mark, ...]:
+    def sign(self, s: Support) -> Marks:
         """A roller on its base, a clamp's wall; hinges are drawn with the bodies."""
         z = self.places.at(s.point)
         if s.kind == "roller":
             return symbols.roller(z, s.normal_deg - 90.0)
         return self.wall(z, s.point) if s.kind == "clamp" else ()
 
-    def wall(self, z: complex, point: str) -> tuple[Mark, ...]:
+    def wall(self, z: complex, point: str) -> Marks:
         """The wall of a clamp: across the body there, hatched on the far side."""
         points = next(x.points for x in self.position.plans.mechanism.links.values() if point in x.points)
         others = [self.places.at(p) - z for p in points if p != point]

@@ -5,15 +5,15 @@ from planes.plans.position.bodies import SCHEME
 from planes.solving import Position
 from planes.words.names import at, label_of
 from planes.words.naming import Naming
-from render.labels import Label
-from render.paper import symbols
+from render.labels import Label, Labelled
 from render.paper.marks import Line, Mark
+from render.paper.symbols import dot
 from render.views.scheme import LETTER_MM
 
 FAR_MM = 60.0  # a special point farther from every point of the mechanism is not shown
 
 
-def special_points(position: Position, naming: Naming) -> tuple[list[Mark], list[Label]]:
+def special_points(position: Position, naming: Naming) -> Labelled:
     """The lines of leads extended to their special points, with the letters of these."""
     marks, named, drawing = list[Mark](), list[Label](), position.drawing
     points = [complex(drawing[m]) for p in position.plans.points if (m := at(SCHEME, p)) in drawing]
@@ -23,6 +23,6 @@ def special_points(position: Position, naming: Naming) -> tuple[list[Mark], list
             if min(abs(place - z) for z in points) <= FAR_MM:
                 leads = (step.start, step.other)
                 marks += [Line((complex(drawing[m]), place), "thin", "construction") for m in leads]
-                marks += symbols.dot(place)
+                marks += dot(place)
                 named.append(Label(naming.point(label_of(step.makes)), place, LETTER_MM, clear=0.8, name="special"))
     return marks, named

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from itertools import groupby
 
 from planes.words.frozen import frozen
-from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark, Shape, Text
 from render.paper.style import head as ink_head
+from render.paper.symbols import Marks, unit
 from render.paper.typeset import extent, ink_width
 
 Row = Sequence[str]
@@ -25,7 +25,7 @@ class TableGrid:
     letter: float = 3.5
     spanned: bool = False
 
-    def drawn(self, head: Row, rows: Sequence[Row]) -> tuple[Mark, ...]:
+    def drawn(self, head: Row, rows: Sequence[Row]) -> Marks:
         """The marks of a table with its upper left corner at the origin."""
         lines = [head, *rows] if any(head) else list(rows)
         (high, drop), pad = self.rows(lines), 0.5 * self.letter
@@ -35,7 +35,7 @@ class TableGrid:
             for k, left in enumerate(columns)
         ]
         edges = [sum(widths[:k]) for k in range(len(widths) + 1)]
-        marks: list[Mark] = []
+        marks = list[Mark]()
         for level in range(len(lines) + 1):
             style = "rule" if level == 1 and any(head) else "thin"
             row = lines[level] if self.spanned and 1 < level < len(lines) else head
@@ -73,7 +73,7 @@ class TableGrid:
         """Width of a cell's ink."""
         return ink_width(cell.rstrip("↺↻"), self.letter) + (self.letter * 1.5 if cell[-1:] in _SENSES else 0.0)
 
-    def cell(self, cell: str, left: complex) -> tuple[Mark, ...]:
+    def cell(self, cell: str, left: complex) -> Marks:
         """A text at a place, followed by a curved arrow for a sense of rotation."""
         sense = _SENSES.get(cell[-1:])
         text = cell.rstrip("↺↻")
@@ -82,7 +82,7 @@ class TableGrid:
         radius = 0.48 * self.letter
         turn = left + self.wide(cell) - radius + 0.5j * self.letter
         low, high = (-60.0, 180.0) if sense > 0 else (0.0, 240.0)
-        tip = turn + radius * symbols.unit(high if sense > 0 else low)
+        tip = turn + radius * unit(high if sense > 0 else low)
         head = ink_head(tip, -1j, 0.5 * self.letter, 0.3 * self.letter)
         return (Text(text, left, self.letter), Arc(turn, radius, low, high, "thin", "table"), Shape(head, "table"))
 

@@ -175,10 +175,11 @@ class Tables:
     def links(self) -> View | None:
         """ω and ε of every link with their senses; empty if the driver is at rest."""
         rows, links = [], self.position.rows("links")
-        for name in (x for x in self.position.plans.mechanism.links if x in links and not self.position.plans.at_rest):
-            cells = [self.turning(links[name][k].number) if k in links[name] else "" for k in ("omega", "epsilon")]
-            if any(cells):
-                rows.append([self.naming.link(name), *cells])
+        for name in self.position.plans.mechanism.links:
+            if name in links and not self.position.plans.at_rest:
+                cells = [self.turning(links[name][k].number) if k in links[name] else "" for k in ("omega", "epsilon")]
+                if any(cells):
+                    rows.append([self.naming.link(name), *cells])
         head = [self.say("column_link"), f"ω, {self.say('rad/s')}", f"ε, {self.say('rad/s²')}"]
         return self.table("links", self.say("links_table"), head, rows)
 
@@ -224,11 +225,12 @@ class Tables:
     def lengths(self) -> dict[str, float]:
         """The length of each reaction on the force plan that shows it, or its opposite, mm."""
         plotted, lengths = of_position(self.position), dict[str, float]()
-        for s in (s for s in plotted.segments if kind_of(s.plan) == "force" and plotted.has(s.plan, s.start, s.end)):
-            mm = abs(plotted.mark(s.plan, s.end) - plotted.mark(s.plan, s.start))
-            for key, reaction in self.position.plans.reactions.items():
-                if s.name in (key, force_name(reaction.pair.other, reaction.pair.link)):
-                    lengths.setdefault(key, mm)
+        for s in plotted.segments:
+            if kind_of(s.plan) == "force" and plotted.has(s.plan, s.start, s.end):
+                mm = plotted.long(s.plan, s)
+                for key, reaction in self.position.plans.reactions.items():
+                    if s.name in (key, force_name(reaction.pair.other, reaction.pair.link)):
+                        lengths.setdefault(key, mm)
         return lengths
 
     def check(self) -> View | None:
