@@ -62,7 +62,7 @@ def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
         "loads": loads,
         "signs": [{"kind": s.kind, "mark": at("position", s.point), "turn": s.normal_deg} for s in figure.supports],
         "members": [name for name, _, _ in figure.members],
-        "numbered": [*figure.numbered],
+        "numbered": sorted(figure.numbered),
     }
 
 
