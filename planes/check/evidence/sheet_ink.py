@@ -39,7 +39,7 @@ LINE_MM, USUAL_HEAD_MM = 0.8, 4.0  # of a drawn line, as opposed to a letter
 WINGS_MM, NARROW_MM, WING_STEP_MM = (0.55, 0.7, 0.85, 1.0), (0.35, 0.45), 0.4  # off a line, and near it; along it
 OWN_MM, LONG_HEAD_MM, WIDE_HEAD_MM = 0.6, 5.0, 1.5  # of another line's ink, and of its head
 # Beside an end without a head: the most darkness, that over the line behind it, also near the line, and by how much the
-# other end is darker. Points that tell, for both ends and for one. Of 419 heads on right pictures none is so bare.
+# other end is darker. Points that tell, for both ends and for one. Of 419 heads none on a sheet called right is so.
 BARE, FLAT, THIN, TURNED_HEAD, FEWEST_WINGS, MOST_WINGS = 0.14, 0.08, 0.1, 0.12, 16, 44
 GAP_STEP_MM, GONE = 0.5, 0.25  # step along a line; share below which a line is missing
 SHORT_MM = 1.0  # of a line that explains ink
