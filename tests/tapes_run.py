@@ -30,10 +30,10 @@ FOLDERS = (".", "assignments", "class-three", "class-four")
 FAR, SETS = 1e-9, 100
 
 
-def by_engine(file: Path, data: Any, sets: int) -> Iterator[dict[str, Any]]:
+def by_engine(file: Path, data: Any, sets: int, rng: random.Random) -> Iterator[dict[str, Any]]:
     """The marks of each set by the engine, mm from their poles; none where it refuses."""
     engine = DrawnByEngine(file)
-    for given in numbers(data, sets // 2, sets - sets // 2, random.Random(f"ten thousand {file.stem}")):
+    for given in numbers(data, sets // 2, sets - sets // 2, rng):
         flat = {**data["home"], **given}
         for knob in data["knobs"]:
             flat |= {n: flat[n] * flat[knob["given"]] / data["home"][knob["given"]] for n in knob["tied"]}
@@ -53,7 +53,8 @@ def main(sets: int) -> int:
         Path(room, "package.json").write_text('{"type": "module"}', encoding="utf-8")
         for file in sorted(f for folder in FOLDERS for f in (ROOT / "samples" / folder).glob("*.yaml")):
             data = lesson_data(load(str(file)))
-            text = json.dumps({"held": brought(page(data, "en")), "drawn": [*by_engine(file, data, sets)]})
+            drawn = [*by_engine(file, data, sets, random.Random(f"ten thousand {file.stem}"))]
+            text = json.dumps({"held": brought(page(data, "en")), "drawn": drawn})
             Path(room, "drawn.json").write_text(text, encoding="utf-8")
             command = [node, "tapes_run.mjs", "drawn.json"]
             seen = json.loads(subprocess.run(command, cwd=room, check=True, capture_output=True, text=True).stdout)

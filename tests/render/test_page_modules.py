@@ -20,32 +20,17 @@ from planes.lesson.told import Told
 from planes.plans import plans_of
 from planes.plans.scales import fits_on, scales
 from planes.scene import load
-from planes.words.names import plan_of
 from planes.words.records import Json
 from planes.words.units import number
 from render.page import packer
 from render.page.lesson_page import page
 from tests.helpers import ROOT
 from tests.helpers.lessons import brought
-from tests.lessons_run import DrawnByEngine, numbers
+from tests.tapes_run import by_engine
 
 SCENE = ROOT / "samples" / "six-link.yaml"
 TESTS = Path(__file__).with_name("page_modules.test.mjs")
 NUMBERS = [0.0, -0.0, 1.0, 0.125, -12.345, 99999.5, 1234567.0, 12345678.9, 1e-5, 0.00012345, 2.5e-7, -3.14159, 2.00005]
-
-
-def drawn(data: Json, rng: random.Random) -> list[Json]:
-    """Marks by the engine, at other places of the drive and with other dimensions."""
-    engine, found = DrawnByEngine(SCENE), []
-    for given in numbers(data, 12, 12, rng):
-        flat = {**data["home"], **given}
-        for knob in data["knobs"]:
-            flat |= {n: flat[n] * flat[knob["given"]] / data["home"][knob["given"]] for n in knob["tied"]}
-        drawing = engine.drawn(flat)
-        marks = {m: drawing[m] for m in data["marks"] if m in drawing and plan_of(m) != "motion"} if drawing else {}
-        places = {m: [complex(z).real, complex(z).imag] for m, z in marks.items()}
-        found.append({"given": given, "marks": places, "failed": drawing is None})
-    return found
 
 
 def said(data: Json) -> list[Json]:
@@ -71,7 +56,7 @@ def test_modules_of_the_pages_reckon_as_python_does(tmp_path: Path) -> None:
     data = lesson_data(load(str(SCENE)))
     told = {
         "held": brought(page(data, "en")),
-        "drawn": drawn(data, random.Random(5)),
+        "drawn": [*by_engine(SCENE, data, 24, random.Random(5))],
         "said": said(data),
         "numbers": NUMBERS,
         "written": {lang: [number(v, lang) for v in NUMBERS] for lang in ("ru", "en")},

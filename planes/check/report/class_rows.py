@@ -58,7 +58,7 @@ class ClassRow:
             whose=one.whose,
             plan=_plan_said(outcome, lang) if outcome else "",
             link=one.report,
-            mistake=cause if cause and cause in said else "",
+            mistake=cause if cause in said else "",
             picture=address(thumb(outcome, one.picture)),
             places=wrong_places(outcome) if outcome else [],
             object=one.as_json(lang),
