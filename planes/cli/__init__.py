@@ -27,7 +27,7 @@ APART = {
     "check": "check",
     "blank": "check",
     "cycle": "cycle",
-    **dict.fromkeys(("new", "studio", "schema", "completion"), "start"),
+    **dict.fromkeys(("new", "equations", "studio", "schema", "completion"), "start"),
 }
 """Commands with their own module; the others are together in ``commands``."""
 CLOSE = 0.8  # how like two words are, of 1, one of which is a misspelling of the other

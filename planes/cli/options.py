@@ -18,7 +18,7 @@ OUTPUT = {"metavar": "FILE", "required": True}
 REAL = {"type": float}
 OF_SCENE: Sequence[Option] = (("scene", "scene", {"metavar": "SCENE"}), ("--variant", "variant", {}))
 POSITIONS: Sequence[Option] = (("--phi", "phi", {"metavar": "A[:B:STEP]"}), ("--s", "s", {"metavar": "A[:B:STEP]"}))
-POSITIONED = ("solve", "sheet", "note", "cycle", "check", "blank")
+POSITIONED = ("solve", "sheet", "note", "cycle", "check", "blank", "equations")
 """Commands with options for positions."""
 EITHER = {"sheet": ("--sheet", "--view"), "course": ("--jobs", "--scheduler")}
 """Options that exclude each other."""
@@ -106,6 +106,7 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--mu", "mu", {"metavar": "MU"}),
         ("-o --output", "blank_output", OUTPUT),
     ),
+    "equations": (("-o --output", "new_output", FILE),),
     "course": (
         ("folder", "course_folder", {"metavar": "DIR"}),
         ("-o --output", "course_output", {"metavar": "FOLDER"}),

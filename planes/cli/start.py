@@ -1,4 +1,4 @@
-"""The commands for beginners: ``planes new``, ``studio``, ``schema``, ``completion``."""
+"""The commands for beginners: ``planes new``, ``equations``, ``studio``, ``schema``, ``completion``."""
 
 import json
 import os
@@ -7,6 +7,7 @@ import sys
 from argparse import Namespace
 from pathlib import Path
 
+from planes.cli.options import value_of
 from planes.scene.files import is_output, keep, sayable
 from planes.words import Lang, Phrase, say, stand_ins
 from planes.words.errors import PlanesError, choices
@@ -45,6 +46,20 @@ def new(args: Namespace) -> int:
         if beside := kept and _schema_beside(file, name, args.lang):
             text = f"# yaml-language-server: $schema={beside}\n{text}"
     _out(text, args.output)
+    return 0
+
+
+def equations(args: Namespace) -> int:
+    """A scene of the user's own equations of a mechanism, in a file or on the terminal."""
+    from planes.cli.commands import scene_of
+    from planes.solving import plans_of, position
+    from planes.solving.by_equations import by_equations
+
+    scene = scene_of(args)
+    plans, wanted = plans_of(scene)
+    value = value_of(args, scene)
+    at = position(scene, plans, wanted, plans.drive.position if value is None else value, None, args.lang)
+    _out(by_equations(scene, at), args.output)
     return 0
 
 

@@ -46,9 +46,13 @@ class OwnEquation:
         if self.name:
             angle = number(math.degrees(cmath.phase(self.value)), lang, 4)
             return say("own_gives", lang, name=self.name, value=measured(abs(self.value), lang), unit=unit, angle=angle)
+        return self.fault(lang) or say("own_closes", lang)
+
+    def fault(self, lang: Lang) -> str:
+        """By how much it does not close, and why; "" where it does."""
         if self.closes:
-            return say("own_closes", lang)
-        gap = say("own_gap", lang, gap=measured(self.gap, lang), unit=unit)
+            return ""
+        gap = say("own_gap", lang, gap=measured(self.gap, lang), unit=say(self.unit, lang))
         return f"{gap}: {self.change.told(lang)}" if self.change else gap
 
     def json(self) -> Json:
@@ -71,7 +75,7 @@ def own_equations(
         if len(new) > 1 or (new and len(terms) == 1):
             valid = choices(new[-1], known)
             raise SceneError(Phrase("own_unknown", text=equation.text, name=new[-1], valid=valid), file, equation.line)
-        unit = UNIT.get(_kind(terms[0][0]), "N")
+        unit = UNIT.get(kind_shown(terms[0][0]), "N")
         if new:
             name = new[0]
             known[name] = -sum(k * known[n] for n, k in terms if n != name) / dict(terms)[name]
@@ -86,7 +90,7 @@ def _signed(equation: VectorEquation) -> Iterator[tuple[float, tuple[SideTerm, .
     yield -1.0, equation.sides[-1]
 
 
-def _kind(name: str) -> str:
+def kind_shown(name: str) -> str:
     """The plan that the letter of a vector shows."""
     return {"v": "velocity", "a": "acceleration"}.get(parts_of(name)[0], "force")
 
@@ -131,8 +135,8 @@ def _changes(
     terms: list[tuple[str, float]], left: complex, known: Mapping[str, complex], slack: float
 ) -> Iterator[Phrase]:
     """Changes that would close an equation, the likeliest first."""
-    there, kind = dict(terms), _kind(terms[0][0])
-    others = [n for n, z in known.items() if _kind(n) == kind and n not in there and abs(z) > slack]
+    there, kind = dict(terms), kind_shown(terms[0][0])
+    others = [n for n, z in known.items() if kind_shown(n) == kind and n not in there and abs(z) > slack]
     others.sort(key=lambda n: PARTS.index(parts_of(n)[2]) if parts_of(n)[2] in PARTS else len(PARTS))
     missing = [n for n in others if min(abs(left + known[n]), abs(left - known[n])) <= slack]
     yield from (Phrase("own_missing", name=n) for n in missing if parts_of(n)[2])
