@@ -31,7 +31,9 @@ def by_equations(scene: Scene, position: Position) -> str:
         raise SceneError(Phrase("own_none"), scene.file)
     for one in own_equations(position.plans, position.drawing, position.scales, scene.equations, scene.file):
         if not one.closes:
-            raise SceneError(Phrase("about", what=one.equation.text, why=Written(one.fault)), scene.file, one.equation.line)
+            raise SceneError(
+                Phrase("about", what=one.equation.text, why=Written(one.fault)), scene.file, one.equation.line
+            )
     vectors = dict(vectors_of(position.plans, position.drawing, position.scales))
     known = {name: _known(position, name, vectors) for e in scene.equations for name in e.names}
     alone = {side[0].name for e in scene.equations for side in e.sides if len(side) == 1}
@@ -75,7 +77,9 @@ def _known(position: Position, name: str, vectors: Mapping[str, complex]) -> Jso
     terms = [t for e in equations for t in e.terms if t.name == name]
     term = next((t for t in terms if not t.drawn), None)
     if term and term.known < 2:
-        return _line(position, term.direction) or {"direction": _angle(things[term.direction])} if term.direction else {}
+        return (
+            _line(position, term.direction) or {"direction": _angle(things[term.direction])} if term.direction else {}
+        )
     sought = next((e for e in equations if e.total == name), None)
     if name not in vectors or (sought and not term):
         return {}

@@ -12,9 +12,10 @@ import pytest
 
 from planes.drafting.instruments import Pencil
 from planes.plans.quantities import catalogue
-from planes.scene import loads
+from planes.scene import load, loads
 from planes.solving import plans_of, solve
 from planes.words.errors import SceneError
+from tests.helpers import ROOT
 from tests.helpers.comparing import checked, draw
 from tests.helpers.mechanisms import KINDS, make, to_yaml
 from tests.solving.test_failures import FOUR_BAR, ROCKER, SLIDER
@@ -293,6 +294,13 @@ def test_whatever_is_asked_alone_is_answered(name: str) -> None:
         for one, values in found.items() if isinstance(found, dict) else ():
             for part, value in values.items() if isinstance(values, dict) else ():
                 assert value == whole[key][one][part]
+
+
+def test_only_forces_are_reactions() -> None:
+    """Also the parts that are calculated without a segment of their own; arms and cosines have such names, too."""
+    known = catalogue(plans_of(load(ROOT / "samples" / "class-four" / "press.yaml"))[0])
+    parts = {n: q for n, q in known.items() if "^" in n and q.group == "reactions"}
+    assert parts and all(n.startswith("F_") and q.whole.unit == "N" for n, q in parts.items())
 
 
 @pytest.mark.slow

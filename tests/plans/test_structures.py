@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -191,6 +192,8 @@ def test_a_truss_says_how_its_members_are_strained() -> None:
     told = strains(position.plans.figure, position.drawing)
     assert told == {"S_AC": "compression", "S_CB": "compression", "S_AD": "tension", "S_DB": "tension", "S_CD": "idle"}
     assert position.of("values")["S_AC"].number == pytest.approx(-5000 * math.sqrt(2), rel=1e-14)
+    rounding = {**position.drawing.things, "S_CD": 1e-6}  # beside 7071 N
+    assert strains(position.plans.figure, replace(position.drawing, things=rounding))["S_CD"] == "idle"
 
 
 BAR = "points: {A: [0, 0], B: [4, 0], C: [1, 0], E: [4, 3]}\nbodies: {1: [A, C, B]}\n"
@@ -330,6 +333,8 @@ def test_strings_go_through_the_points_they_are_to(middle: str) -> None:
     knots = [mark(p) for p in ("A", "1", "2", "3")]
     off = lambda z, k: abs(((z - knots[k]) * rays[k].conjugate()).imag)  # noqa: E731
     assert off(mark("B"), 3) < 1e-12 * 100
+    figure = position.plans.figure
+    assert figure and {s.name for s in figure.strokes if s.kind == "string"} == {"0", "1", "2", "3"}
     assert not middle or off(mark("C"), 2) < 1e-12 * 100
 
 

@@ -48,7 +48,9 @@ def test_equations_of_a_textbook_give_the_vectors_of_the_mechanism(file: Path) -
     (p,) = solve(scene).positions
     known = dict(vectors_of(p.plans, p.drawing, p.scales))
     moved = (e for e in p.plans.equations if kind_of(e.plan) in ("velocity", "acceleration", "force"))
-    own = [e.text.replace("−", "-") for e in moved if {t.name for t in e.terms} | {e.total or e.terms[0].name} <= {*known}]
+    own = [
+        e.text.replace("−", "-") for e in moved if {t.name for t in e.terms} | {e.total or e.terms[0].name} <= {*known}
+    ]
     if not own:
         return
     again = drawn(by_equations(*beside(file, own)))
