@@ -1,5 +1,5 @@
-"""An essay on the method of plans: ten short pages, one figure per paragraph, from two vectors to six links with
-forces.
+"""An essay on the method of plans: twelve short pages, one figure per paragraph, from two vectors to six links with
+forces, then a beam and a truss.
 
 A page is the data of a lesson, with the words of each paragraph and the part of the lesson in its figure.
 """
@@ -74,6 +74,19 @@ PAGES = (
         "acceleration acceleration:f' phi",
         "force:4-5 force:4-5:F_50 phi P_5_given",
         "lever moments@MI_4 phi",
+    ),
+    (
+        "beam",
+        "force force:O |P_C| |pO|",
+        "position position:3 |pO| angle_∠O",
+        "force measured@R_A angle_∠O |P_C|",
+        "position position:D·· |P_C| |pO|",
+    ),
+    (
+        "truss",
+        "force measured@R_A |P_C| angle_∠P_C",
+        "cremona cremona:c |P_C|",
+        "cremona measured@S_DF |P_C| angle_∠P_C",
     ),
 )
 """For each page its scene, and its figures: the scheme or a plan, up to the frame that makes a mark, or that has a key

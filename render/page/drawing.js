@@ -1,7 +1,7 @@
 // A figure of the lesson's marks: arrows about centres, forces and arms of a moment equation.
 import { Figure } from "./figure.js";
 import { distance } from "./geometry.js";
-import { keyOf } from "./letters.js";
+import { keyOf, labelOf } from "./letters.js";
 import { live } from "./page.js";
 import { head, headSize } from "./signs.js";
 import { arc, circle, svg } from "./svg.js";
@@ -39,6 +39,8 @@ export class Drawing extends Figure {
       this.line(a, b, s.kind !== "string" && s.kind !== "ray" && s.kind !== "closing" ? "trace" : "string", s.name);
       if (s.name) this.along(a, b, [s.name], plan);
     }
+    const poles = new Set(drawn.strokes.filter(s => s.kind === "ray" && s.plan === plan).map(s => s.ends[0]));
+    for (const n of poles) if (there(n)) this.beside(there(n), [labelOf(n)], plan);
   }
   /** @type {(c: Couple, nth: number) => void} */
   couple(c, nth) { // about the middle of its link, each further one wider

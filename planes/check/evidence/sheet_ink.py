@@ -155,17 +155,18 @@ class SheetInk:
         return numpy.where(length > SHORTEST_MM, felt, 0.0)
 
     def heads_seen(self, a: Complexes, b: Complexes) -> Array:
-        """Whether each line of one drawing has a head at b (1) or has none (-1): it is at a, or the paper is bare.
+        """Whether each line of one drawing has a head at b (1), has none there (-1), or has it at a instead (-2).
 
         Where another line or its head may be, nothing is seen (0).
         """
         here, over, points = self._wings(a, b)
-        _, there, other_points = self._wings(a, b, back=True)
+        start, there, other_points = self._wings(a, b, back=True)
         _, narrow, _ = self._wings(a, b, NARROW_MM)
         turned = (over < FLAT) & (there - over > TURNED_HEAD) & (numpy.minimum(points, other_points) >= FEWEST_WINGS)
         none = turned | (here < BARE) & (narrow < THIN) & (points >= MOST_WINGS)
         shown = ~none & (over > TURNED_HEAD) & (points >= FEWEST_WINGS)
-        return numpy.where(abs(b - a) > SHORTEST_MM, shown * 1.0 - none, 0.0)
+        reversed_ = turned & (here < BARE) & (start - here > TURNED_HEAD) & (there > TURNED_HEAD)
+        return numpy.where(abs(b - a) > SHORTEST_MM, shown * 1.0 - none - reversed_, 0.0)
 
     def _wings(
         self, a: Complexes, b: Complexes, off_mm: Sequence[float] = WINGS_MM, back: bool = False

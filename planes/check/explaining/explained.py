@@ -16,7 +16,7 @@ from planes.check.explaining.scorer import Laid, Scorer
 from planes.check.grading.evidence import logistic
 from planes.check.grading.judging import LEFT_OUT
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.sign_faults import SignFault
+from planes.check.grading.sign_faults import DrawnVector, SignFault, arrow_faults
 from planes.check.grading.signs import plan_scaled
 from planes.geometry.arrays import Array, Booleans, Complexes
 from planes.words.names import POLE
@@ -214,11 +214,22 @@ class Explanation:
         gaps = [self.ink.longest_gap(p, q) if abs(q - p) > w.LONG_MM else 0.0 for p, q in zip(a, b, strict=True)]
         return numpy.asarray(self.plan.needed & (numpy.array(gaps) > w.TORN_MM))
 
+    @cached_property
+    def _heads(self) -> Array:
+        """The heads of the vectors needed: see :meth:`SheetInk.heads_seen`."""
+        return self.ink.heads_seen(*self._ends) * (self.plan.needed & (self.plan.kind != "position"))
+
     @property
     def _headless(self) -> Booleans:
         """Vectors without a head at their ends, where more have one."""
-        seen = self.ink.heads_seen(*self._ends) * (self.plan.needed & (self.plan.kind != "position"))
-        return numpy.asarray((seen < 0) & (seen.sum() > 0))
+        return numpy.asarray((self._heads < 0) & (numpy.sign(self._heads).sum() > 0))
+
+    def turned_round(self) -> list[SignFault]:
+        """Vectors of the right plan that have their heads at their starts, where most others have them right."""
+        how, lines = {1.0: DrawnVector("end"), -2.0: DrawnVector("start")}, self.plan.lines
+        names = [("", self._name(k)) if k < len(self.plan.sides) else line for k, line in enumerate(lines)]
+        seen = {n: how[h] for n, h in zip(names, self._heads.tolist(), strict=True) if h in how}
+        return [replace(f, chance_wrong=w.TURNED) for f in arrow_faults(seen)] if self.best.hypothesis.right else []
 
     def _name(self, k: int) -> str:
         plan, line = self.plan, self.plan.lines[k]
