@@ -123,6 +123,7 @@ def class_page(
     parts = {
         "title": e(title),
         "counts": "".join(f"<span>{e(name)} <b>{count}</b></span>" for name, count in counts),
+        **{key: e(text) for key, text in under("class_", lang, "check").items()},
         "absent": f"<p>{e(absent)}</p>" if absent else "",
         "common": f"<h2>{e(say('check_common', lang))}</h2><ol>{often}</ol>" if often else "",
         "head": cells,
@@ -146,11 +147,18 @@ def _row(number: int, row: ClassRow, cells: Sequence[str], lang: Lang, links: Ma
     name, *rest, said = cells
     rest = [tagged(f"⟨{c}⟩", naming, row.kind) if c and c == row.first else html.escape(c) for c in rest]
     name, rest = html.escape(name), [*rest, sentence(said, row.names, naming, row.kind, links)]
-    rest[-1] += _places(row.places, f"{number}-", naming, row.kind)
+    rest[-1] += _places(row.places, f"{number}-", naming, row.kind) + _decide(lang)
     columns = "".join(f"<td>{c}</td>" for c in rest)
     small = f'<img alt="" src="{html.escape(row.picture)}">' if row.picture else ""
     kind = f"{row.verdict} unsure" if row.rank == UNSURE else row.verdict
     return f'<tr class="{kind}"><th scope="row">{_linked(name + small, row.link)}</th>{columns}</tr>\n'
+
+
+def _decide(lang: Lang) -> str:
+    """The buttons by which a teacher decides about a drawing."""
+    shown = ((key, html.escape(say(f"class_{key}", lang))) for key in ("accepted", "rejected"))
+    buttons = "".join(f'<button type="button" value="{key}">{text}</button>' for key, text in shown)
+    return f'<span class="decide">{buttons}</span>'
 
 
 def _linked(name: str, link: str) -> str:

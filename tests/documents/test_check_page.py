@@ -331,6 +331,36 @@ def test_the_page_reads_every_operation_of_a_tape() -> None:
         assert all(re.search(rf"\b{n}:", slopes) for n in names - TESTS)
 
 
+def test_a_teacher_decides_on_the_page_of_a_class(browser: Any, tmp_path: Path) -> None:
+    """A decision marks its row, is taken back, stands when the page is opened again, and goes into the table."""
+    group = ClassWork("11", "en", str(tmp_path / "class"))
+    for name, mistake in (("anna", None), ("boris", CASES[0][2])):
+        group.add(Checked(f"{name}.jpg", handed_in("six-link", "velocity", mistake)))
+    group.close()
+    page = browser.new_page()
+    errors = watched(page)
+    page.goto((tmp_path / "class" / "index.html").as_uri())
+    assert not page.is_visible("#decided")
+    own = "Object.fromEntries([...document.querySelector('tbody').rows].map(r => [r.cells[0].textContent, r.dataset.own]))"
+    page.click("tr.wrong .decide button >> text=Accept")
+    page.click("tr.right .decide button >> text=Accept")
+    page.click("tr.right .decide button >> text=Reject")
+    for _ in range(2):
+        assert page.evaluate(own) == {"boris.jpg": "accepted", "anna.jpg": "rejected"}
+        assert page.inner_text("#decided output") == "Decided by you: 1 accepted, 1 rejected."
+        page.goto((tmp_path / "class" / "index.html").as_uri())
+    page.click("tr.right .decide button >> text=Reject")
+    assert page.evaluate(own)["anna.jpg"] == ""
+    with page.expect_download() as kept:
+        page.click("#decided button")
+    kept.value.save_as(tmp_path / "decided.csv")
+    lines = (tmp_path / "decided.csv").read_text("utf-8-sig").splitlines()
+    assert lines[0].endswith(',"decision"')
+    assert sorted(line.split(",")[0] + line[-9:] for line in lines[1:])[1] == '"boris.jpg","Accept"'
+    page.close()
+    assert errors == []
+
+
 def test_the_page_of_a_class_tells_whose_mistakes_and_is_sorted_at_will(browser: Any, tmp_path: Path) -> None:
     group = ClassWork("11", "en", str(tmp_path / "class"))
     for name, mistake in (("anna", None), ("boris", CASES[0][2]), ("gleb", CASES[0][2])):
