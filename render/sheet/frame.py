@@ -50,7 +50,8 @@ _SIDE = 0.9  # from the side of a cell to a text at its left edge
 _CLEAR = 0.5  # least distance of a text from the sides of its cell, over the cell's intended letter height
 _PITCH = 1.6  # line spacing over the letter height
 _SLIGHTLY = 0.9  # relative: a word is narrowed this far before it gets smaller letters
-_WORDS = re.compile(r"\s+(?!\d)")  # no line begins with a number
+_WORDS = re.compile(r"[ \n]+(?!\d)")  # no line begins with a number
+_TOGETHER, _JOINED = 18, "\N{NO-BREAK SPACE}"  # letters of a name that is not divided; the space in it
 _NEARLY = 0.7  # of the height of letters in one cell, which differ by a step at most
 APART = ".\n"  # between sentences of a cell; each begins a new line if there is room
 _LEAST = 0.6  # the least distance of a narrowed text from the sides of its cell
@@ -128,7 +129,7 @@ def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
         across = 0.0 if cell.anchor == "middle" else _SIDE - wide / 2
         place = middle + complex(across, top - k * _PITCH * size) * turn
         narrow = min(1.0, (wide - 2 * _LEAST - PEN * size) / ink_width(line, size))
-        marks.append(Text(line, place, size, cell.anchor, cell.turn_deg, "frame", name, narrow=narrow))
+        marks.append(Text(line.replace(_JOINED, " "), place, size, cell.anchor, cell.turn_deg, "frame", name, narrow=narrow))
     return marks
 
 
@@ -197,7 +198,8 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
         texts["title"] = APART.join(filter(None, (texts["title"], say(f"sheet_{number}", lang))))
     texts["designation"] = said.get("designation") or said.get("number", "")
     company = [said.get(key, "") for key in ("company", "university", "department", "group")]
-    texts["company"] = " ".join(text for text in company if text)
+    names = (name if len(name) > _TOGETHER else name.replace(" ", _JOINED) for name in company)
+    texts["company"] = " ".join(filter(None, names))
     texts["scale"] = said.get("scale_note", "")
     texts["sheet"] = said.get("sheet", str(number or ""))
     texts["sheets"] = said.get("sheets", "2" if number else "1")

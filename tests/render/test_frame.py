@@ -276,6 +276,12 @@ def test_long_names_are_shared_among_lines_and_no_letter_is_off_the_standard_ser
     assert len(lines["student"]) == 1 and 0.45 < lines["student"][0].narrow < 0.9  # 5 mm hold one line
 
 
+def test_a_short_name_of_a_department_is_not_torn():
+    marks = sheet(university="БНТУ", department="Кафедра ТММ", group="М-31").marks
+    lines = [m.text for m in marks if isinstance(m, Text) and m.name == "cell company"]
+    assert lines == ["БНТУ", "Кафедра ТММ М-31"]
+
+
 def test_a_narrowed_text_is_as_high_and_so_many_times_as_wide():
     usual, narrowed = (layout(Text("Пров. v_{CB}", 10 + 10j, 5.0, turn_deg=90, narrow=by)) for by in (1.0, 0.6))
     assert [r.height for r in narrowed.runs] == [r.height for r in usual.runs]
