@@ -43,6 +43,11 @@ class Scored:
         return max(self.sigma, SHARE * abs(self.true) / 3)
 
     @property
+    def tolerance(self) -> float:
+        """How far from the true value it may be."""
+        return max(3 * self.sigma, SHARE * abs(self.true))
+
+    @property
     def off(self) -> float:
         """Its difference from the true value."""
         return _off(self.figure, self.true)

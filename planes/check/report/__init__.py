@@ -73,7 +73,8 @@ def result_rows(out: Outcome) -> list[Json]:
     """The results of the JSON."""
     rows = []
     for s in out.results.scored if out.results else []:
-        row = {"name": s.figure.name, "given": s.figure.given, "true": s.true, "verdict": s.verdict}
+        row = {"name": s.figure.name, "given": s.figure.given, "true": s.true, "tolerance": s.tolerance}
+        row["verdict"] = s.verdict
         row |= {"mistake": s.slip and s.slip.said.key[len("mistake_") :]} if s.verdict == "wrong" else {}
         rows.append(row | _warned(s.close))
     return rows
@@ -207,7 +208,8 @@ def numbers_of(outcome: Outcome, lang: Lang) -> list[list[str]]:
         verdict = say(f"verdict_{r['verdict']}", lang)
         if s.slip and s.verdict == "wrong":
             verdict += ": " + s.slip.said.told(lang).removeprefix(f"{s.figure.name}: ")
-        rows.append([r["verdict"], r["name"], *(number(r[k], lang) for k in ("given", "true")), verdict])
+        true = f"{number(s.true, lang)} ± {number(s.tolerance, lang, 2)}"
+        rows.append([r["verdict"], r["name"], number(s.figure.given, lang), true, verdict])
     return rows
 
 
