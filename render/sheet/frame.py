@@ -129,7 +129,9 @@ def fitted(text: str, cell: Cell, name: str = "") -> list[Text]:
         across = 0.0 if cell.anchor == "middle" else _SIDE - wide / 2
         place = middle + complex(across, top - k * _PITCH * size) * turn
         narrow = min(1.0, (wide - 2 * _LEAST - PEN * size) / ink_width(line, size))
-        marks.append(Text(line.replace(_JOINED, " "), place, size, cell.anchor, cell.turn_deg, "frame", name, narrow=narrow))
+        marks.append(
+            Text(line.replace(_JOINED, " "), place, size, cell.anchor, cell.turn_deg, "frame", name, narrow=narrow)
+        )
     return marks
 
 

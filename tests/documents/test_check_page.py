@@ -341,7 +341,8 @@ def test_a_teacher_decides_on_the_page_of_a_class(browser: Any, tmp_path: Path) 
     errors = watched(page)
     page.goto((tmp_path / "class" / "index.html").as_uri())
     assert not page.is_visible("#decided")
-    own = "Object.fromEntries([...document.querySelector('tbody').rows].map(r => [r.cells[0].textContent, r.dataset.own]))"
+    rows = "[...document.querySelector('tbody').rows]"
+    own = f"Object.fromEntries({rows}.map(r => [r.cells[0].textContent, r.dataset.own]))"
     page.click("tr.wrong .decide button >> text=Accept")
     page.click("tr.right .decide button >> text=Accept")
     page.click("tr.right .decide button >> text=Reject")

@@ -310,3 +310,27 @@ def test_a_quotient_by_a_given_nothing_is_refused_at_its_line(given: str, words:
 def test_a_given_nothing_has_the_direction_it_is_given() -> None:
     rows = "  P_0: {value: 0, direction: 30}\n  P_1: {value: 3, direction: P_0}\n  P_2: {}\n"
     assert solved(vectors(rows, "P_2 = P_1 + P_0")).value("P_2") == pytest.approx(cmath.rect(3, math.radians(30)))
+
+
+EQUAL = """\
+planes: 1
+frame: {points: {A: [0, 0]}, guides: {x-x: {y: 0}}}
+links:
+  1: {points: {A: 0, B: 0.1}}
+  2: {points: {B: 0, C: 0.1}}
+  3: {points: {C: 0}, slides: x-x}
+drive: {link: 1, phi: 60, omega: 10}
+assembly: {C: ahead}
+"""
+
+
+def test_a_crank_as_long_as_its_rod_keeps_its_digits_while_it_folds() -> None:
+    """C is at 2 r cos φ: a half chord from rounded places would have lost every digit."""
+    for off in (1e-3, 1e-5, 1e-7):
+        (p,) = solve(loads(EQUAL), [90.0 - off]).positions
+        assert p.r["C"].real == pytest.approx(0.2 * math.sin(math.radians(90.0 - (90.0 - off))), rel=1e-14)
+
+
+def test_a_place_offered_for_a_choice_is_told_without_its_rounding() -> None:
+    with pytest.raises(SceneError, match=r"ahead} for C at \(0\.1, 0\) or .*behind} for C at \(0, 0\)"):
+        solve(loads(EQUAL.replace("assembly: {C: ahead}\n", "")))

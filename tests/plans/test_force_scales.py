@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from planes.plans.scales import FIT_MM, LEAST_MM, extent, leaders
-from planes.scene import load
+from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.names import kind_of, mu_of
 from tests.helpers import ROOT
@@ -31,3 +31,23 @@ def test_a_second_scale_is_that_of_the_largest_of_the_small_ones():
         "force:e": "force:a",
         "velocity": "velocity",
     }
+
+
+LIGHT = """\
+planes: 1
+frame: {points: {A: [0, 0], D: [0.3, 0]}}
+links:
+  1: {points: {A: 0, B: 0.1}, mass: 1e7}
+  2: {points: {B: 0, C: 0.3}}
+  3: {points: {D: 0, C: 0.25}}
+drive: {link: 1, phi: 60, omega: 1}
+assembly: {C: left}
+gravity: 9.81
+loads: [{point: C, link: 3, force: 1e-3, direction: 0}]
+"""
+
+
+def test_a_small_force_beside_a_heavy_link_has_its_scale() -> None:
+    """It is no rounding, though 1e-11 of the weight."""
+    (p,) = solve(loads(LIGHT)).positions
+    assert extent(p.drawing, "force:2-3") >= LEAST_MM

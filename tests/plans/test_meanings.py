@@ -120,3 +120,11 @@ def test_a_moment_equation_belongs_to_one_force_plan(name: str) -> None:
     plans = scene_plans(load(ROOT / "samples" / f"{name}.yaml"))
     each = [m.unknown for plan in plans.drawn if kind_of(plan) == "force" for m in plans.on(links_of(plan))]
     assert len(each) == len({*each})
+
+
+def test_a_stated_tangential_part_is_one_and_no_other_force_is() -> None:
+    """The lesson tells why it is laid off; a normal part, and a whole reaction, have no such reason."""
+    plans = scene_plans(load(ROOT / "samples" / "vectors" / "group.yaml"))
+    kinds = {label_of(n): m.quantity for n, m in plans.means.items() if kind_of(n) == "force"}
+    assert {n for n, kind in kinds.items() if kind == "tangential"} == {"F_21t", "F_36t"}
+    assert kinds["G_2"] == "weight" and "F_21n" not in kinds and "F_24" not in kinds
