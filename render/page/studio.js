@@ -28,6 +28,7 @@ function held(selector, which) {
 function turnTo(view) {
   bench.view = document.body.dataset.view = view;
   held("#views button", b => b.dataset.view === view);
+  if (engine.ready) $("state").textContent = ""; // said of another view
   if (view === "draw") fit();
   if (view === "gallery") gallery();
 }
