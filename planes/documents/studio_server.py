@@ -158,7 +158,7 @@ class StudioServer:
         except (KeyError, ValueError):
             return self.refused("studio_bad_message", 400)
         assert message is not None
-        suffix = "".join(c for c in Path(str(message.get("name", ""))).suffix if c.isalnum() or c == ".")[:6]
+        suffix = re.sub(r"[^\w.]", "", Path(str(message.get("name", ""))).suffix)[:6]
         plan = ("--plan", asked) if PLAN.fullmatch(asked := str(message.get("plan", ""))) else ()
         line = ["check", "scene.yaml", f"drawing{suffix}", *plan, "-o", "report.html"]
         made = await self.made(message, line, "report.html", {f"drawing{suffix}": drawing})

@@ -46,7 +46,7 @@ MOST_REVISIONS = 4
 MOST_LETTERS = 3  # of graph 4
 _NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _ADDRESS = re.compile(r"https?://[!-\"$-~]{1,300}")
-_FIND = re.compile(r"[\w'′″^]*\w[\w'′″^]*")
+_FIND = re.compile(r"[\w'′″^,]*\w[\w'′″^,]*")
 
 
 def read_words(reader: Reader, node: Node | None, what: str) -> Words:

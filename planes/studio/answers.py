@@ -82,9 +82,9 @@ def _valid(parts: dict[str, object]) -> list[str]:
     """The valid names, the nearest first."""
     valid = parts.get("valid")
     offered = valid.parts if isinstance(valid, Phrase) else {}
-    names, near = offered.get("names"), offered.get("near")
-    first = [near.parts["name"]] if isinstance(near, Phrase) and "name" in near.parts else []
-    return [*dict.fromkeys(map(str, (*first, *(names if isinstance(names, tuple) else ()))))][:6]
+    near = [one.parts["name"] for one in (offered.get("near"),) if isinstance(one, Phrase)]
+    names = offered.get("names")
+    return [*dict.fromkeys(map(str, (*near, *(names if isinstance(names, tuple) else ()))))][:6]
 
 
 def _offer(text: str, path: tuple[str, ...], value: str) -> Json:

@@ -1,7 +1,8 @@
 """The gallery: scenes with a small animated picture, and the places of their points as the driver turns."""
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
+from itertools import groupby
 from pathlib import Path
 
 from planes.drafting.drawing import run
@@ -22,21 +23,11 @@ OWN = (Path(__file__).with_name("classics"), Path(__file__).parents[1] / "templa
 """The folder of the scenes that come with the program."""
 
 
-def scenes_in(folders: Iterable[Path]) -> Iterator[Path]:
-    """The YAML files of folders and their subfolders."""
-    for folder in folders:
-        yield from sorted(folder.rglob("*.yaml"))
-
-
 def shelf(more: Iterable[str]) -> list[Json]:
-    """The gallery: the scenes that come with the program, and those of ``more`` folders."""
-    return shelved(scenes_in([*OWN, *map(Path, more)]))
-
-
-def shelved(paths: Iterable[Path]) -> list[Json]:
-    """The gallery entry of every scene with a mechanism that works; names are those of files, each once."""
+    """The gallery: an entry for every scene with a mechanism that works, of those that come with the program and of
+    ``more`` folders and their subfolders; names are those of files, each once."""
     rows: dict[str, Json] = {}
-    for path in paths:
+    for path in (file for folder in (*OWN, *map(Path, more)) for file in sorted(folder.rglob("*.yaml"))):
         try:
             text = read(path)
             scene = loads(text, path.name)
@@ -88,12 +79,8 @@ def _run_about(home: int, works: list[int], count: int, turns: bool) -> list[int
     every = [k + count * turn for turn in ((-1, 0, 1) if turns else (0,)) for k in works]
     if len(works) == count:
         return works
-    runs: list[list[int]] = []
-    for k in every:
-        if runs and runs[-1][-1] == k - 1:
-            runs[-1].append(k)
-        else:
-            runs.append([k])
+    parts = groupby(enumerate(every), lambda numbered: numbered[1] - numbered[0])
+    runs = [[k for _, k in part] for _, part in parts]
     return next((r for r in runs if home in r), max(runs, key=len, default=[]))
 
 

@@ -91,9 +91,7 @@ SHAPES: dict[str, Callable[[Any], bool]] = {
 PARTS = {
     "numbers": ("numbers", "said"),
     "drawn": ("sketch", "was"),
-    "rename": ("path", "value"),
-    "put": ("path", "value"),
-    "append": ("path", "value"),
+    **dict.fromkeys(("rename", "put", "append"), ("path", "value")),
     "leave out": ("path",),
 }
 """The parts of its message that each kind reads, besides text and language."""

@@ -25,7 +25,7 @@ from planes.words.units import mu_text
 STEP = 1e-3  # relative: trial change of a number
 ROUNDS, CLOSE = 8, 1e-9
 WRITTEN = 1e-4  # relative: closer than this two numbers are the same as written
-DIGITS = 5  # digits written for a number set by hand
+DIGITS, EVERY = 5, 17  # digits written for a number set by hand; all that a number has
 NUMBER = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(\s*[^\d\s].*)?")
 LEFT_OUT = (("drive", "epsilon"), ("drive", "acceleration"))  # where they are zero
 PARAMETER = re.compile(r"(?!pi\b)\b[^\W\d]")
@@ -39,10 +39,6 @@ class NumberInText:
     path: tuple[str, ...]
     value: float
     unit: str = ""
-
-    def written(self, value: float) -> str:
-        """Another number in its place: with the digits of a hand-set number, and the unit."""
-        return f"{value:.{DIGITS}g}".removesuffix(".0") + self.unit
 
 
 def home_of(text: str) -> dict[str, float]:
@@ -85,8 +81,7 @@ def _solved(edited: Edited, wanted: Mapping[str, float], said: Mapping[str, str]
     home = home_of(edited.text)
     figures = _figures(edited.text)
     wanted = {name: value for name, value in wanted.items() if name in home and _off(home[name], value) > CLOSE}
-    own = [f for f in figures if f.path[-1] in map(said_of_given, wanted)]
-    slopes: dict[NumberInText, Mapping[str, float]] = {f: _moved(edited, f, home) for f in own}
+    slopes = {f: _moved(edited, f, home) for f in figures if f.path[-1] in map(said_of_given, wanted)}
     chosen: dict[str, NumberInText] = {}
     solved = edited
     for name, value in wanted.items():
@@ -135,10 +130,10 @@ def _reached(edited: Edited, chosen: Sequence[NumberInText], wanted: Mapping[str
     """The text with numbers that give the wanted ones, as closely as their digits allow."""
     values = [f.value for f in chosen]
 
-    def text_of(numbers: Sequence[float]) -> Edited:
+    def text_of(numbers: Sequence[float], digits: int = EVERY) -> Edited:
         text = edited
         for figure, value in zip(chosen, numbers, strict=True):
-            text = text.put(figure.path, f"{value!r}{figure.unit}")
+            text = text.put(figure.path, f"{value:.{digits}g}{figure.unit}")
         return text
 
     for _ in range(ROUNDS):
@@ -152,6 +147,4 @@ def _reached(edited: Edited, chosen: Sequence[NumberInText], wanted: Mapping[str
             there = home_of(text_of([v + step * (j == k) for j, v in enumerate(values)]).text)
             columns.append([(there[n] - home[n]) / step for n in wanted])
         values = [v + by for v, by in zip(values, eliminated(columns, miss)[0], strict=True)]
-    for figure, value in zip(chosen, values, strict=True):
-        edited = edited.put(figure.path, figure.written(value))
-    return edited
+    return text_of(values, DIGITS)

@@ -177,7 +177,7 @@ def _pair(z: complex) -> str:
 def number(value: float) -> str:
     """A number set by hand: to a hundredth of a millimetre, or five digits."""
     text = f"{round(value, 5):.5g}"
-    return "0" if text in ("-0", "0") else text
+    return "0" if text == "-0" else text
 
 
 def _assembled(edited: Edited, sketch: Json) -> Edited:

@@ -44,7 +44,7 @@ class Edited:
         parent, depth = _reached(self.text, path[:-1])
         if depth < len(path) - 1 or not isinstance(parent, yaml.CollectionNode):
             return self
-        parts = [(p[0], p[1]) if isinstance(p, tuple) else (p, p) for p in parent.value]
+        parts = [p if isinstance(p, tuple) else (p, p) for p in parent.value]
         keys = (
             [p[0].value for p in parts] if isinstance(parent, yaml.MappingNode) else list(map(str, range(len(parts))))
         )

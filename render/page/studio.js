@@ -10,7 +10,7 @@ import { problems, touched } from "./problems.js";
 import { asked, keep, kept, pressed, unpressed } from "./share.js";
 import { holders } from "./sketch.js";
 import { STAMPS } from "./stamps.js";
-import { offered } from "./take.js";
+import { checked, offered } from "./take.js";
 import { typed } from "./typed.js";
 
 const REST_MS = 250, APART_MS = 400; // until a text at rest is shown, and its practice asked for
@@ -28,6 +28,7 @@ function held(selector, which) {
 function turnTo(view) {
   bench.view = document.body.dataset.view = view;
   held("#views button", b => b.dataset.view === view);
+  if (engine.ready) $("state").textContent = ""; // said of another view
   if (view === "draw") fit();
   if (view === "gallery") gallery();
 }
@@ -203,7 +204,8 @@ function spoken() {
   /** @type {(names: string[]) => string} */
   const buttons = names => names.map(t =>
     `<button type="button" data-tool="${t}">${say(`tool_${t}`)}</button>`).join("");
-  $("tools").innerHTML = `${buttons(TOOLS)}<span class="group">${say("stamps")}</span>${buttons(STAMPS)}`;
+  $("tools").innerHTML = `<div>${buttons(TOOLS)}</div><div><span class="group">${say("stamps")}</span>${
+    buttons(STAMPS)}</div>`;
   tool(canvas.tool);
   $("lang").innerHTML = Object.keys(words).map(l => `<option value="${l}"${l === bench.lang ? " selected" : ""}>${
     words[l].language}</option>`).join("");
@@ -245,6 +247,9 @@ engine.said = step => {
 };
 on($("views"), "click", e => { if (e.target.dataset.view) turnTo(e.target.dataset.view); });
 on($("tools"), "click", e => { if (e.target.dataset.tool) tool(e.target.dataset.tool); });
+on($("tools"), "focusin", e => { // by a key: under a finger a button has to stay
+  if (e.target.matches(":focus-visible")) e.target.scrollIntoView({ block: "nearest", inline: "center" });
+});
 on($("scene"), "input", () => {
   clearTimeout(typing);
   typing = setTimeout(() => take($("scene").value, "scene"), REST_MS);
@@ -267,19 +272,20 @@ $("lang").onchange = () => {
   if (bench.text) void renewal("lang");
   void gallery();
 };
-on($("underlay"), "change", () => {
-  const file = $("underlay").files?.[0];
-  if (!file) return;
+/** A picture beneath the drawing; the next thing to do is to mark a length on it. @type {(file: File) => void} */
+function beneath(file) {
   const picture = new Image();
+  picture.onerror = () => { $("state").textContent = say("picture_wrong").replace("{name}", file.name); };
   picture.onload = () => {
     canvas.ruled = null;
     labelled();
     canvas.under = { href: picture.src, at: canvas.view.m([20, 20]), width: metres() || 0.6,
       ratio: picture.height / picture.width };
-    paint();
+    tool("measure");
   };
   picture.src = URL.createObjectURL(file);
-});
+}
+on($("underlay"), "change", () => { for (const file of [...$("underlay").files ?? []]) beneath(file); });
 on($("width"), "change", () => { // of the picture, or of the length drawn on it
   $("width").setAttribute("aria-invalid", String(!(metres() > 0)));
   if (canvas.ruled) sized(metres());
@@ -292,12 +298,17 @@ on(window, "keydown", e => {
   e.preventDefault();
   if (key === "KeyY" || e.shiftKey) back(future, past); else back(past, future);
 });
-/** Scenes of a folder, or of an archive: the first is opened, all are kept.
- * @type {(files: FileList | null) => Promise<void>} */
+/** Scenes of a folder, or of an archive: the first is opened, all are kept. Another file is a picture to draw over, or
+ * a drawing to be checked where its mechanism is open. @type {(files: FileList | null) => Promise<void>} */
 async function brought(files) {
-  const scenes = await scenesIn([...files ?? []]);
+  const all = [...files ?? []], scenes = await scenesIn(all), [other] = all, { view } = bench;
+  const below = /^image\/(?!vnd)/.test(other?.type) && (!way.native || ["gallery", "draw"].includes(view));
   for (const { name, text } of [...scenes].reverse()) keep(name, text);
   if (scenes[0]) open(scenes[0].text, "own");
+  else if (all.length === 1 && below) {
+    if (view === "gallery") open("", ""); else turnTo("draw");
+    beneath(other);
+  } else if (all.length === 1 && way.native && bench.text && view !== "gallery") await checked(other);
   else $("state").textContent = say("files_none");
   void gallery();
 }
@@ -305,12 +316,19 @@ for (const id of ["files-in", "folder-in"]) on($(id), "change", async () => {
   await brought($(id).files);
   $(id).value = "";
 });
-on(document, "dragover", e => { if (e.dataTransfer.types.includes("Files")) e.preventDefault(); });
-on(document, "drop", e => { // files; a text that is dragged stays with its field
-  if (!e.dataTransfer.files.length) return;
-  e.preventDefault();
-  void brought(e.dataTransfer.files);
-});
+/** Files dropped on a document; a text that is dragged stays with its field. @type {(where: EventTarget) => void} */
+function dropsOn(where) {
+  on(where, "dragover", e => { if (e.dataTransfer.types.includes("Files")) e.preventDefault(); });
+  on(where, "drop", e => {
+    if (!e.dataTransfer.files.length) return;
+    e.preventDefault();
+    void brought(e.dataTransfer.files);
+  });
+}
+dropsOn(document);
+for (const id of ["lesson", "verdict"]) { // a frame would open the file itself
+  on($(id), "load", () => { dropsOn(/** @type {any} */ ($(id)).contentWindow); });
+}
 on(window, "hashchange", () => { if (asked().has("scene")) void started(); });
 Object.assign(bench, { take, open, act: (/** @type {string} */ name) => { turnTo("draw"); tool(name); } });
 globalThis.planes = { lesson: null, bench, canvas, ask, engine, tool };

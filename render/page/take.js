@@ -31,11 +31,14 @@ on($("files"), "click", async e => {
   $("state").textContent = found.ok ? "" : await found.text();
   if (found.ok) download(file, await found.arrayBuffer(), found.headers.get("Content-Type") ?? "");
 });
-on($("drawing"), "change", async () => {
-  const drawing = $("drawing").files?.[0];
-  if (!drawing) return;
-  const bytes = new Uint8Array(await drawing.arrayBuffer()), letters = [];
+let last = /** @type {File | null} */ (null); // of the plan chosen later
+/** The verdict on a drawing, or why there is none. @type {(drawing: File) => Promise<void>} */
+export async function checked(drawing) {
+  const data = await drawing.arrayBuffer().catch(() => null);
+  if (!data) { $("state").textContent = say("files_none"); return; } // a folder
+  const bytes = new Uint8Array(data), letters = [];
   for (let k = 0; k < bytes.length; k += 32768) letters.push(String.fromCharCode(...bytes.subarray(k, k + 32768)));
+  last = drawing;
   $("state").textContent = say("making");
   const found = await fetch("check", { method: "POST", headers: { "Content-Type": "application/json" }, body:
     JSON.stringify({ text: bench.text, lang: bench.lang, plan: $("plan").value, name: drawing.name,
@@ -44,4 +47,6 @@ on($("drawing"), "change", async () => {
   $("state").textContent = found.ok ? "" : text;
   $("verdict").hidden = !found.ok;
   if (found.ok) /** @type {any} */ ($("verdict")).src = text;
-});
+}
+on($("drawing"), "change", () => { for (const file of [...$("drawing").files ?? []]) void checked(file); });
+on($("plan"), "change", () => { if (last) void checked(last); });

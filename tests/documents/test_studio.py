@@ -150,6 +150,40 @@ def test_the_studio_on_a_telephone(browser: Any, address: str) -> None:
         assert page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, view
 
 
+@pytest.mark.parametrize("lang", ["en", "ru"])
+@pytest.mark.parametrize(("width", "height"), [(390, 844), (360, 740)])
+def test_the_tools_of_a_telephone_are_two_rows(browser: Any, address: str, lang: str, width: int, height: int) -> None:
+    """Each is brought into view by a finger or by Tab, and the canvas has a third of the screen at least."""
+    page = opened(browser, address, {"width": width, "height": height})
+    page.select_option("#lang", lang)
+    page.locator("#fresh").click()
+    tops = "[...new Set([...document.querySelectorAll('#tools button')].map(b => b.getBoundingClientRect().top))]"
+    assert len(page.evaluate(tops)) == 2
+    shown = "(b => b.left >= 0 && b.right <= innerWidth)(document.activeElement.getBoundingClientRect())"
+    tools = page.evaluate("[...document.querySelectorAll('#tools button')].map(b => b.dataset.tool)")
+    page.focus(f"[data-tool={tools[0]}]")
+    for name in tools:
+        assert page.evaluate("document.activeElement.dataset.tool") == name
+        until(page, shown)
+        page.keyboard.press("Tab")
+    for name in tools:
+        page.locator(f"[data-tool={name}]").click()
+        assert page.get_attribute(f"[data-tool={name}]", "aria-pressed") == "true"
+    page.locator("[data-tool=fix]").click()
+    until(page, "document.getElementById('canvas').getBoundingClientRect().height > innerHeight / 3")
+    assert page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0
+    until(page, "(d => d.scrollWidth <= d.clientWidth)(document.getElementById('draw'))")
+
+
+def test_on_a_telephone_it_says_what_came_of_a_button(browser: Any, address: str) -> None:
+    page = opened(browser, address, PHONE)
+    page.locator("[data-scene=four-bar]").click()
+    until(page, SEEN)
+    page.locator("#share").click()
+    until(page, "document.getElementById('state').getBoundingClientRect().height > 10")
+    assert "copied" in page.inner_text("#state")
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("view", ["gallery", "see", "draw", "text"])
 def test_nobody_is_shut_out(browser: Any, address: str, view: str) -> None:

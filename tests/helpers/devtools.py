@@ -378,6 +378,13 @@ class Page(Asked):
         node = self.ask("DOM.querySelector", nodeId=root, selector=selector)["nodeId"]
         self.ask("DOM.setFileInputFiles", files=[file], nodeId=node)
 
+    def drop_files(self, selector: str, *files: str) -> None:
+        """Drags files from outside the browser and drops them on it."""
+        x, y = self._wait(selector, READY)
+        data = {"items": [], "files": list(files), "dragOperationsMask": 1}
+        for kind in ("dragEnter", "dragOver", "drop"):
+            self.ask("Input.dispatchDragEvent", type=kind, x=x, y=y, data=data)
+
     @contextmanager
     def expect_download(self) -> Iterator[SimpleNamespace]:
         """Waits for a file saved by the page; ``value.save_as`` keeps it."""

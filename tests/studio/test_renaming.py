@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import random
 import re
 from pathlib import Path
 
 import pytest
 
+from planes.plans.quantities import catalogue
 from planes.scene import loads
+from planes.solving import plans_of
 from planes.solving.of_scene import solve
 from planes.studio.answers import answer
 from planes.studio.renaming import renamed
+from planes.studio.text_edits import Edited
 from planes.words import langs
 from planes.words.errors import PlanesError
+from planes.words.lettering import spelt
 from tests.sample_oracle import SAMPLES
 
 SCENES = [
@@ -48,6 +53,72 @@ def test_a_mechanism_with_other_names_moves_as_before(path: Path) -> None:
     for p, v in old.v.items():
         assert new.v[points[p]] == pytest.approx(v, rel=1e-9, abs=1e-12)
     assert leaves(new.results) == pytest.approx(leaves(old.results), rel=1e-6, abs=1e-9)
+
+
+def asked_in_letterings(text: str, count: int) -> str:
+    """The text with results asked for in the lettering of any sheet: R_63, Φ_2, M_зр, a_CB^τ, in Latin and Cyrillic."""
+    text = Edited(text).without(("find",)).text
+    plans, _ = plans_of(loads(text), shown=True)
+    known, draw = catalogue(plans), random.Random(7)
+    names = plans.naming.names(known, poles=False)
+    ways = {spelt(way) for name in known for one in plans.naming.others for way in one.lettered(name)}
+    ways |= {way.translate(str.maketrans("ABCEKM", "АВСЕКМ")) for way in ways}
+    sound = sorted(way for way in ways if names.find(way) and re.fullmatch(r"[\w^,]{1,20}", way))
+    some = draw.sample(sound, min(count, len(sound)))
+    return Edited(text).put(("find",), str(some).replace("'", '"')).text
+
+
+@pytest.mark.few(4, slow=40)
+@pytest.mark.parametrize("path", SCENES, ids=lambda p: f"{p.parent.name}-{p.stem}")
+def test_results_asked_for_in_any_lettering_follow_their_point(path: Path) -> None:
+    """Every point renamed: as many results as before, with the same numbers."""
+    text = now = asked_in_letterings(path.read_text("utf-8"), 12)
+    mechanism = loads(text).mechanism
+    assert mechanism
+    for k, point in enumerate(mechanism.names):
+        now = renamed(now, "point", point, "ZWVUQXYNΔ"[k % 9] + str(k)).text
+    old, new = leaves(solve(loads(text)).results), leaves(solve(loads(now)).results)
+    assert new == pytest.approx(old, rel=1e-6, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("typed", "now"),
+    [
+        ("Vc", "v_K"),
+        ("v_С", "v_K"),  # Cyrillic
+        ("a_CB^τ", "a_KB^t"),
+        ("v_c", "v_K"),
+        ("F_36", "F_36"),
+        ("R_63", "R_63"),
+        ("Φ_2", "Φ_2"),
+        ("M_зр", "M_зр"),
+    ],
+)
+def test_a_name_typed_in_another_way_is_understood(typed: str, now: str) -> None:
+    assert f"find: [{now}]\n" in renamed(f"{SIX}find: [{typed}]\n", "point", "C", "K").text
+
+
+def test_primed_points_and_links_of_two_digits_are_followed() -> None:
+    """A prime belongs to a name; a reaction of link 31 is written with a comma, which is quoted in a list."""
+    primed = renamed(f"{SIX}find: [v_C, a_CB^n]\n", "point", "C", "C'").text
+    assert "find: [v_C', a_C'B^n]" in primed
+    assert "find: [v_K, a_KB^n]" in renamed(primed, "point", "C'", "K").text
+    text = renamed(f"{SIX}find: [F_36, F_32]\n", "link", "3", "31").text
+    assert 'find: ["F_31,6", "F_31,2"]' in text
+    assert leaves(solve(loads(text)).results) == pytest.approx(leaves(solve(loads(f"{SIX}find: [F_36, F_32]")).results))
+
+
+def test_equations_and_curves_of_the_sheet_follow() -> None:
+    """Vectors between points of different links too, which nobody would miss: they would pass for unknown ones."""
+    text = f"{SIX}sheet: {{diagrams: [v_H, r_H_x, phi_3], hodographs: [a_H]}}\nequations: [v_HB = v_H - v_B]\n"
+    now = renamed(renamed(text, "point", "H", "K").text, "link", "3", "7").text
+    assert "diagrams: [v_K, r_K_x, phi_7], hodographs: [a_K]" in now and "[v_KB = v_K - v_B]" in now
+
+
+def test_a_point_may_have_the_letter_of_a_guides_mark() -> None:
+    """Its own mark is then another one, as in any scene with such names."""
+    now = renamed(f"{SIX}find: [v_C, a_CB^n]\n", "point", "C", "L").text
+    assert solve(loads(now)).v["L"] == solve(loads(SIX)).v["C"]
 
 
 def test_every_mention_follows_and_nothing_else() -> None:
