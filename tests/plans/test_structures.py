@@ -8,10 +8,13 @@ from dataclasses import replace
 from itertools import pairwise
 
 import pytest
+from shapely import Point
+from shapely.ops import polygonize
 
-from planes.scene import loads
+from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import SceneError
+from tests.helpers import ROOT
 from tests.helpers.equilibrium import members, reactions
 
 TINY = 1e-12
@@ -373,3 +376,19 @@ def test_moments_and_shears_are_measured_where_loads_stand_across_the_beam(direc
     )
     (position,) = solve(loads(text + f"loads: [{{point: C, force: 1200, direction: {direction}}}]\n")).positions
     assert bool(position.of("values")) == measured
+
+
+@pytest.mark.parametrize("name", ["truss-king-post", "truss-warren", "truss-roof-wind"])
+def test_letters_of_outer_regions_stand_beside_the_middle_of_a_member(name: str) -> None:
+    """Bow's notation: those of inner regions are within their triangles."""
+    (position,) = solve(load(ROOT / "samples" / "statics" / f"{name}.yaml")).positions
+    figure = position.plans.figure
+    assert figure
+    bars = [(figure.points[a], figure.points[b]) for _, a, b in figure.members]
+    truss = polygonize([((a.real, a.imag), (b.real, b.imag)) for a, b in bars])
+    cells = list(truss)
+    outer = [z for z in figure.letters.values() if not any(c.contains(Point(z.real, z.imag)) for c in cells)]
+    assert len(outer) > 1 and len(outer) + len(cells) == len(figure.letters)
+    for z in outer:
+        a, b = min(bars, key=lambda ends: abs(z - sum(ends) / 2))
+        assert ((z - a) / (b - a)).real == pytest.approx(0.5)
