@@ -1,4 +1,6 @@
 // A scene in the address: compressed and written in letters after the #, so that a link contains the mechanism.
+import { remember, remembered } from "./memory.js";
+
 const LETTERS = /[-_]/g, KEPT = 60, SHELF = "planes.scenes";
 
 /** @type {(bytes: Uint8Array) => string} */
@@ -25,11 +27,10 @@ export function asked() { return new URLSearchParams(location.hash.slice(1)); }
 
 /** @type {() => { title: string, text: string, when: number }[]} */
 export function kept() { // the last scenes on this machine, the latest first
-  try { return JSON.parse(localStorage.getItem(SHELF) || "[]"); } catch { return []; }
+  return remembered(SHELF, []);
 }
 /** @type {(title: string, text: string) => void} */
 export function keep(title, text) {
   const others = kept().filter(one => one.text !== text && one.title !== title);
-  const all = [{ title, text, when: Date.now() }, ...others].slice(0, KEPT);
-  try { localStorage.setItem(SHELF, JSON.stringify(all)); } catch { /* a private window stores nothing */ }
+  remember(SHELF, [{ title, text, when: Date.now() }, ...others].slice(0, KEPT));
 }
