@@ -41,6 +41,7 @@ OWN_MM, LONG_HEAD_MM, WIDE_HEAD_MM = 0.6, 5.0, 1.5  # of another line's ink, and
 # Beside an end without a head: the most darkness, that over the line behind it, also near the line, and by how much the
 # other end is darker. Points that tell, for both ends and for one. Of 419 heads none on a sheet called right is so.
 BARE, FLAT, THIN, TURNED_HEAD, FEWEST_WINGS, MOST_WINGS = 0.14, 0.08, 0.1, 0.12, 16, 44
+PALE = 0.67  # darkness of the palest vectors relative to the others of a drawing (one of 363 on right pictures is paler)
 GAP_STEP_MM, GONE = 0.5, 0.25  # step along a line; share below which a line is missing
 SHORT_MM = 1.0  # of a line that explains ink
 TURNS, ACROSS, EDGE_TO_EDGE, LEAST_EDGE_MM = 720, 0.2, 0.6, 120.0  # of lines that belong to the paper: see below
@@ -88,6 +89,7 @@ class SheetInk:
         self.ways: Complexes = numpy.exp(-1j * turn)
         self.mm: Array = 1 / numpy.maximum(abs(numpy.cos(turn)), abs(numpy.sin(turn))) / PX_PER_MM  # of line, per point
         self.mm[self._paper_own()] = 0.0
+        self.mm *= self._firmness()
         usual = float(numpy.quantile(dark[ridge], 0.5)) if ridge.any() else 1.0
         self.even = numpy.minimum(dark / max(usual, 0.05), 1.0).ravel()
 
@@ -126,6 +128,14 @@ class SheetInk:
                 if there[line] > EDGE_TO_EDGE * _chord_mm(half, u, line - bins // 2):
                     own[near[abs(off - (line - bins // 2)) < BESIDE_MM]] = True
         return own
+
+    def _firmness(self) -> Array:
+        """The weight of each point as ink that needs an explanation: pale lines are construction, or rubbed out."""
+        if self.source is None or not self.points.size:
+            return numpy.ones(len(self.points))
+        dark = self.source.darkest(self.points)
+        firm: Array = numpy.minimum(dark / (PALE * max(float(numpy.median(dark)), 1.0)), 1.0)
+        return firm
 
     def along(self, a: Complexes, b: Complexes, samples: int, about: int = 1) -> Array:
         """The drawn share of each line from a to b, 0 to 1, from ``samples`` points within ``about`` pixels.

@@ -217,7 +217,7 @@ class Explanation:
     @cached_property
     def _heads(self) -> Array:
         """The heads of the vectors needed: see :meth:`SheetInk.heads_seen`."""
-        return self.ink.heads_seen(*self._ends) * (self.plan.needed & (self.plan.kind != "position"))
+        return self.scorer.heads_seen(self.best)
 
     @property
     def _headless(self) -> Booleans:

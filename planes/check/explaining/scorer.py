@@ -5,7 +5,7 @@ be slightly off its constructed point, and the steps after it continue from ther
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy
@@ -79,6 +79,21 @@ class Scorer:
                 laid += [self.settled(h) for h in pairs[: w.SECONDS]]
         return self._by_names(sorted(laid, key=lambda one: -one.score))
 
+    def _in_the_order_of_mistakes(self, laid: list[Laid]) -> list[Laid]:
+        """The right force polygon in the order in which the likeliest wrong one is laid, if it was not tried."""
+        wrong = max((one for one in laid if not one.hypothesis.right), key=lambda one: one.score, default=None)
+        tried = [one.hypothesis.order for one in laid if one.hypothesis.right]
+        if wrong is None or wrong.hypothesis.order in tried:
+            return []
+        return [self.settled(Hypothesis(order=wrong.hypothesis.order, cost=w.ORDER))]
+
+    def heads_seen(self, one: Laid) -> Array:
+        """The heads of the vectors needed in a drawing: see :meth:`SheetInk.heads_seen`."""
+        if not one.places or self.plan.kind == "position":
+            return numpy.zeros(len(self.plan.lines))
+        a, b = self._lines(one.hypothesis, self._row(one))
+        return self.ink.heads_seen(a[0], b[0]) * self.plan.needed
+
     def _plainly(self) -> list[Laid]:
         """The right plan and mistakes of the catalogue, if one leaves no ink unexplained: no other is likelier."""
         rough = self._rough([Hypothesis(), *catalogue(self.plan)])
@@ -136,12 +151,23 @@ class Scorer:
             named = orders(self.plan, self.ink, self.pole, self.words)[: w.NAMED]
             known = [(one.hypothesis.kind, one.hypothesis.mark, one.hypothesis.order) for one in laid]
             laid += [self.settled(h) for h in named if (h.kind, h.mark, h.order) not in known]
-        for one in (one for one in laid if one.places and self.words.words):
-            start, end = (z[0].tolist() for z in self._lines(one.hypothesis, self._row(one)))
+        for one in laid:
+            self._weigh_signs(one, names)
+        for one in (more := self._in_the_order_of_mistakes(laid)):
+            self._weigh_signs(one, names)
+        return sorted([*laid, *more], key=lambda one: -one.score)
+
+    def _weigh_signs(self, one: Laid, names: Sequence[str]) -> None:
+        """Score the heads missing from a drawing, and the names that stand elsewhere."""
+        if not one.places:
+            return
+        seen = self.heads_seen(one)
+        one.score -= w.HEADLESS * float((seen < 0).sum()) * (numpy.sign(seen).sum() > 0)
+        if self.words.words:
+            ends = (z[0].tolist() for z in self._lines(one.hypothesis, self._row(one)))
             places = [self.pole + one.places[n] for n in self.plan.labels]
-            ways = zip(names, *((start, end) if force else (places, places)), strict=False)
+            ways = zip(names, *(ends if self.plan.kind == "force" else (places, places)), strict=False)
             one.score -= w.LETTERS * self.words.told((n, rounded(a), rounded(b)) for n, a, b in ways)
-        return sorted(laid, key=lambda one: -one.score)
 
     def _row(self, one: Laid) -> Complexes:
         return numpy.array([[one.places[n] for n in self.plan.names]])
