@@ -9,6 +9,8 @@ from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words.frozen import frozen
 
+IDLE = 1e-12  # of the largest force: below this a rope is slack
+
 
 @frozen
 class Measure(Step):
@@ -25,6 +27,28 @@ class Measure(Step):
         segment = env[self.end] - env[self.start]
         length = plane.dot(env[self.along], segment) if self.along else abs(segment)
         return tool.read(length) / env[self.mu]
+
+
+@frozen
+class Pull(Step):
+    """The pull of a rope, SI: the reaction from ``start`` to ``end`` along the rope. A rope that would have to push, by
+    more than rounding beside the forces up to the marks ``beside``, fails the position."""
+
+    name: str
+    start: str
+    end: str
+    along: str
+    beside: tuple[str, ...]
+    mu: str
+    kind = "value"
+    guards = True
+    needs = marks("start", "end", "beside") + directions("along") + values("mu")
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        pull = plane.dot(env[self.along], env[self.end] - env[self.start])
+        largest = reduce(tool.ar.maximum, (tool.ar.size(env[mark]) for mark in self.beside))
+        tool.require(pull >= -(IDLE * largest + tool.doubt_mm), self, "rope_pushes")
+        return pull / env[self.mu]
 
 
 @frozen
