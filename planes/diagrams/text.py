@@ -23,7 +23,7 @@ def report(s: Summary, lang: Lang) -> str:
         s.scene.title.get(lang, ""),
         [*_structure(s), _drive(s, lang), *_assembles(s, lang), *_flips(s, lang)],
     )
-    lines += ["", *_stroke(s, lang)]
+    lines += ["", *stroke_said(s, lang)]
     name = drive_name(s)
     head = ["", say("column_unit", lang)]
     for side in ("column_least", "column_greatest"):
@@ -81,7 +81,8 @@ def _flips(s: Summary, lang: Lang) -> list[str]:
     ]
 
 
-def _stroke(s: Summary, lang: Lang) -> list[str]:
+def stroke_said(s: Summary, lang: Lang) -> list[str]:
+    """The driven link's stroke or swing, its extreme positions and the time ratio, in sentences."""
     stroke = s.stroke
     if stroke is None:
         return []
