@@ -275,7 +275,10 @@ class Note:
         forces = list(self.position.of("reactions").items())
         if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):
             head = (self.say("reaction"), f"|F|, {unit('F', self.lang)}", self.say("note_angle"))
-            yield from self.table("note_reactions_table", head, [(f"⟨{k}⟩", *self.vector(f)) for k, f in forces])
+            shown = [(f"⟨{k}⟩", *self.vector(f)) for k, f in forces]
+            yield from self.table("note_reactions_table", head, shown)
+        for name, f in self.position.of("bearings").items():
+            yield Paragraph(self.say("note_bearing", name=f"⟨{name}⟩", force=self.number(f)))
 
     def warned(self) -> Iterator[Block]:
         """Warnings about the results."""

@@ -16,7 +16,6 @@ from planes.plans.force.loads import load_names
 from planes.plans.measuring import counted
 from planes.scene.mechanism import FRAME
 from planes.solving.document import Block, Chart, Figure, Heading, Paragraph, PlottedLine
-from planes.solving.structure_text import ways_told
 from planes.words import decimals, table
 from planes.words.frozen import replace
 from planes.words.lettering import flat
@@ -143,13 +142,10 @@ class Questions(Note):
                 yield Paragraph(f"{self.say(f'pair_kind_{kind}')}: {some}.")
 
     def of_groups(self) -> Iterator[Block]:
-        for g, told in zip(self.s.groups, self.groups(), strict=True):
+        for g, classed in zip(self.s.groups, self.groups(), strict=True):
             outer = [p for p in pairs_of(g) if {p.link, p.other} - {*g.whole}]
-            yield told
+            yield classed
             yield from self.told("reply_join", order=len(outer), pairs=self.pairs(outer))
-
-    def of_classes(self) -> Iterator[Block]:
-        yield from map(Paragraph, ways_told(self.s, self.lang, self.naming.frame, True))
 
     def of_extremes(self) -> Iterator[Block]:
         yield from self.told(f"reply_extremes_{'square' if getattr(self.s.groups[0], 'kind', 0) == 3 else 'line'}")
@@ -172,7 +168,7 @@ class Questions(Note):
             yield from self.told(key, link=link, guide=f"⟨{slide.guide}⟩", owner=owner)
 
     def of_external(self) -> Iterator[Block]:
-        yield self.figure("loaded", f"{self.say('loaded')}, μ = {self.mu('position')}")
+        yield self.figure("loaded", self.say("loaded"))
 
     def of_stages(self) -> Iterator[Block]:
         for plan in (plan for plan in self.position.plans.drawn if kind_of(plan) == "force"):

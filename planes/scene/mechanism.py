@@ -83,6 +83,7 @@ class Link:
     centre: str | None = None
     round_guides: Mapping[str, RoundGuide] = field(default_factory=lambda: MappingProxyType({}))
     slides_round: Slide | None = None  # on a circular guide, whose centre is then one of its points
+    bearings: complex | None = None  # along its axis on the frame, m from the plane of motion: the first + i the second
 
     @property
     def first_point(self) -> str:

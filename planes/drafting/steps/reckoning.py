@@ -30,25 +30,20 @@ class Measure(Step):
 
 
 @frozen
-class Pull(Step):
-    """The pull of a rope, SI: the reaction from ``start`` to ``end`` along the rope. A rope that would have to push, by
-    more than rounding beside the forces up to the marks ``beside``, fails the position."""
+class Pull(Measure):
+    """The pull of the rope ``name``: the reaction along it. A rope that would have to push, by more than rounding
+    beside the forces up to the marks ``beside``, fails the position."""
 
-    name: str
-    start: str
-    end: str
-    along: str
-    beside: tuple[str, ...]
-    mu: str
-    kind = "value"
+    name: str = ""
+    beside: tuple[str, ...] = ()
     guards = True
-    needs = marks("start", "end", "beside") + directions("along") + values("mu")
+    needs = Measure.needs + marks("beside")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        pull = plane.dot(env[self.along], env[self.end] - env[self.start])
-        largest = reduce(tool.ar.maximum, (tool.ar.size(env[mark]) for mark in self.beside))
-        tool.require(pull >= -(IDLE * largest + tool.doubt_mm), self, "rope_pushes")
-        return pull / env[self.mu]
+        pull = Measure.draw(self, env, tool)
+        largest = reduce(tool.ar.maximum, [tool.ar.size(env[mark]) for mark in self.beside])
+        tool.require(pull * env[self.mu] >= -(IDLE * largest + tool.doubt_mm), self, "rope_pushes")
+        return pull
 
 
 @frozen

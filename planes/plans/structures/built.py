@@ -229,4 +229,4 @@ class FrameworkBuilder(StatedLoads):
         d, (start, end) = self.draft, self.spans[s.name]
         plan, along = plan_of(start), d.ray(SCHEME, s.point, s.to)
         beside = tuple(name for name, step in d.steps.items() if step.kind == "mark" and plan_of(name) == plan)
-        d.step(Pull(f"pull_{s.point}{s.to}", s.point + s.to, start, end, along, beside, mu_of(plan)))
+        d.step(Pull(f"pull_{s.point}{s.to}", start, end, along, mu_of(plan), s.point + s.to, beside))
