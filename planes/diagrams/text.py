@@ -37,8 +37,9 @@ def report(s: Summary, lang: Lang) -> str:
 
 def _structure(s: Summary) -> list[str]:
     structure = s.plans.structure
-    made = f"W = {structure.W}, q = {structure.q}, {structure.formula_as(s.scene.frame_number)}"
-    return [made] if s.plans.moves else []
+    if not s.plans.moves:
+        return []
+    return [f"W = {structure.W}, q = {structure.q}, {structure.formula_as(s.scene.frame_number)}"]
 
 
 def drive_name(s: Summary) -> str:

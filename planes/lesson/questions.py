@@ -148,7 +148,7 @@ class Questions(Note):
             yield from self.told("reply_join", order=len(outer), pairs=self.pairs(outer))
 
     def of_extremes(self) -> Iterator[Block]:
-        yield from self.told(f"reply_extremes_{'square' if getattr(self.s.groups[0], 'kind', 0) == 3 else 'line'}")
+        yield from self.told(f"reply_extremes_{getattr(self.s.groups[0], 'kind', 0) * self.m.drive.rotates}")
         for line in stroke_said(self.cycle, self.lang) or [self.say("reply_extremes_none")]:
             line = re.sub(r"(\w+_\w+)(?= =)", r"⟨\1⟩", line.replace("= -", "= −"))
             yield Paragraph(decimals(line, self.lang))
