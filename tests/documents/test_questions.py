@@ -137,7 +137,7 @@ SAID = {
         "coriolis": "Link 4 slides along ⟨CL⟩, which turns with link 2: it arises here.",
         "stages": "4;5 → 2;3; last comes the driver 1",
     },
-    "shaper": {"extremes": "the driver is perpendicular to it", "link": "slotted lever", "graph": "⟨", "coriolis": "x-x"},
+    "shaper": {"extremes": "perpendicular to it", "link": "slotted lever", "graph": "⟨", "coriolis": "x-x"},
     "kind-1-rrr": {"coriolis": "all pairs are revolute", "size_k": "nothing has to be reckoned", "link": "rocker"},
     "crank-slider": {"reactions": "Friction is counted here in: x-x", "coriolis": "of link 0, which does not turn"},
     "bntu-1": {"normal": "the driver is at rest"},
