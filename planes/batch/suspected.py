@@ -42,4 +42,5 @@ def dependent(cycle: Ready, trace: Trace) -> dict[str, list[int]]:
     for k, column in enumerate(cycle.columns):
         for made in cycle.program.sliced(column.needs).made & columns.keys():
             columns[made].append(k)
-    return {**columns, "": list(range(len(cycle.columns)))}
+    every = list(range(len(cycle.columns)))
+    return {**columns, **{s.makes: every for s in cycle.program.steps if s.guards}, "": every}

@@ -180,6 +180,19 @@ def note(args: Namespace) -> int:
     return 0
 
 
+def questions(args: Namespace) -> int:
+    """The questions of a defence with their answers: a document, or text."""
+    from planes.documents.lesson import as_text, questions_of, write_questions
+
+    scene = scene_of(args)
+    asked = questions_of(scene, values_of(args, scene), args.lang)
+    if args.output:
+        write_questions(asked, args.output)
+    else:
+        print(as_text(asked))
+    return 0
+
+
 def chart(args: Namespace) -> int:
     """Speed, accuracy and stability of the methods."""
     from planes.documents.charts import draw_chart

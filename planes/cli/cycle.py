@@ -24,7 +24,7 @@ def cycle(args: Namespace) -> int:
     kind, text = range_of(args, scene)
     span = None if text is None else read_span(text, f"--{kind}")
     answer = _answer(args, span)
-    if not scene.drive or not (scene.mechanism or answer in ("table", "listing")):
+    if not scene.drive:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     scene = driven_otherwise(scene, args.omega, args.epsilon)
     check_options(args, "cycle", answer)

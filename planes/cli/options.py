@@ -18,7 +18,7 @@ OUTPUT = {"metavar": "FILE", "required": True}
 REAL = {"type": float}
 OF_SCENE: Sequence[Option] = (("scene", "scene", {"metavar": "SCENE"}), ("--variant", "variant", {}))
 POSITIONS: Sequence[Option] = (("--phi", "phi", {"metavar": "A[:B:STEP]"}), ("--s", "s", {"metavar": "A[:B:STEP]"}))
-POSITIONED = ("solve", "sheet", "note", "cycle", "check", "blank", "equations")
+POSITIONED = ("solve", "sheet", "note", "questions", "cycle", "check", "blank", "equations")
 """Commands with options for positions."""
 EITHER = {"sheet": ("--sheet", "--view"), "course": ("--jobs", "--scheduler")}
 """Options that exclude each other."""
@@ -53,6 +53,7 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
     "lesson": (("-o --output", "lesson_output", OUTPUT), ("--centres", "centres", FLAG)),
     "essay": (("-o --output", "essay_output", {"metavar": "FOLDER", "required": True}),),
     "note": (("-o --output", "note_output", OUTPUT),),
+    "questions": (("-o --output", "questions_output", FILE),),
     "studio": (
         ("scene", "studio_scene", {"nargs": "?", "metavar": "SCENE"}),
         ("-o --output", "studio_output", {"metavar": "FOLDER"}),

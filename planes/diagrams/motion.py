@@ -101,7 +101,7 @@ def driven_grid(plans: Plans, start: float, end: float) -> Grid:
 def dead_points(g: Grid) -> list[float]:
     """Where the driven link reverses, in order; without ends of the range, and places where it turns over."""
     cell = 1.01 * (g.places[-1] - g.places[0]) / max(1, len(g.places) - 1)
-    turned = (e.place for e in extremes(g)[0] if not e.at and isfinite(e.value))
+    turned = (e.place for curve in extremes(g)[:1] for e in curve if not e.at and isfinite(e.value))
     return [place for place in turned if all(_apart(place, z, g) > cell for _, z in g.flips)]
 
 

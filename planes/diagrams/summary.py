@@ -87,7 +87,9 @@ class Summary:
 
     @cached_property
     def stroke(self) -> DrivenStroke | None:
-        """The driven link's stroke, or angle of swing; None where it turns over."""
+        """The driven link's stroke, or angle of swing; None where it turns over, or there is no mechanism."""
+        if not self.plans.moves:
+            return None
         link, slides = driven(self.plans)
         name = f"{'s' if slides else 'phi'}_{link}"
         curve = next((c for c in self.grid.turn.curves if c.name == name), None)

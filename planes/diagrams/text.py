@@ -19,10 +19,11 @@ GROUPS = ("place", "analogue", "rate", "force")
 
 def report(s: Summary, lang: Lang) -> str:
     """Stroke, dead points, time ratio, then the extremes of every curve, group by group."""
-    structure = s.plans.structure
-    made = f"W = {structure.W}, q = {structure.q}, {structure.formula_as(s.scene.frame_number)}"
-    title, lines = s.scene.title.get(lang, ""), [made, _drive(s, lang), *_assembles(s, lang), *_flips(s, lang)]
-    lines += ["", *_stroke(s, lang)]
+    title, lines = (
+        s.scene.title.get(lang, ""),
+        [*_structure(s), _drive(s, lang), *_assembles(s, lang), *_flips(s, lang)],
+    )
+    lines += ["", *stroke_said(s, lang)]
     name = drive_name(s)
     head = ["", say("column_unit", lang)]
     for side in ("column_least", "column_greatest"):
@@ -34,6 +35,13 @@ def report(s: Summary, lang: Lang) -> str:
     return title + "\n" * bool(title) + decimals("\n".join(lines), lang) + "\n"
 
 
+def _structure(s: Summary) -> list[str]:
+    structure = s.plans.structure
+    if not s.plans.moves:
+        return []
+    return [f"W = {structure.W}, q = {structure.q}, {structure.formula_as(s.scene.frame_number)}"]
+
+
 def drive_name(s: Summary) -> str:
     """The letter of the driver's coordinate: φ1, or s1."""
     return Naming().plain(s.plans.drive.letters[0])
@@ -41,10 +49,12 @@ def drive_name(s: Summary) -> str:
 
 def _drive(s: Summary, lang: Lang) -> str:
     drive = s.plans.drive
+    first, last = (told(float(x), drive.kind, lang) for x in (s.grid.places[0], s.grid.places[-1]))
+    if not s.plans.moves:
+        return f"{drive_name(s)} = {first}…{last}"
     rates = zip((drive.velocity, drive.acceleration), RATES[not drive.rotates][1:], strict=True)
     v, a = (f"{quantity(x)} {say(unit, lang)}" for x, unit in rates)
     velocity, acceleration = (Naming().plain(name) for name in drive.letters[1:])
-    first, last = (told(float(x), drive.kind, lang) for x in (s.grid.places[0], s.grid.places[-1]))
     rates_said = {"velocity": velocity, "v": v, "acceleration": acceleration, "a": a}
     return say("cycle_range", lang, name=drive_name(s), first=first, last=last, **rates_said)
 
@@ -58,7 +68,7 @@ def _assembles(s: Summary, lang: Lang) -> list[str]:
     if s.grid.works.all():
         return []
     ranges = ", ".join(f"{_place(s, a, lang)}…{_place(s, b, lang)}" for a, b in s.grid.ranges)
-    return [say("cycle_assembles", lang, name=drive_name(s), ranges=ranges)]
+    return [say("cycle_assembles" if s.plans.moves else "cycle_drawn", lang, name=drive_name(s), ranges=ranges)]
 
 
 def _flips(s: Summary, lang: Lang) -> list[str]:
@@ -72,7 +82,8 @@ def _flips(s: Summary, lang: Lang) -> list[str]:
     ]
 
 
-def _stroke(s: Summary, lang: Lang) -> list[str]:
+def stroke_said(s: Summary, lang: Lang) -> list[str]:
+    """The driven link's stroke or swing, its extreme positions and the time ratio, in sentences."""
     stroke = s.stroke
     if stroke is None:
         return []

@@ -115,10 +115,11 @@ def unwound(angles: Array) -> Array:
     return unwrapped
 
 
-def _assembled(sample: Sample, places: Array) -> Booleans:
+def _assembled(sample: Sample, places: Array, moves: bool) -> Booleans:
+    """Where a mechanism that ``moves`` assembles; where vectors and loads without one can be drawn."""
     assembles = np.ones(len(places), bool)
     for name, row in sample.items():
-        if letter_of(name) in ("r", "phi", "q:v", "q:omega"):
+        if not moves or letter_of(name) in ("r", "phi", "q:v", "q:omega"):
             assembles &= np.isfinite(row)
     return assembles
 
@@ -139,7 +140,7 @@ class Grid:
     @cached_property
     def works(self) -> Booleans:
         """Where the mechanism assembles: a mask, by the columns of positions."""
-        return _assembled(self.sample, self.places)
+        return _assembled(self.sample, self.places, self.turn.plans.moves)
 
     def values(self, curve: Curve) -> Array:
         """A curve over the grid, NaN where the mechanism does not assemble; angles unwound."""
@@ -183,7 +184,8 @@ class Grid:
             places, last = np.stack([low, high]), np.zeros(len(inside), int)
             for _ in HALVES:
                 places = np.insert(places, np.arange(1, len(places)), (places[:-1] + places[1:]) / 2, axis=0)
-            ok = _assembled(self.turn.sample(flat := places[:-1].ravel(), bare=True), flat).reshape(-1, len(inside))
+            sample = self.turn.sample(flat := places[:-1].ravel(), bare=True)
+            ok = _assembled(sample, flat, self.turn.plans.moves).reshape(-1, len(inside))
             for step in HALVES:
                 last += step * ok[last + step, every]
             low, high = places[last, every], places[last + 1, every]

@@ -20,7 +20,7 @@ from planes.scene.ranges import Span
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, SceneError
 from planes.words.lettering import letter_of_scale
-from planes.words.names import index_of, letter_of
+from planes.words.names import component_of, index_of, letter_of
 from planes.words.naming import Naming
 from render.files import Page
 from render.paper.marks import Text, lettered
@@ -134,7 +134,9 @@ def cycle_page(
     if span is not None and span.count < 2:
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
     plans = scene_plans(scene)
-    if show is None:  # the driven link's motion, and the balancing load
+    if show is None and not plans.moves:
+        show = () if hodographs or paths else [name for name in curves_of(plans) if not component_of(name)]
+    elif show is None:  # the driven link's motion, and the balancing load
         drive = plans.drive
         balancing = f"{'M' if drive.rotates else 'Fb'}_{drive.link}"
         show = () if hodographs or paths else (*output_curves(plans), balancing)

@@ -1,17 +1,22 @@
 """The commands ``planes lesson``, ``essay`` and ``note``: pages, or prose with figures, written whole or not at all."""
 
 import html
+import re
+from dataclasses import replace
 from pathlib import Path
 
 from planes.lesson.data import lesson_data
 from planes.lesson.essay import PAGES, essay_data
+from planes.lesson.questions import Questions
 from planes.lesson.stated_note import note_of
 from planes.scene import Scene
 from planes.scene.files import keep
 from planes.solving import Position, failed, plans_of, position
+from planes.solving.document import Heading, Paragraph
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.frozen import frozen
+from planes.words.lettering import flat
 from planes.words.waiting import bar
 from render.page.lesson_page import essay_page, page
 from render.report import SUFFIXES, rendered
@@ -56,10 +61,36 @@ def write_essay(folder: str, lang: Lang) -> None:
 
 def write_note(scene: Scene, values: list[float] | None, output: str, lang: Lang) -> None:
     """The note of one position in the format of the file's suffix."""
+    keep(note(scene, values, _suffix(output), lang), output)
+
+
+def _suffix(output: str) -> str:
+    """The format of a document, by its file."""
     suffix = Path(output).suffix.lower()
     if suffix not in SUFFIXES:
         raise PlanesError(Phrase("note_suffix", file=output))
-    keep(note(scene, values, suffix, lang), output)
+    return suffix
+
+
+def write_questions(asked: Questions, output: str) -> None:
+    """The questions of a defence, answered, in the format of the file's suffix: .html, .pdf or .docx; on failure
+    :class:`PlanesError`, and no file."""
+    keep(rendered(asked.blocks(), _suffix(output), asked.naming), output)
+
+
+def as_text(asked: Questions) -> str:
+    """The same without figures and formulas."""
+    shown = ("\n" * isinstance(b, Heading) + b.text for b in asked.blocks() if isinstance(b, Heading | Paragraph))
+    return flat(re.sub("⟨([^⟩]*)⟩", lambda m: asked.naming.plain(m[1]), "\n".join(shown))).strip()
+
+
+def questions_of(scene: Scene, values: list[float] | None, lang: Lang) -> Questions:
+    """The questions to one position of a scene; :class:`PlanesError` without a mechanism or for several positions,
+    :class:`SceneError` where the position cannot be drawn."""
+    if scene.mechanism is None:
+        raise PlanesError(Phrase("questions_no_mechanism", file=scene.file))
+    scene = replace(scene, find=None)  # everything may be asked
+    return Questions(scene, placed(scene, values, lang), lang)
 
 
 def note(scene: Scene, values: list[float] | None, suffix: str, lang: Lang) -> bytes:

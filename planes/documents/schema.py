@@ -105,7 +105,10 @@ class Schemas:
         points, guides = named(self.place()), named(self.guide())
         slides = one_of(TEXT, self.of("slide", SLIDE_KEYS, {"guide": TEXT}, ("guide",)))
         link = self.of(
-            "link", LINK_KEYS, {"points": points, "guides": guides, "slides": slides, "centre": TEXT}, ("points",)
+            "link",
+            LINK_KEYS,
+            {"points": points, "guides": guides, "slides": slides, "centre": TEXT, "bearings": PAIR},
+            ("points",),
         )
         near = self.of("assembly", ("near",), {"near": self.place()}, ("near",))
         mu = one_of(TEXT, self.of("plan", ("mu",), {"mu": TEXT}))

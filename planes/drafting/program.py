@@ -123,7 +123,7 @@ class Program:
                 needed |= {proof.one, proof.two}
         kept = []
         for step in reversed(self.steps):
-            if step.makes in needed:
+            if step.makes in needed or step.guards:
                 kept.append(step)
                 needed.update(name for name, _ in step.reads())
         made = {s.makes for s in kept} | set(self.givens)

@@ -13,7 +13,7 @@ from planes.lesson.conditions import conditions
 from planes.lesson.formulas import NOISE, fill, mu_said, unit
 from planes.lesson.frame import ROW, Frame
 from planes.lesson.mathematics import Typesetter
-from planes.lesson.rows import remark
+from planes.lesson.rows import Row, remark
 from planes.lesson.standing import still_said
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.apart import links_apart
@@ -125,14 +125,18 @@ class Note:
         freedom, redundant = counted(s)
         told_of = self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant)
         yield from (Heading(self.say("note_structure")), Paragraph(told_of))
-        for g in s.groups:
-            told_of = self.say("note_group_class", links=", ".join(g.whole), said=g.said.told(self.lang))
-            yield Paragraph(" ".join([told_of, *group_counted(g, self.lang)]))
+        yield from self.groups()
         yield Paragraph(self.say("note_formula", formula=s.formula_as(self.scene.frame_number, True)))
         for way in ways_told(s, self.lang, self.naming.frame, True):
             yield Paragraph(capital(way) + ".")
         yield from [Paragraph(self.say("passive", links=", ".join(s.passive)) + ".")] if s.passive else []
         yield from self.self_aligning() if self.scene.find is None else ()
+
+    def groups(self) -> Iterator[Paragraph]:
+        """The class of each group, and why it is determinate."""
+        for g in self.position.plans.structure.groups:
+            told_of = self.say("note_group_class", links=", ".join(g.whole), said=g.said.told(self.lang))
+            yield Paragraph(" ".join([told_of, *group_counted(g, self.lang)]))
 
     def self_aligning(self) -> Iterator[Block]:
         """The variant without redundant constraints, where there is one."""
@@ -213,11 +217,9 @@ class Note:
         """A frame in words, its lines of reckoning set apart."""
         lead, *after = ROW.split(frame.marked[self.lang])
         yield Paragraph(fill(lead.strip() or self.say("note_reckon"), self.read, self.lang), index, frame.plan)
-        setter = Typesetter(self.read, self.naming, frame.plan)
         for k, text in zip(after[::2], after[1::2], strict=True):
-            self.formulas += 1
             row = frame.rows[int(k)]
-            yield Formula(setter.line(row), str(self.formulas))
+            yield self.formula(row, frame.plan)
             text += "" if row.head else remark(row.kind, self.lang)
             if words := text.lstrip(".,:; "):
                 yield Paragraph(fill(words, self.read, self.lang), plan=frame.plan)
@@ -227,6 +229,11 @@ class Note:
         if why and why not in self.given:
             self.given.add(why)
             yield Paragraph(why, plan=frame.plan, why=True)
+
+    def formula(self, row: Row, plan: str) -> Formula:
+        """A line of reckoning, numbered."""
+        self.formulas += 1
+        return Formula(Typesetter(self.read, self.naming, plan).line(row), str(self.formulas))
 
     def read(self, name: str) -> float:
         """A value by its name."""
@@ -247,7 +254,7 @@ class Note:
         if self.scene.find is None and not p.plans.forces:
             yield Paragraph(self.say("note_no_forces"))
         yield Heading(self.say("note_results"))
-        v, a, w, e, n = (unit(x, self.lang) for x in ("v", "a", "omega", "epsilon", "F"))
+        v, a, w, e = (unit(x, self.lang) for x in ("v", "a", "omega", "epsilon"))
         head: tuple[str, ...] = (self.say("note_point"), f"v, {v}", angle, f"a, {a}", angle)
         rows = [(f"⟨{n}⟩", *self.vector(x.get("v")), *self.vector(x.get("a"))) for n, x in p.rows("points").items()]
         yield from self.table("note_points_table", head, rows)
@@ -256,15 +263,22 @@ class Note:
         yield from self.table("note_links_table", head, [row for row in shown if row[0] != FRAME])
         told_of = own_rows(p, (self.scene.equations, self.scene.file), self.lang)
         yield from self.table("own_equations", (self.say("own_equations"), ""), told_of)
-        forces = list(p.of("reactions").items())
-        if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):
-            head = (self.say("reaction"), f"|F|, {n}", angle)
-            yield from self.table("note_reactions_table", head, [(f"⟨{k}⟩", *self.vector(f)) for k, f in forces])
+        yield from self.reactions()
         for f in p.found:
             if f.quantity.group.startswith("balancing"):
                 size = f"⟨{f.quantity.name}⟩ = {self.number(f)} {self.say(f.quantity.columns[0].unit)}"
                 yield Paragraph(f"{self.say(f.quantity.group)}: {size}.")
         yield from self.warned()
+
+    def reactions(self) -> Iterator[Block]:
+        """The table of reactions, unless all are zero."""
+        forces = list(self.position.of("reactions").items())
+        if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):
+            head = (self.say("reaction"), f"|F|, {unit('F', self.lang)}", self.say("note_angle"))
+            shown = [(f"⟨{k}⟩", *self.vector(f)) for k, f in forces]
+            yield from self.table("note_reactions_table", head, shown)
+        for name, f in self.position.of("bearings").items():
+            yield Paragraph(self.say("note_bearing", name=f"⟨{name}⟩", force=self.number(f)))
 
     def warned(self) -> Iterator[Block]:
         """Warnings about the results."""

@@ -241,7 +241,9 @@ def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", fact
 
 
 def output_curves(plans: Plans) -> tuple[str, ...]:
-    """The principal curves of a mechanism's driven link: its position, velocity and acceleration."""
+    """The principal curves of a mechanism's driven link: its position, velocity and acceleration; none without one."""
+    if not plans.moves:
+        return ()
     link, slides = driven(plans)
     letters = ("s", "v_slide", "a_slide") if slides else ("phi", "omega", "epsilon")
     return tuple(f"{letter}_{link}" for letter in letters)

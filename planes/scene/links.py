@@ -17,7 +17,7 @@ from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told
 from planes.words.names import latin
 
-LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia")
+LINK_KEYS = ("points", "guides", "slides", "centre", "mass", "inertia", "bearings")
 FRAME_KEYS = ("points", "guides", "number")
 GUIDE_KEYS = ("x", "y", "through", "angle", "mark", "centre", "radius")
 SLIDE_KEYS = ("guide", "angle", "offset", "length")
@@ -85,6 +85,8 @@ def read_links(reader: Reader, node: Node, frame: Link) -> dict[str, Link]:
     for link in links.values():
         if link.slides:
             _check_slide(reader, table, link, owners)
+        if link.bearings is not None and link.points.keys().isdisjoint(frame.points):
+            raise reader.error(Phrase("bearings_no_hinge", name=link.name), line_of(table, (link.name, "bearings")))
     round_guides = {name: g for link in (frame, *links.values()) for name, g in link.round_guides.items()}
     for name, link in links.items():
         if link.slides and link.slides.guide in round_guides and round_guides[link.slides.guide].centre in link.points:
@@ -112,7 +114,18 @@ def _link(reader: Reader, name: str, node: Node) -> Link:
         _mass(link, "inertia"),
         None if link.optional("centre") is None else link.known("centre", points, Phrase("points_of", owner=what)),
         round_guides,
+        bearings=_bearings(link),
     )
+
+
+def _bearings(link: Fields) -> complex | None:
+    """The places of a shaft's two bearings along its axis, from the plane of motion."""
+    if link.optional("bearings") is None:
+        return None
+    places = link.place("bearings")
+    if places.real == places.imag:
+        raise link.error(Phrase("bearings_same", what=link.what, place=places.real), "bearings")
+    return places
 
 
 def _mass(link: Fields, key: str) -> float | None:

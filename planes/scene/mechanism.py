@@ -83,6 +83,7 @@ class Link:
     centre: str | None = None
     round_guides: Mapping[str, RoundGuide] = field(default_factory=lambda: MappingProxyType({}))
     slides_round: Slide | None = None  # on a circular guide, whose centre is then one of its points
+    bearings: complex | None = None  # along its axis on the frame, m from the plane of motion: the first + i the second
 
     @property
     def first_point(self) -> str:
@@ -126,7 +127,10 @@ class Drive:
 
     @property
     def letters(self) -> tuple[str, str, str]:
-        """Names of its position, velocity and acceleration: phi_1, omega_1, epsilon_1; of a slider s_1, v_1, a_1."""
+        """Names of its position, velocity and acceleration: phi_1, omega_1, epsilon_1; of a slider s_1, v_1, a_1; where
+        it moves no link, phi or s."""
+        if self.link == FRAME:
+            return self.kind, "", ""
         if self.rotates:
             return f"phi_{self.turning}", *self.rates
         return f"s_{self.link}", f"v_{self.link}", f"a_{self.link}"

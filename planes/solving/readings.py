@@ -10,7 +10,7 @@ from planes.words.naming import Naming
 S = TypeVar("S")
 T = TypeVar("T")
 _OF_MOTION = ("points.r", "points.v", "points.a", "links.omega", "links.epsilon")
-KINDS = (*_OF_MOTION, "reactions", "transfers", "friction", "edges", "loads", "vectors", "values")
+KINDS = (*_OF_MOTION, "reactions", "transfers", "friction", "edges", "bearings", "loads", "vectors", "values")
 """Kinds of results there may be, or none of."""
 LOADS = ("balancing_moment", "balancing_force", "zhukovsky_moment", "zhukovsky_force")
 

@@ -64,7 +64,7 @@ def of_position(p: Position, lang: Lang, naming: Naming) -> list[str]:
     if not forces or any(any(f.numbers[:2]) or f.moment for f in forces.values()):
         lines += (
             _reactions(forces, lang, e, naming)
-            + _derived(p, lang, naming, "loads", "friction", "edges")
+            + _derived(p, lang, naming, "loads", "friction", "edges", "bearings")
             + _balance(p, lang, naming)
         )
     return [decimals(line, lang) for line in lines] + [f"! {w}" for w in r["warnings"]]

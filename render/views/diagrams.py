@@ -185,7 +185,9 @@ class Diagrams:
 
     def heading(self, panel: Sequence[DiagramCurve], mu: float, place: complex) -> list[Mark]:
         """The names of the curves, each with a sample of its line if there are several, and their scale."""
-        link, lang = self.naming.link(driven(self.plans)[0]), self.naming.lang
+        lang, link = self.naming.lang, ""
+        if not all(curve.name for curve in panel):
+            link = self.naming.link(driven(self.plans)[0])
         names = [curve.name or f"{curve.letter}_{{{link}}}" for curve in panel]
         if self.to_read:
             names = [with_unit(name, curve.unit, lang) for name, curve in zip(names, panel, strict=True)]

@@ -99,4 +99,4 @@ def test_what_cannot_be_charted_is_said(tmp_path: Path, capsys: pytest.CaptureFi
     assert main(["chart", scene, "-o", str(tmp_path / "c.xls"), "--lang", "en"]) == 2
     assert main(["chart", str(SAMPLES / "vectors.yaml"), "-o", str(tmp_path / "c.png"), "--lang", "en"]) == 2
     told = capsys.readouterr().err
-    assert "valid: .png, .svg, .pdf" in told and "no positions" in told and not list(tmp_path.iterdir())
+    assert "valid: .png, .svg, .pdf" in told and "has no mechanism" in told and not list(tmp_path.iterdir())

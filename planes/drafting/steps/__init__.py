@@ -25,6 +25,7 @@ class Step:
     makes: str
     means: Meaning | None = field(default=None, kw_only=True, compare=False, repr=False)
     kind: ClassVar[Kind] = "mark"
+    guards: ClassVar[bool] = False  # a position that fails it gives no results at all, and it is never sliced away
     needs: ClassVar[tuple[Read, ...]] = ()  # the fields that name its inputs, one or several, with their kind
 
     @property

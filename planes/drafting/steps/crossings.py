@@ -16,7 +16,7 @@ class Cross(Step):
     other: str
     across: str
     supposed: bool = False
-    far = "parallel"  # the reason for its absence
+    far, same = "parallel", "coincident"  # the reasons for its absence
     needs = marks("start", "other") + directions("along", "across")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -28,7 +28,7 @@ class Cross(Step):
             return tool.ar.where(met, tool.mark(place), complex("nan"))
         size = tool.ar.size
         apart = abs(gap) > tool.slack * (size(env[self.start]) + size(env[self.other]))
-        tool.require(met | apart, self, "coincident", gap_mm=gap)
+        tool.require(met | apart, self, self.same, gap_mm=gap)
         tool.require(met, self, self.far, gap_mm=gap)
         return tool.mark(place)
 

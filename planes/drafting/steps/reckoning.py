@@ -9,6 +9,8 @@ from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words.frozen import frozen
 
+IDLE = 1e-12  # of the largest force: below this a rope is slack
+
 
 @frozen
 class Measure(Step):
@@ -25,6 +27,23 @@ class Measure(Step):
         segment = env[self.end] - env[self.start]
         length = plane.dot(env[self.along], segment) if self.along else abs(segment)
         return tool.read(length) / env[self.mu]
+
+
+@frozen
+class Pull(Measure):
+    """The pull of the rope ``name``: the reaction along it. A rope that would have to push, by more than rounding
+    beside the forces up to the marks ``beside``, fails the position."""
+
+    name: str = ""
+    beside: tuple[str, ...] = ()
+    guards = True
+    needs = Measure.needs + marks("beside")
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        pull = Measure.draw(self, env, tool)
+        largest = reduce(tool.ar.maximum, [tool.ar.size(env[mark]) for mark in self.beside])
+        tool.require(pull * env[self.mu] >= -(IDLE * largest + tool.doubt_mm), self, "rope_pushes")
+        return pull
 
 
 @frozen

@@ -32,8 +32,9 @@ def derived(plans: Plans) -> Iterator[Derived]:
         for couple in (c for c in loads.couples[link] if c.inertia):
             yield Derived((f"MI_{link}", f"M_I{link}", f"M_Φ{link}"), "N·m", couple.value, "loads")
     for r in (r for r in plans.reactions.values() if r.edges):
+        letter, group = ("N", "edges") if r.pair.guide else ("F", "bearings")
         for k, edge in enumerate(r.edges or (), 1):
-            yield Derived((f"N_{pair_index(r.pair.link, r.pair.other)}^{k}",), "N", edge, "edges")
+            yield Derived((f"{letter}_{pair_index(r.pair.link, r.pair.other)}^{k}",), "N", edge, group)
     for r in (r for r in plans.reactions.values() if r.friction):
         index = pair_index(r.pair.link, r.pair.other)
         if r.pair.kind == "R":

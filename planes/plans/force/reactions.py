@@ -15,6 +15,7 @@ from planes.plans.assur.groups import Pair
 from planes.plans.force.hinges import Grip, sliding
 from planes.plans.force.loads import Acting, Couple, Force, force_name
 from planes.plans.position.bodies import Bodies
+from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
 from planes.words.names import POLE, Meaning, at, end_of, label_of, mu_of
 
@@ -35,7 +36,8 @@ class Reaction:
     moment: str = ""
     friction: str = ""
     power: str = ""
-    edges: tuple[str, str] | None = None  # the forces at both edges of a slider's face, ahead and behind
+    # the forces at both edges of a slider's face, ahead and behind; or in both bearings of a shaft, along the reaction
+    edges: tuple[str, str] | None = None
 
     @property
     def names(self) -> dict[str, str]:
@@ -96,9 +98,19 @@ class Statics:
         reaction = Reaction(key, plan, start, end, pair)
         if grip:
             reaction = replace(reaction, arm=grip.factor, moment=grip.couple, friction=grip.couple)
+        bearings = self.bodies.mechanism.link(pair.link).bearings
+        if bearings is not None and pair.point and pair.other == FRAME:
+            reaction = replace(reaction, edges=self.shared(reaction, bearings))
         self.reactions[key] = reaction
         self.bodies.draft.show(plan, label_of(start), label_of(end), key)
         return reaction
+
+    def shared(self, r: Reaction, bearings: complex) -> tuple[str, str]:
+        """The parts of a reaction in the two bearings of a shaft: moments about each give the other (the lever rule).
+        One is against the whole reaction where both bearings are on one side of the plane of motion."""
+        d, share = self.bodies.draft, bearings.imag / (bearings.imag - bearings.real)
+        size = d.measure(f"|{r.key}|", r.start, r.end)
+        return d.product(f"{r.key}^1", share, **{size: 1}), d.product(f"{r.key}^2", 1.0 - share, **{size: 1})
 
     def as_force(self, r: Reaction, on: str) -> Force:
         """The reaction as a force on one of its links, at the hinge or at the foot of the perpendicular from the

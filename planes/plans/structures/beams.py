@@ -4,10 +4,9 @@ the closing line is a bending moment over the pole distance, and the rays divide
 from dataclasses import dataclass
 from itertools import pairwise
 
-from planes.drafting.steps.crossings import Cross
 from planes.plans.force.loads import Force
 from planes.plans.position.bodies import SCHEME
-from planes.plans.structures.free_body import FreeBody
+from planes.plans.structures.free_body import FreeBody, Meeting
 from planes.plans.structures.strings import O, StringPolygon
 from planes.scene.structures import Framework
 from planes.words.names import POLE, Meaning, at
@@ -82,7 +81,7 @@ class StraightBeam:
         marks = []
         for k, through, line in (("·", knot, ray), ("··", polygon.knots[passed], polygon.rays[passed])):
             mark = b.fresh(f"{point}{k}")
-            marks.append(d.step(Cross(mark, spot, across, through, line, means=Meaning("foot"))))
+            marks.append(d.step(Meeting(mark, spot, across, through, line, means=Meaning("foot"))))
         height = d.measure(f"y_{point}", marks[0], marks[1], across)
         sign = 1.0 if (self.axis.real, self.axis.imag) > (0.0, 0.0) else -1.0
         return d.product(f"M_{point}", sign, **{pole: 1, height: 1})

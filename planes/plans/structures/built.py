@@ -5,6 +5,7 @@ from functools import cached_property
 
 from planes.drafting.drawing import run
 from planes.drafting.program import Program
+from planes.drafting.steps.reckoning import Pull
 from planes.geometry.plane import sine
 from planes.plans.force.loads import Force, Loads
 from planes.plans.position.bodies import SCHEME
@@ -16,14 +17,14 @@ from planes.plans.structures.arch import Arch
 from planes.plans.structures.figure import as_mechanism
 from planes.plans.structures.free_body import FreeBody
 from planes.plans.structures.stated_loads import StatedLoads
-from planes.plans.structures.trusses import check_truss, truss_plan
+from planes.plans.structures.trusses import NOTHING, check_truss, truss_plan
 from planes.plans.structures.ways import BLUNT, WayFinder
 from planes.scene import Scene
 from planes.scene.structures import ALONE, Framework, Support
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import replace
-from planes.words.names import Meaning, at, force_plan
+from planes.words.names import Meaning, at, force_plan, mu_of, plan_of
 
 BESIDE = "'"  # suffix of a hinge's force on the body found later
 
@@ -54,6 +55,9 @@ class FrameworkBuilder(StatedLoads):
             self.left.remove(name)
         if self.framework.members:
             self.truss()
+        for s in self.framework.supports:
+            if s.kind == "rope":
+                self.pulled(s)
         return self.tried(self.plans())
 
     @property
@@ -119,7 +123,7 @@ class FrameworkBuilder(StatedLoads):
         """The plan of a body, and its reactions on the bodies it hangs on."""
         plan = force_plan(*([name] if len(self.framework.bodies) > 1 else []))
         body = self.body(name, plan, self.supports_of(name))
-        WayFinder(self.scene, self.framework, body, self.sizes).draw()
+        WayFinder(self.scene, self.framework, body, self.sizes, self.turning).draw()
         self.spans |= {n: (at(plan, a), at(plan, b)) for n, (a, b) in body.found.items()}
         if body.anchor and body.anchor.kind == "clamp":
             self.values[f"M_{body.anchor.point}"] = f"M_{body.anchor.point}"
@@ -172,7 +176,9 @@ class FrameworkBuilder(StatedLoads):
         outer = {f.name: f for f in self.forces[ALONE]}
         outer |= {s.name: self.reaction(s, ALONE, f"{s.name}″") for s in self.framework.supports}
         sizes = self.sizes | {s.name: self.measured(s.name) for s in self.framework.supports}
-        plan = truss_plan(self.draft, self.framework, outer, sizes, self.error)
+        if self.turning:  # a force that is zero now has a place around the truss, too
+            sizes = {name: size or 1j for name, size in sizes.items()}
+        plan = truss_plan(self.draft, self.framework, outer, sizes, NOTHING * (not self.turning), self.error)
         self.figure.said |= dict.fromkeys(plan.joints, "region")
         self.values |= plan.measure()
         self.figure.letters = plan.regions.places
@@ -209,14 +215,18 @@ class FrameworkBuilder(StatedLoads):
                 yield e.total, (at(e.plan, e.chains[0][0].start), at(e.plan, e.chains[0][-1].end))
 
     def tried(self, plans: Plans) -> Plans:
-        """Refuse figures that cannot be drawn, and ropes that would have to push."""
+        """Refuse figures that cannot be drawn, and ropes that would have to push; where loads turn, that is for each
+        position to say."""
         try:
-            drawing = run(plans.program, {**plans.given, **unit_scales(plans)})
+            run(plans.program, {**plans.given, **unit_scales(plans)})
         except PlanFailure as failure:
-            raise self.error(Phrase("about", what=Phrase("the_scene"), why=failure.phrase), "method") from None
-        for s in (s for s in self.framework.supports if s.kind == "rope"):
-            start, end = plans.vectors[s.name]
-            points = self.framework.points
-            if ((drawing[end] - drawing[start]) * (points[s.to] - points[s.point]).conjugate()).real < 0:
-                raise self.error(Phrase("rope_pushes", name=s.point + s.to), "supports", s.point)
+            if not self.turning:
+                raise self.error(Phrase("about", what=Phrase("the_scene"), why=failure.phrase), "method") from None
         return plans
+
+    def pulled(self, s: Support) -> None:
+        """Hold a rope to pulling in every position."""
+        d, (start, end) = self.draft, self.spans[s.name]
+        plan, along = plan_of(start), d.ray(SCHEME, s.point, s.to)
+        beside = tuple(name for name, step in d.steps.items() if step.kind == "mark" and plan_of(name) == plan)
+        d.step(Pull(f"pull_{s.point}{s.to}", start, end, along, mu_of(plan), s.point + s.to, beside))

@@ -15,9 +15,17 @@ from planes.plans.force.loads import Couple, Force
 from planes.plans.position.bodies import SCHEME, on_scheme
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import Support
+from planes.words.frozen import frozen
 from planes.words.names import POLE, Meaning, at, end_of, label_of
 
 Chain = tuple[Term, ...]
+
+
+@frozen
+class Meeting(Cross):
+    """Cross two lines of forces, or of strings."""
+
+    far, same = "forces_parallel", "forces_on_one_line"
 
 
 @dataclass
@@ -144,7 +152,7 @@ class FreeBody:
 
     def cross(self, label: str, start: str, along: str, other: str, across: str) -> str:
         """A point of the scheme where two lines meet, both extended to it."""
-        mark = self.draft.step(Cross(self.fresh(label), start, along, other, across))
+        mark = self.draft.step(Meeting(self.fresh(label), start, along, other, across))
         self.figure.stroke(SCHEME, "action", "", start, mark)
         self.figure.stroke(SCHEME, "action", "", other, mark)
         self.figure.knots.append(mark)

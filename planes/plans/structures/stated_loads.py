@@ -65,6 +65,12 @@ class StatedLoads:
             else:
                 self.force(load, load.direction_deg)
 
+    @property
+    def turning(self) -> bool:
+        """Whether any load follows a law: what suits the drive's position in the file need not suit others."""
+        numbers = (x for load in self.framework.loads for x in (load.size, load.direction_deg))
+        return any(isinstance(x, LoadLaw) for x in numbers)
+
     def number(self, name: str, value: float | LoadLaw, means: Meaning) -> str:
         """A given number, or the value of a law."""
         if isinstance(value, LoadLaw):
@@ -88,4 +94,5 @@ class StatedLoads:
         mark = at(SCHEME, load.point) if load.point else d.put(SCHEME, f"_{load.name}", load.place, Meaning("moved"))
         spot = BodyPoint(label_of(mark), load.point)
         self.forces[load.body].append(Force(load.name, load.body, size, along, mark, "load", spot))
-        self.sizes[load.name] = self.now(load.size) * cmath.rect(1.0, math.radians(self.now(angle)))
+        now = self.now(load.size) or float(isinstance(load.size, LoadLaw))  # zero now, it has a direction all the same
+        self.sizes[load.name] = now * cmath.rect(1.0, math.radians(self.now(angle)))

@@ -9,10 +9,9 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from planes.drafting.equations import Equation, Term
-from planes.drafting.steps.crossings import Cross
 from planes.geometry.plane import corners, sine
 from planes.plans.position.bodies import SCHEME
-from planes.plans.structures.free_body import FreeBody
+from planes.plans.structures.free_body import FreeBody, Meeting
 from planes.scene.structures import Support
 from planes.words.names import POLE, Meaning, at, end_of
 
@@ -56,7 +55,7 @@ class StringPolygon:
         """A string from the end of the one before to a line; returns the mark there."""
         b, letter = self.body, "" if self.trial else str(k)
         mark = b.fresh(f"{k + 1}{TRIED * self.trial}")
-        knot = b.draft.step(Cross(mark, self.knots[-1], self.rays[k], point, along))
+        knot = b.draft.step(Meeting(mark, self.knots[-1], self.rays[k], point, along))
         b.figure.stroke(SCHEME, "trial" if self.trial else "string", letter, self.knots[-1], knot)
         b.figure.said[knot] = "trial_string" if self.trial else "string"
         return knot
@@ -64,14 +63,14 @@ class StringPolygon:
     def cut(self, k: int, point: str, along: str) -> str:
         """The mark where a string of a trial meets a line through a point."""
         b, spot = self.body, at(SCHEME, point)
-        mark = b.draft.step(Cross(b.fresh(f"{point}{TRIED}"), self.knots[k], self.rays[k], spot, along))
+        mark = b.draft.step(Meeting(b.fresh(f"{point}{TRIED}"), self.knots[k], self.rays[k], spot, along))
         b.figure.stroke(SCHEME, "trial", "", spot, mark)
         return mark
 
     def resultant(self) -> tuple[str, str]:
         """The mark of the scheme where the outermost strings meet, and the direction of the resultant there."""
         b, last = self.body, str(len(self.rays) - 1)
-        mark = b.draft.step(Cross(b.fresh("K"), self.knots[1], self.rays[0], self.knots[-1], self.rays[-1]))
+        mark = b.draft.step(Meeting(b.fresh("K"), self.knots[1], self.rays[0], self.knots[-1], self.rays[-1]))
         b.figure.knots.append(mark)
         b.figure.said[mark] = "outermost"
         b.figure.stroke(SCHEME, "string", "0", self.knots[1], mark)
@@ -115,11 +114,11 @@ def pole_through(b: FreeBody, pole: complex, points: Sequence[str], before: int)
         b.figure.stroke(SCHEME, "trial", "", start, end)
         closing = d.through(f"∥{TRIED}{n + 1}", start, end, Meaning("along", f"{CLOSING}{TRIED}{n + 1}"))
         mark = at(plan, f"m{n + 1}")
-        d.step(Cross(mark, at(plan, O + TRIED), closing, at(plan, ends[low]), chord, means=Meaning("foot")))
+        d.step(Meeting(mark, at(plan, O + TRIED), closing, at(plan, ends[low]), chord, means=Meaning("foot")))
         b.figure.stroke(plan, "trial", "", at(plan, O + TRIED), mark)
         parted.append((mark, d.ray(SCHEME, points[n], points[n + 1])))
     other = parted[1] if len(parted) > 1 else (at(plan, O + TRIED), chord)
-    d.step(Cross(at(plan, O), *parted[0], *other, means=Meaning("foot")))
+    d.step(Meeting(at(plan, O), *parted[0], *other, means=Meaning("foot")))
     b.figure.said |= {at(plan, O): "pole_through"}
     for mark, _ in parted:
         b.figure.stroke(plan, "action", "", mark, at(plan, O))

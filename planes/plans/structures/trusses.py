@@ -29,11 +29,11 @@ def check_truss(f: Framework, error: Refusal) -> None:
 
 
 def truss_plan(
-    draft: Draft, f: Framework, outer: Mapping[str, Force], sizes: Mapping[str, complex], error: Refusal
+    draft: Draft, f: Framework, outer: Mapping[str, Force], sizes: Mapping[str, complex], least: float, error: Refusal
 ) -> CremonaPlan:
-    """The plan, from ``outer`` forces of known ``sizes``, N."""
+    """The plan, from ``outer`` forces of known ``sizes``, N, without those not above ``least`` of the largest."""
     most = max(map(abs, sizes.values()), default=0.0)
-    forces = [Outside(n, label_of(x.point), sizes[n]) for n, x in outer.items() if abs(sizes[n]) > NOTHING * most]
+    forces = [Outside(n, label_of(x.point), sizes[n]) for n, x in outer.items() if abs(sizes[n]) > least * most]
     if not forces:
         raise error(Phrase("truss_idle"), "loads")
     regions = Regions(f, forces)

@@ -19,6 +19,7 @@ from planes.plans.structures.strings import (
     pole_through,
 )
 from planes.scene import Scene
+from planes.scene.mechanism import LoadLaw
 from planes.scene.structures import Framework, Support
 from planes.words import Phrase
 from planes.words.errors import SceneError
@@ -29,10 +30,13 @@ SLIGHT = 0.05  # a crossing sharper than this can be drawn
 
 
 class WayFinder:
-    """Chooses a method by the numbers of a scene, and draws; ``sizes`` are the known forces, N."""
+    """Chooses a method by the numbers of a scene, and draws; ``sizes`` are the known forces, N: where loads are
+    ``turning``, those at the drive's position in the file."""
 
-    def __init__(self, scene: Scene, framework: Framework, body: FreeBody, sizes: Mapping[str, complex]) -> None:
-        self.scene, self.framework, self.body = scene, framework, body
+    def __init__(
+        self, scene: Scene, framework: Framework, body: FreeBody, sizes: Mapping[str, complex], turning: bool
+    ) -> None:
+        self.scene, self.framework, self.body, self.turning = scene, framework, body, turning
         self.forces = [sizes[f.name] for f in body.forces]
         self.places = {x.name: x.place for x in framework.loads}
         self.places |= {f.name: framework.points[label_of(f.point)] for f in body.forces if f.name not in self.places}
@@ -48,7 +52,7 @@ class WayFinder:
         """Find all reactions of the body."""
         self.check()
         ways = {
-            "moments": self.body.by_moments,
+            "moments": self.by_moments,
             "string": self.strings,
             "three-forces": self.single,
             "composition": self.composed,
@@ -59,7 +63,7 @@ class WayFinder:
     def plainest(self) -> str:
         """A suitable method."""
         b = self.body
-        idle = not any(self.forces) or bool(b.couples)
+        idle = self.turning or not any(self.forces) or bool(b.couples)
         if self.framework.members or idle or (b.anchor and b.anchor.kind == "clamp"):
             return "moments"
         if len(b.forces) == 1 and b.supports:
@@ -67,6 +71,13 @@ class WayFinder:
             meets = line is not None and sine(self.forces[0], self.way(line)) > SLIGHT
             return ("three-forces" if meets else "string") if b.anchor else "culmann"
         return "string"
+
+    def by_moments(self) -> None:
+        """By moments; of three lines, about where two meet that are not parallel."""
+        b = self.body
+        if not b.anchor and b.lines and sine(*map(self.way, b.lines[1:])) <= SLIGHT:
+            b.supports = [*max(permutations(b.lines), key=lambda order: sine(*map(self.way, order[1:])))]
+        b.by_moments()
 
     def way(self, s: Support) -> complex:
         """The direction of a reaction's line."""
@@ -106,7 +117,8 @@ class WayFinder:
         """By the string polygon: its closing line, or the resultant from it."""
         b = self.body
         self.suits("string")
-        beam = StraightBeam(b, self.framework, self.places) if b.anchor else None
+        steady = not any(isinstance(x.direction_deg, LoadLaw) for x in self.framework.loads)
+        beam = StraightBeam(b, self.framework, self.places) if b.anchor and steady else None
         if beam and beam.straight([*self.forces, self.way(b.lines[0])]):
             pairs = sorted(zip(b.forces, self.forces, strict=True), key=beam.load_along)
             b.forces, self.forces = [f for f, _ in pairs], [z for _, z in pairs]
