@@ -14,7 +14,7 @@ from planes.words.names import at
 
 WORDS_OF_KIND = {1: ("left", "right"), 2: ("ahead", "behind"), 3: ("ahead", "behind")}
 
-PLACES = 12  # decimals of a place in m that is told: the rest is rounding
+PLACES = 12  # decimals of a place offered to the user, m: the rest is rounding
 
 
 def resolve(b: Bodies) -> None:
