@@ -4,36 +4,13 @@ import math
 
 from planes.crank_slider.given import UNITS, Concentration, Counterweights, Given, Limits, PistonPin, Shaft, Speed
 from planes.crank_slider.parts import ELASTICITY_MPA, STEELS, Material, Round, Shank, Web, made, steel
-from planes.crank_slider.reading_table import Values, read_indicator
+from planes.crank_slider.reading_table import KEYS, Values, read_indicator
 from planes.crank_slider.shape import shape_of
 from planes.scene import Scene
 from planes.scene.reader import Reader, section
 from planes.scene.source import SourceScalar
 from planes.words import Phrase
 from planes.words.errors import SceneError, choices, shown
-
-_WRITTEN = {
-    "crank_slider": (
-        "bore ambient indicator step speed flywheel positions shaft counterweights rod piston_pin materials fatigue "
-        "limits"
-    ),
-    "flywheel": "unevenness",
-    "speed": "unevenness waves phase",
-    "shaft": "span pin_from_B webs journal crankpin web masses",
-    "round": "diameter bore",
-    "web": "width thickness",
-    "masses": "pin webs webs_radius",
-    "counterweights": "radius masses translating",
-    "rod": "height width flange web",
-    "piston_pin": "diameter bore length bush gap",
-    "materials": "shaft rod piston_pin",
-    "material": "name strength_MPa yield_MPa alloyed fatigue_MPa fatigue_torsion_MPa elasticity_MPa",
-    "fatigue": "journal crankpin",
-    "concentration": "k_sigma k_tau size_sigma size_tau",
-    "limits": "static fatigue buckling bush_MPa boss_MPa",
-}
-KEYS = {name: tuple(keys.split()) for name, keys in _WRITTEN.items()}
-"""The keys of the section and of its tables, by the name of the table."""
 
 
 def read(scene: Scene) -> Given:
@@ -50,22 +27,17 @@ def read(scene: Scene) -> Given:
         ambient=top.positive("ambient", 0.1e6 / pascals) * pascals,
         indicator=indicator,
         step_deg=_step(top),
-        speed=top.part("speed", KEYS["speed"], _speed) or Speed(),
-        allowed_unevenness=top.part(
-            "flywheel", KEYS["flywheel"], lambda flywheel: flywheel.between("unevenness", 1e-4, 0.5)
-        )
-        or 0.02,
+        speed=top.part("speed", _speed) or Speed(),
+        allowed_unevenness=top.part("flywheel", lambda flywheel: flywheel.between("unevenness", 1e-4, 0.5)) or 0.02,
         positions=_positions(top, indicator.cycle_deg, indicator.start_deg),
-        shaft=top.part("shaft", KEYS["shaft"], _shaft),
-        counterweights=top.part("counterweights", KEYS["counterweights"], _counterweights),
-        rod=top.part("rod", KEYS["rod"], _rod),
-        pin=top.part("piston_pin", KEYS["piston_pin"], _pin),
-        materials=top.part(
-            "materials", KEYS["materials"], lambda table: {key: _material(table, key) for key in table.table.entries}
-        )
+        shaft=top.part("shaft", _shaft),
+        counterweights=top.part("counterweights", _counterweights),
+        rod=top.part("rod", _rod),
+        pin=top.part("piston_pin", _pin),
+        materials=top.part("materials", lambda table: {key: _material(table, key) for key in table.table.entries})
         or {},
-        concentration=top.part("fatigue", KEYS["fatigue"], _concentration) or {},
-        limits=top.part("limits", KEYS["limits"], _limits) or Limits(),
+        concentration=top.part("fatigue", _concentration) or {},
+        limits=top.part("limits", _limits) or Limits(),
     )
     _check_parts(scene, top, given)
     return given

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from types import MappingProxyType
 from typing import TypeVar
 
@@ -13,14 +13,36 @@ from planes.words import Phrase, Told
 
 Part = TypeVar("Part")
 INDICATOR = ("over", "unit", *FOUR)
+_WRITTEN = {
+    "crank_slider": (
+        "bore ambient indicator step speed flywheel positions shaft counterweights rod piston_pin materials fatigue "
+        "limits"
+    ),
+    "flywheel": "unevenness",
+    "speed": "unevenness waves phase",
+    "shaft": "span pin_from_B webs journal crankpin web masses",
+    "round": "diameter bore",
+    "web": "width thickness",
+    "masses": "pin webs webs_radius",
+    "counterweights": "radius masses translating",
+    "rod": "height width flange web",
+    "piston_pin": "diameter bore length bush gap",
+    "materials": "shaft rod piston_pin",
+    "material": "name strength_MPa yield_MPa alloyed fatigue_MPa fatigue_torsion_MPa elasticity_MPa",
+    "fatigue": "journal crankpin",
+    "concentration": "k_sigma k_tau size_sigma size_tau",
+    "limits": "static fatigue buckling bush_MPa boss_MPa",
+}
+KEYS = {name: tuple(keys.split()) for name, keys in _WRITTEN.items()}
+"""The keys of the section and of its tables, by the name of the table."""
 
 
 class Values(Fields):
     """Reads the keys of one table within their bounds."""
 
-    def part(self, key: str, keys: Sequence[str], read: Callable[[Values], Part]) -> Part | None:
+    def part(self, key: str, read: Callable[[Values], Part]) -> Part | None:
         """The part read from the table under a key, None if it is missing."""
-        return None if self.optional(key) is None else read(self.inner(key, keys))
+        return None if self.optional(key) is None else read(self.inner(key, KEYS[key]))
 
     def above(self, key: str, usual: float | None = None) -> float:
         """A number above zero."""

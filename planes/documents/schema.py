@@ -18,8 +18,8 @@ from planes.course.reading import DRAW_KEYS, STUDENT_KEYS
 from planes.course.reading import KEYS as COURSE_KEYS
 from planes.crank_slider.given import UNITS
 from planes.crank_slider.parts import STEELS
-from planes.crank_slider.reading import KEYS as CRANK_SLIDER_KEYS
 from planes.crank_slider.reading_table import INDICATOR
+from planes.crank_slider.reading_table import KEYS as CRANK_SLIDER_KEYS
 from planes.scene.friction import PIN_KEYS
 from planes.scene.links import FRAME_KEYS, GUIDE_KEYS, LINK_KEYS, SLIDE_KEYS
 from planes.scene.load_laws import LAW_KEYS, STROKE_KEYS

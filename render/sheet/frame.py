@@ -184,6 +184,15 @@ _SAME = (
     *BESIDE,
 )
 """Keys of the scene that are also names of cells."""
+_TOGETHER = {
+    "student_date": ("date",),
+    "scale": ("scale_note",),
+    "department": ("department",),
+    "document_type": ("document_type",),
+    "company": ("company", "university", "department", "group"),
+    "owner": ("company", "university", "group"),
+}
+"""Cells with what the scene says under some keys."""
 
 
 def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str, str]:
@@ -191,18 +200,13 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     given = scene.sheet
     said = {key: _said_text(value, lang) for key, value in given.items()}
     texts = {key: said[key] for key in _SAME if key in said}
-    texts["student_date"] = said.get("date", "")
+    texts |= {cell: " ".join(said[key] for key in keys if said.get(key)) for cell, keys in _TOGETHER.items()}
     texts["title"] = said.get("title") or scene.title.get(lang, "")
     if number and "title" not in said:
         texts["title"] = APART.join(filter(None, (texts["title"], say(f"sheet_{number}", lang))))
     texts["designation"] = said.get("designation") or said.get("number", "")
-    company = [said.get(key, "") for key in ("company", "university", "department", "group")]
-    texts["company"] = " ".join(text for text in company if text)
-    texts["scale"] = said.get("scale_note", "")
     texts["sheet"] = said.get("sheet", str(number or ""))
     texts["sheets"] = said.get("sheets", "2" if number else "1")
-    texts |= {key: said.get(key, "") for key in ("department", "document_type")}
-    texts["owner"] = " ".join(said[key] for key in ("company", "university", "group") if said.get(key))
     texts["sheet_of"] = "/".join(texts[key] for key in ("sheet", "sheets") if texts[key])
     letters, revisions = given.get("letter", say("study_letter", lang)), given.get("revisions")
     for k, letter in enumerate(letters if isinstance(letters, list) else str(letters or "").split(), 1):
