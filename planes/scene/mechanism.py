@@ -138,6 +138,9 @@ class Drive:
         return turning if self.rotates else ("v_drive", "a_drive")
 
 
+Pairs = tuple[tuple[float, float], ...]  # of a table: a place, and the value there
+
+
 @frozen
 class LoadLaw:
     """A load number evaluated in every position: ``text``, an expression of numbers and of quantities known before the
@@ -145,7 +148,7 @@ class LoadLaw:
     over ``phi`` of 360° repeats itself."""
 
     text: str
-    table: tuple[tuple[float, float], ...] = ()
+    table: Pairs = ()
 
     @property
     def turning(self) -> bool:
