@@ -47,22 +47,22 @@ def _check_parts(scene: Scene, top: Values, given: Given) -> None:
     """Check that each part has all its data, and that the crank's mass is that of its shaft."""
     shaft, shape = given.shaft, given.shape
     if given.counterweights and not shaft:
-        raise top.error(Phrase("cs_needs", what="shaft", other="counterweights"), "counterweights")
+        raise top.fault("cs_needs", "counterweights", what="shaft", other="counterweights")
     by_shaft = shaft.static_moment(shape.r) if shaft else 0.0
     if shaft and shape.m1 and not math.isclose(shape.m1 * shape.s, by_shaft, rel_tol=0.01):
         words = Phrase("cs_crank_mass", link=shape.m1 * shape.s, shaft=by_shaft, name=shape.crank)
         raise SceneError(words, scene.file, scene.where.get(("crank_slider", "shaft", "masses")))
     for part, there in (("shaft", shaft), ("rod", given.rod), ("piston_pin", given.pin)):
         if there and part not in given.materials:
-            raise top.error(Phrase("cs_needs", what=f"materials.{part}", other=part), part)
+            raise top.fault("cs_needs", part, what=f"materials.{part}", other=part)
     if shaft and given.concentration.keys() != {"journal", "crankpin"}:
-        raise top.error(Phrase("cs_needs", what="fatigue: {journal: …, crankpin: …}", other="shaft"), "shaft")
+        raise top.fault("cs_needs", "shaft", what="fatigue: {journal: …, crankpin: …}", other="shaft")
 
 
 def _step(top: Values) -> float:
     step = top.above("step", 1.0)
     if step > 15.0 or abs(15.0 / step - round(15.0 / step)) > 1e-9 or step < 0.1:
-        raise top.error(Phrase("cs_step", what=top.named("step"), value=step), "step")
+        raise top.fault("cs_step", "step", what=top.named("step"), value=step)
     return step
 
 
@@ -78,14 +78,14 @@ def _positions(top: Values, cycle: float, start: float) -> tuple[float, ...]:
     places = tuple(top.reader.number(item, what) for item in top.reader.items(node, what))
     for value in places:
         if not start <= value <= start + cycle:
-            raise top.error(Phrase("cs_range", what=what, low=start, high=start + cycle, value=value), "positions")
+            raise top.fault("cs_range", "positions", what=what, low=start, high=start + cycle, value=value)
     return places[:6]
 
 
 def _counterweights(table: Values) -> Counterweights:
     masses = table.pair("masses")
     if masses and min(masses) < 0.0:
-        raise table.error(Phrase("negative", what=table.named("masses"), value=min(masses)), "masses")
+        raise table.fault("negative", "masses", what=table.named("masses"), value=min(masses))
     return Counterweights(table.above("radius"), masses, table.between("translating", 0.0, 1.0, 0.5))
 
 
@@ -93,7 +93,7 @@ def _limits(table: Values) -> Limits:
     usual = Limits()
     low, high = fatigue = table.pair("fatigue") or usual.fatigue
     if not 1.0 <= low < high:
-        raise table.error(Phrase("cs_range", what=table.named("fatigue"), low=1.0, high=high, value=low), "fatigue")
+        raise table.fault("cs_range", "fatigue", what=table.named("fatigue"), low=1.0, high=high, value=low)
     return Limits(
         static=table.between("static", 1.0, 20.0, usual.static),
         fatigue=fatigue,
@@ -106,7 +106,7 @@ def _limits(table: Values) -> Limits:
 def _shaft(table: Values) -> Shaft:
     span, n, m = table.above("span"), table.above("pin_from_B"), table.above("webs")
     if m >= min(n, span - n):
-        raise table.error(Phrase("cs_span", webs=m, left=span - n, right=n), "webs")
+        raise table.fault("cs_span", "webs", webs=m, left=span - n, right=n)
     web = table.inner("web", KEYS["web"])
     masses = table.inner("masses", KEYS["masses"])
     return Shaft(
@@ -125,7 +125,7 @@ def _shaft(table: Values) -> Shaft:
 def _bored(table: Values) -> Round:
     outer, bore = table.above("diameter"), table.positive("bore", 0.0)
     if bore >= outer:
-        raise table.error(Phrase("cs_thin", what=table.what, inner=bore, outer=outer), "bore")
+        raise table.fault("cs_thin", "bore", what=table.what, inner=bore, outer=outer)
     return Round(outer, bore)
 
 
@@ -135,14 +135,14 @@ def _rod(table: Values) -> Shank:
     flange, web = table.above("flange", height / 2), table.above("web", width)
     for key, inner, outer in (("flange", 2 * flange, height), ("web", web, width)):
         if inner > outer:
-            raise table.error(Phrase("cs_thin", what=table.named(key), inner=inner, outer=outer), key)
+            raise table.fault("cs_thin", key, what=table.named(key), inner=inner, outer=outer)
     return Shank(height, width, flange, web)
 
 
 def _pin(table: Values) -> PistonPin:
     length, bush, gap = table.above("length"), table.above("bush"), table.above("gap")
     if not bush <= gap < length:
-        raise table.error(Phrase("cs_pin_length", gap=gap, bush=bush, length=length), "gap")
+        raise table.fault("cs_pin_length", "gap", gap=gap, bush=bush, length=length)
     return PistonPin(_bored(table), length, bush, gap)
 
 
@@ -153,11 +153,11 @@ def _material(table: Values, key: str) -> Material:
         if known_steel := steel(name):
             return known_steel
         what = Phrase("about", what=table.named(key), why=shown(name))
-        raise table.error(Phrase("cs_no_steel", what=what, valid=choices(name, STEELS)), key)
+        raise table.fault("cs_no_steel", key, what=what, valid=choices(name, STEELS))
     inner = table.inner(key, KEYS["material"])
     strength, yields = inner.above("strength_MPa"), inner.above("yield_MPa")
     if yields > strength:
-        raise inner.error(Phrase("cs_yield", what=inner.what, one=yields, two=strength), "yield_MPa")
+        raise inner.fault("cs_yield", "yield_MPa", what=inner.what, one=yields, two=strength)
     name = key if inner.optional("name") is None else inner.text("name")
     is_alloyed = inner.optional("alloyed") is not None and inner.word("alloyed", ("yes", "no")) == "yes"
     bending, torsion = (inner.above(k) if k in inner else None for k in KEYS["material"][4:6])

@@ -48,14 +48,14 @@ class Values(Fields):
         """A number above zero."""
         value = self.number(key, usual)
         if value <= 0.0:
-            raise self.error(Phrase("cs_positive", what=self.named(key), value=value), key)
+            raise self.fault("cs_positive", key, what=self.named(key), value=value)
         return value
 
     def between(self, key: str, low: float, high: float, usual: float | None = None) -> float:
         """A number from ``low`` to ``high``."""
         value = self.number(key, usual)
         if not low <= value <= high:
-            raise self.error(Phrase("cs_range", what=self.named(key), low=low, high=high, value=value), key)
+            raise self.fault("cs_range", key, what=self.named(key), low=low, high=high, value=value)
         return value
 
     def pair(self, key: str) -> tuple[float, float] | None:
@@ -73,12 +73,12 @@ def read_indicator(top: Values) -> Indicator:
     names = FOUR if "intake" in table or "exhaust" in table else TWO
     missing = next((name for name in names if name not in table), None)
     if missing:
-        raise table.error(Phrase("cs_stages", stage=missing))
+        raise table.fault("cs_stages", stage=missing)
     stages = {name: _stage(table, name, over, names) for name in names}
     for one, two in zip(names, (*names[1:], names[0]), strict=True):
         first, second = stages[one][-1][1], stages[two][0][1]
         if abs(first - second) > 1e-6 * max(abs(first), abs(second)):
-            raise table.error(Phrase("cs_joint", one=one, two=two, first=first, second=second), two)
+            raise table.fault("cs_joint", two, one=one, two=two, first=first, second=second)
     return Indicator(over, unit, MappingProxyType(stages))
 
 
@@ -87,11 +87,11 @@ def _stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Point
     items = table.reader.items(table.required(name), what)
     points = tuple(_point(table, item, what, variable) for item in items)
     if len(points) < 2:
-        raise table.error(Phrase("cs_two_points", what=what, variable=variable), name)
+        raise table.fault("cs_two_points", name, what=what, variable=variable)
     start, end = span(name, over, names)
     if abs(points[0][0] - start) > 1e-9 or abs(points[-1][0] - end) > 1e-9:
         ends = {"start": start, "end": end, "one": points[0][0], "two": points[-1][0]}
-        raise table.error(Phrase("cs_ends", what=what, variable=variable, **ends), name)
+        raise table.fault("cs_ends", name, what=what, variable=variable, **ends)
     for (one, _), (two, _), item in zip(points, points[1:], items[1:], strict=False):
         if (two - one) * (end - start) <= 0.0:
             words = Phrase("cs_order", what=what, variable=variable, start=start, end=end, one=one, two=two)
@@ -101,8 +101,8 @@ def _stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Point
 
 def _point(table: Values, item: Node, what: Told, variable: str) -> tuple[float, float]:
     if not isinstance(item, Items) or len(item.items) != 2:
-        raise table.reader.error(Phrase("cs_point", what=what, variable=variable), item)
+        raise table.reader.fault("cs_point", item, what=what, variable=variable)
     x, p = (table.reader.number(node, what) for node in item.items)
     if p < 0.0:
-        raise table.reader.error(Phrase("cs_pressure", what=what, value=p), item)
+        raise table.reader.fault("cs_pressure", item, what=what, value=p)
     return x, p

@@ -79,7 +79,7 @@ def check_lengths(reader: Reader, mechanism: Mechanism) -> None:
         if rod and (length := (link.points[hinges[1]] - link.points[hinges[0]]).real) < 0 == link.points[hinges[0]]:
             numbers = {"link": link.name, "one": hinges[0], "two": hinges[1], "length": _brief(length)}
             where = mechanism.where.get(("links", link.name, "points", hinges[1]), 1)
-            raise reader.error(Phrase("negative_length", **numbers), where)
+            raise reader.fault("negative_length", where, **numbers)
 
 
 def _brief(number: float) -> Written:
