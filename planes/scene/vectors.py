@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from planes.scene.expressions import evaluate, is_name
 from planes.scene.load_laws import LawReader
-from planes.scene.mechanism import Drive, LoadLaw
+from planes.scene.mechanism import Drive, LoadLaw, nothing
 from planes.scene.reader import MAX_NAME, MOST, Fields, Reader, part
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.structures import Framework
@@ -58,10 +58,10 @@ class Statement:
     """The contents of a scene of vectors; ``values`` are numbers computed from its vectors and ``parameters``,
     ``quantity`` is the plan whose unit its ``mu`` has. For a scene of ``statics``, which states the vectors."""
 
-    vectors: Mapping[str, VectorGiven] = field(default_factory=lambda: MappingProxyType({}))
+    vectors: Mapping[str, VectorGiven] = field(default_factory=nothing)
     equations: tuple[VectorEquation, ...] = ()
-    values: Mapping[str, Amount] = field(default_factory=lambda: MappingProxyType({}))
-    parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    values: Mapping[str, Amount] = field(default_factory=nothing)
+    parameters: Mapping[str, float] = field(default_factory=nothing)
     quantity: str | None = None
     statics: Framework | None = None
     drive: Drive | None = None  # the variable of the laws among them
