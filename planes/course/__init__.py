@@ -25,7 +25,6 @@ else's; only the given variants go by the order of the list. No two have drawn n
 
 from collections.abc import Mapping
 from pathlib import Path
-from types import MappingProxyType
 
 from planes.scene.mechanism import nothing
 from planes.scene.source import Node

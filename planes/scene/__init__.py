@@ -5,7 +5,6 @@ from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
 
 from planes.scene import settings, source
 from planes.scene.doubts import check_lengths, idle_parameters, read_doubts
