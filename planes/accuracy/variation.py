@@ -1,10 +1,10 @@
 """The same mechanism with a length, or the angle of a guide, changed."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 
 from planes.drafting.draft import Draft
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Thing, Things
 from planes.plans import Plans, plans_of
 from planes.plans.assur.groups import Group
 from planes.plans.position.assembly import WORDS_OF_KIND
@@ -26,12 +26,12 @@ def _mechanism(plans: Plans, name: str, value: float) -> Mechanism:
     return replace(m, frame=link) if link.name == m.frame.name else replace(m, links={**m.links, link.name: link})
 
 
-def changed(old: Mapping[str, Thing], new: Mapping[str, Thing]) -> list[str]:
+def changed(old: Things, new: Things) -> list[str]:
     """The givens that differ between two mechanisms of the same structure."""
     return [n for n, v in new.items() if n not in old or abs(v - old[n]) > 1e-12 * max(1.0, abs(v))]
 
 
-def scheme_given(plans: Plans, mechanism: Mechanism) -> Mapping[str, Thing]:
+def scheme_given(plans: Plans, mechanism: Mechanism) -> Things:
     """The givens of the scheme of a mechanism of the same structure, its assembly not chosen."""
     bodies = Bodies(mechanism, plans.structure, Draft())
     place_all(bodies)

@@ -4,8 +4,11 @@ The code is branchless, so that the compiler computes several positions at once.
 """
 
 import re
+import struct
+from functools import cache
+from pathlib import Path
+from string import Template
 
-from planes.batch.llvm_functions import Lines, arctangent, cosine, gap, literal, sine
 from planes.batch.tape import TESTS, Tape
 
 LONGEST = 2048
@@ -31,7 +34,44 @@ and 0.63)."""
 
 ALONE = ", !llvm.access.group !2"  # rows do not overlap
 
-INTRINSICS = {"sqrt": 1, "fabs": 1, "floor": 1, "copysign": 2, "fma": 3}
+OPERATIONS = {
+    "add": "fadd {fused} double {0}, {1}",
+    "sub": "fsub {fused} double {0}, {1}",
+    "mul": "fmul {fused} double {0}, {1}",
+    "inv": "fdiv double 1.0, {0}",
+    "neg": "fneg double {0}",
+    "abs": "call double @llvm.fabs.f64(double {0})",
+    "floor": "call double @llvm.floor.f64(double {0})",
+    "gap": "call double @kgap(double {0}, double {1}, double {2}, double {3}, double {4}, double {5})",
+    "sel": "select i1 {0}, double {1}, double {2}",
+    "and": "and i1 {0}, {1}",
+    "or": "or i1 {0}, {1}",
+    "not": "xor i1 {0}, true",
+    "same": "icmp eq i1 {0}, {1}",
+    "lt": "fcmp olt double {0}, {1}",
+    "le": "fcmp ole double {0}, {1}",
+    "eq": "fcmp oeq double {0}, {1}",
+    **dict.fromkeys(("sqrt", "sin", "cos"), "call double @k{op}(double {0})"),
+    **dict.fromkeys(("hypot", "atan2", "max", "min"), "call double @k{op}(double {0}, double {1})"),
+}
+"""The operations of a tape; @k… are functions of loop.ll."""
+
+
+def literal(x: float) -> str:
+    """The bits of a number, as in LLVM's text."""
+    return f"0x{struct.unpack('<Q', struct.pack('<d', x))[0]:016X}"
+
+
+class Lines:
+    """Lines of code, each with its result named by a letter and a number."""
+
+    def __init__(self, letter: str = "v") -> None:
+        self.letter, self.lines = letter, list[str]()
+
+    def __call__(self, text: str) -> str:
+        name = f"%{self.letter}{len(self.lines)}"
+        self.lines.append(f"  {name} = {text}")
+        return name
 
 
 class LoopText:
@@ -50,9 +90,12 @@ class LoopText:
     def write(self, place: int) -> None:
         """One operation."""
         op, args = self.tape.ops[place]
-        if op not in ("const", "given"):
-            fused = " reassoc nsz contract" if place in self.rough else " nsz contract"
-            self.names[place] = self._line(op, [self.name(a) for a in args], args, fused)
+        if op in ("const", "given"):
+            return
+        op = "same" if op == "eq" and self.tape.ops[args[0]][0] in TESTS else op
+        fused = "reassoc nsz contract" if place in self.rough else "nsz contract"
+        text = OPERATIONS[op].format(*map(self.name, args), op=op, fused=fused)
+        self.names[place] = self.lines(text)
 
     def at(self, begin: str, kind: str = "double") -> str:
         """The address of the position in a row."""
@@ -62,36 +105,6 @@ class LoopText:
         """Store a number in its row."""
         pointer = self.at(begin, kind)
         self.lines.lines.append(f"  store {kind} {name}, ptr {pointer}, align 8{ALONE}")
-
-    def _line(self, op: str, a: list[str], args: tuple[int, ...], fused: str) -> str:
-        t = self.lines
-        match op:
-            case "add" | "sub" | "mul":
-                return t.op("f" + op, a[0], a[1], fused)
-            case "inv":
-                return t.op("fdiv", literal(1.0), a[0])
-            case "neg":
-                return t(f"fneg double {a[0]}")
-            case "abs" | "floor":
-                return t.call({"abs": "llvm.fabs.f64", "floor": "llvm.floor.f64"}[op], a[0])
-            case "sqrt":
-                below = t(f"fcmp olt double {a[0]}, {literal(0.0)}")
-                return t.call("llvm.sqrt.f64", t.select(below, literal(0.0), a[0]))
-            case "hypot":
-                return t.call("llvm.sqrt.f64", t.op("fadd", t.op("fmul", a[0], a[0]), t.op("fmul", a[1], a[1])))
-            case "max" | "min":
-                return t.select(t(f"fcmp {'ugt' if op == 'max' else 'ult'} double {a[0]}, {a[1]}"), a[0], a[1])
-            case "sel":
-                return t.select(*a)
-            case "and" | "or":
-                return t(f"{op} i1 {a[0]}, {a[1]}")
-            case "not":
-                return t(f"xor i1 {a[0]}, true")
-            case "eq" if self.tape.ops[args[0]][0] in TESTS:
-                return t(f"icmp eq i1 {a[0]}, {a[1]}")
-            case "lt" | "le" | "eq":
-                return t(f"fcmp o{op} double {a[0]}, {a[1]}")
-        return t.call({"sin": "ksin", "cos": "kcos", "atan2": "katan2", "gap": "kgap"}[op], *a)
 
 
 def module(
@@ -130,10 +143,11 @@ def module(
             text.store(text.name(place), begin)
     code = "0"
     for k in range(len(codes), 0, -1):
-        code = text.lines.select(text.name(codes[k - 1]), code, str(k), "i64")
+        code = text.lines(f"select i1 {text.name(codes[k - 1])}, i64 {code}, i64 {k}")
     text.store(code, "%codes", "i64")
-    last = f"  %failed = or i64 %sofar, {code}", *CLOSE, _beside(2 if len(order) <= PAIRED else 1)
-    return "\n".join([*_frame(), *head.lines, *OPEN, *text.lines.lines, *last])
+    fixed_text, operations = ("\n".join(part.lines) for part in (head, text.lines))
+    vectors = 2 if len(order) <= PAIRED else 1
+    return _module().substitute(fixed=fixed_text, operations=operations, code=code, vectors=vectors)
 
 
 def past_caches(optimised: str) -> str:
@@ -148,32 +162,6 @@ def _begin(t: Lines, base: str, stride: str, k: int) -> str:
     return t(f"getelementptr inbounds double, ptr {base}, i64 {t(f'mul nuw nsw i64 {stride}, {k}')}")
 
 
-def _beside(vectors: int) -> str:
-    return f'!4 = !{{!"llvm.loop.interleave.count", i32 {vectors}}}'
-
-
-def _frame() -> list[str]:
-    declared = [
-        f"declare double @llvm.{name}.f64({', '.join(['double'] * count)})" for name, count in INTRINSICS.items()
-    ]
-    pointers = ", ".join(f"ptr noalias %{name}" for name in ("rows", "out", "codes", "fixed"))
-    start = f"define i64 @run({pointers}, i64 %n, i64 %stride) #0 {{\nentry:"
-    return [*declared, sine(), cosine(), arctangent(), gap(), start]
-
-
-OPEN = (
-    "  br label %loop\nloop:",
-    "  %i = phi i64 [ 0, %entry ], [ %next, %loop ]",
-    "  %sofar = phi i64 [ 0, %entry ], [ %failed, %loop ]",
-)
-CLOSE = (
-    "  %next = add nuw nsw i64 %i, 1",
-    "  %more = icmp slt i64 %next, %n",
-    "  br i1 %more, label %loop, label %done, !llvm.loop !0",
-    "done:\n  fence seq_cst\n  ret i64 %failed\n}",  # stores past the caches are over before another thread reads
-    "!0 = distinct !{!0, !1, !3, !4}",
-    "!2 = distinct !{}",
-    '!3 = !{!"llvm.loop.parallel_accesses", !2}',
-    '!1 = !{!"llvm.loop.vectorize.enable", i1 true}',
-    'attributes #0 = { "prefer-vector-width"="512" }',  # the full vector width of the machine
-)
+@cache
+def _module() -> Template:
+    return Template(Path(__file__).with_name("loop.ll").read_text("utf-8"))

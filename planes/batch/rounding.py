@@ -13,6 +13,7 @@ from planes.geometry.arrays import Array, Booleans, Floats
 EXACT = TESTS | LEAVES | {"neg", "abs", "sel", "max", "min", "floor"}
 LARGEST = {"gap": 2.0, "hypot": 2.0, "sin": 2.0, "cos": 2.0, "atan2": 2.0}  # halves of the last place; of others: 1
 USUAL = {"hypot": 1.2, "atan2": 1.1}  # root mean square, in units of one rounding
+Places = dict[int, int]
 BLIND = 1e200  # the error of a number is unknown
 REST = {math.radians(1): 2.9486522708701687e-19, math.degrees(1): -1.9878495670576283e-15}
 """The rounding errors of π/180 and 180/π as doubles."""
@@ -64,10 +65,10 @@ def whole_numbers(tape: Tape, order: list[int]) -> frozenset[int]:
     return frozenset(integers)
 
 
-def unit_parts(tape: Tape, order: list[int]) -> tuple[dict[int, int], dict[int, int]]:
+def unit_parts(tape: Tape, order: list[int]) -> tuple[Places, Places]:
     """Components of unit vectors, x · 1/√(x² + y²), no larger than 1 for any vector, each with the place of the length;
     and the values taken from them where the length is not zero, each with that length."""
-    parts, sizes, chosen = dict[int, int](), dict[int, int](), dict[int, int]()
+    parts, sizes, chosen = Places(), Places(), Places()
     for place in order:
         op, args = tape.ops[place]
         for x, over in (args, args[::-1]) if op == "mul" else ():

@@ -6,6 +6,8 @@ from __future__ import annotations
 from planes.batch.tape import Tape
 from planes.geometry.arithmetic import Point, Real, Truth
 
+Operand = Point | Truth
+
 
 def place_of(tape: Tape, x: Real | Truth) -> int:
     """The place of a number; a constant is recorded on its first use."""
@@ -63,7 +65,7 @@ class Num:
             return self
         return abs(self.arg()) if self.op == "neg" else number(self.tape, "abs", self)
 
-    def __add__(self, other: Point | Truth) -> Point:
+    def __add__(self, other: Operand) -> Point:
         if isinstance(other, Test):
             other = other.number()
         if not _real(other):
@@ -74,15 +76,15 @@ class Num:
 
     __radd__ = __add__
 
-    def __sub__(self, other: Point | Truth) -> Point:
+    def __sub__(self, other: Operand) -> Point:
         if isinstance(other, Num) and other.at == self.at:
             return 0.0
         return self + (-other)
 
-    def __rsub__(self, other: Point | Truth) -> Point:
+    def __rsub__(self, other: Operand) -> Point:
         return (-self) + other
 
-    def __mul__(self, other: Point | Truth) -> Point:
+    def __mul__(self, other: Operand) -> Point:
         if not _real(other):
             return Vec(self, 0.0) * other if isinstance(other, Vec | complex) else NotImplemented
         if isinstance(other, Num):
@@ -93,14 +95,14 @@ class Num:
 
     __rmul__ = __mul__
 
-    def __truediv__(self, other: Point | Truth) -> Point:
+    def __truediv__(self, other: Operand) -> Point:
         if not _real(other):
             return Vec(self, 0.0) / other if isinstance(other, Vec | complex) else NotImplemented
         if not isinstance(other, Num):
             return self * (1 / other)
         return 1.0 if other.at == self.at else self * other.inverse()
 
-    def __rtruediv__(self, other: Point | Truth) -> Point:
+    def __rtruediv__(self, other: Operand) -> Point:
         return other * self.inverse()
 
     def inverse(self) -> Num:
@@ -221,14 +223,14 @@ class Test:
         """1 where it is true, otherwise 0."""
         return number(self.tape, "sel", self, 1.0, 0.0)
 
-    def __and__(self, other: Point | Truth) -> Point:
+    def __and__(self, other: Operand) -> Point:
         if isinstance(other, bool):
             return self if other else False
         return truth(self.tape, "and", self, other)
 
     __rand__ = __and__
 
-    def __or__(self, other: Point | Truth) -> Point:
+    def __or__(self, other: Operand) -> Point:
         if isinstance(other, bool):
             return True if other else self
         return truth(self.tape, "or", self, other)
@@ -238,7 +240,7 @@ class Test:
     def __invert__(self) -> Test:
         return truth(self.tape, "not", self)
 
-    def __add__(self, other: Point | Truth) -> Point:
+    def __add__(self, other: Operand) -> Point:
         return self.number() + other
 
     __radd__ = __add__

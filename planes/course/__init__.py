@@ -25,8 +25,8 @@ else's; only the given variants go by the order of the list. No two have drawn n
 
 from collections.abc import Mapping
 from pathlib import Path
-from types import MappingProxyType
 
+from planes.scene.mechanism import nothing
 from planes.scene.source import Node
 from planes.words import Lang
 from planes.words.errors import Doubt
@@ -79,8 +79,8 @@ class Course:
     file: str
     students: tuple[Student, ...]
     assignments: tuple[Assignment, ...]
-    title: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
-    sheet: Mapping[str, Node] = field(default_factory=lambda: MappingProxyType({}))
+    title: Mapping[str, str] = field(default_factory=nothing)
+    sheet: Mapping[str, Node] = field(default_factory=nothing)
     each: int = 1
     given_first: bool = True
     draw: Mapping[str, ParameterChoice] | None = None

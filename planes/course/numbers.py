@@ -28,6 +28,7 @@ from planes.words.frozen import frozen, replace
 from planes.words.records import Json
 from planes.words.units import RATE_UNITS
 
+Answers = dict[tuple[str, str], float]  # by name and unit
 FILE = "scene.yaml"
 SCALES = ("plans",)
 """Keys of a scene that are left out where numbers are drawn: its scales were chosen for its own."""
@@ -118,10 +119,10 @@ def drawn(q: Question) -> dict[str, str]:
     return draw_numbers(choices_of(q.text, q.file, q.draw), make, q.sharpness_deg, chance)
 
 
-def main_answers(scene: Scene, key: Json) -> dict[tuple[str, str], float]:
+def main_answers(scene: Scene, key: Json) -> Answers:
     """The results a teacher compares first, by name and unit: links' ω and ε, sliders' v and a, the balancing load; of
     stated vectors the unknown ones, and the values."""
-    answers: dict[tuple[str, str], float] = {}
+    answers: Answers = {}
     if scene.statement is not None:
         return _vectors(scene, scene.statement, key)
     if not key["positions"] or scene.mechanism is None:
@@ -151,7 +152,7 @@ def answers_of(scene: Scene, value: float | None = None, plan: str = "") -> tupl
     return tuple(n for n in names if not plan or (n in known and figure(n, known[n], 0.0).plan == plan))
 
 
-def _vectors(scene: Scene, stated: Statement, key: Json) -> dict[tuple[str, str], float]:
+def _vectors(scene: Scene, stated: Statement, key: Json) -> Answers:
     """The lengths of the vectors asked for or without a given length, and the values."""
     units = {s["name"]: s["unit"] for plan in key["plans"].values() for s in plan["segments"].values()}
     given = {n for n, v in stated.vectors.items() if v.value is not None}

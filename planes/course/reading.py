@@ -36,7 +36,7 @@ def read_course(folder: str | Path) -> Course:
     if file.is_file():
         version = reader.text(course.required("course"), "course")
         if version != "1":
-            raise reader.error(Phrase("course_format", version=shown(version)), table.entries["course"])
+            raise reader.fault("course_format", table.entries["course"], version=shown(version))
     return _course(course, file.parent)
 
 
@@ -118,7 +118,7 @@ def _path(reader: Reader, node: Node, what: Told, folder: Path) -> Path:
     """A file or a folder that the course names."""
     text = reader.text(node, what)
     if not os.path.exists(folder / text):
-        raise reader.error(Phrase("course_no_file", what=what, file=shown(text)), node)
+        raise reader.fault("course_no_file", node, what=what, file=shown(text))
     return folder / text
 
 
@@ -147,7 +147,7 @@ def _draw(
     known = dict.fromkeys(name for a in assignments for name in loads(a.text, str(a.file)).parameters)
     for name, line in table.lines.items():
         if name not in known:
-            raise reader.error(Phrase("course_draw_name", name=shown(name), valid=choices(name, known)), line)
+            raise reader.fault("course_draw_name", line, name=shown(name), valid=choices(name, known))
     return MappingProxyType({name: _choice(reader, name, entry) for name, entry in table.entries.items()})
 
 
@@ -158,29 +158,29 @@ def _choice(reader: Reader, name: str, node: Node) -> ParameterChoice:
     elif isinstance(node, SourceTable):
         low, high, step = map(Fields(reader, node, what, DRAW_KEYS).number, DRAW_KEYS)
         if step <= 0 or high < low or (high - low) / step > MOST_VALUES:
-            raise reader.error(Phrase("course_range", what=what, most=MOST_VALUES), node)
+            raise reader.fault("course_range", node, what=what, most=MOST_VALUES)
         values = [low + k * step for k in range(int((high - low) / step + 1e-9) + 1)]
     else:
         text = reader.text(node, what)
         if not text.endswith("%"):
-            raise reader.error(Phrase("course_choice", what=what, text=shown(text)), node)
+            raise reader.fault("course_choice", node, what=what, text=shown(text))
         return ParameterChoice(percent=reader.positive(SourceScalar(text[:-1].strip(), node.line), what))
     if not values:
-        raise reader.error(Phrase("course_choice", what=what, text="[]"), node)
+        raise reader.fault("course_choice", node, what=what, text="[]")
     return ParameterChoice(tuple(f"{v:.10g}" for v in values))
 
 
 def _sharpness(reader: Reader, node: Node | None) -> float:
     value = Course.sharpness_deg if node is None else reader.number(node, "sharpness")
     if not 0 <= value < 90:
-        raise reader.error(Phrase("course_sharpness", value=value), node or 1)
+        raise reader.fault("course_sharpness", node or 1, value=value)
     return value
 
 
 def _whole(reader: Reader, node: Node | None, key: str, most: int) -> int:
     value = 1 if node is None else reader.number(node, key)
     if value != int(value) or not 0 <= value <= most or (key == "each" and value < 1):
-        raise reader.error(Phrase("course_whole", key=key, value=value, most=most), node or 1)
+        raise reader.fault("course_whole", node or 1, key=key, value=value, most=most)
     return int(value)
 
 

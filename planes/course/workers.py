@@ -17,12 +17,13 @@ from planes.words.errors import PlanesError
 
 Task = TypeVar("Task")
 Done = TypeVar("Done")
+Answers = Iterator[tuple[int, Done]]
 
 
 class Each(Protocol):
     """Applies a function to each of many items: yields (index, result) as they finish."""
 
-    def __call__(self, work: Callable[[Task], Done], tasks: Sequence[Task], /) -> Iterator[tuple[int, Done]]: ...
+    def __call__(self, work: Callable[[Task], Done], tasks: Sequence[Task], /) -> Answers[Done]: ...
 
 
 SECONDS = 10  # seconds to find a scheduler
@@ -50,7 +51,7 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _alone(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Iterator[tuple[int, Done]]:
+def _alone(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Answers[Done]:
     yield from ((k, work(task)) for k, task in enumerate(tasks))
 
 
@@ -65,7 +66,7 @@ def _processes(count: int, ready: Sequence[str]) -> Iterator[Each]:
     context: Any = multiprocessing.get_context(way)
     pool = ProcessPoolExecutor(count, context, _follow)
 
-    def each(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Iterator[tuple[int, Done]]:
+    def each(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Answers[Done]:
         with _unheard():
             waiting = {pool.submit(work, task): k for k, task in enumerate(tasks)}
         for done in as_completed(waiting):
@@ -160,7 +161,7 @@ def _cluster(address: str) -> Iterator[Each]:
         reason = str(error).partition("\n")[0]
         raise PlanesError(Phrase("course_no_scheduler", address=address, reason=reason)) from None
 
-    def each(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Iterator[tuple[int, Done]]:
+    def each(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Answers[Done]:
         waiting = {client.submit(work, task, pure=False): k for k, task in enumerate(tasks)}
         try:
             for done in dask.as_completed(list(waiting)):

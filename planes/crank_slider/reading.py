@@ -4,36 +4,13 @@ import math
 
 from planes.crank_slider.given import UNITS, Concentration, Counterweights, Given, Limits, PistonPin, Shaft, Speed
 from planes.crank_slider.parts import ELASTICITY_MPA, STEELS, Material, Round, Shank, Web, made, steel
-from planes.crank_slider.reading_table import Values, read_indicator
+from planes.crank_slider.reading_table import KEYS, Values, read_indicator
 from planes.crank_slider.shape import shape_of
 from planes.scene import Scene
 from planes.scene.reader import Reader, section
 from planes.scene.source import SourceScalar
 from planes.words import Phrase
 from planes.words.errors import SceneError, choices, shown
-
-_WRITTEN = {
-    "crank_slider": (
-        "bore ambient indicator step speed flywheel positions shaft counterweights rod piston_pin materials fatigue "
-        "limits"
-    ),
-    "flywheel": "unevenness",
-    "speed": "unevenness waves phase",
-    "shaft": "span pin_from_B webs journal crankpin web masses",
-    "round": "diameter bore",
-    "web": "width thickness",
-    "masses": "pin webs webs_radius",
-    "counterweights": "radius masses translating",
-    "rod": "height width flange web",
-    "piston_pin": "diameter bore length bush gap",
-    "materials": "shaft rod piston_pin",
-    "material": "name strength_MPa yield_MPa alloyed fatigue_MPa fatigue_torsion_MPa elasticity_MPa",
-    "fatigue": "journal crankpin",
-    "concentration": "k_sigma k_tau size_sigma size_tau",
-    "limits": "static fatigue buckling bush_MPa boss_MPa",
-}
-KEYS = {name: tuple(keys.split()) for name, keys in _WRITTEN.items()}
-"""The keys of the section and of its tables, by the name of the table."""
 
 
 def read(scene: Scene) -> Given:
@@ -50,22 +27,17 @@ def read(scene: Scene) -> Given:
         ambient=top.positive("ambient", 0.1e6 / pascals) * pascals,
         indicator=indicator,
         step_deg=_step(top),
-        speed=top.part("speed", KEYS["speed"], _speed) or Speed(),
-        allowed_unevenness=top.part(
-            "flywheel", KEYS["flywheel"], lambda flywheel: flywheel.between("unevenness", 1e-4, 0.5)
-        )
-        or 0.02,
+        speed=top.part("speed", _speed) or Speed(),
+        allowed_unevenness=top.part("flywheel", lambda flywheel: flywheel.between("unevenness", 1e-4, 0.5)) or 0.02,
         positions=_positions(top, indicator.cycle_deg, indicator.start_deg),
-        shaft=top.part("shaft", KEYS["shaft"], _shaft),
-        counterweights=top.part("counterweights", KEYS["counterweights"], _counterweights),
-        rod=top.part("rod", KEYS["rod"], _rod),
-        pin=top.part("piston_pin", KEYS["piston_pin"], _pin),
-        materials=top.part(
-            "materials", KEYS["materials"], lambda table: {key: _material(table, key) for key in table.table.entries}
-        )
+        shaft=top.part("shaft", _shaft),
+        counterweights=top.part("counterweights", _counterweights),
+        rod=top.part("rod", _rod),
+        pin=top.part("piston_pin", _pin),
+        materials=top.part("materials", lambda table: {key: _material(table, key) for key in table.table.entries})
         or {},
-        concentration=top.part("fatigue", KEYS["fatigue"], _concentration) or {},
-        limits=top.part("limits", KEYS["limits"], _limits) or Limits(),
+        concentration=top.part("fatigue", _concentration) or {},
+        limits=top.part("limits", _limits) or Limits(),
     )
     _check_parts(scene, top, given)
     return given
@@ -75,22 +47,22 @@ def _check_parts(scene: Scene, top: Values, given: Given) -> None:
     """Check that each part has all its data, and that the crank's mass is that of its shaft."""
     shaft, shape = given.shaft, given.shape
     if given.counterweights and not shaft:
-        raise top.error(Phrase("cs_needs", what="shaft", other="counterweights"), "counterweights")
+        raise top.fault("cs_needs", "counterweights", what="shaft", other="counterweights")
     by_shaft = shaft.static_moment(shape.r) if shaft else 0.0
     if shaft and shape.m1 and not math.isclose(shape.m1 * shape.s, by_shaft, rel_tol=0.01):
         words = Phrase("cs_crank_mass", link=shape.m1 * shape.s, shaft=by_shaft, name=shape.crank)
         raise SceneError(words, scene.file, scene.where.get(("crank_slider", "shaft", "masses")))
     for part, there in (("shaft", shaft), ("rod", given.rod), ("piston_pin", given.pin)):
         if there and part not in given.materials:
-            raise top.error(Phrase("cs_needs", what=f"materials.{part}", other=part), part)
+            raise top.fault("cs_needs", part, what=f"materials.{part}", other=part)
     if shaft and given.concentration.keys() != {"journal", "crankpin"}:
-        raise top.error(Phrase("cs_needs", what="fatigue: {journal: …, crankpin: …}", other="shaft"), "shaft")
+        raise top.fault("cs_needs", "shaft", what="fatigue: {journal: …, crankpin: …}", other="shaft")
 
 
 def _step(top: Values) -> float:
     step = top.above("step", 1.0)
     if step > 15.0 or abs(15.0 / step - round(15.0 / step)) > 1e-9 or step < 0.1:
-        raise top.error(Phrase("cs_step", what=top.named("step"), value=step), "step")
+        raise top.fault("cs_step", "step", what=top.named("step"), value=step)
     return step
 
 
@@ -106,14 +78,14 @@ def _positions(top: Values, cycle: float, start: float) -> tuple[float, ...]:
     places = tuple(top.reader.number(item, what) for item in top.reader.items(node, what))
     for value in places:
         if not start <= value <= start + cycle:
-            raise top.error(Phrase("cs_range", what=what, low=start, high=start + cycle, value=value), "positions")
+            raise top.fault("cs_range", "positions", what=what, low=start, high=start + cycle, value=value)
     return places[:6]
 
 
 def _counterweights(table: Values) -> Counterweights:
     masses = table.pair("masses")
     if masses and min(masses) < 0.0:
-        raise table.error(Phrase("negative", what=table.named("masses"), value=min(masses)), "masses")
+        raise table.fault("negative", "masses", what=table.named("masses"), value=min(masses))
     return Counterweights(table.above("radius"), masses, table.between("translating", 0.0, 1.0, 0.5))
 
 
@@ -121,7 +93,7 @@ def _limits(table: Values) -> Limits:
     usual = Limits()
     low, high = fatigue = table.pair("fatigue") or usual.fatigue
     if not 1.0 <= low < high:
-        raise table.error(Phrase("cs_range", what=table.named("fatigue"), low=1.0, high=high, value=low), "fatigue")
+        raise table.fault("cs_range", "fatigue", what=table.named("fatigue"), low=1.0, high=high, value=low)
     return Limits(
         static=table.between("static", 1.0, 20.0, usual.static),
         fatigue=fatigue,
@@ -134,7 +106,7 @@ def _limits(table: Values) -> Limits:
 def _shaft(table: Values) -> Shaft:
     span, n, m = table.above("span"), table.above("pin_from_B"), table.above("webs")
     if m >= min(n, span - n):
-        raise table.error(Phrase("cs_span", webs=m, left=span - n, right=n), "webs")
+        raise table.fault("cs_span", "webs", webs=m, left=span - n, right=n)
     web = table.inner("web", KEYS["web"])
     masses = table.inner("masses", KEYS["masses"])
     return Shaft(
@@ -153,7 +125,7 @@ def _shaft(table: Values) -> Shaft:
 def _bored(table: Values) -> Round:
     outer, bore = table.above("diameter"), table.positive("bore", 0.0)
     if bore >= outer:
-        raise table.error(Phrase("cs_thin", what=table.what, inner=bore, outer=outer), "bore")
+        raise table.fault("cs_thin", "bore", what=table.what, inner=bore, outer=outer)
     return Round(outer, bore)
 
 
@@ -163,14 +135,14 @@ def _rod(table: Values) -> Shank:
     flange, web = table.above("flange", height / 2), table.above("web", width)
     for key, inner, outer in (("flange", 2 * flange, height), ("web", web, width)):
         if inner > outer:
-            raise table.error(Phrase("cs_thin", what=table.named(key), inner=inner, outer=outer), key)
+            raise table.fault("cs_thin", key, what=table.named(key), inner=inner, outer=outer)
     return Shank(height, width, flange, web)
 
 
 def _pin(table: Values) -> PistonPin:
     length, bush, gap = table.above("length"), table.above("bush"), table.above("gap")
     if not bush <= gap < length:
-        raise table.error(Phrase("cs_pin_length", gap=gap, bush=bush, length=length), "gap")
+        raise table.fault("cs_pin_length", "gap", gap=gap, bush=bush, length=length)
     return PistonPin(_bored(table), length, bush, gap)
 
 
@@ -181,11 +153,11 @@ def _material(table: Values, key: str) -> Material:
         if known_steel := steel(name):
             return known_steel
         what = Phrase("about", what=table.named(key), why=shown(name))
-        raise table.error(Phrase("cs_no_steel", what=what, valid=choices(name, STEELS)), key)
+        raise table.fault("cs_no_steel", key, what=what, valid=choices(name, STEELS))
     inner = table.inner(key, KEYS["material"])
     strength, yields = inner.above("strength_MPa"), inner.above("yield_MPa")
     if yields > strength:
-        raise inner.error(Phrase("cs_yield", what=inner.what, one=yields, two=strength), "yield_MPa")
+        raise inner.fault("cs_yield", "yield_MPa", what=inner.what, one=yields, two=strength)
     name = key if inner.optional("name") is None else inner.text("name")
     is_alloyed = inner.optional("alloyed") is not None and inner.word("alloyed", ("yes", "no")) == "yes"
     bending, torsion = (inner.above(k) if k in inner else None for k in KEYS["material"][4:6])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from types import MappingProxyType
 from typing import TypeVar
 
@@ -13,27 +13,49 @@ from planes.words import Phrase, Told
 
 Part = TypeVar("Part")
 INDICATOR = ("over", "unit", *FOUR)
+_WRITTEN = {
+    "crank_slider": (
+        "bore ambient indicator step speed flywheel positions shaft counterweights rod piston_pin materials fatigue "
+        "limits"
+    ),
+    "flywheel": "unevenness",
+    "speed": "unevenness waves phase",
+    "shaft": "span pin_from_B webs journal crankpin web masses",
+    "round": "diameter bore",
+    "web": "width thickness",
+    "masses": "pin webs webs_radius",
+    "counterweights": "radius masses translating",
+    "rod": "height width flange web",
+    "piston_pin": "diameter bore length bush gap",
+    "materials": "shaft rod piston_pin",
+    "material": "name strength_MPa yield_MPa alloyed fatigue_MPa fatigue_torsion_MPa elasticity_MPa",
+    "fatigue": "journal crankpin",
+    "concentration": "k_sigma k_tau size_sigma size_tau",
+    "limits": "static fatigue buckling bush_MPa boss_MPa",
+}
+KEYS = {name: tuple(keys.split()) for name, keys in _WRITTEN.items()}
+"""The keys of the section and of its tables, by the name of the table."""
 
 
 class Values(Fields):
     """Reads the keys of one table within their bounds."""
 
-    def part(self, key: str, keys: Sequence[str], read: Callable[[Values], Part]) -> Part | None:
+    def part(self, key: str, read: Callable[[Values], Part]) -> Part | None:
         """The part read from the table under a key, None if it is missing."""
-        return None if self.optional(key) is None else read(self.inner(key, keys))
+        return None if self.optional(key) is None else read(self.inner(key, KEYS[key]))
 
     def above(self, key: str, usual: float | None = None) -> float:
         """A number above zero."""
         value = self.number(key, usual)
         if value <= 0.0:
-            raise self.error(Phrase("cs_positive", what=self.named(key), value=value), key)
+            raise self.fault("cs_positive", key, what=self.named(key), value=value)
         return value
 
     def between(self, key: str, low: float, high: float, usual: float | None = None) -> float:
         """A number from ``low`` to ``high``."""
         value = self.number(key, usual)
         if not low <= value <= high:
-            raise self.error(Phrase("cs_range", what=self.named(key), low=low, high=high, value=value), key)
+            raise self.fault("cs_range", key, what=self.named(key), low=low, high=high, value=value)
         return value
 
     def pair(self, key: str) -> tuple[float, float] | None:
@@ -51,12 +73,12 @@ def read_indicator(top: Values) -> Indicator:
     names = FOUR if "intake" in table or "exhaust" in table else TWO
     missing = next((name for name in names if name not in table), None)
     if missing:
-        raise table.error(Phrase("cs_stages", stage=missing))
+        raise table.fault("cs_stages", stage=missing)
     stages = {name: _stage(table, name, over, names) for name in names}
     for one, two in zip(names, (*names[1:], names[0]), strict=True):
         first, second = stages[one][-1][1], stages[two][0][1]
         if abs(first - second) > 1e-6 * max(abs(first), abs(second)):
-            raise table.error(Phrase("cs_joint", one=one, two=two, first=first, second=second), two)
+            raise table.fault("cs_joint", two, one=one, two=two, first=first, second=second)
     return Indicator(over, unit, MappingProxyType(stages))
 
 
@@ -65,11 +87,11 @@ def _stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Point
     items = table.reader.items(table.required(name), what)
     points = tuple(_point(table, item, what, variable) for item in items)
     if len(points) < 2:
-        raise table.error(Phrase("cs_two_points", what=what, variable=variable), name)
+        raise table.fault("cs_two_points", name, what=what, variable=variable)
     start, end = span(name, over, names)
     if abs(points[0][0] - start) > 1e-9 or abs(points[-1][0] - end) > 1e-9:
         ends = {"start": start, "end": end, "one": points[0][0], "two": points[-1][0]}
-        raise table.error(Phrase("cs_ends", what=what, variable=variable, **ends), name)
+        raise table.fault("cs_ends", name, what=what, variable=variable, **ends)
     for (one, _), (two, _), item in zip(points, points[1:], items[1:], strict=False):
         if (two - one) * (end - start) <= 0.0:
             words = Phrase("cs_order", what=what, variable=variable, start=start, end=end, one=one, two=two)
@@ -79,8 +101,8 @@ def _stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Point
 
 def _point(table: Values, item: Node, what: Told, variable: str) -> tuple[float, float]:
     if not isinstance(item, Items) or len(item.items) != 2:
-        raise table.reader.error(Phrase("cs_point", what=what, variable=variable), item)
+        raise table.reader.fault("cs_point", item, what=what, variable=variable)
     x, p = (table.reader.number(node, what) for node in item.items)
     if p < 0.0:
-        raise table.reader.error(Phrase("cs_pressure", what=what, value=p), item)
+        raise table.reader.fault("cs_pressure", item, what=what, value=p)
     return x, p

@@ -54,16 +54,16 @@ class _Recogniser:
         g = structure.dyads[0] if structure.dyads else None
         fits = len(structure.groups) == 1 and mechanism.drive.rotates
         if not (fits and g and g.name == "RRP" and g.last_outer.mate(g.last) == FRAME and g.last_outer.link == g.last):
-            raise self.error(Phrase("cs_not_one", formula=structure.formula), "links")
+            raise self.fault("cs_not_one", "links", formula=structure.formula)
         self.crank, self.rod, self.slider = (mechanism.links[n] for n in (mechanism.drive.link, g.first, g.last))
         self.guide = g.last_outer.guide
         self.pivot, self.pin, self.hinge = structure.drive_pair.point, g.first_outer.point, g.inner.point
 
-    def error(self, phrase: Phrase, *path: str) -> SceneError:
+    def fault(self, words: str, /, *path: str, **parts: object) -> SceneError:
         """An error at a key of the file."""
         where = self.m.where
         line = next((where[path[:n]] for n in range(len(path), 0, -1) if path[:n] in where), None)
-        return SceneError(phrase, self.scene.file, line)
+        return SceneError(Phrase(words, **parts), self.scene.file, line)
 
     def shape(self) -> CrankSliderShape:
         """All data of the mechanism, checked."""
@@ -73,7 +73,7 @@ class _Recogniser:
         crank, rod, slider = self.crank, self.rod, self.slider
         length = abs(rod.points[self.hinge] - rod.points[self.pin])
         if length <= r:
-            raise self.error(Phrase("cs_short_rod", rod=length, crank=r), "links", rod.name, "points")
+            raise self.fault("cs_short_rod", "links", rod.name, "points", rod=length, crank=r)
         return CrankSliderShape(
             crank=crank.name,
             rod=rod.name,
@@ -100,7 +100,7 @@ class _Recogniser:
         """A mass or inertia that must be given and above zero."""
         value: float | None = getattr(link, key)
         if not value:
-            raise self.error(Phrase("cs_no_mass", name=link.name, key=key), "links", link.name)
+            raise self.fault("cs_no_mass", "links", link.name, name=link.name, key=key)
         return value
 
     def check_guide(self) -> None:
@@ -108,14 +108,15 @@ class _Recogniser:
         guide, pivot = self.m.guide(self.guide), self.m.frame.points[self.pivot]
         level = math.isclose(guide.angle_deg % 360.0, 0.0, abs_tol=1e-12)
         if not level or not math.isclose(guide.through.imag, pivot.imag, abs_tol=1e-12):
-            raise self.error(Phrase("cs_guide", name=self.guide, pivot=self.pivot), "frame", "guides", self.guide)
+            raise self.fault("cs_guide", "frame", "guides", self.guide, name=self.guide, pivot=self.pivot)
         slides = self.slider.slides
         shifted = slides is None or bool(slides.angle_deg) or bool(slides.offset)
         if shifted or self.slider.first_point != self.hinge:
-            raise self.error(Phrase("cs_slide", name=self.slider.name, point=self.hinge), "links", self.slider.name)
+            raise self.fault("cs_slide", "links", self.slider.name, name=self.slider.name, point=self.hinge)
         if self.slider.mass_centre != self.hinge:
-            what = Phrase("cs_slider_centre", name=self.slider.name, point=self.hinge)
-            raise self.error(what, "links", self.slider.name, "centre")
+            raise self.fault(
+                "cs_slider_centre", "links", self.slider.name, "centre", name=self.slider.name, point=self.hinge
+            )
 
     def check_crank(self) -> float:
         """The crank's radius; its pin and mass centre lie on its x axis."""
@@ -123,7 +124,7 @@ class _Recogniser:
         for name in (self.pin, self.crank.mass_centre):
             way = points[name] - pivot
             if abs(way.imag) > 1e-12 or (name == self.pin and way.real <= 0.0):
-                raise self.error(Phrase("cs_crank_axis", name=self.crank.name, point=name), "links", self.crank.name)
+                raise self.fault("cs_crank_axis", "links", self.crank.name, name=self.crank.name, point=name)
         return (points[self.pin] - pivot).real
 
     def check_rod(self) -> float:
@@ -132,16 +133,17 @@ class _Recogniser:
         a, b, c = (points[n] for n in (self.pin, self.hinge, self.rod.mass_centre))
         share = (c - a) / (b - a)
         if abs(share.imag) > 1e-9 or not -1e-12 <= share.real <= 1.0 + 1e-12:
-            what = Phrase("cs_rod_centre", name=self.rod.name, point=self.rod.mass_centre)
-            raise self.error(what, "links", self.rod.name, "centre")
+            raise self.fault(
+                "cs_rod_centre", "links", self.rod.name, "centre", name=self.rod.name, point=self.rod.mass_centre
+            )
         return share.real * abs(b - a)
 
     def check_motion(self) -> None:
         """A crank that turns counter-clockwise and steadily, loaded by the diagram alone."""
         drive = self.m.drive
         if drive.velocity <= 0.0:
-            raise self.error(Phrase("cs_omega", value=drive.velocity), "drive", "omega")
+            raise self.fault("cs_omega", "drive", "omega", value=drive.velocity)
         if drive.acceleration:
-            raise self.error(Phrase("cs_epsilon", value=drive.acceleration), "drive", "epsilon")
+            raise self.fault("cs_epsilon", "drive", "epsilon", value=drive.acceleration)
         if self.m.loads:
-            raise self.error(Phrase("cs_loads"), "loads")
+            raise self.fault("cs_loads", "loads")

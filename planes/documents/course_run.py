@@ -30,6 +30,7 @@ COPIES = 100  # how often numbers may coincide with somebody else's before they 
 KEY = "key.json"
 
 Step = Callable[[int, int], None]
+SettledShares = dict[Share, Settled]
 
 
 @dataclass
@@ -82,10 +83,10 @@ class Conductor:
 
     # numbers
 
-    def settle(self) -> dict[Share, Settled]:
+    def settle(self) -> SettledShares:
         """Everybody's numbers, no two of which give the same plans of one assignment, if they are drawn."""
         asked = {s: question(self.course, s, self.lang) for s in self.given}
-        settled: dict[Share, Settled] = {}
+        settled: SettledShares = {}
         todo = list(self.given)
         for _ in range(COPIES):
             settled |= self.answered({s: asked[s] for s in todo})
@@ -98,7 +99,7 @@ class Conductor:
             self.kept_or_written(share, asked[share], settled[share])
         return settled
 
-    def answered(self, asked: dict[Share, Question]) -> dict[Share, Settled]:
+    def answered(self, asked: dict[Share, Question]) -> SettledShares:
         """Answers read from the folder where they exist, otherwise computed."""
         answers = {s: known for s, q in asked.items() if (known := self.read(s, q))}
         todo = [s for s in asked if s not in answers]
@@ -176,7 +177,7 @@ class Conductor:
             self.ledger.forget(self.place(share, name))  # an earlier one would have other numbers
             self.report.faults.append((share.place, name, sentence))
 
-    def summary(self, settled: dict[Share, Settled]) -> list[str]:
+    def summary(self, settled: SettledShares) -> list[str]:
         """The teacher's table, as CSV and as a page."""
         rows = [StudentRow.of(s, settled[s].scene, settled[s].key, settled[s].fault) for s in self.given]
         title = self.course.title.get(self.lang, "")
@@ -205,7 +206,7 @@ def order_of(order: Order, name: str) -> str:
     return made_of(replace(order, files=()), name)
 
 
-def alike(given: Sequence[Share], settled: dict[Share, Settled], plans: Sequence[str]) -> Iterator[Share]:
+def alike(given: Sequence[Share], settled: SettledShares, plans: Sequence[str]) -> Iterator[Share]:
     """Who drew numbers by which the plans that are asked are as somebody before has them."""
     seen = set()
     for share in sorted(given, key=lambda s: s.variant is None):  # given variants stay as they are

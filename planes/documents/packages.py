@@ -5,14 +5,12 @@ import json
 import uuid
 import zipfile
 from collections.abc import Sequence
-from xml.etree.ElementTree import Element, SubElement
 
 from planes.course.quiz import Pool, Quiz
-from planes.documents.platforms import PICTURE, asked, stem, xml_file
+from planes.documents.platforms import PICTURE, asked, filled, in_file, stem
 from planes.words import Lang
 
 MOMENT = (2020, 1, 1, 0, 0, 0)  # date of every file in an archive, so that the same lesson gives the same bytes
-SCORM = {"": "http://www.imsproject.org/xsd/imscp_rootv1p1p2", "adlcp": "http://www.adlnet.org/xsd/adlcp_rootv1p2"}
 NAMES = uuid.UUID("6f2b1d5e-6d4b-5d0e-9b0e-8a3f0c0d1e2f")
 
 
@@ -27,22 +25,7 @@ def scorm(page: bytes, name: str, title: str) -> bytes:
 
 def manifest(name: str, title: str) -> bytes:
     """imsmanifest.xml of one lesson (SCORM 1.2, Content Aggregation Model)."""
-    root = Element(
-        "manifest", {"identifier": f"planes-{uuid.uuid5(NAMES, name)}", "version": "1.0", "xmlns": SCORM[""]}
-    )
-    root.set("xmlns:adlcp", SCORM["adlcp"])
-    head = SubElement(root, "metadata")
-    SubElement(head, "schema").text = "ADL SCORM"
-    SubElement(head, "schemaversion").text = "1.2"
-    organisations = SubElement(root, "organizations", default="lessons")
-    organisation = SubElement(organisations, "organization", identifier="lessons")
-    SubElement(organisation, "title").text = title
-    item = SubElement(organisation, "item", identifier="lesson", identifierref="page", isvisible="true")
-    SubElement(item, "title").text = title
-    SubElement(item, "adlcp:masteryscore").text = "60"
-    page = {"identifier": "page", "type": "webcontent", "adlcp:scormtype": "sco", "href": "index.html"}
-    SubElement(SubElement(SubElement(root, "resources"), "resource", page), "file", href="index.html")
-    return xml_file(root)
+    return in_file(filled("manifest", identifier=uuid.uuid5(NAMES, name), title=title))
 
 
 SERVER = '''"""One student's numbers, drawn by the variant."""

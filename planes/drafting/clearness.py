@@ -11,7 +11,7 @@ from planes.drafting.steps import Through
 from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Sense
 from planes.drafting.steps.tracks import CutTrack
-from planes.drafting.tools import Thing, Tool
+from planes.drafting.tools import Things, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.geometry.plane import square
 from planes.words.names import Meaning, kind_of, plan_of
@@ -26,7 +26,7 @@ FAR = 1e6  # ratio of the longest length to the shortest: above it digits are lo
 _AGAIN = ("velocity", "motion", "acceleration", "lever")  # plans with the same lines as the scheme
 
 
-def clear(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iterable[tuple[str, str]] = ()) -> Truth:
+def clear(program: Program, things: Things, tool: Tool, sides: Iterable[tuple[str, str]] = ()) -> Truth:
     """Whether a drawing is clear, for one position, for many, or on a tape; and no force of ``sides`` (start, end)
     vanishes beside the largest of its plan."""
     ar, scheme, forces = tool.ar, 1.0, 1.0
@@ -56,7 +56,7 @@ def _apart(program: Program, tool: Tool) -> dict[str, Real]:
     return {n: sharp for n, sharp in tool.sharpness.items() if n not in cut or first[cut[n]] == n}
 
 
-def _none_faint(program: Program, things: Mapping[str, Thing], tool: Tool, sides: Iterable[tuple[str, str]]) -> Truth:
+def _none_faint(program: Program, things: Things, tool: Tool, sides: Iterable[tuple[str, str]]) -> Truth:
     """Whether no force vanishes, or nearly so, beside others."""
     ar, ok, largest = tool.ar, True, dict[str, Real]()
     for start, end in sides:
@@ -68,7 +68,7 @@ def _none_faint(program: Program, things: Mapping[str, Thing], tool: Tool, sides
     return ok
 
 
-def far_apart(given: Mapping[str, Thing], means: Mapping[str, Meaning]) -> bool:
+def far_apart(given: Things, means: Mapping[str, Meaning]) -> bool:
     """Whether the given lengths of a mechanism differ so much that no position is clear."""
     sizes = [(means[n].quantity, abs(v)) for n, v in given.items() if n in means]
     longest = max((size for what, size in sizes if what in ("length", "offset", "place")), default=0.0)

@@ -9,7 +9,7 @@ from planes.drafting.instruments import Exact, Instrument, Shaken, is_exact
 from planes.drafting.program import Program
 from planes.drafting.proofs import TOLD_APART, Facts, Proof, Twofold
 from planes.drafting.steps import Step
-from planes.drafting.tools import Env, Thing, Tool
+from planes.drafting.tools import Env, Thing, Things, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanFailure, ProgramError, choices
@@ -53,7 +53,7 @@ class Drawing(Pictured):
         return mask
 
 
-def run(program: Program, given: Mapping[str, Thing], instrument: Instrument | None = None) -> Drawing:
+def run(program: Program, given: Things, instrument: Instrument | None = None) -> Drawing:
     """Draw every step. With an array among the givens many drawings are made at once.
 
     Raises :class:`ProgramError` when a given is missing, :class:`PlanFailure` when a single drawing cannot continue,
@@ -67,7 +67,7 @@ def run(program: Program, given: Mapping[str, Thing], instrument: Instrument | N
 
 
 def reached(
-    program: Program, given: Mapping[str, Thing], instrument: Instrument | None = None
+    program: Program, given: Things, instrument: Instrument | None = None
 ) -> tuple[Drawing, PlanFailure | None]:
     """The drawing up to the first failure, and that failure."""
     missing = [n for n in program.givens if n not in given]
@@ -104,7 +104,7 @@ def draw_steps(steps: Iterable[Step], things: Env, tool: Tool, instead: Instead 
     return made
 
 
-def proved(program: Program, given: Mapping[str, Thing], drawn: Drawing | None = None) -> None:
+def proved(program: Program, given: Things, drawn: Drawing | None = None) -> None:
     """Refuse a single position whose exact drawing (``drawn``, if it exists) fails any proof; a position that cannot be
     drawn is not checked."""
     try:
@@ -114,12 +114,12 @@ def proved(program: Program, given: Mapping[str, Thing], drawn: Drawing | None =
     _prove(drawing, given, program.proofs)
 
 
-def prove_many(drawing: Drawing, given: Mapping[str, Thing]) -> None:
+def prove_many(drawing: Drawing, given: Things) -> None:
     """Mask those of many exact drawings that fail any proof; balancing loads were compared when they were drawn."""
     _prove(drawing, given, [p for p in drawing.program.proofs if not isinstance(p, Twofold)])
 
 
-def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]) -> None:
+def _prove(drawing: Drawing, given: Things, proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, gaps larger than drawings with a thousand times the rounding error can explain."""
     tool, blunter = drawing.tool, None
     apart, shown = [], Facts(drawing.things, tool.ar)
@@ -139,7 +139,7 @@ def _prove(drawing: Drawing, given: Mapping[str, Thing], proofs: Sequence[Proof]
             raise Contradiction(proof.reason, plan=plan_phrase(proof.plan), **numbers)
 
 
-def _blunter(program: Program, given: Mapping[str, Thing]) -> list[Mapping[str, Thing]]:
+def _blunter(program: Program, given: Things) -> list[Things]:
     """Drawings with a thousand times the rounding error of doubles; those that fail are left out."""
     try:
         return [run(program, given, Shaken(seed)).things for seed in SHAKEN]
@@ -147,7 +147,7 @@ def _blunter(program: Program, given: Mapping[str, Thing]) -> list[Mapping[str, 
         return []
 
 
-def _doubt(blunter: list[Mapping[str, Thing]], proof: Proof, gap: Real, size: Real, tool: Tool) -> Real:
+def _doubt(blunter: list[Things], proof: Proof, gap: Real, size: Real, tool: Tool) -> Real:
     """How much the gap varies among them; infinite where there are none, or where their sizes differ altogether."""
     with tool.ar.quiet():
         drawn = [proof.compared(Facts(things, tool.ar)) for things in blunter]

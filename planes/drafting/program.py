@@ -12,6 +12,8 @@ from planes.words.errors import ProgramError, choices
 from planes.words.frozen import field, frozen
 from planes.words.names import plan_of
 
+StepsOf = dict[str, list[Step]]
+
 
 @frozen
 class Program:
@@ -54,9 +56,9 @@ class Program:
         return tuple(dict.fromkeys(n for n in names if n not in self.made))
 
     @cached_property
-    def marks(self) -> dict[str, list[Step]]:
+    def marks(self) -> StepsOf:
         """The steps that draw marks, by their plan: position, velocity, acceleration, force:2-3, …, force:1."""
-        marks: dict[str, list[Step]] = {}
+        marks: StepsOf = {}
         for step in self.steps:
             if step.kind == "mark":
                 marks.setdefault(plan_of(step.makes), []).append(step)
@@ -68,9 +70,9 @@ class Program:
         return frozenset(s.makes for s in self.steps if isinstance(s, Cross) and s.supposed)
 
     @cached_property
-    def readers(self) -> dict[str, list[Step]]:
+    def readers(self) -> StepsOf:
         """The steps that use each name."""
-        readers: dict[str, list[Step]] = {}
+        readers: StepsOf = {}
         for step in self.steps:
             for name in dict.fromkeys(name for name, _ in step.reads()):
                 readers.setdefault(name, []).append(step)

@@ -5,12 +5,12 @@ A proof compares the drawing with a definition (a rigid link, a sliding pair, a 
 stated vectors) or with a second way to the same number (the balancing load from the force plan and from the lever).
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from functools import cached_property, lru_cache
 from typing import Any, ClassVar, TypeVar
 
 from planes.drafting.steps.reckoning import Product
-from planes.drafting.tools import AskedFor, Thing
+from planes.drafting.tools import AskedFor, Thing, Things
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.words.frozen import field, frozen
@@ -24,7 +24,7 @@ VectorRow = tuple[str, str, str, int, str]  # its start and end, its direction, 
 class Facts:
     """The data of a drawing, as proofs read them: whatever several of them need is computed once."""
 
-    def __init__(self, things: Mapping[str, Thing], ar: Arithmetic) -> None:
+    def __init__(self, things: Things, ar: Arithmetic) -> None:
         self.things, self.ar = things, ar
         self.known: dict[tuple[str, ...], Any] = {}
 
@@ -88,7 +88,7 @@ class Proof:
         moving = sum(shown.size(mark) for mark in self.beside if mark in shown.things)
         return self.gap(shown), sum(self.sizes(shown)) + moving
 
-    def numbers(self, things: Mapping[str, Thing], gap: Real, size: Real) -> dict[str, object]:
+    def numbers(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
         """The numbers for the sentence about its failure."""
         return {"about": self.about, "gap": float(gap), "size": float(size)}
 
@@ -109,7 +109,7 @@ class Twofold(Proof):
         yield from (abs(shown[name]) for name in (self.one, self.two))
         yield from (abs(term.value(shown.things, shown.ar)) for term in self.terms)
 
-    def numbers(self, things: Mapping[str, Thing], gap: Real, size: Real) -> dict[str, object]:
+    def numbers(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
         return {"about": self.about, "found": float(things[self.one]), "check": float(things[self.two])}
 
 

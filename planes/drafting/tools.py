@@ -1,7 +1,7 @@
 """The instrument at work: the operations that steps and the runner ask of it."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
@@ -15,6 +15,7 @@ NOWHERE = complex("nan+nanj")  # placeholder for a failed mark of many drawings
 Step = Any  # of planes.drafting.steps: a step knows the tool that draws it
 Thing = Real | Point  # a mark (mm), a direction, or a value (SI): of one drawing, or of many
 Env = dict[str, Thing]  # objects by name
+Things = Mapping[str, Thing]  # the same, to be read
 
 
 class AskedFor(dict[str, Thing]):

@@ -1,9 +1,8 @@
 """One number of a quantity, and how it is taken from the drawing."""
 
-from collections.abc import Mapping
 from typing import NamedTuple
 
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Things
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real, Truth
 from planes.words.names import mu_of, plan_of
@@ -17,7 +16,7 @@ class DriverVector(NamedTuple):
     along: str
     length: str
 
-    def rate(self, things: Mapping[str, Thing]) -> Real:
+    def rate(self, things: Things) -> Real:
         """The driver's speed as drawn: rad/s, or m/s where it slides."""
         drawn, mu = things[self.end] - things[self.start], things[mu_of(plan_of(self.start))]
         speed = plane.dot(things[self.along], drawn) / mu
@@ -48,7 +47,7 @@ class Column(NamedTuple):
         """The names of the program it needs."""
         return tuple(n for n in (self.value, self.start, self.end, *self.beside, *(self.per or ())) if n)
 
-    def take(self, things: Mapping[str, Thing], ar: Arithmetic) -> Real:
+    def take(self, things: Things, ar: Arithmetic) -> Real:
         """The column's number (or numbers) from the drawing."""
         if self.per is None:
             return self.own(things, ar)
@@ -56,7 +55,7 @@ class Column(NamedTuple):
         rate = ar.where(rate == 0, float("nan"), rate)  # for a speed that underflows
         return self.own(things, ar) / (abs(rate) if self.part else rate)
 
-    def own(self, things: Mapping[str, Thing], ar: Arithmetic) -> Real:
+    def own(self, things: Things, ar: Arithmetic) -> Real:
         """The number itself, not divided by the driver's speed."""
         if self.part:
             segment = things[self.end] - things[self.start]
@@ -66,7 +65,7 @@ class Column(NamedTuple):
             return 0.0
         return ar.where(self.empty(things, ar), float("nan"), things[self.value]) if self.beside else things[self.value]
 
-    def empty(self, things: Mapping[str, Thing], ar: Arithmetic) -> Truth:
+    def empty(self, things: Things, ar: Arithmetic) -> Truth:
         """Where the normal force vanishes beside the largest drawn mark of its plan."""
         normal, *marks = (n for n in self.beside if n in things)
         largest: Real = 0.0

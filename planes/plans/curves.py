@@ -7,6 +7,7 @@ phi_3, s_5 (positions) · vq_C, u_31, aq_C, epsilonq_3 (analogues) · v_C, omega
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from operator import itemgetter
 from typing import Literal, Self, TypeVar
 
 import numpy as np
@@ -26,6 +27,7 @@ from planes.words.units import RATE_UNITS
 
 Sample = Mapping[str, Array]
 """Columns of many positions by name: "v_C_x", and "q:v_C_x" of the unit drive."""
+Reading = Callable[[Sample], Real]
 
 Group = Literal["place", "analogue", "rate", "force"]
 UNIT = "q:"
@@ -42,8 +44,8 @@ class Curve:
     name: str
     unit: str
     group: Group
-    read: Callable[[Sample], Real]
-    slope: Callable[[Sample], Real] | None = None
+    read: Reading
+    slope: Reading | None = None
     angular: bool = False
 
     def off(self, sample: Sample, margins: Sample) -> Real:
@@ -131,9 +133,9 @@ def askable(plans: Plans) -> dict[str, Curve]:
 def read_as(q: Quantity) -> list[Curve]:
     """The columns of a quantity as curves: of F_12 those of F_21, opposite."""
     if len(q.columns) == 1:
-        return [Curve(q.name, q.columns[0].unit, "rate", _column(q.columns[0].name))]
+        return [Curve(q.name, q.columns[0].unit, "rate", itemgetter(q.columns[0].name))]
     parts = ((f"{q.name}_{c.name[len(q.name) + 1 :]}", c) for c in q.columns if c.part or not q.reversed)
-    return [Curve(n, c.unit, "rate", _opposite(c.name) if q.reversed else _column(c.name)) for n, c in parts]
+    return [Curve(n, c.unit, "rate", _opposite(c.name) if q.reversed else itemgetter(c.name)) for n, c in parts]
 
 
 def all_columns(plans: Plans) -> dict[str, Column]:
@@ -154,18 +156,18 @@ def _places(plans: Plans) -> Iterator[Curve]:
     m = plans.mechanism
     for link, names in plans.links.items():
         if link != FRAME:
-            slope = _column(f"{UNIT}omega_{link}") if names.omega else None
-            yield Curve(f"phi_{link}", "°", "place", _column(f"phi_{link}"), slope, True)
+            slope = itemgetter(f"{UNIT}omega_{link}") if names.omega else None
+            yield Curve(f"phi_{link}", "°", "place", itemgetter(f"phi_{link}"), slope, True)
     for link in plans.velocity_slides:
-        yield Curve(f"s_{link}", "m", "place", _along(plans, link), _column(f"{UNIT}v_slide_{link}"))
+        yield Curve(f"s_{link}", "m", "place", _along(plans, link), itemgetter(f"{UNIT}v_slide_{link}"))
     for p in plans.points:
         if p not in m.frame.points:
             for axis in "xy":
                 name = f"r_{p}_{axis}"
-                yield Curve(name, "m", "place", _column(name), _column(f"{UNIT}v_{p}_{axis}"))
+                yield Curve(name, "m", "place", itemgetter(name), itemgetter(f"{UNIT}v_{p}_{axis}"))
 
 
-def _along(plans: Plans, link: str) -> Callable[[Sample], Real]:
+def _along(plans: Plans, link: str) -> Reading:
     """The position of a slider's first point along its guide, from the point that defines the guide."""
     m = plans.mechanism
     guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner(plans.velocity_slides[link].guide)
@@ -216,16 +218,12 @@ def _forces(plans: Plans) -> Iterator[Curve]:
             yield _scalar(c.name, c.unit, "force", c.name)
 
 
-def _column(name: str) -> Callable[[Sample], Real]:
-    return lambda s: s[name]
-
-
-def _opposite(name: str) -> Callable[[Sample], Real]:
+def _opposite(name: str) -> Reading:
     return lambda s: -s[name]
 
 
 def _scalar(name: str, unit: str, group: Group, need: str, slope: str = "", factor: float = 1.0) -> Curve:
-    return Curve(name, unit, group, _column(need), (lambda s: factor * s[slope]) if slope else None)
+    return Curve(name, unit, group, itemgetter(need), (lambda s: factor * s[slope]) if slope else None)
 
 
 def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", factor: float = 1.0) -> Iterator[Curve]:

@@ -51,6 +51,9 @@ class Quantity(NamedTuple):
         return first._replace(part="size") if first.part else first
 
 
+Quantities = Iterator[Quantity]
+
+
 class Measured(NamedTuple):
     """The value of a quantity: a number for each of its columns, None for the arm of a zero normal force."""
 
@@ -139,7 +142,7 @@ def asked(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
         raise SceneError(error.phrase, file, plans.mechanism.where.get(("find",))) from None
 
 
-def _results(plans: Plans) -> Iterator[Quantity]:
+def _results(plans: Plans) -> Quantities:
     for name, ends in plans.vectors.items():
         yield Quantity(name, _vector(name, UNIT[kind_of(ends[0])], ends), "vectors", name)
     for part in (_of_points, _of_links, _of_slides, _of_reactions, _balancing):
@@ -147,7 +150,7 @@ def _results(plans: Plans) -> Iterator[Quantity]:
     yield from _plain(of_laws(plans))
 
 
-def _told(plans: Plans) -> Iterator[Quantity]:
+def _told(plans: Plans) -> Quantities:
     yield from (*_results(plans), *_plain(derived(plans)), *_plain(transfers(plans)))
 
 
@@ -157,14 +160,14 @@ def _vector(name: str, unit: str, ends: tuple[str, str] | None) -> tuple[Column,
     return tuple(Column(f"{name}_{part}", unit, "", start, end, part if ends else "") for part in "xy")
 
 
-def _of_points(plans: Plans) -> Iterator[Quantity]:
+def _of_points(plans: Plans) -> Quantities:
     for point, m in plans.points.items():
         for letter, unit, mark in (("r", "m", m.position), ("v", "m/s", m.velocity), ("a", "m/s²", m.acceleration)):
             name = f"{letter}_{point}"
             yield Quantity(name, _vector(name, unit, (at(plan_of(mark), POLE), mark)), "points", point, letter)
 
 
-def _of_links(plans: Plans) -> Iterator[Quantity]:
+def _of_links(plans: Plans) -> Quantities:
     units = {"angle_deg": "°", "omega": "rad/s", "epsilon": "rad/s²"}
     for link, v in plans.links.items():
         for (key, unit), value in zip(units.items(), (v.angle, v.omega, v.epsilon), strict=True):
@@ -173,7 +176,7 @@ def _of_links(plans: Plans) -> Iterator[Quantity]:
                 yield Quantity(name, (Column(name, unit, value),), "links", link, key)
 
 
-def _of_slides(plans: Plans) -> Iterator[Quantity]:
+def _of_slides(plans: Plans) -> Quantities:
     for link, rate in plans.velocity_slides.items():
         quick = plans.acceleration_slides[link]
         for key, unit, value in (("v", "m/s", rate.value), ("a", "m/s²", quick.value)):
@@ -183,7 +186,7 @@ def _of_slides(plans: Plans) -> Iterator[Quantity]:
         yield Quantity(name, _vector(name, "m/s²", quick.coriolis), "slides", link, "coriolis")
 
 
-def _of_reactions(plans: Plans) -> Iterator[Quantity]:
+def _of_reactions(plans: Plans) -> Quantities:
     for key, r in plans.reactions.items():
         columns = _reaction(plans, r)
         for name in r.names:
@@ -199,7 +202,7 @@ def _reaction(plans: Plans, r: Reaction) -> tuple[Column, ...]:
     return (*force, arm, Column(f"{r.key}_moment", "N·m", r.moment))
 
 
-def _balancing(plans: Plans) -> Iterator[Quantity]:
+def _balancing(plans: Plans) -> Quantities:
     drive = plans.drive
     what, letter, unit = ("moment", "M", "N·m") if drive.rotates else ("force", "Fb", "N")
     for by, sign, value in (("balancing", "", plans.balancing), ("zhukovsky", "Z", plans.zhukovsky)):
@@ -211,21 +214,21 @@ def _balancing(plans: Plans) -> Iterator[Quantity]:
         yield Quantity(key, _vector(key, "N", (ends[0], ends[1])), "reactions", key)
 
 
-def _plain(values: Iterable[Derived]) -> Iterator[Quantity]:
+def _plain(values: Iterable[Derived]) -> Quantities:
     for d in values:
         part = "size" if d.ends[0] else ""
         columns = {n: Column(n, d.unit, d.value, *d.ends, part, per=d.per) for n in d.names}
         yield from (Quantity(n, (c,), d.group, d.names[0]) for n, c in columns.items())
 
 
-def _segments(plans: Plans) -> Iterator[Quantity]:
+def _segments(plans: Plans) -> Quantities:
     for s in plans.segments:
         if s.plan != "motion" and s.start != s.end and not {"°", "⊥"} & set(s.name):
             size = Column(s.name, UNIT[kind_of(s.plan)], "", at(s.plan, s.start), at(s.plan, s.end), "size")
             yield Quantity(s.name, (size,), "plans", s.plan, s.name)
 
 
-def _lettered(plans: Plans) -> Iterator[Quantity]:
+def _lettered(plans: Plans) -> Quantities:
     """Values that sheets letter beside their results: given couples, the rates of a drive between moving links, and
     components of reactions that are plain values."""
     for couple in (c for couples in plans.acting.couples.values() for c in couples if not (c.inertia or c.handed)):

@@ -8,7 +8,7 @@ from planes.drafting.dimensions import Dimension
 from planes.drafting.draft import Segment
 from planes.drafting.equations import Equation, Moments
 from planes.drafting.program import Program
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Thing, Things
 from planes.geometry.arithmetic import Real
 from planes.plans.assur.structure import Structure
 from planes.plans.centres import Centre, Check
@@ -46,7 +46,7 @@ class Plans:
     mechanism: Mechanism
     structure: Structure
     program: Program
-    given: Mapping[str, Thing]
+    given: Things
     equations: tuple[Equation, ...]
     moments: tuple[Moments, ...]
     segments: tuple[Segment, ...]

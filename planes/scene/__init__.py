@@ -5,14 +5,13 @@ from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
 
 from planes.scene import settings, source
 from planes.scene.doubts import check_lengths, idle_parameters, read_doubts
 from planes.scene.friction import read_friction
 from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader, read_turning
-from planes.scene.mechanism import FRAME, Drive, Mechanism, Where
+from planes.scene.mechanism import FRAME, Drive, Mechanism, Where, nothing
 from planes.scene.motion import read_assembly, read_drive, read_loads
 from planes.scene.outline import check_outline
 from planes.scene.parameters import TOLD, choose, read_laws, read_parameters, read_variants, used_values, with_numbers
@@ -32,19 +31,15 @@ from planes.words.units import Convention
 __all__ = ["ReadWith", "Scene", "Statement", "VectorGiven", "load", "loads"]
 
 
-def _none() -> Mapping[Any, Any]:
-    return MappingProxyType({})
-
-
 @frozen
 class ReadWith:
     """How a scene was read; for other parameters or another variant its file is read again."""
 
     variant: str | None = None
     variants: tuple[str, ...] = ()
-    parameters: Mapping[str, float] = field(default_factory=_none)
+    parameters: Mapping[str, float] = field(default_factory=nothing)
     source: str = field(default="", compare=False)
-    changed: Mapping[str, float] = field(default_factory=_none, compare=False)
+    changed: Mapping[str, float] = field(default_factory=nothing, compare=False)
 
 
 @frozen
@@ -57,17 +52,17 @@ class Scene(Pictured):
     """
 
     file: str = ""
-    title: Mapping[str, str] = field(default_factory=_none)
-    note: Mapping[str, str] = field(default_factory=_none)
+    title: Mapping[str, str] = field(default_factory=nothing)
+    note: Mapping[str, str] = field(default_factory=nothing)
     reading: ReadWith = field(default_factory=ReadWith)
     mechanism: Mechanism | None = None
     statement: Statement | None = None
-    mu: Mapping[str, float | None] = field(default_factory=_none)
+    mu: Mapping[str, float | None] = field(default_factory=nothing)
     find: tuple[str, ...] | None = None
-    sheet: Mapping[str, object] = field(default_factory=_none)
-    where: Where = field(default_factory=_none, compare=False, repr=False)
+    sheet: Mapping[str, object] = field(default_factory=nothing)
+    where: Where = field(default_factory=nothing, compare=False, repr=False)
     crank_slider: Node | None = field(default=None, compare=False, repr=False)
-    missing: Mapping[str, str] = field(default_factory=_none)
+    missing: Mapping[str, str] = field(default_factory=nothing)
     doubts: tuple[Doubt, ...] = ()
     mu_written: Convention | None = None
     equations: tuple[VectorEquation, ...] = ()  # the user's equations beside a mechanism

@@ -15,6 +15,8 @@ from planes.scene.source import Node, SourceScalar, SourceTable
 from planes.words import Phrase, Written
 from planes.words.errors import Doubt
 
+Doubts = Iterator[tuple[Phrase, Keys]]
+Parameters = Mapping[str, Node]  # as written
 LONG_M = 10.0  # a link this long is more likely given in millimetres
 MOST_HOPS = 20  # from parameter to parameter
 HEAVY = 30.0  # m/s²: no planet weighs so much
@@ -37,16 +39,14 @@ _STATED = ("parameters", "variants")
 _NAMED_FREELY = (*_STATED, "vectors")  # where an empty value has a meaning
 
 
-def read_doubts(
-    file: str, table: SourceTable, parameters: Mapping[str, Node], mechanism: Mechanism | None
-) -> list[Doubt]:
+def read_doubts(file: str, table: SourceTable, parameters: Parameters, mechanism: Mechanism | None) -> list[Doubt]:
     """All doubts of a scene in the order of the file."""
     doubts = [*_empty(table), *_unused(table, parameters), *_angles(table, parameters), *_backwards(table, parameters)]
     if mechanism:
         doubts += [*_links(mechanism, "missing" in table.entries), *_drive(mechanism), *_places(mechanism)]
         doubts += _far(mechanism.frame)
         if (mechanism.gravity or 0) > HEAVY:
-            doubts.append((Phrase("doubt_gravity", value=Written(f"{mechanism.gravity:g}")), ("gravity",)))
+            doubts.append((Phrase("doubt_gravity", value=_brief(mechanism.gravity or 0.0)), ("gravity",)))
         doubts += [
             (Phrase("doubt_friction", guide=guide, value=float(value)), ("friction", guide))
             for guide, value in {
@@ -59,7 +59,7 @@ def read_doubts(
     return sorted(said, key=lambda doubt: doubt.line)
 
 
-def _home(table: SourceTable, parameters: Mapping[str, Node], phrase: Phrase, path: Keys) -> Keys:
+def _home(table: SourceTable, parameters: Parameters, phrase: Phrase, path: Keys) -> Keys:
     """The place of a number that seems to be in other units: its only parameter, if it has just one."""
     if phrase.key not in OF_UNITS:
         return path
@@ -77,24 +77,28 @@ def check_lengths(reader: Reader, mechanism: Mechanism) -> None:
         hinges = [point for point in link.points if shared[point] > 1]
         rod = len(hinges) == 2 and not (link.guides or link.slides or any(z.imag for z in link.points.values()))
         if rod and (length := (link.points[hinges[1]] - link.points[hinges[0]]).real) < 0 == link.points[hinges[0]]:
-            numbers = {"link": link.name, "one": hinges[0], "two": hinges[1], "length": Written(f"{length:g}")}
+            numbers = {"link": link.name, "one": hinges[0], "two": hinges[1], "length": _brief(length)}
             where = mechanism.where.get(("links", link.name, "points", hinges[1]), 1)
-            raise reader.error(Phrase("negative_length", **numbers), where)
+            raise reader.fault("negative_length", where, **numbers)
 
 
-def _empty(table: SourceTable) -> Iterator[tuple[Phrase, Keys]]:
+def _brief(number: float) -> Written:
+    return Written(f"{number:g}")
+
+
+def _empty(table: SourceTable) -> Doubts:
     for path, node in texts(table):
         if node.plain and not node.text and path[0] not in _NAMED_FREELY:
             yield Phrase("doubt_empty", key=".".join(path)), path
 
 
-def _unused(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
+def _unused(table: SourceTable, parameters: Parameters) -> Doubts:
     """Unused parameters: a length misspelt or left behind; those that the note mentions are skipped."""
     idle = idle_parameters(table, parameters, _STATED)
     yield from ((Phrase("doubt_unused", name=name), ("parameters", name)) for name in idle)
 
 
-def idle_parameters(table: SourceTable, parameters: Mapping[str, Node], without: Container[str]) -> list[str]:
+def idle_parameters(table: SourceTable, parameters: Parameters, without: Container[str]) -> list[str]:
     """The parameters used nowhere but under the keys ``without``."""
     besides = (node.text for path, node in texts(table) if path[0] not in without)
     words = {word for text in besides for word in _WORD.findall(text)}
@@ -102,7 +106,7 @@ def idle_parameters(table: SourceTable, parameters: Mapping[str, Node], without:
     return [name for name in parameters if name not in used]
 
 
-def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
+def _angles(table: SourceTable, parameters: Parameters) -> Doubts:
     """Angles that look like radians, by π in them or by their value, or like a ratio of a triangle's sides."""
     for path, node in texts(table):
         if path[0] == "loads" and path[-1] in _SIZES and _IN_LAW.search(node.text):
@@ -116,7 +120,7 @@ def _angles(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tupl
                 yield Phrase("doubt_ratio", key=path[-1], text=text[:60]), path
 
 
-def _backwards(table: SourceTable, parameters: Mapping[str, Node]) -> Iterator[tuple[Phrase, Keys]]:
+def _backwards(table: SourceTable, parameters: Parameters) -> Doubts:
     """Negative loads along or against a motion, and negative vectors: the minus reverses them."""
     every = [(path, _written(node.text, parameters)) for path, node in texts(table)]
     sensed = {path[:2] for path, _ in every if path[0] == "loads" and path[-1] in ("along", "against")}
@@ -135,7 +139,7 @@ def _value(text: str) -> float:
         return math.nan
 
 
-def _written(text: str, parameters: Mapping[str, Node]) -> str:
+def _written(text: str, parameters: Parameters) -> str:
     """The expression, or that of the parameter it consists of."""
     for _ in range(MOST_HOPS):
         node = parameters.get(text.strip())
@@ -154,7 +158,7 @@ def _radians(text: str) -> bool:
     return not _WHOLE.fullmatch(text.strip()) and 0.2 < value < LARGEST and near
 
 
-def _links(mechanism: Mechanism, incomplete: bool) -> Iterator[tuple[Phrase, Keys]]:
+def _links(mechanism: Mechanism, incomplete: bool) -> Doubts:
     for link in mechanism.links.values():
         path = ("links", link.name)
         for point in link.points:
@@ -176,13 +180,13 @@ def _links(mechanism: Mechanism, incomplete: bool) -> Iterator[tuple[Phrase, Key
             numbers = {"radius": math.sqrt((link.inertia or 0) / link.mass), "size": size}
             yield Phrase("doubt_inertia", link=link.name, **numbers), (*path, "inertia")
         if size and (link.mass or 0) > HEAVIEST * size**3:
-            heavy = {"mass": Written(f"{link.mass:g}"), "size": Written(f"{size:g}")}
+            heavy = {"mass": _brief(link.mass or 0.0), "size": _brief(size)}
             yield Phrase("doubt_heavy", link=link.name, **heavy), (*path, "mass")
         if size >= LONG_M:
-            yield (Phrase("doubt_long", link=link.name, size=Written(f"{size:g}")), (*path, "points"))
+            yield (Phrase("doubt_long", link=link.name, size=_brief(size)), (*path, "points"))
 
 
-def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
+def _places(mechanism: Mechanism) -> Doubts:
     """Points under ``assembly`` that have only one possible place: those of the driver, or of a single link without a
     slider."""
     drive, links = mechanism.drive, mechanism.links
@@ -194,12 +198,12 @@ def _places(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
             yield Phrase("doubt_assembly", point=name), ("assembly", name)
 
 
-def _far(frame: Link) -> Iterator[tuple[Phrase, Keys]]:
+def _far(frame: Link) -> Doubts:
     """Fixed points and guides so far from the origin that metres are hardly meant."""
     for kind, places in ("points", frame.points), ("guides", {name: g.through for name, g in frame.guides.items()}):
         for name, z in places.items():
             if abs(z) >= LONG_M:
-                yield Phrase("doubt_far", name=name, size=Written(f"{abs(z):g}")), ("frame", kind, name)
+                yield Phrase("doubt_far", name=name, size=_brief(abs(z))), ("frame", kind, name)
 
 
 def _size(link: Link) -> float:
@@ -209,7 +213,7 @@ def _size(link: Link) -> float:
     return max((abs(a - b) for a, b in pairs), default=0.0)
 
 
-def _drive(mechanism: Mechanism) -> Iterator[tuple[Phrase, Keys]]:
+def _drive(mechanism: Mechanism) -> Doubts:
     drive = mechanism.drive
     rate = RATES[drive.kind][0]
     at_rest = all(link.inertia is None for link in mechanism.links.values())

@@ -29,7 +29,7 @@ def read_friction(
         elif name in slid:
             guides[name] = reader.positive(entry, what)
         elif name in hinges:
-            raise reader.error(Phrase("friction_of_pin", what=what, name=name), entry)
+            raise reader.fault("friction_of_pin", entry, what=what, name=name)
         else:
             idle = {*radii, *(guide for link in bodies for guide in link.guides)}
             valid = reader.offer(name, sorted(slid | hinges))

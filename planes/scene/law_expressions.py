@@ -10,6 +10,7 @@ from itertools import pairwise
 
 from planes.geometry.arithmetic import Arithmetic, Real, Truth
 from planes.scene.expressions import ExpressionParser
+from planes.scene.mechanism import Pairs
 from planes.words import Phrase
 
 STEEPEST = 20  # a power of a variable is multiplied out
@@ -85,7 +86,7 @@ class LawParser(ExpressionParser):
         return abs(x)
 
 
-def between(table: tuple[tuple[float, float], ...], x: Real, ar: Arithmetic) -> Real:
+def between(table: Pairs, x: Real, ar: Arithmetic) -> Real:
     """The value of a table at x, linear between its pairs; beyond the ends, the value at the end."""
     value: Real = table[0][1]
     for (x0, y0), (x1, y1) in pairwise(table):
@@ -94,13 +95,13 @@ def between(table: tuple[tuple[float, float], ...], x: Real, ar: Arithmetic) -> 
     return value
 
 
-def within(table: tuple[tuple[float, float], ...], x: Real, slack: float) -> Truth:
+def within(table: Pairs, x: Real, slack: float) -> Truth:
     """Whether x lies within a table, or outside it by at most ``slack`` of its length."""
     beside = slack * (table[-1][0] - table[0][0])
     return (x >= table[0][0] - beside) & (x <= table[-1][0] + beside)
 
 
-def folded(table: tuple[tuple[float, float], ...], phi: Real, ar: Arithmetic) -> Real:
+def folded(table: Pairs, phi: Real, ar: Arithmetic) -> Real:
     """An angle reduced to the turn that a table covers."""
     start = table[0][0] + 180.0
     return ar.angle_deg(ar.cis_deg(phi - start)) + start

@@ -29,10 +29,10 @@ def read_round(guide: Fields, name: str, points: dict[str, complex], owner: Told
     reader = guide.reader
     for key in ("angle", "mark"):
         if key in guide:
-            raise guide.error(Phrase("round_has_no", what=guide.what, key=key), key)
+            raise guide.fault("round_has_no", key, what=guide.what, key=key)
     entry, radius = guide.required("centre"), guide.required("radius")
     if not (long := guide.positive("radius")):
-        raise reader.error(Phrase("round_radius", what=guide.what), radius)
+        raise reader.fault("round_radius", radius, what=guide.what)
     if isinstance(entry, SourceScalar):
         centre = guide.known("centre", points, Phrase("points_of", owner=owner))
     else:
@@ -68,7 +68,7 @@ def read_frame(reader: Reader, node: Node) -> Link:
     points = _points(frame)
     guides, round_guides = parted(_guides(frame, points))
     if not points and not guides:
-        raise frame.error(Phrase("frame_empty"))
+        raise frame.fault("frame_empty")
     return Link(FRAME, MappingProxyType(points), guides, round_guides=round_guides)
 
 
@@ -76,9 +76,9 @@ def read_links(reader: Reader, node: Node, frame: Link) -> dict[str, Link]:
     """The moving links in the order of the file; every name in them is checked."""
     table = reader.names(node, "links", Phrase("a_link"))
     if not table.entries:
-        raise reader.error(Phrase("links_empty"), table)
+        raise reader.fault("links_empty", table)
     if FRAME in table.entries:
-        raise reader.error(Phrase("link_zero"), table.lines[FRAME])
+        raise reader.fault("link_zero", table.lines[FRAME])
     links = {name: _link(reader, name, entry) for name, entry in table.entries.items()}
     _check_alike(reader, table, (frame, *links.values()))
     owners = _owners(reader, table, links, frame)
@@ -90,9 +90,7 @@ def read_links(reader: Reader, node: Node, frame: Link) -> dict[str, Link]:
     round_guides = {name: g for link in (frame, *links.values()) for name, g in link.round_guides.items()}
     for name, link in links.items():
         if link.slides and link.slides.guide in round_guides and round_guides[link.slides.guide].centre in link.points:
-            raise reader.error(
-                Phrase("round_held", name=name, guide=link.slides.guide), line_of(table, (name, "slides"))
-            )
+            raise reader.fault("round_held", line_of(table, (name, "slides")), name=name, guide=link.slides.guide)
     return {name: turning(link, round_guides) for name, link in links.items()}
 
 
@@ -102,7 +100,7 @@ def _link(reader: Reader, name: str, node: Node) -> Link:
     link.required("points")
     points = _points(link)
     if not points:
-        raise link.error(Phrase("no_points", what=what), "points")
+        raise link.fault("no_points", "points", what=what)
     guides, round_guides = parted(_guides(link, points))
     slides = link.optional("slides")
     return Link(
@@ -137,7 +135,7 @@ def _points(link: Fields) -> dict[str, complex]:
         return {}
     table = link.reader.names(node, link.named("points"), Phrase("a_point"))
     if "p" in table.entries:
-        raise link.reader.error(Phrase("point_pole", what=link.what), table.lines["p"])
+        raise link.reader.fault("point_pole", table.lines["p"], what=link.what)
     return {
         name: link.reader.place(entry, Phrase("point", name=name, owner=link.what), on_axis=True)
         for name, entry in table.entries.items()
@@ -158,14 +156,14 @@ def _guide(link: Fields, name: str, node: Node, points: dict[str, complex]) -> G
     if form == "centre":
         return read_round(guide, name, points, link.what)
     if "radius" in guide:
-        raise guide.error(Phrase("radius_without_centre", what=what), "radius")
+        raise guide.fault("radius_without_centre", "radius", what=what)
     entry = guide.required(form)
     mark = None
     if (given := guide.optional("mark")) is not None:
         mark = reader.check_name(guide.text("mark"), Phrase("a_mark"), given)
     if form != "through":
         if "angle" in guide:
-            raise guide.error(Phrase("angle_already", what=what, form=form), "angle")
+            raise guide.fault("angle_already", "angle", what=what, form=form)
         value = guide.number(form)
         through, angle = (complex(value, 0.0), 90.0) if form == "x" else (complex(0.0, value), 0.0)
         return Guide(name, through, angle, None, mark, origin_given=False)
@@ -183,7 +181,7 @@ def _slide(link: Fields, node: Node) -> Slide:
     guide = link.reader.text(slide.required("guide"), Phrase("guide_of_slider", what=link.what))
     length = slide.said("length")
     if length is not None and length <= 0.0:
-        raise slide.error(Phrase("face_length", what=slide.named("length")), "length")
+        raise slide.fault("face_length", "length", what=slide.named("length"))
     return Slide(guide, slide.said("angle"), slide.said("offset"), length)
 
 
@@ -201,7 +199,7 @@ def _check_alike(reader: Reader, table: SourceTable, links: Iterable[Link]) -> N
             if first != point:
                 one, two = Phrase("point", name=point, owner=owner), Phrase("point", name=first, owner=other)
                 line = table.line if link.name == FRAME else line_of(table, (link.name, "points", point))
-                raise reader.error(Phrase("points_alike", one=one, two=two), line)
+                raise reader.fault("points_alike", line, one=one, two=two)
 
 
 def _owners(reader: Reader, table: SourceTable, links: dict[str, Link], frame: Link) -> dict[str, str]:
@@ -210,7 +208,7 @@ def _owners(reader: Reader, table: SourceTable, links: dict[str, Link], frame: L
         for guide in (*link.guides, *link.round_guides):
             if guide in owners:
                 line = line_of(table, (name, "guides", guide))
-                raise reader.error(Phrase("guide_twice", guide=guide, name=name, owner=_owner(owners[guide])), line)
+                raise reader.fault("guide_twice", line, guide=guide, name=name, owner=_owner(owners[guide]))
             owners[guide] = name
     return owners
 
@@ -220,6 +218,6 @@ def _check_slide(reader: Reader, table: SourceTable, link: Link, owners: dict[st
     if guide not in owners:
         others = [name for name, owner in owners.items() if owner != link.name]
         valid = reader.offer(guide, others)
-        raise reader.error(Phrase("no_guide", name=link.name, guide=guide[:60], valid=valid), line)
+        raise reader.fault("no_guide", line, name=link.name, guide=guide[:60], valid=valid)
     if owners[guide] == link.name:
-        raise reader.error(Phrase("own_guide", name=link.name, guide=guide), line)
+        raise reader.fault("own_guide", line, name=link.name, guide=guide)

@@ -115,7 +115,7 @@ class LawReader:
             slider = link if link in sliders else sliders[0]
         else:
             valid = self.reader.offer("", sliders)
-            raise load.error(Phrase("law_slider", what=what, link=link, valid=valid))
+            raise load.fault("law_slider", what=what, link=link, valid=valid)
         behind = load.optional("stroke") is not None and load.word("stroke", ("ahead", "behind")) == "behind"
         return StrokeLoad(working, idle, slider, "behind" if behind else "ahead")
 
@@ -127,25 +127,25 @@ class LawReader:
         over = table.required("over")
         law = self._law(over, table.named("over"))
         if not isinstance(law, LoadLaw):
-            raise self.reader.error(Phrase("law_over", what=what, valid=choices("", self.known)), over)
+            raise self.reader.fault("law_over", over, what=what, valid=choices("", self.known))
         return self._table(law.text, table.required("table"), table.named("table"))
 
     def _table(self, over: str, node: Node, what: Phrase) -> LoadLaw:
         items = self.reader.items(node, what)
         if not 2 <= len(items) <= MOST_PAIRS:
-            raise self.reader.error(Phrase("law_pairs", what=what, count=len(items), most=MOST_PAIRS), node)
+            raise self.reader.fault("law_pairs", node, what=what, count=len(items), most=MOST_PAIRS)
         pairs = [self._pair(item, what) for item in items]
         for (one, two), item in zip(pairwise(pairs), items[1:], strict=True):
             if two[0] <= one[0]:
-                raise self.reader.error(Phrase("law_order", what=what, one=one[0], two=two[0]), item)
+                raise self.reader.fault("law_order", item, what=what, one=one[0], two=two[0])
         law = LoadLaw(over, tuple(pairs))
         if law.turning and abs(pairs[0][1] - pairs[-1][1]) > 1e-9 * max(abs(y) for _, y in pairs):
-            raise self.reader.error(Phrase("law_turn", what=what, first=pairs[0][1], last=pairs[-1][1]), items[-1])
+            raise self.reader.fault("law_turn", items[-1], what=what, first=pairs[0][1], last=pairs[-1][1])
         return law
 
     def _pair(self, node: Node, what: Phrase) -> tuple[float, float]:
         if not isinstance(node, Items):
-            raise self.reader.error(Phrase("law_pair", what=what), node)
+            raise self.reader.fault("law_pair", node, what=what)
         pair = self.reader.place(node, what)
         return pair.real, pair.imag
 
@@ -163,7 +163,7 @@ class LawReader:
             text = self._text(node.text)
             check_law(text, self.known, self.reader.parameters)
         except ExpressionError as error:
-            raise self.reader.error(Phrase("about", what=what, why=error.phrase), node) from None
+            raise self.reader.fault("about", node, what=what, why=error.phrase) from None
         return LoadLaw(text) if names_in(text) else self.reader.number(node, what)
 
     def _moves(self, name: str) -> bool:

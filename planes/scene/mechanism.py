@@ -6,7 +6,7 @@ to the right, y up) in the axes of the link that owns it; the frame is the link 
 
 import math
 from collections.abc import Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import Literal
 
@@ -21,6 +21,8 @@ DriveKind = Literal["phi", "s"]
 Order = Literal["left", "right", "ahead", "behind"]
 Where = Mapping[tuple[str, ...], int]
 """Where each part was written: path of keys -> line of the scene file, for errors."""
+
+nothing = partial(MappingProxyType, {})  # an empty table that cannot be changed
 
 
 @frozen
@@ -76,12 +78,12 @@ class Link:
 
     name: str
     points: Mapping[str, complex]
-    guides: Mapping[str, Guide] = field(default_factory=lambda: MappingProxyType({}))
+    guides: Mapping[str, Guide] = field(default_factory=nothing)
     slides: Slide | None = None
     mass: float | None = None
     inertia: float | None = None
     centre: str | None = None
-    round_guides: Mapping[str, RoundGuide] = field(default_factory=lambda: MappingProxyType({}))
+    round_guides: Mapping[str, RoundGuide] = field(default_factory=nothing)
     slides_round: Slide | None = None  # on a circular guide, whose centre is then one of its points
     bearings: complex | None = None  # along its axis on the frame, m from the plane of motion: the first + i the second
 
@@ -142,6 +144,9 @@ class Drive:
         return turning if self.rotates else ("v_drive", "a_drive")
 
 
+Pairs = tuple[tuple[float, float], ...]  # of a table: a place, and the value there
+
+
 @frozen
 class LoadLaw:
     """A load number evaluated in every position: ``text``, an expression of numbers and of quantities known before the
@@ -149,7 +154,7 @@ class LoadLaw:
     over ``phi`` of 360° repeats itself."""
 
     text: str
-    table: tuple[tuple[float, float], ...] = ()
+    table: Pairs = ()
 
     @property
     def turning(self) -> bool:
@@ -215,11 +220,11 @@ class Mechanism:
     drive: Drive
     loads: tuple[Load, ...] = ()
     gravity: float | None = None
-    friction: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
-    journals: Mapping[str, Journal] = field(default_factory=lambda: MappingProxyType({}))  # by point or circular guide
-    assembly: Mapping[str, Assembly] = field(default_factory=lambda: MappingProxyType({}))
-    where: Where = field(default_factory=lambda: MappingProxyType({}), compare=False)
-    laws: Mapping[tuple[str, ...], Law] = field(default_factory=lambda: MappingProxyType({}))
+    friction: Mapping[str, float] = field(default_factory=nothing)
+    journals: Mapping[str, Journal] = field(default_factory=nothing)  # by point or circular guide
+    assembly: Mapping[str, Assembly] = field(default_factory=nothing)
+    where: Where = field(default_factory=nothing, compare=False)
+    laws: Mapping[tuple[str, ...], Law] = field(default_factory=nothing)
     frame_number: str = FRAME  # on sheets
     written: WrittenNumbers = field(default_factory=WrittenNumbers, compare=False)
 

@@ -38,7 +38,7 @@ def read_assembly(reader: Reader, node: Node, frame: Link, links: Links) -> dict
         if name not in points and name not in guides:
             reader.check_colon(table, name, (*points, *guides))
             valid = reader.offer(name, (*points, *guides))
-            raise reader.error(Phrase("assembly_name", name=name[:60], valid=valid), line)
+            raise reader.fault("assembly_name", line, name=name[:60], valid=valid)
     return {name: _assembly(reader, name, entry, (*links.values(), frame)) for name, entry in table.entries.items()}
 
 
@@ -54,15 +54,15 @@ def _assembly(reader: Reader, name: str, node: Node, links: Iterable[Link]) -> A
 def read_drive(reader: Reader, node: Node, links: Links) -> Drive:
     """The driver, its position and its motion."""
     if isinstance(node, Items):
-        raise reader.error(Phrase("one_drive"), node)
+        raise reader.fault("one_drive", node)
     drive = Fields(reader, node, section("drive"), DRIVE_KEYS)
     link = _moving(drive, links)
     kind = cast(DriveKind, drive.one_of("phi", "s"))
     for wrong, right in zip(RATES["s" if kind == "phi" else "phi"], RATES[kind], strict=True):
         if wrong in drive:
-            raise drive.error(Phrase("other_rate", kind=kind, wrong=wrong, right=right), wrong)
+            raise drive.fault("other_rate", wrong, kind=kind, wrong=wrong, right=right)
     if kind == "s" and links[link].slides is None:
-        raise drive.error(Phrase("drive_no_slide", link=link), "s")
+        raise drive.fault("drive_no_slide", "s", link=link)
     velocity, acceleration = (drive.number(key, 0.0) for key in RATES[kind])
     position = drive.number(kind)
     if kind == "phi" and abs(position) > 360.0 * MOST_TURNS:
@@ -77,7 +77,7 @@ def _balance(drive: Fields, kind: DriveKind, link: Link) -> tuple[str, float] | 
     if drive.optional("balance") is None:
         return None
     if kind == "s":
-        raise drive.error(Phrase("balance_slides"), "balance")
+        raise drive.fault("balance_slides", "balance")
     own = drive.inner("balance", BALANCE_KEYS)
     return own.known("point", link.points, _points_of(link.name)), own.number("angle", 90.0)
 
@@ -91,7 +91,7 @@ def _turned_on(drive: Fields, kind: DriveKind, link: str, links: Links) -> str:
     if "on" not in drive:
         return FRAME
     if kind == "s":
-        raise drive.error(Phrase("drive_on_guide", link=link), "on")
+        raise drive.fault("drive_on_guide", "on", link=link)
     return drive.known("on", {k: None for k in (FRAME, *links) if k != link}, Phrase("links_all"))
 
 
@@ -99,7 +99,7 @@ def _moving(fields: Fields, links: Links) -> str:
     node, kind = fields.required("link"), Phrase("links_all")
     if isinstance(node, SourceScalar) and node.text == FRAME and FRAME not in links:
         valid = fields.reader.offer(FRAME, links)
-        raise fields.reader.error(Phrase("frame_still", what=fields.named("link"), valid=valid), node)
+        raise fields.reader.fault("frame_still", node, what=fields.named("link"), valid=valid)
     return fields.known("link", links, kind)
 
 
@@ -119,10 +119,10 @@ def _load(laws: LawReader, node: Node, what: Phrase, links: Links) -> Load:
     points = links[link].points
     if "point" not in load:
         valid = laws.reader.offer("", points)
-        raise load.error(Phrase("force_no_point", what=what, valid=valid))
+        raise load.fault("force_no_point", what=what, valid=valid)
     point = load.known("point", points, _points_of(link))
     if not any(key in load for key in _DIRECTIONS):
-        raise load.error(Phrase("force_no_direction", what=what))
+        raise load.fault("force_no_direction", what=what)
     form = load.one_of(*_DIRECTIONS)
     if form != "direction":
         return Load(link, "force", value, point, sense=_sense(load, form))
@@ -132,7 +132,7 @@ def _load(laws: LawReader, node: Node, what: Phrase, links: Links) -> Load:
 def _moment(load: Fields, link: str, value: Amount | StrokeLoad) -> Load:
     for key in ("direction", "point"):
         if key in load:
-            raise load.error(Phrase("moment_has_no", what=load.what, key=key), key)
+            raise load.fault("moment_has_no", key, what=load.what, key=key)
     if "along" not in load and "against" not in load:
         return Load(link, "moment", value)
     return Load(link, "moment", value, sense=_sense(load, load.one_of("along", "against")))

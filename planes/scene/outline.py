@@ -30,7 +30,7 @@ def check_outline(reader: Reader, table: SourceTable) -> None:
         raise SceneError(Phrase("no_format"), reader.file, 1)
     version = reader.text(table.entries["planes"], "planes")
     if version != FORMAT:
-        raise reader.error(Phrase("other_format", version=shown(version)), table.entries["planes"])
+        raise reader.fault("other_format", table.entries["planes"], version=shown(version))
     reader.table(table, Phrase("the_scene"), KEYS)
     vectors = next((key for key in VECTORS_KEYS if key in table.entries and key not in MECHANISM_KEYS), None)
     alone = vectors or ("equations" in table.entries and not {"frame", "links"} & table.entries.keys())
@@ -39,7 +39,7 @@ def check_outline(reader: Reader, table: SourceTable) -> None:
     other = next((key for key in table.entries if key not in (*COMMON_KEYS, *own)), None)
     if other:
         if vectors == "mu":
-            raise reader.error(Phrase("mu_place"), table.lines["mu"])
+            raise reader.fault("mu_place", table.lines["mu"])
         first = next(key for key in own if key in table.entries)
         why = Phrase("two_scenes", one=first, other=other)
         raise reader.error(why, max(table.lines[first], table.lines[other]))
@@ -52,4 +52,4 @@ def _check_required(reader: Reader, table: SourceTable, kind: str) -> None:
             example, call = _EXAMPLES[key]
             raise SceneError(Phrase("part_missing", key=key, example=example, call=call), reader.file, 1)
         if absent(table.entries[key]):
-            raise reader.error(Phrase("part_empty", what=key), table.lines[key])
+            raise reader.fault("part_empty", table.lines[key], what=key)

@@ -28,16 +28,16 @@ def read_parameters(reader: Reader, node: Node | None, chosen: SourceTable | Non
     table = reader.table(node, "parameters")
     for name, line in table.lines.items():
         if name in RESERVED:
-            raise reader.error(Phrase("reserved_parameter", name=name), line)
+            raise reader.fault("reserved_parameter", line, name=name)
         if len(name) > MAX_NAME or not is_name(name):
-            raise reader.error(Phrase("bad_parameter", name=shown(name), most=MAX_NAME), line)
+            raise reader.fault("bad_parameter", line, name=shown(name), most=MAX_NAME)
     entries = {**table.entries, **entries_of(chosen)}
     written = {name: _scalar(reader, entry, Phrase("parameter", name=name)) for name, entry in entries.items()}
     try:
         values = resolve(written)
     except ExpressionError as error:
         what = Phrase("parameter", name=error.parameter)
-        raise reader.error(Phrase("about", what=what, why=error.phrase), entries[error.parameter]) from None
+        raise reader.fault("about", entries[error.parameter], what=what, why=error.phrase) from None
     for name, text in written.items():
         if text not in written:
             reader.written.note(values[name], text)
@@ -67,7 +67,7 @@ def with_numbers(
     for name in numbers:
         if name not in known:
             valid = reader.offer(name, known)
-            raise reader.error(Phrase("parameter_unknown", name=shown(name), valid=valid), node or 1)
+            raise reader.fault("parameter_unknown", node or 1, name=shown(name), valid=valid)
     line = node.line if node else 1
     given = {name: SourceScalar(repr(finite(value, name, False)), line) for name, value in numbers.items()}
     return SourceTable({**entries_of(chosen), **given}, line)
@@ -77,7 +77,7 @@ def _scalar(reader: Reader, node: Node, what: Phrase) -> str:
     if isinstance(node, SourceScalar) and not node.absent:
         return node.text
     reader.number(node, what)
-    raise reader.error(Phrase("only_number", what=what), node)
+    raise reader.fault("only_number", node, what=what)
 
 
 def read_variants(reader: Reader, node: Node | None, parameters: Node | None) -> dict[str, SourceTable]:
@@ -93,7 +93,7 @@ def read_variants(reader: Reader, node: Node | None, parameters: Node | None) ->
         for key, line in table.lines.items():
             if key not in known:
                 valid = reader.offer(key, known)
-                raise reader.error(Phrase("no_parameter", name=name, key=shown(key), valid=valid), line)
+                raise reader.fault("no_parameter", line, name=name, key=shown(key), valid=valid)
             _scalar(reader, table.entries[key], part(key, what))
         tables[name] = table
     return tables
@@ -110,9 +110,9 @@ def choose(
         return (name := next(iter(alike))), variants[name]
     if alike:
         names = tuple(f"{name} (--variant {number})" for name, number in alike.items())
-        raise reader.error(Phrase("variant_either", name=shown(variant), names=names), line)
+        raise reader.fault("variant_either", line, name=shown(variant), names=names)
     valid = choices(variant, variants) or Phrase("no_variants")
-    raise reader.error(Phrase("no_variant", name=shown(variant), valid=valid), line)
+    raise reader.fault("no_variant", line, name=shown(variant), valid=valid)
 
 
 def variants_meant(asked: str, variants: Iterable[str]) -> dict[str, int]:

@@ -30,15 +30,19 @@ class Reader:
         """An error at a node or a line."""
         return SceneError(phrase, self.file, where if isinstance(where, int) else where.line)
 
+    def fault(self, key: str, where: Node | int, /, **parts: object) -> SceneError:
+        """The same in the words of a key."""
+        return self.error(Phrase(key, **parts), where)
+
     def table(self, node: Node, what: Told, keys: Sequence[str] | None = None) -> SourceTable:
         """The node as a table; its keys must be among ``keys`` if those are given."""
         if not isinstance(node, SourceTable):
-            raise self.error(Phrase("table_needed", what=what, kind=kind(node)), node)
+            raise self.fault("table_needed", node, what=what, kind=kind(node))
         for key in node.entries if keys is not None else ():
             if key not in (keys or ()):
                 self.check_colon(node, key, keys or ())
                 valid = choices(key, keys or ())
-                raise self.error(Phrase("no_key", what=what, key=shown(key), valid=valid), node.lines[key])
+                raise self.fault("no_key", node.lines[key], what=what, key=shown(key), valid=valid)
         return node
 
     def check_colon(self, table: SourceTable, key: str, names: Iterable[str]) -> None:
@@ -59,30 +63,30 @@ class Reader:
     def check_name(self, name: str, kind: Phrase, where: Node | int) -> str:
         """The name itself, if it is well formed."""
         if len(name) > MAX_NAME:
-            raise self.error(Phrase("long_name", name=shown(name), of=kind, most=MAX_NAME), where)
+            raise self.fault("long_name", where, name=shown(name), of=kind, most=MAX_NAME)
         if not _NAME.fullmatch(name):
-            raise self.error(Phrase("bad_name", name=shown(name), of=kind), where)
+            raise self.fault("bad_name", where, name=shown(name), of=kind)
         return name
 
     def items(self, node: Node, what: Told) -> list[Node]:
         """The node as a list."""
         if not isinstance(node, Items):
-            raise self.error(Phrase("list_needed", what=what, kind=kind(node)), node)
+            raise self.fault("list_needed", node, what=what, kind=kind(node))
         return node.items
 
     def text(self, node: Node, what: Told) -> str:
         """The node as a non-empty text."""
         if not isinstance(node, SourceScalar):
-            raise self.error(Phrase("word_needed", what=what, kind=kind(node)), node)
+            raise self.fault("word_needed", node, what=what, kind=kind(node))
         if node.absent:
-            raise self.error(Phrase("no_value", what=what), node)
+            raise self.fault("no_value", node, what=what)
         return node.text
 
     def word(self, node: Node, what: Told, words: Sequence[str]) -> str:
         """The node as one of a few words."""
         text = self.text(node, what)
         if text not in words:
-            raise self.error(Phrase("bad_word", what=what, word=shown(text), valid=choices(text, words)), node)
+            raise self.fault("bad_word", node, what=what, word=shown(text), valid=choices(text, words))
         return text
 
     def known(self, node: Node, what: Told, names: Iterable[str], kind: Phrase) -> str:
@@ -90,7 +94,7 @@ class Reader:
         text = self.text(node, what)
         if text not in (names if isinstance(names, Mapping) else (names := list(names))):
             valid = self.offer(text, names)
-            raise self.error(Phrase("unknown_name", what=what, of=kind, name=shown(text), valid=valid), node)
+            raise self.fault("unknown_name", node, what=what, of=kind, name=shown(text), valid=valid)
         return text
 
     def offer(self, given: str, names: Iterable[str]) -> Told:
@@ -101,15 +105,15 @@ class Reader:
         """The finite value of a number or an expression."""
         if not isinstance(node, SourceScalar):
             hint = Phrase("decimal_fraction") if isinstance(node, Items) and _comma(node) else ""
-            raise self.error(Phrase("number_needed", what=what, kind=kind(node), hint=hint), node)
+            raise self.fault("number_needed", node, what=what, kind=kind(node), hint=hint)
         if node.absent:
-            raise self.error(Phrase("no_value", what=what), node)
+            raise self.fault("no_value", node, what=what)
         try:
             value = evaluate(node.text, self.parameters)
         except ExpressionError as error:
-            raise self.error(Phrase("about", what=what, why=error.phrase), node) from None
+            raise self.fault("about", node, what=what, why=error.phrase) from None
         if abs(value) > MOST:
-            raise self.error(Phrase("out_of_range", what=what, value=value, most=MOST), node)
+            raise self.fault("out_of_range", node, what=what, value=value, most=MOST)
         if node.text not in self.parameters:
             self.written.note(value, node.text)
         return value
@@ -118,7 +122,7 @@ class Reader:
         """A number that is not negative."""
         value = self.number(node, what)
         if value < 0.0:
-            raise self.error(Phrase("negative", what=what, value=value), node)
+            raise self.fault("negative", node, what=what, value=value)
         return value
 
     def present(self, table: SourceTable) -> dict[str, Node]:
@@ -134,13 +138,13 @@ class Reader:
             radius, angle = polar.positive("r"), polar.said("angle") or 0.0
             return self.written.note_place(complex(radius * cos_deg(angle), radius * sin_deg(angle)), radius, angle)
         if not on_axis:
-            raise self.error(Phrase("place_needed", what=what, given=shown(node.text)), node)
+            raise self.fault("place_needed", node, what=what, given=shown(node.text))
         return complex(self.number(node, what), 0.0)
 
     def _pair(self, node: Items, what: Told) -> complex:
         if len(node.items) != 2:
             hint = Phrase("decimal_no_comma") if _comma(node) else ""
-            raise self.error(Phrase("pair_needed", what=what, count=len(node.items), hint=hint), node)
+            raise self.fault("pair_needed", node, what=what, count=len(node.items), hint=hint)
         x, y = (self.number(item, part(axis, what)) for axis, item in zip("xy", node.items, strict=True))
         return self.written.note_place(complex(x, y))
 
@@ -158,6 +162,10 @@ class Fields:
         """An error at a key, or at the table."""
         return self.reader.error(phrase, self.table.lines.get(key, self.table.line))
 
+    def fault(self, words: str, key: str = "", /, **parts: object) -> SceneError:
+        """The same in the words of a key of the table."""
+        return self.error(Phrase(words, **parts), key)
+
     def named(self, key: str) -> Phrase:
         """The value under a key, as a sentence names it."""
         return part(key, self.what)
@@ -170,9 +178,9 @@ class Fields:
     def required(self, key: str) -> Node:
         """The value of a required key."""
         if key not in self:
-            raise self.error(Phrase("needs_key", what=self.what, key=key))
+            raise self.fault("needs_key", what=self.what, key=key)
         if absent(self.table.entries[key]):
-            raise self.error(Phrase("no_value", what=self.named(key)), key)
+            raise self.fault("no_value", key, what=self.named(key))
         return self.table.entries[key]
 
     def one_of(self, *keys: str) -> str:
@@ -181,8 +189,8 @@ class Fields:
         if len(given) == 1:
             return given[0]
         if given:
-            raise self.error(Phrase("both_keys", what=self.what, one=given[0], two=given[1]), given[1])
-        raise self.error(Phrase("needs_one_key", what=self.what, keys=keys))
+            raise self.fault("both_keys", given[1], what=self.what, one=given[0], two=given[1])
+        raise self.fault("needs_one_key", what=self.what, keys=keys)
 
     def inner(self, key: str, keys: Sequence[str] | None = None) -> Self:
         """The table under a key."""

@@ -56,7 +56,7 @@ def read_words(reader: Reader, node: Node | None, what: str) -> Words:
     table = reader.table(node, what, langs())
     given = {lang: reader.text(entry, part(lang, section(what))) for lang, entry in table.entries.items()}
     if not given:
-        raise reader.error(Phrase("part_empty", what=what), table)
+        raise reader.fault("part_empty", table, what=what)
     any_one = next(iter(given.values()))
     return {lang: next((given[one] for one in stand_ins(lang) if one in given), any_one) for lang in langs()}
 
@@ -83,7 +83,7 @@ def _mu(reader: Reader, node: Node, plan: str) -> float | None:
     except UnitError as error:
         raise reader.error(error.phrase, node) from None
     if not 1.0 / MOST_MU <= mu <= MOST_MU:
-        raise reader.error(Phrase("mu_range", mu=text, units="auto"), node)
+        raise reader.fault("mu_range", node, mu=text, units="auto")
     return mu
 
 
@@ -93,7 +93,7 @@ def read_vector_mu(scene: Fields, plans: Mapping[str, float | None]) -> tuple[di
     if isinstance(node, SourceScalar) and (size := _mu(scene.reader, node, "vectors")) is not None:
         quantity = written_in(node.text)[0]
         if mu[quantity] is not None:
-            raise scene.error(Phrase("both_keys", what=scene.what, one="mu", two=f"plans.{quantity}"), "mu")
+            raise scene.fault("both_keys", "mu", what=scene.what, one="mu", two=f"plans.{quantity}")
         mu[quantity] = size
     elif node is not None:
         _mu(scene.reader, node, "vectors")
@@ -112,12 +112,12 @@ def read_find(reader: Reader, node: Node | None) -> tuple[str, ...] | None:
         return None
     nodes = [node] if isinstance(node, SourceScalar) else reader.items(node, "find")
     if not nodes:
-        raise reader.error(Phrase("find_empty"), node)
+        raise reader.fault("find_empty", node)
     what = section("find")
     names = [reader.text(entry, Phrase("entry", number=n, what=what)) for n, entry in enumerate(nodes, 1)]
     for name, entry in zip(names, nodes, strict=True):
         if len(name) > MAX_NAME or not _FIND.fullmatch(name):
-            raise reader.error(Phrase("bad_result", name=shown(name)), entry)
+            raise reader.fault("bad_result", entry, name=shown(name))
     return tuple(dict.fromkeys(names))
 
 
@@ -132,7 +132,7 @@ def read_sheet(reader: Reader, node: Node | None) -> Mapping[str, object]:
     settings = {key: _setting(reader, key, entry) for key, entry in reader.present(sheet.table).items()}
     frame = str(settings.get("frame", "gost"))
     for key in (k for k in settings if k in _NO_CELL[frame]):
-        raise sheet.error(Phrase("no_cell", what=sheet.named(key), frame=frame), key)
+        raise sheet.fault("no_cell", key, what=sheet.named(key), frame=frame)
     return settings
 
 
@@ -148,7 +148,7 @@ def _setting(reader: Reader, key: str, node: Node) -> object:
     if key == "format":  # in Latin or Russian letters
         node = SourceScalar(text if text == "auto" else text.strip().upper().translate(_FORMAT_LETTERS), node.line)
     if key == "studio" and not _ADDRESS.fullmatch(text):
-        raise reader.error(Phrase("bad_studio", address=shown(text)), node)
+        raise reader.fault("bad_studio", node, address=shown(text))
     if key in SHEET_WORDS:
         word = reader.word(node, what, SHEET_WORDS[key])
         return word != "false" if key in ("positions", *YES_OR_NO) else word
@@ -161,7 +161,7 @@ def _listed(reader: Reader, key: str, node: Items) -> object:
     what = part(key, section("sheet"))
     most = {"revisions": MOST_REVISIONS, "letter": MOST_LETTERS}.get(key, len(node.items))
     if len(node.items) > most:
-        raise reader.error(Phrase("list_long", what=what, count=len(node.items), most=most), node.items[most])
+        raise reader.fault("list_long", node.items[most], what=what, count=len(node.items), most=most)
     entries = ((Phrase("entry", number=n, what=what), entry) for n, entry in enumerate(node.items, 1))
     return [_revision(reader, entry, one) if key == "revisions" else reader.text(entry, one) for one, entry in entries]
 

@@ -161,9 +161,9 @@ class _Builder:
         self.line, self.end = 1, -2  # where the last event begins, and where the last scalar ends
         self.left = MAX_PARTS
 
-    def error(self, phrase: Phrase, line: int) -> SceneError:
+    def fault(self, words: str, line: int, /, **parts: object) -> SceneError:
         """An error at a line."""
-        return SceneError(phrase, self.file, line)
+        return SceneError(Phrase(words, **parts), self.file, line)
 
     def root(self) -> Node | None:
         """The outermost node of the only document."""
@@ -174,7 +174,7 @@ class _Builder:
             elif isinstance(event, yaml.DocumentStartEvent):
                 documents += 1
                 if documents > 1:
-                    raise self.error(Phrase("second_document"), self.line)
+                    raise self.fault("second_document", self.line)
         return root
 
     def _next(self) -> yaml.Event:
@@ -182,25 +182,25 @@ class _Builder:
         self.line = event.start_mark.line + 1 if event.start_mark else self.line
         self.left -= 1
         if self.left < 0:
-            raise self.error(Phrase("full_file", most=MAX_PARTS), self.line)
+            raise self.fault("full_file", self.line, most=MAX_PARTS)
         if isinstance(event, yaml.NodeEvent):
             self._refuse_marks(event)
         return event
 
     def _refuse_marks(self, event: yaml.NodeEvent) -> None:
         if isinstance(event, yaml.AliasEvent):
-            raise self.error(Phrase("alias", name=_brief(event.anchor or "")), self.line)
+            raise self.fault("alias", self.line, name=_brief(event.anchor or ""))
         if event.anchor is not None:
-            raise self.error(Phrase("anchor", name=_brief(event.anchor)), self.line)
+            raise self.fault("anchor", self.line, name=_brief(event.anchor))
         if (tag := getattr(event, "tag", None)) is not None:
-            raise self.error(Phrase("tag", name=_brief(tag.replace("tag:yaml.org,2002:", "!!"))), self.line)
+            raise self.fault("tag", self.line, name=_brief(tag.replace("tag:yaml.org,2002:", "!!")))
 
     def _node(self, event: yaml.Event, depth: int) -> Node:
         """The node that begins with an event."""
         if isinstance(event, yaml.ScalarEvent):
             return self._scalar(event)
         if depth >= MAX_DEPTH:
-            raise self.error(Phrase("deep_file", most=MAX_DEPTH), self.line)
+            raise self.fault("deep_file", self.line, most=MAX_DEPTH)
         if isinstance(event, yaml.MappingStartEvent):
             return self._table(event, depth)
         items = Items([], self.line)
@@ -226,14 +226,14 @@ class _Builder:
 
     def _key(self, event: yaml.Event, table: SourceTable) -> str:
         if not isinstance(event, yaml.ScalarEvent):
-            raise self.error(Phrase("key_not_word"), self.line)
+            raise self.fault("key_not_word", self.line)
         text = self._scalar(event).text
         if not text:
-            raise self.error(Phrase("key_absent"), self.line)
+            raise self.fault("key_absent", self.line)
         first = table.lines.setdefault(text, self.line)
         if text in table.entries:
             key = "key_twice" if first == self.line else "key_twice_apart"
-            raise self.error(Phrase(key, key=shown(text), line=first, second=self.line), self.line)
+            raise self.fault(key, self.line, key=shown(text), line=first, second=self.line)
         return text
 
     def _decimal_comma(self, last: SourceScalar, key: str, value: SourceScalar) -> None:
@@ -242,13 +242,13 @@ class _Builder:
             return
         if last.text.count("(") > last.text.count(")"):
             written = shown(f"{last.text}, {key}")
-            raise self.error(Phrase("quotes_needed", written=written), last.line)
+            raise self.fault("quotes_needed", last.line, written=written)
         if key[0].isdigit() and last.text[-1:].isdigit():
             figures, unit = [*re.split(r"(?<=\d)\s*(?=\D)", key, maxsplit=1), ""][:2]
             in_si = IN_SI.get(unit.lower())
             number = f"{last.text}.{figures}{in_si}" if in_si else f"{last.text}.{key}"
             why = Phrase("decimal_point", number=_brief(number))
-            raise self.error(Phrase("about", what=shown(f"{last.text},{key}"), why=why), last.line)
+            raise self.fault("about", last.line, what=shown(f"{last.text},{key}"), why=why)
 
 
 def _brief(text: str) -> str:

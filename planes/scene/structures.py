@@ -84,7 +84,7 @@ class FrameworkReader:
         self.reader = reader = scene.reader
         table = reader.names(scene.table.entries["points"], "points", Phrase("a_point"))
         if len(table.entries) > MOST_POINTS:
-            raise reader.error(Phrase("points_many", count=len(table.entries), most=MOST_POINTS), table)
+            raise reader.fault("points_many", table, count=len(table.entries), most=MOST_POINTS)
         self.points = {n: reader.place(x, Phrase("point_of", name=n)) for n, x in table.entries.items()}
         self.taken: dict[str, int] = {}
 
@@ -137,7 +137,7 @@ class FrameworkReader:
             what = Phrase("entry", number=k, what=section("members"))
             ends = self.list_of(entry, what) if isinstance(entry, Items) else self.split(entry, what)
             if len(ends) != 2 or frozenset(ends) in seen:
-                raise self.reader.error(Phrase("member_ends", what=what, names=ends), entry)
+                raise self.reader.fault("member_ends", entry, what=what, names=ends)
             seen.add(frozenset(ends))
             yield ends
 
@@ -146,7 +146,7 @@ class FrameworkReader:
         text = self.reader.text(node, what)
         ways = [(text[:k], text[k:]) for k in range(1, len(text)) if {text[:k], text[k:]} <= self.points.keys()]
         if len(ways) != 1:
-            raise self.reader.error(Phrase("member_name", what=what, name=text[:60]), node)
+            raise self.reader.fault("member_name", node, what=what, name=text[:60])
         return ways[0]
 
     def held(self, point: str, node: Node) -> Iterator[Support]:
@@ -160,7 +160,7 @@ class FrameworkReader:
         if not isinstance(node, SourceTable):
             kind = reader.word(node, what, SUPPORT_KINDS)
             if kind in ("rod", "rope"):
-                raise reader.error(Phrase("rod_to", what=what, kind=kind), node)
+                raise reader.fault("rod_to", node, what=what, kind=kind)
             return Support(kind, point, self.free(f"R_{point}"))  # type: ignore[arg-type]  # one of its words
         support = Fields(reader, node, what, SUPPORT_KEYS)
         kind = support.one_of(*SUPPORT_KEYS)
@@ -169,7 +169,7 @@ class FrameworkReader:
             return Support("roller", point, self.free(f"R_{point}"), normal)
         to = self.named(node.entries[kind], support.named(kind))
         if self.points[to] == self.points[point]:
-            raise reader.error(Phrase("rod_to", what=what, kind=kind), node)
+            raise reader.fault("rod_to", node, what=what, kind=kind)
         return Support(kind, point, self.free(f"S_{point}{to}"), to=to)  # type: ignore[arg-type]  # one of its words
 
     def load(self, node: Node, what: Phrase, bodies: Bodies) -> StaticLoad:
@@ -180,11 +180,11 @@ class FrameworkReader:
             body = alone or self.of_body(load, bodies)
             return StaticLoad(self.free(f"M_{body}"), body, self.number(load, kind))
         if load.optional("direction") is None and kind == "force":
-            raise load.error(Phrase("force_no_direction", what=what))
+            raise load.fault("force_no_direction", what=what)
         angle = -90.0 if load.optional("direction") is None else self.number(load, "direction")
         if kind == "intensity":
             if isinstance(angle, LoadLaw):
-                raise load.error(Phrase("intensity_turns", what=what), "direction")
+                raise load.fault("intensity_turns", "direction", what=what)
             return self.spread(load, bodies, angle)
         point = self.point(load, "point")
         size = self.number(load, kind)
@@ -211,7 +211,7 @@ class FrameworkReader:
         """The first body that has all the points."""
         own = next((name for name, its_points in bodies.items() if {*points} <= {*its_points}), None)
         if own is None:
-            raise load.error(Phrase("point_loose", what=load.what, name=points[-1]))
+            raise load.fault("point_loose", what=load.what, name=points[-1])
         return own
 
     def spread(self, load: Fields, bodies: Bodies, angle: float) -> StaticLoad:
@@ -221,12 +221,12 @@ class FrameworkReader:
         node = load.required("intensity")
         nodes = reader.items(node, what) if isinstance(node, Items) else [node, node]
         if len(nodes) != 2:
-            raise reader.error(Phrase("intensity_pair", what=what, count=len(nodes)), node)
+            raise reader.fault("intensity_pair", node, what=what, count=len(nodes))
         first, last = (reader.number(x, load.named("intensity")) for x in nodes)
         start, end = (self.points[p] for p in ends)
         size = abs(end - start) * (first + last) / 2
         if not 0.0 < abs(size) < MOST or first * last < 0.0:
-            raise load.error(Phrase("intensity_none", what=what, one=ends[0], two=ends[1]))
+            raise load.fault("intensity_none", what=what, one=ends[0], two=ends[1])
         place = start + (end - start) * (first + 2 * last) / (3 * (first + last))
         body, name = self.owner(load, bodies, *ends), self.free(f"Q_{''.join(ends)}")
         return StaticLoad(name, body, size, angle, place, spread=ends, intensity=(first, last))
@@ -239,5 +239,5 @@ class FrameworkReader:
         pole = Fields(self.reader, node, section("pole"), POLE_KEYS)
         names = self.list_of(pole.required("through"), pole.named("through"))
         if len(names) not in (2, 3):
-            raise self.reader.error(Phrase("through_count", count=len(names)), node)
+            raise self.reader.fault("through_count", node, count=len(names))
         return None, names

@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from planes.scene.expressions import evaluate, is_name
 from planes.scene.load_laws import LawReader
-from planes.scene.mechanism import Drive, LoadLaw
+from planes.scene.mechanism import Drive, LoadLaw, nothing
 from planes.scene.reader import MAX_NAME, MOST, Fields, Reader, part
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.structures import Framework
@@ -58,10 +58,10 @@ class Statement:
     """The contents of a scene of vectors; ``values`` are numbers computed from its vectors and ``parameters``,
     ``quantity`` is the plan whose unit its ``mu`` has. For a scene of ``statics``, which states the vectors."""
 
-    vectors: Mapping[str, VectorGiven] = field(default_factory=lambda: MappingProxyType({}))
+    vectors: Mapping[str, VectorGiven] = field(default_factory=nothing)
     equations: tuple[VectorEquation, ...] = ()
-    values: Mapping[str, Amount] = field(default_factory=lambda: MappingProxyType({}))
-    parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    values: Mapping[str, Amount] = field(default_factory=nothing)
+    parameters: Mapping[str, float] = field(default_factory=nothing)
     quantity: str | None = None
     statics: Framework | None = None
     drive: Drive | None = None  # the variable of the laws among them
@@ -90,7 +90,7 @@ class StatementReader:
         values = scene.optional("values")
         self.values = reader.table(values, "values") if values else SourceTable({}, 0, {})
         if not self.vectors.entries:
-            raise reader.error(Phrase("vectors_empty"), self.vectors)
+            raise reader.fault("vectors_empty", self.vectors)
         self._check_count()
         self._check_names()
         self.names = (*self.vectors.entries, *self.values.entries)
@@ -98,7 +98,7 @@ class StatementReader:
     def _check_count(self) -> None:
         count = len(self.vectors.entries) + len(self.values.entries)
         if count > MOST_VECTORS:
-            raise self.reader.error(Phrase("vectors_many", count=count, most=MOST_VECTORS), self.vectors)
+            raise self.reader.fault("vectors_many", self.vectors, count=count, most=MOST_VECTORS)
 
     def _check_names(self) -> None:
         taken = {n: Phrase("a_parameter") for n in self.reader.parameters}
@@ -106,9 +106,9 @@ class StatementReader:
             for name, line in table.lines.items():
                 fits = _NAME.fullmatch(name) if table is self.vectors else is_name(name)
                 if len(name) > MAX_NAME or not fits:
-                    raise self.reader.error(Phrase(key, name=shown(name), most=MAX_NAME), line)
+                    raise self.reader.fault(key, line, name=shown(name), most=MAX_NAME)
                 if name in taken:
-                    raise self.reader.error(Phrase("name_taken", name=name, one=taken[name], other=Phrase(kind)), line)
+                    raise self.reader.fault("name_taken", line, name=name, one=taken[name], other=Phrase(kind))
                 taken[name] = Phrase(kind)
 
     def read(self, quantity: str | None) -> Statement:
@@ -136,11 +136,11 @@ class StatementReader:
         try:
             amount = read_amount(node.text, self.reader.parameters, self.names)
         except ExpressionError as error:
-            raise self.reader.error(Phrase("about", what=what, why=error.phrase), node) from None
+            raise self.reader.fault("about", node, what=what, why=error.phrase) from None
         if isinstance(amount, VectorAmount):
             return amount
         if abs(amount) > MOST:
-            raise self.reader.error(Phrase("out_of_range", what=what, value=amount, most=MOST), node)
+            raise self.reader.fault("out_of_range", node, what=what, value=amount, most=MOST)
         return amount
 
     def vector(self, name: str, node: Node) -> VectorGiven:
@@ -177,24 +177,24 @@ class StatementReader:
         """The name of a vector of the scene."""
         if name not in self.vectors.entries:
             valid, name_shown = choices(name, self.vectors.entries), name if len(name) <= MAX_NAME else shown(name)
-            raise self.reader.error(Phrase("no_vector", text=what, name=name_shown, valid=valid), node)
+            raise self.reader.fault("no_vector", node, text=what, name=name_shown, valid=valid)
         return name
 
     def similarity(self, vector: Fields) -> Similarity:
         """{similar: v_CB, ratio: 0.4, angle: 30} or {similar: v_CB, as: [r_BS, r_BC]}."""
         for key in ("value", "direction", "perpendicular_to", "near"):
             if key in vector:
-                raise vector.error(Phrase("both_keys", what=vector.what, one="similar", two=key), key)
+                raise vector.fault("both_keys", key, what=vector.what, one="similar", two=key)
         pattern = self.named(vector.required("similar"), vector.text("similar"), vector.named("similar"))
         if vector.one_of("ratio", "as") == "ratio":
             ratio, turn = vector.number("ratio"), vector.said("angle") or 0.0
             return Similarity(pattern, ratio * complex(evaluate(f"cos({turn!r})", {}), evaluate(f"sin({turn!r})", {})))
         shape, label = vector.required("as"), vector.named("as")
         if "angle" in vector:
-            raise vector.error(Phrase("both_keys", what=vector.what, one="as", two="angle"), "angle")
+            raise vector.fault("both_keys", "angle", what=vector.what, one="as", two="angle")
         items = self.reader.items(shape, label)
         if len(items) != 2:
-            raise self.reader.error(Phrase("similar_pair", what=label, count=len(items)), shape)
+            raise self.reader.fault("similar_pair", shape, what=label, count=len(items))
         one, two = (self.named(item, self.reader.text(item, label), label) for item in items)
         return Similarity(pattern, shape=(one, two))
 
@@ -202,18 +202,18 @@ class StatementReader:
         """The equations with their lines."""
         nodes = self.reader.items(node, "equations") if isinstance(node, Items | SourceTable) else [node]
         if not nodes:
-            raise self.reader.error(Phrase("equations_empty"), node)
+            raise self.reader.fault("equations_empty", node)
         return tuple(self.equation(entry, Phrase("equation", number=n)) for n, entry in enumerate(nodes, 1))
 
     def equation(self, node: Node, what: Told) -> VectorEquation:
         if isinstance(node, SourceTable):  # under the name of its plan
             (plan, own), *more = node.entries.items() or [("", node)]
             if more or not _FORCES.fullmatch(plan):
-                raise self.reader.error(Phrase("no_such_plan", plan=shown(plan)), node)
+                raise self.reader.fault("no_such_plan", node, plan=shown(plan))
             return replace(self.equation(own, what), plan=plan)
         text = self.reader.text(node, what).strip()
         if "=" not in text:
-            raise self.reader.error(Phrase("not_equation", text=shown(text)), node)
+            raise self.reader.fault("not_equation", node, text=shown(text))
         for match in _NAME.finditer(text):
             if not _FACTOR.match(text, match.end()) and match[0] not in self.reader.parameters:
                 self.named(node, match[0], text)

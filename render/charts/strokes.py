@@ -5,13 +5,13 @@ Units are points, y up. Text is converted to outlines, so a page needs no font a
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.backend_bases import GraphicsContextBase, RendererBase
+from matplotlib.colors import to_hex
 from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
 from matplotlib.textpath import TextPath
@@ -112,8 +112,8 @@ class StrokeRenderer(RendererBase):
         clip = None if box is None or rgbFace is not None else tuple[float, float, float, float](box.extents)
         width = gc.get_linewidth()
         _, dashes = gc.get_dashes()
-        line = _hex(gc.get_rgb()) if width > 0 and gc.get_rgb()[3] > 0 else ""
-        fill = _hex(rgbFace) if rgbFace is not None and (len(rgbFace) < 4 or rgbFace[3] > 0) else ""
+        line = to_hex(gc.get_rgb()) if width > 0 and gc.get_rgb()[3] > 0 else ""
+        fill = to_hex(rgbFace) if rgbFace is not None and (len(rgbFace) < 4 or rgbFace[3] > 0) else ""
         kept = tuple(map(float, np.asarray(dashes))) if dashes is not None else ()
         if line or fill:
             self.picture.strokes.append(Stroke(pieces_of(path, transform, clip), line, float(width), kept, fill))
@@ -124,7 +124,7 @@ class StrokeRenderer(RendererBase):
         """Text as its outlines."""
         path = TextPath((0, 0), s, size=prop.get_size_in_points(), prop=prop)
         placed = Affine2D().rotate_deg(angle).translate(x, y)
-        self.picture.strokes.append(Stroke(pieces_of(path, placed), fill=_hex(gc.get_rgb())))
+        self.picture.strokes.append(Stroke(pieces_of(path, placed), fill=to_hex(gc.get_rgb())))
 
     def get_canvas_width_height(self) -> tuple[float, float]:
         """The paper in points."""
@@ -133,8 +133,3 @@ class StrokeRenderer(RendererBase):
     def flipy(self) -> bool:
         """y goes up."""
         return False
-
-
-def _hex(colour: Iterable[float]) -> str:
-    r, g, b = list(colour)[:3]
-    return "#" + "".join(f"{round(255 * v):02x}" for v in (r, g, b))

@@ -11,6 +11,13 @@ from planes.words.frozen import frozen
 Kind = Literal["numeric", "point", "vector", "line", "conic", "segment", "text"]
 EPOCH = (1980, 1, 1, 0, 0, 0)
 SIZE_PX, PX_PER_MM = (1400, 800), 3.0
+FRAME = (
+    '<geogebra format="5.0" version="5.2.850.0" app="classic" platform="w"><euclidianView>'
+    '<size width="{wide}" height="{high}"/>'
+    '<coordSystem xZero="{x:.0f}" yZero="{y:.0f}" scale="{scale}" yscale="{scale}"/>'
+    '<evSettings axes="false" grid="false" gridIsBold="false" pointCapturing="0"/></euclidianView><kernel>'
+    '<continuous val="false"/><decimals val="4"/><angleUnit val="degree"/><coordStyle val="0"/></kernel></geogebra>'
+)
 INK, PALE, BLUE, RED = (0, 0, 0), (150, 150, 150), (20, 60, 160), (180, 30, 30)
 
 
@@ -31,16 +38,8 @@ class GeogebraFile:
     """A construction being written, in the order of its steps."""
 
     def __init__(self, title: str, corner: complex) -> None:
-        self.root = xml.Element("geogebra", format="5.0", version="5.2.850.0", app="classic", platform="w")
-        view = xml.SubElement(self.root, "euclidianView")
-        xml.SubElement(view, "size", width=str(SIZE_PX[0]), height=str(SIZE_PX[1]))
-        zero = f"{-corner.real * PX_PER_MM:.0f}", f"{corner.imag * PX_PER_MM:.0f}"
-        scale = str(PX_PER_MM)
-        xml.SubElement(view, "coordSystem", xZero=zero[0], yZero=zero[1], scale=scale, yscale=scale)
-        xml.SubElement(view, "evSettings", axes="false", grid="false", gridIsBold="false", pointCapturing="0")
-        kernel = xml.SubElement(self.root, "kernel")
-        for name, val in (("continuous", "false"), ("decimals", "4"), ("angleUnit", "degree"), ("coordStyle", "0")):
-            xml.SubElement(kernel, name, val=val)
+        x, y = -corner.real * PX_PER_MM, corner.imag * PX_PER_MM
+        self.root = xml.fromstring(FRAME.format(wide=SIZE_PX[0], high=SIZE_PX[1], x=x, y=y, scale=PX_PER_MM))
         self.body = xml.SubElement(self.root, "construction", title=title, author="", date="")
 
     def number(self, label: str, value: float, slider: tuple[float, float] | None = None, at: complex = 0j) -> None:

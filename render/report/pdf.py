@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import io
+import json
 import re
 from collections.abc import Sequence
+from functools import cache
 from html import escape
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from reportlab.lib.styles import ParagraphStyle
@@ -18,6 +21,7 @@ from reportlab.platypus.tableofcontents import TableOfContents
 
 from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
+from planes.words.records import Json
 from render.files.pdf import registered
 from render.paper.letters import tagged
 from render.paper.outlines import dejavu
@@ -36,7 +40,18 @@ HEIGHT = 170 * mm  # of a figure
 PADDING = 12.0  # on both sides together, of reportlab's frame
 FACES = {"Note": "DejaVuSerif.ttf", "NoteBold": "DejaVuSerif-Bold.ttf", "NoteItalic": "DejaVuSerif-Italic.ttf"}
 LETTER = 10.5
+WRITTEN: Json = json.loads(Path(__file__).with_name("pdf_styles.json").read_text("utf-8"))
+"""Styles of paragraphs, each with the one it begins as, and of tables."""
 ROOMY = 85  # letters across a table; one with more has smaller type
+
+
+@cache
+def styles() -> dict[str, ParagraphStyle]:
+    """The styles of paragraphs by name."""
+    made: dict[str, ParagraphStyle] = {}
+    for name, (parent, looks) in WRITTEN["paragraphs"].items():
+        made[name] = ParagraphStyle(name, made.get(parent), **looks)
+    return made
 
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
@@ -92,22 +107,6 @@ class _Setter:
 
     def __init__(self, naming: Naming) -> None:
         self.naming, self.studio = naming, Studio(naming.lang)
-        one = {"fontName": "Note", "fontSize": LETTER, "leading": 15, "spaceBefore": 4, "firstLineIndent": 28}
-        self.plain = ParagraphStyle("plain", **one)
-        self.leading = ParagraphStyle("leading", self.plain, keepWithNext=1)
-        small = {"fontName": "NoteItalic", "fontSize": 9.5, "leading": 13, "textColor": "#444444"}
-        self.why = ParagraphStyle("why", self.plain, **small)
-        boxed = {"borderColor": "#aa3333", "borderWidth": 0.8, "borderPadding": 5, "backColor": "#fdf4f2"}
-        apart = {"firstLineIndent": 0, "spaceBefore": 12, "spaceAfter": 14, "leftIndent": 6, "rightIndent": 6}
-        self.mistake = ParagraphStyle("mistake", self.plain, **apart, **boxed)
-        self.small = ParagraphStyle("small", self.plain, firstLineIndent=0, alignment=1, spaceBefore=2, spaceAfter=8)
-        self.above = ParagraphStyle("above", self.small, alignment=0, keepWithNext=1)
-        bold = {"fontName": "NoteBold", "spaceAfter": 6, "keepWithNext": 1}
-        sizes = (15, 0), (12.5, 14), (10.5, 8)  # of letters, of the room above
-        self.heads = [
-            ParagraphStyle(f"h{k}", fontSize=s, leading=s * 1.3, spaceBefore=b, **bold)
-            for k, (s, b) in enumerate(sizes)
-        ]
 
     def flow(self, block: Block) -> list[Flowable]:
         """The flowables of a block."""
@@ -115,35 +114,35 @@ class _Setter:
             case Cover():
                 return self.cover(block)
             case Heading(text, level):
-                return [Words(self.text(text) if level else escape(text), self.heads[level])]
+                return [Words(self.text(text) if level else escape(text), styles()[f"h{level}"])]
             case Paragraph():
                 return [self.paragraph(block)]
             case Formula(parts, number):
                 *lines, last = broken(parts, LETTER - 0.5, WIDTH - 14 * mm)
                 return [*(_Picture(line, left=True, keep=True) for line in lines), _Picture(last, number, left=True)]
             case DocumentTable(caption, rows):
-                return [Words(self.text(caption), self.above), self.table(rows)]
+                return [Words(self.text(caption), styles()["above"]), self.table(rows)]
             case Figure():
                 pictures, caption = self.studio.shown(block)
-                beneath = [Words(self.text(caption), self.small)] if caption and pictures else []
+                beneath = [Words(self.text(caption), styles()["small"])] if caption and pictures else []
                 return [*(_Picture(p, keep=bool(beneath)) for p in pictures), *beneath]
 
     def cover(self, cover: Cover) -> list[Flowable]:
         """The title page, and the contents on another."""
-        middle, right = (ParagraphStyle(f"cover{k}", self.plain, firstLineIndent=0, alignment=k) for k in (1, 2))
-        contents = TableOfContents(levelStyles=[ParagraphStyle("contents", self.plain, firstLineIndent=0)] * 2)
+        looks = styles()
+        contents = TableOfContents(levelStyles=[looks["contents"]] * 2)
         contents.dotsMinLevel = 0
         return [
-            *(Words(escape(line), middle) for line in cover.above),
+            *(Words(escape(line), looks["middle"]) for line in cover.above),
             Spacer(0, 70 * mm),
-            Words(escape(cover.kind), ParagraphStyle("title", self.heads[0], alignment=1)),
-            Words(escape(cover.of), middle),
+            Words(escape(cover.kind), looks["title"]),
+            Words(escape(cover.of), looks["middle"]),
             Spacer(0, 50 * mm),
-            *(Words(escape(line), right) for line in cover.people),
+            *(Words(escape(line), looks["right"]) for line in cover.people),
             Spacer(0, 50 * mm),
-            Words(escape(cover.foot), middle),
+            Words(escape(cover.foot), looks["middle"]),
             PageBreak(),
-            Words(escape(cover.contents), ParagraphStyle("contents", self.heads[1])),
+            Words(escape(cover.contents), looks["contents head"]),
             contents,
             PageBreak(),
         ]
@@ -151,9 +150,9 @@ class _Setter:
     def paragraph(self, block: Paragraph) -> Flowable:
         """A paragraph in its style."""
         count = f"{block.number}. " if block.number else ""
-        style = self.leading if block.text[-1:] == ":" else self.plain
-        style = self.why if block.why else self.mistake if block.mistake else style
-        return Words(count + self.text(block.text, block.plan), style)
+        style = "leading" if block.text[-1:] == ":" else "plain"
+        style = "why" if block.why else "mistake" if block.mistake else style
+        return Words(count + self.text(block.text, block.plan), styles()[style])
 
     def table(self, rows: Sequence[Sequence[str]]) -> Flowable:
         """A grid with columns as wide as their contents, in smaller type if there is much."""
@@ -163,17 +162,8 @@ class _Setter:
         styles = [ParagraphStyle("cell", alignment=a, **face) for a in (0, 1, 2)]
         cells = [[Words(self.text(c), styles[1]) for c in rows[0]]]
         cells += [[Words(self.text(c), styles[2 if is_number(c) else 0]) for c in row] for row in rows[1:]]
-        first, last = (0, 0), (-1, -1)
-        grid = [
-            ("GRID", first, last, 0.5, "#777777"),
-            ("VALIGN", first, last, "MIDDLE"),
-            ("BACKGROUND", first, (-1, 0), "#f2f2f2"),
-            ("LEFTPADDING", first, last, 3),
-            ("RIGHTPADDING", first, last, 3),
-            ("TOPPADDING", first, last, 1.5),
-        ]
         widths = [WIDTH * n / max(sum(longest), 60) for n in longest]
-        return Grid(cells, widths, style=grid, repeatRows=1, hAlign="LEFT", spaceAfter=6)
+        return Grid(cells, widths, style=WRITTEN["grid"], repeatRows=1, hAlign="LEFT", spaceAfter=6)
 
     def text(self, text: str, plan: str = "") -> str:
         """Running text in tags."""

@@ -51,7 +51,7 @@ _CLEAR = 0.5  # least distance of a text from the sides of its cell, over the ce
 _PITCH = 1.6  # line spacing over the letter height
 _SLIGHTLY = 0.9  # relative: a word is narrowed this far before it gets smaller letters
 _WORDS = re.compile(r"[ \n]+(?!\d)")  # no line begins with a number
-_TOGETHER, _JOINED = 18, "\N{NO-BREAK SPACE}"  # letters of a name that is not divided; the space in it
+_SHORT, _JOINED = 18, "\N{NO-BREAK SPACE}"  # letters of a name that is not divided; the space in it
 _NEARLY = 0.7  # of the height of letters in one cell, which differ by a step at most
 APART = ".\n"  # between sentences of a cell; each begins a new line if there is room
 _LEAST = 0.6  # the least distance of a narrowed text from the sides of its cell
@@ -187,6 +187,15 @@ _SAME = (
     *BESIDE,
 )
 """Keys of the scene that are also names of cells."""
+_TOGETHER = {
+    "student_date": ("date",),
+    "scale": ("scale_note",),
+    "department": ("department",),
+    "document_type": ("document_type",),
+    "company": ("company", "university", "department", "group"),
+    "owner": ("company", "university", "group"),
+}
+"""Cells with what the scene says under some keys."""
 
 
 def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str, str]:
@@ -194,19 +203,14 @@ def said_cells(scene: Scene, lang: Lang, number: int | None = None) -> dict[str,
     given = scene.sheet
     said = {key: _said_text(value, lang) for key, value in given.items()}
     texts = {key: said[key] for key in _SAME if key in said}
-    texts["student_date"] = said.get("date", "")
+    names = {key: name.replace(" ", _JOINED) if len(name) <= _SHORT else name for key, name in said.items()}
+    texts |= {cell: " ".join(names[key] for key in keys if said.get(key)) for cell, keys in _TOGETHER.items()}
     texts["title"] = said.get("title") or scene.title.get(lang, "")
     if number and "title" not in said:
         texts["title"] = APART.join(filter(None, (texts["title"], say(f"sheet_{number}", lang))))
     texts["designation"] = said.get("designation") or said.get("number", "")
-    company = [said.get(key, "") for key in ("company", "university", "department", "group")]
-    names = (name if len(name) > _TOGETHER else name.replace(" ", _JOINED) for name in company)
-    texts["company"] = " ".join(filter(None, names))
-    texts["scale"] = said.get("scale_note", "")
     texts["sheet"] = said.get("sheet", str(number or ""))
     texts["sheets"] = said.get("sheets", "2" if number else "1")
-    texts |= {key: said.get(key, "") for key in ("department", "document_type")}
-    texts["owner"] = " ".join(said[key] for key in ("company", "university", "group") if said.get(key))
     texts["sheet_of"] = "/".join(texts[key] for key in ("sheet", "sheets") if texts[key])
     letters, revisions = given.get("letter", say("study_letter", lang)), given.get("revisions")
     for k, letter in enumerate(letters if isinstance(letters, list) else str(letters or "").split(), 1):

@@ -49,7 +49,7 @@ class Tables:
             angle = self.tenths(math.degrees(cmath.phase(f.vector))) if mm > NOISE_MM else "—"
             unit = self.say(f.quantity.columns[0].unit)
             rows.append([self.naming.vector(f.quantity.name), self.tenths(mm), self.number(abs(f.vector)), unit, angle])
-        return self.table("vectors-table", self.say("measured"), ["", self.say("mm"), "", "", self.say("angle")], rows)
+        return self.table("vectors-table", "measured", ["", self.say("mm"), "", "", self.say("angle")], rows)
 
     def values(self) -> View | None:
         """The values computed from the vectors."""
@@ -62,7 +62,7 @@ class Tables:
             tell = self.turning if unit in RATES[False] else self.number
             value = f.number if abs(f.number) > NOISE * most else 0.0
             rows.append([self.naming.vector(f.quantity.name), tell(value), unit and self.say(unit)])
-        return self.table("values", self.say("values_found"), ["", "", ""], rows)
+        return self.table("values", "values_found", ["", "", ""], rows)
 
     @cached_property
     def strains(self) -> dict[str, Strain]:
@@ -78,7 +78,7 @@ class Tables:
             rows.append([self.naming.vector(name), mm, self.number(force), self.say(f"strain_{strain}")])
         head = ["", self.say("mm"), self.say("N"), ""]
         counted = [x.told(self.naming.lang) for x in figure.counted] if (figure := self.position.plans.figure) else []
-        return self.table("members", self.say("members_table"), head, rows, counted)
+        return self.table("members", "members_table", head, rows, counted)
 
     def say(self, key: str) -> str:
         """A word of the sheet."""
@@ -95,7 +95,7 @@ class Tables:
     def table(
         self, key: str, title: str, head: Row, rows: Sequence[Row], notes: Sequence[str] = (), spanned: bool = False
     ) -> View | None:
-        """A table as a view, or None without rows; ``notes`` are beneath it."""
+        """A table as a view, or None without rows; its ``title`` by the word; ``notes`` are beneath it."""
         if not rows:
             return None
         head, rows = folded(head, rows)
@@ -104,7 +104,7 @@ class Tables:
             marks = TableGrid(self.letter, spanned).drawn(head, rows)
             for note in notes:
                 marks = (*marks, *remark(note, marks))
-            return view(key, title, marks)
+            return view(key, self.say(title), marks)
 
         return self.once(("table", key, self.letter, *map(tuple, rows)), make)
 
@@ -128,19 +128,17 @@ class Tables:
         p = self.position
         told_rows = own_rows(p, self.own, self.naming.lang)
         rows = [[VECTOR_NAMED.sub(lambda m: self.naming.vector(m[0]), text) for text in row] for row in told_rows]
-        return self.table("own-equations", self.say("own_equations"), ["", ""], rows)
+        return self.table("own-equations", "own_equations", ["", ""], rows)
 
     def given(self) -> View | None:
         """The data of the scene, each item once."""
         given = GivenTable(self.position, self.naming, self.parameters)
-        return self.table(
-            "given", self.say("given"), ["", "", ""], [*given.rows(), *given.laws()], list(given.formulas())
-        )
+        return self.table("given", "given", ["", "", ""], [*given.rows(), *given.laws()], list(given.formulas()))
 
     def plan(self, plan: str) -> View | None:
         """The measurements on a plan: vector, segment, mm, value."""
         rows = [row for _, row in self.measured_rows(plan)]
-        return self.table(f"{plan}-table", self.say(f"by_{plan}"), self.measured_head(plan), rows)
+        return self.table(f"{plan}-table", f"by_{plan}", self.measured_head(plan), rows)
 
     def rates(self, joined: bool) -> list[View | None]:
         """The measurements on the velocity and acceleration plans: a table each, or ``joined`` with the vectors of one
@@ -156,7 +154,7 @@ class Tables:
         pairs = (two for both in sides for two in zip_longest(*both, fillvalue=[""] * 4))
         head = [cell for plan in plans for cell in self.measured_head(plan)]
         rows = [[*one, *other] for one, other in pairs]
-        return [self.table("rates-table", self.say("by_plans"), head, rows, spanned=True)]
+        return [self.table("rates-table", "by_plans", head, rows, spanned=True)]
 
     def measured_head(self, plan: str) -> Row:
         """The head over the measurements on a plan."""
@@ -181,12 +179,12 @@ class Tables:
                 if any(cells):
                     rows.append([self.naming.link(name), *cells])
         head = [self.say("column_link"), f"ω, {self.say('rad/s')}", f"ε, {self.say('rad/s²')}"]
-        return self.table("links", self.say("links_table"), head, rows)
+        return self.table("links", "links_table", head, rows)
 
     def transfers(self) -> View | None:
         """Transfer functions by segments of the velocity plan."""
         rows = list(TransferFunctions(self.position, self.naming).rows())
-        return self.table("transfers", self.say("of_transfers"), ["", "", "", ""], rows)
+        return self.table("transfers", "of_transfers", ["", "", "", ""], rows)
 
     def turning(self, value: float) -> str:
         """A signed value and the curved arrow of its sense."""
@@ -208,14 +206,14 @@ class Tables:
         convention = self.say("from_on" if self.naming.from_on else "on_from")
         table = [["", self.say("mm"), self.say("N"), self.say("angle"), self.say("column_arm")], *rows]
         head, *rows = [row[: 5 if armed else 4] for row in table]
-        return self.table("reactions", self.say("reactions_table"), head, rows, [convention])
+        return self.table("reactions", "reactions_table", head, rows, [convention])
 
     def edges(self) -> View | None:
         """The forces at both edges of a slider's face, where its length is given."""
         rows = [
             [self.naming.vector(f.quantity.name), self.number(f.number)] for f in self.position.of("edges").values()
         ]
-        return self.table("edges", self.say("of_edges"), ["", self.say("N")], rows)
+        return self.table("edges", "of_edges", ["", self.say("N")], rows)
 
     @property
     def idle(self) -> bool:
@@ -246,4 +244,4 @@ class Tables:
                 rows.append(
                     [self.say("difference_percent"), "", number(apart if apart > 1e-6 else 0.0, self.naming.lang, 2)]
                 )
-        return self.table("check", self.say("check_table"), ["", "", ""], rows)
+        return self.table("check", "check_table", ["", "", ""], rows)

@@ -25,7 +25,7 @@ from PIL import Image
 
 from planes.cli import main
 from planes.course.quiz import LEAST, PUPIL, SIGMAS, Pool, Quiz
-from planes.documents.packages import SCORM, manifest
+from planes.documents.packages import manifest
 from planes.documents.platforms import seeds
 from planes.scene import load
 from planes.solving import solve
@@ -41,6 +41,7 @@ assignments: [12.yaml]
 variants: given
 documents: [book, scorm, moodle, stack, prairielearn]
 """
+SCORM = {"": "http://www.imsproject.org/xsd/imscp_rootv1p1p2", "adlcp": "http://www.adlnet.org/xsd/adlcp_rootv1p2"}
 KINDS = {"numerical", "calculated", "stack", "category"}
 
 

@@ -133,7 +133,8 @@ def keys_told():
         }
         for node in own:
             name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
-            if name in TELLERS and (name in ours or name == "_help") and node.args:
+            fault = isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "fault"  # of a reader
+            if fault or (name in TELLERS and (name in ours or name == "_help") and node.args):
                 yield from ((file, pattern) for pattern in patterns(node.args[0]))
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, pairwise
 
 from planes.check.reading.strokes import Arrowhead, ReadDrawing, goes_on
-from planes.check.reading.written import Stroke
+from planes.check.reading.written import Stroke, Strokes
 
 LARGEST_MM = 8.0  # maximum size of a closed figure as a head
 LARGEST_FILLED_MM, SLENDER = 24.0, 0.7  # the same if filled and no polygon, when this narrow between equal sides
@@ -108,7 +108,7 @@ def settle(sketch: ReadDrawing) -> None:
     _join(sketch)
 
 
-def _reached(strokes: Sequence[Stroke], owned: Sequence[int], tips: dict[int, complex]) -> dict[int, complex]:
+def _reached(strokes: Strokes, owned: Sequence[int], tips: dict[int, complex]) -> dict[int, complex]:
     """Tips to which shafts that end within their heads are extended.
 
     All are, unless heads extend beyond the intended points, where other strokes end as these do.
@@ -155,7 +155,7 @@ def _join(sketch: ReadDrawing) -> None:
     sketch.strokes, sketch.ways = kept.strokes, kept.ways
 
 
-def given(strokes: Sequence[Stroke], heads: Sequence[Arrowhead]) -> tuple[list[int], dict[int, complex]]:
+def given(strokes: Strokes, heads: Sequence[Arrowhead]) -> tuple[list[int], dict[int, complex]]:
     """The end with a head of each stroke: +1 the second, -1 the first, 0 neither, 2 both; a head has one stroke.
 
     Also the tips of those strokes that end within their heads.
@@ -189,7 +189,7 @@ def _turns(head: Arrowhead) -> Iterator[Arrowhead]:
         yield head._replace(tip=middle + (head.tip - middle) * turn, way=head.way * turn) if turn != 1 else head
 
 
-def _candidates(strokes: Sequence[Stroke], head: Arrowhead, held: Iterable[int]) -> list[tuple[float, int, int]]:
+def _candidates(strokes: Strokes, head: Arrowhead, held: Iterable[int]) -> list[tuple[float, int, int]]:
     """Ends of the strokes ``held`` to which a head may belong: distance (negative within the head), stroke, end."""
     tip, way, long, _ = head
     ends = []
@@ -205,7 +205,7 @@ def _candidates(strokes: Sequence[Stroke], head: Arrowhead, held: Iterable[int])
     return ends
 
 
-def _open(strokes: Sequence[Stroke], free: Sequence[Stroke]) -> list[tuple[Arrowhead, tuple[Stroke, Stroke]]]:
+def _open(strokes: Strokes, free: Strokes) -> list[tuple[Arrowhead, tuple[Stroke, Stroke]]]:
     """Pairs of short strokes, among those ``free``, that spread symmetrically from the end of a longer one."""
     short = [s for s in free if abs(s[1] - s[0]) <= LARGEST_MM]
     pairs = [(one, two) for i, one in enumerate(short) for two in short[:i]] if len(short) <= 400 else []

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, headed
-from planes.check.reading.written import Stroke
+from planes.check.reading.written import Stroke, Strokes
 
 UPON_MM = 0.1  # a vector is drawn on its line
 ASKEW = 0.02  # maximum angle between parallel lines, radians
@@ -30,18 +30,18 @@ def doubt_of(sketch: ReadDrawing) -> float:
     return CONFUSED if met else MISREAD
 
 
-def meeting(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]], near: float = SNAPPED_MM) -> float:
+def meeting(strokes: Strokes, ends: Sequence[tuple[int, complex]], near: float = SNAPPED_MM) -> float:
     """The share of the ends of strokes that meet others."""
     return sum(_met(strokes, z, (k,), near) for k, z in ends if len(ends) < CROSSINGS) / max(len(ends), 1)
 
 
-def past(strokes: Sequence[Stroke], ends: Sequence[tuple[int, complex]]) -> int:
+def past(strokes: Strokes, ends: Sequence[tuple[int, complex]]) -> int:
     """The number of ends slightly beyond a crossing with another stroke, or its end on theirs, that meet none."""
     free = ((k, z) for k, z in ends if not _met(strokes, z, (k,), SNAPPED_MM))
     return sum(any(at < PAST_MM for at in crossed(strokes, k, z)) for k, z in free)
 
 
-def crossed(strokes: Sequence[Stroke], k: int, z: complex) -> Iterator[float]:
+def crossed(strokes: Strokes, k: int, z: complex) -> Iterator[float]:
     """The distances from the end of a stroke at which others cross it or end on it."""
     other = next(w for w in strokes[k] if w != z)
     length, u = abs(other - z), (other - z) / abs(other - z)
@@ -54,7 +54,7 @@ def crossed(strokes: Sequence[Stroke], k: int, z: complex) -> Iterator[float]:
             yield at
 
 
-def _in_rows(strokes: Sequence[Stroke]) -> bool:
+def _in_rows(strokes: Strokes) -> bool:
     """Whether three or more strokes lie on a longer one, so that the vectors among them are unknown."""
     few = len(strokes) < CROSSINGS
     return few and any(sum(upon(one, line) for one in strokes if one is not line) > 2 for line in strokes)
@@ -90,7 +90,7 @@ def _named(sketch: ReadDrawing) -> list[complex]:
     return ends_named
 
 
-def _is_line(strokes: Sequence[Stroke], k: int, closed: bool, named: Sequence[complex]) -> bool:
+def _is_line(strokes: Strokes, k: int, closed: bool, named: Sequence[complex]) -> bool:
     """Whether a stroke extends a shorter one on it to an unnamed point where no other begins or ends.
 
     Other lines along it do not count; ``named`` are the named points.
@@ -106,7 +106,7 @@ def _is_line(strokes: Sequence[Stroke], k: int, closed: bool, named: Sequence[co
     return False
 
 
-def _stopped(strokes: Sequence[Stroke], z: complex, line: Stroke) -> bool:
+def _stopped(strokes: Strokes, z: complex, line: Stroke) -> bool:
     """Whether a stroke in another direction than a line begins or ends at a point."""
     return any(any(abs(z - w) < SNAPPED_MM for w in stroke) and not _along(stroke, line) for stroke in strokes)
 
@@ -126,12 +126,12 @@ def upon(one: Stroke, line: Stroke) -> bool:
     )
 
 
-def _met(strokes: Sequence[Stroke], z: complex, but: Sequence[int], near: float = SNAPPED_MM) -> bool:
+def _met(strokes: Strokes, z: complex, but: Sequence[int], near: float = SNAPPED_MM) -> bool:
     """Whether another stroke begins or ends at a point."""
     return any(abs(z - w) < near for i, stroke in enumerate(strokes) if i not in but for w in stroke)
 
 
-def covered(strokes: Sequence[Stroke], a: complex, b: complex) -> float:
+def covered(strokes: Strokes, a: complex, b: complex) -> float:
     """The share of the segment from ``a`` to ``b`` with a stroke along it."""
     length, spans, reach = abs(b - a), [], ALONG_MM
     if length < 2 * reach:

@@ -11,7 +11,7 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.sign_faults import DrawnVector, Vector
 from planes.check.reading.construction_lines import covered
 from planes.check.reading.strokes import ReadDrawing, reach_of
-from planes.check.reading.written import Stroke
+from planes.check.reading.written import Stroke, Strokes
 from planes.drafting.skill import SIGMAS
 from planes.words.names import kind_of
 
@@ -74,7 +74,7 @@ def _off(line: Stroke, way: Stroke) -> float:
     return max(abs(z - w) for z, w in zip(line, way, strict=True))
 
 
-def _upon(line: Stroke, others: Sequence[Stroke], near: float) -> bool:
+def _upon(line: Stroke, others: Strokes, near: float) -> bool:
     """Whether others run along all of a line."""
     length = abs(line[1] - line[0])
     return covered(others, *line) * length > length - near

@@ -47,6 +47,8 @@ MOST = 120  # arrows
 LEAST, ALIKE, OTHER_SIZE = 0.2, 1.03, 3.0  # sizes of a plan of unknown scale: the smallest; ratio of equal ones
 NEVER = 1e6
 Known = dict[str, complex]
+Rows = Mapping[str, Stroke]
+NamedStrokes = Iterator[tuple[str, Stroke]]
 
 
 @dataclass
@@ -226,7 +228,7 @@ def _shared(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
     return rows
 
 
-def _turned_round(seen: ForceArrows, best: Reading, own: Collection[str]) -> Iterator[tuple[str, Stroke]]:
+def _turned_round(seen: ForceArrows, best: Reading, own: Collection[str]) -> NamedStrokes:
     """Vectors without an arrow, each at a reversed one; and sums that have one."""
     left = [seen.arrows[i][0] for i in best.left if len(seen.arrows[i]) == 1]
     left = [(a, b) for a, b in left if all(abs(b - a - v) > _near(v) for v in best.known.values())]
@@ -257,7 +259,7 @@ def _misnamed(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[s
     return exchanged, [n for n in compress(names, elsewhere) if n in best.taken]
 
 
-def _headless(seen: ForceArrows, unread: Known, rows: Mapping[str, Stroke]) -> Iterator[tuple[str, Stroke]]:
+def _headless(seen: ForceArrows, unread: Known, rows: Rows) -> NamedStrokes:
     """Vectors that are headless lines from the end of one to the start of another, where others have heads."""
     ends = numpy.array([*rows.values()]).ravel()
     lines = [s for k, s in enumerate(seen.sketch.strokes) if seen.headed and not seen.sketch.way(k)]
@@ -267,7 +269,7 @@ def _headless(seen: ForceArrows, unread: Known, rows: Mapping[str, Stroke]) -> I
         yield from [(n, s) for s in like[:1] if abs(v) > HEADLESS_MM]
 
 
-def _into_a_head(seen: ForceArrows, v: complex, rows: Mapping[str, Stroke]) -> bool:
+def _into_a_head(seen: ForceArrows, v: complex, rows: Rows) -> bool:
     """Whether a vector may end in the head of another in the same direction, so that it has none."""
     headed = [one[0] for one in seen.arrows if len(one) == 1]
     along = [(a, b) for a, b in headed if abs(cmath.phase((b - a) / v)) < w.NARROW]
@@ -280,7 +282,7 @@ def _near(v: complex) -> float:
     return max(MEET_MM, SHARE * abs(v))
 
 
-def _vague(seen: ForceArrows, rows: Mapping[str, Stroke], bench: PreparedPlan, paper: ReadPaper) -> bool:
+def _vague(seen: ForceArrows, rows: Rows, bench: PreparedPlan, paper: ReadPaper) -> bool:
     """Whether the vectors of a wrong polygon are only guessed.
 
     They have no names; or, as none has a head, they may as well be reversed; or headless lines do not form a chain.
@@ -296,12 +298,12 @@ def _vague(seen: ForceArrows, rows: Mapping[str, Stroke], bench: PreparedPlan, p
     return turned or not (seen.written & seen.own).any()
 
 
-def _gap(rows: Mapping[str, Stroke]) -> float:
+def _gap(rows: Rows) -> float:
     """The distance between the ends and the starts of vectors that should meet."""
     return median([gap for gap in _gaps(rows) if gap < MEET_MM] or [0.0])
 
 
-def _gaps(rows: Mapping[str, Stroke]) -> list[float]:
+def _gaps(rows: Rows) -> list[float]:
     """The distance from the end of each vector to the start of another."""
     return [min(abs(b - a) for a, _ in rows.values()) for _, b in rows.values()]
 
@@ -312,7 +314,7 @@ def _turned(spots: Sequence[ReadMark]) -> Iterator[complex]:
         yield from (spots[k + 1].place, spots[k].place)
 
 
-def _between(rows: Mapping[str, Stroke], known: Known) -> Iterator[tuple[str, Stroke]]:
+def _between(rows: Rows, known: Known) -> NamedStrokes:
     """Short vectors, not drawn separately, between the end of one and the start of another."""
     begun, ended = [a for a, _ in rows.values()], [b for _, b in rows.values()]
     begun, ended = (

@@ -8,7 +8,7 @@ import numpy
 from shapely import STRtree, points
 
 from planes.check.reading.strokes import ReadDrawing
-from planes.check.reading.written import Stroke
+from planes.check.reading.written import Strokes
 
 FEWEST = 4  # minimum number of rows in hatching
 WIDEST_MM, EVEN_MM = 6.0, 0.15  # maximum distance between rows, and tolerance of their spacing
@@ -31,7 +31,7 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
     return sketch.only(k for k in range(len(sketch.strokes)) if k not in gone) if gone else sketch
 
 
-def _free(strokes: Sequence[Stroke]) -> list[int]:
+def _free(strokes: Strokes) -> list[int]:
     """The number of ends of each stroke without other ends close by, except those of other pieces of its row."""
     places = numpy.array(strokes, complex).ravel()
     ways = numpy.repeat([cmath.rect(1.0, cmath.phase(b - a)) for a, b in strokes], 2)
@@ -49,7 +49,7 @@ def _free(strokes: Sequence[Stroke]) -> list[int]:
     return free
 
 
-def _parallel(strokes: Sequence[Stroke], held: Sequence[int]) -> list[list[int]]:
+def _parallel(strokes: Strokes, held: Sequence[int]) -> list[list[int]]:
     """Groups of parallel strokes."""
     angles = {k: math.degrees(cmath.phase(strokes[k][1] - strokes[k][0])) % 180 for k in held}
     groups: list[list[int]] = []
@@ -63,7 +63,7 @@ def _parallel(strokes: Sequence[Stroke], held: Sequence[int]) -> list[list[int]]
     return groups
 
 
-def _even_rows(strokes: Sequence[Stroke], held: Sequence[int], loose: Set[int]) -> Iterator[int]:
+def _even_rows(strokes: Strokes, held: Sequence[int], loose: Set[int]) -> Iterator[int]:
     """Those of parallel strokes that lie in evenly spaced rows, enough of which begin and end freely."""
     if len(held) < FEWEST:
         return

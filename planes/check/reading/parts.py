@@ -9,7 +9,7 @@ from shapely import STRtree, distance, linestrings, multilinestrings, points
 
 from planes.check.reading.hatching import without_hatching
 from planes.check.reading.strokes import ReadDrawing
-from planes.check.reading.written import Stroke, Words
+from planes.check.reading.written import Strokes, Words
 from planes.geometry.arrays import Booleans, Complexes
 from planes.geometry.plane import corners
 
@@ -80,7 +80,7 @@ def without_letters(sketch: ReadDrawing) -> None:
     sketch.short = [s for s, good in zip(sketch.short, kept[count:], strict=True) if good]
 
 
-def _touched(ends: Complexes, inside: Booleans, heads: Sequence[Stroke]) -> Booleans:
+def _touched(ends: Complexes, inside: Booleans, heads: Strokes) -> Booleans:
     """Which strokes meet one that is no letter, or end within an arrowhead."""
     others = numpy.concatenate([_dots(ends[~inside].ravel()), _lines(heads)])
     touched = numpy.zeros(len(ends), bool)
@@ -113,7 +113,7 @@ def parts(sketch: ReadDrawing, least_mm: float = LEAST_MM) -> list[ReadDrawing]:
     return sorted((p for p in pieces if p is not None), key=lambda p: -len(p.strokes))
 
 
-def _lines(strokes: Sequence[Stroke]) -> Any:  # shapely has no types for many lines
+def _lines(strokes: Strokes) -> Any:  # shapely has no types for many lines
     """Strokes as lines."""
     return linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes]) if strokes else numpy.array([])
 
@@ -131,7 +131,7 @@ def _part(sketch: ReadDrawing, held: list[int], least_mm: float) -> ReadDrawing 
     return replace(part, words=words, rounds=rounds)
 
 
-def _is_table(strokes: Sequence[Stroke], size: complex) -> bool:
+def _is_table(strokes: Strokes, size: complex) -> bool:
     """Whether three or more strokes span the width, and three the height."""
     spans = [b - a for a, b in strokes]
     across = sum(abs(abs(s.real) - size.real) < TOUCH_MM and abs(s.imag) < TOUCH_MM for s in spans)
@@ -139,7 +139,7 @@ def _is_table(strokes: Sequence[Stroke], size: complex) -> bool:
     return across > 2 and up > 2
 
 
-def _distances(strokes: Sequence[Stroke], places: Sequence[complex], among: bool = False) -> Sequence[float]:
+def _distances(strokes: Strokes, places: Sequence[complex], among: bool = False) -> Sequence[float]:
     """The distances of points from the nearest stroke; zero for those ``among`` them, such as a point of a plate."""
     spots, lines = [(z.real, z.imag) for z in places], multilinestrings(_lines(strokes))
     return distance(points(spots), lines.convex_hull if among else lines).tolist() if spots else []

@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from planes.check.reading.opened import too_many
-from planes.check.reading.written import Stroke, Words
+from planes.check.reading.written import Stroke, Strokes, Words
 
 Round = tuple[complex, float]  # centre and radius of a small circle, a hinge or a point
 LONGEST = 200  # letters of a text
@@ -97,7 +97,7 @@ def hinged(sketch: ReadDrawing) -> ReadDrawing:
     return replace(sketch, strokes=lines).only(k for k, (a, b) in enumerate(lines) if a != b)
 
 
-def reach_of(strokes: Sequence[Stroke], vectors: Sequence[int] = ()) -> float:
+def reach_of(strokes: Strokes, vectors: Sequence[int] = ()) -> float:
     """The distance, mm, within which ends coincide: small if joined by a program, larger if joined by eye.
 
     If ``vectors`` are known, only their ends count.

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from planes.words.frozen import frozen, replace
 
 Stroke = tuple[complex, complex]
+Strokes = Sequence[Stroke]
 LONGEST_LIST = 40  # letters of names in a row
 _ENDS = re.compile(r"\((\d+)–(\d+)\)")
 

@@ -9,7 +9,7 @@ from planes.batch.plain_tape import PlainRecording
 from planes.batch.symbols import Num, Vec, number, place_of
 from planes.batch.tape import Tape
 from planes.documents.constructed import LiveFigure
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Thing, Things
 from planes.geometry.arithmetic import Point, Real
 from planes.lesson.dimensions import FreeNumbers
 from render.files.ggb import written
@@ -42,7 +42,7 @@ class GivenNumbers:
     def __init__(self, figure: LiveFigure) -> None:
         self.figure = figure
         things = figure.position.drawing.things
-        self.given: Mapping[str, Thing] = {n: things[n] for n in figure.program.givens}
+        self.given: Things = {n: things[n] for n in figure.program.givens}
 
     @cached_property
     def free(self) -> dict[str, float]:

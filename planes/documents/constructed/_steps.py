@@ -1,21 +1,28 @@
 """The steps of a program as commands and formulas of GeoGebra; a name of the program becomes a label."""
 
-from collections.abc import Callable
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import fields
+from pathlib import Path
 
 from planes.documents.constructed import LiveFigure
 from planes.documents.constructed._numbers import RADIAN, literal
 from planes.drafting import steps as s
 from planes.drafting.steps import crossings as c
 from planes.drafting.steps import reckoning as r
-from planes.drafting.steps.laws import ByStroke
 from planes.words.names import POLE, at, plan_of
-from render.files.ggb import HIDDEN, PALE, Aspect, GeogebraFile
+from render.files.ggb import HIDDEN, PALE, Aspect, GeogebraFile, Kind
 
-STILL = "1E-12"  # of the largest vector: below this it is zero
-NOTHING_MM = "1E-12"  # marks closer than this have no direction: nothing is laid off along it
 Labels = dict[str, str]
 LINE = Aspect(PALE, thick=2, dashed=True)
 RIGHT = "90 * pi / 180"
+WRITTEN: dict[str, list[tuple[Kind, str, str, *tuple[str, ...]]]] = json.loads(
+    Path(__file__).with_name("geogebra.json").read_text("utf-8")
+)
+"""The objects that stand for a step of a class: the kind of each, what precedes the step's own label in its label, and
+a formula, or a command and its inputs. In braces are fields of the step, by their labels; coordinates of a field's
+place end in _x and _y; the others are made by ``Translator.parts``. Vectors shorter than 1E-12 mm have no direction;
+numbers below that share of the largest are zero."""
 
 
 class Translator:
@@ -27,115 +34,84 @@ class Translator:
 
     def of(self, step: s.Step) -> None:
         """One step."""
-        if not (self.mark(step) or self.crossing(step) or self.ray(step) or self.value(step)):
+        names = [kind.__name__ for kind in type(step).__mro__]
+        if isinstance(step, s.Put) and not step.at:
+            names = ["Pole"]
+        elif isinstance(step, s.Carry) and step.quarter % 4:
+            names = ["CarryTurned"]
+        written = next((WRITTEN[name] for name in names if name in WRITTEN), None)
+        if written is None:
             self.left.append(step)
             self.stands(step)
+            return
+        named = dict(self.named(step))
+        for kind, head, first, *inputs in written:
+            label, look = head + self.labels[step.makes], self.look(step.makes, kind, head)
+            if inputs:
+                self.made.command(kind, [label], first, [text.format_map(named) for text in inputs], look)
+            else:
+                self.made.formula(kind, label, first.format_map(named), look)
+
+    def look(self, mark: str, kind: Kind, head: str) -> Aspect:
+        """The appearance of an object on the way to a mark, or of the mark."""
+        if kind == "conic" or (kind == "line" and mark in self.figure.marks):
+            return LINE
+        return self.looks(mark) if kind == "point" and not head else HIDDEN
 
     def stands(self, step: s.Step) -> None:
         """A step as a constant, with its value in this position."""
         label, thing = self.labels[step.makes], complex(self.figure.position.drawing[step.makes])
-        both = f"({literal(thing.real)}, {literal(thing.imag)})"
         if step.kind == "mark":
-            self.made.formula("point", label, f"{self.pole(step.makes)} + {both}", self.looks(step.makes))
+            self.made.formula("point", label, f"{self.pole(step.makes)} + {_place(thing)}", self.looks(step.makes))
+        elif step.kind == "direction":
+            self.made.formula("vector", label, _place(thing))
         else:
-            kind, text = ("vector", both) if step.kind == "direction" else ("numeric", literal(thing.real))
-            self.made.formula(kind, label, text)  # type: ignore[arg-type]
+            self.made.formula("numeric", label, literal(thing.real))
 
     def pole(self, mark: str) -> str:
         """The pole of a mark's plan, "(0, 0)" where it has none."""
         return self.labels.get(at(plan_of(mark), POLE), "(0, 0)")
 
-    def mark(self, step: s.Step) -> bool:
-        """A point; returns whether it can be constructed."""
-        n, label, look = self.labels, self.labels[step.makes], self.looks(step.makes)
+    def named(self, step: s.Step) -> Iterator[tuple[str, object]]:
+        """What the names in braces stand for."""
+        n = self.labels
+        yield "pole", self.pole(step.makes)
+        for name in (f.name for f in fields(step)):
+            match getattr(step, name):
+                case str(given):
+                    yield from ((name + end, n.get(given + end.replace("_", "."))) for end in ("", "_x", "_y"))
+                case int(number):
+                    yield name, literal(float(number))
+                case (str(), str()) as marks:
+                    yield name, [n[mark] for mark in marks]
+        yield from self.parts(step).items()
+
+    def parts(self, step: s.Step) -> dict[str, str]:
+        """Parts of a text that are more than a label."""
+        n = self.labels
         match step:
-            case s.Put() if step.at:
-                text = f"({n[step.at + '.x']} * {n[str(step.mu)]}, {n[step.at + '.y']} * {n[str(step.mu)]})"
-                self.made.formula("point", label, f"{self.pole(step.makes)} + {text}", look)
-            case s.Put():
-                pole = self.figure.poles[plan_of(step.makes)]
-                self.made.formula("point", label, f"({literal(pole.real)}, {literal(pole.imag)})", look)
-            case s.LayOff():
-                way = f"({n[step.length]} * {n[step.mu]}) * {n[step.along]}"
-                self.made.command("point", [label], "Translate", [n[step.start], way], look)
-            case s.Carry():
-                self.turned(label, n[step.start], f"Vector[{n[step.first]}, {n[step.second]}]", step.quarter, look)
-            case s.Same():
-                self.made.formula("point", label, f"{n[step.of]} + (0, 0)", look)
-            case s.Similar():
-                x, y = n[step.ratio + ".x"], n[step.ratio + ".y"]
-                self.similar(label, n[step.start], n[step.end], (f"sqrt({x}^2 + {y}^2)", f"atan2({y}, {x})"), look)
-            case s.Image():
-                (a, b), (p, q), (d, e) = ([n[m] for m in ends] for ends in (step.of, step.like, step.image))
-                self.made.command("point", [f"t1{label}"], "Translate", [n[step.start], f"Vector[{a}, {b}]"])
-                like, image = f"({q} - {p})", f"({e} - {d})"
-                times = f"Distance[{d}, {e}] / Distance[{p}, {q}]"
-                turn = f"atan2({like} ⊗ {image}, {like} * {image})"
-                self.similar(label, n[step.start], f"t1{label}", (times, turn), look)
+            case s.Put() if not step.at:
+                return {"at": _place(self.figure.poles[plan_of(step.makes)])}
+            case s.Carry() | s.Turn():
+                turns = [f"{step.quarter % 4} * {RIGHT}"] * bool(step.quarter % 4)
+                turns += [f"{n[step.angle]} * {RADIAN}"] if isinstance(step, s.Turn) and step.angle else []
+                return {"turns": " + ".join(turns) or "0"}
+            case c.Touch():
+                apart = f"Distance[{n[step.start]}, {n[step.end]}]"
+                return {"sine": f"({n[step.offset]} * {n[step.mu]} / {apart})" if step.offset else "0"}
             case r.Choose():
-                self.made.formula("point", label, self.chosen(step), look)
-            case _:
-                return False
-        return True
-
-    def crossing(self, step: s.Step) -> bool:
-        """A point where lines or arcs meet; returns whether the step is of this kind."""
-        n, label, look = self.labels, self.labels[step.makes], self.looks(step.makes)
-        match step:
-            case c.Cross():
-                lines = (
-                    self.line(step.makes, 0, step.start, step.along),
-                    self.line(step.makes, 1, step.other, step.across),
-                )
-                self.made.command("point", [label], "Intersect", lines, look)
-            case c.CrossArc():
-                line = self.line(step.makes, 0, step.start, step.along)
-                arc = self.arc(label, 1, step.centre, step.radius, step.mu)
-                ahead = f"{n[step.side]} * ((i1{label} - {n[step.centre]}) * {n[step.along]})"
-                self.one_of(label, [line, arc], ahead, look)
-            case c.CrossArcs():
-                arcs = [
-                    self.arc(label, 1, step.centre, step.radius, step.mu),
-                    self.arc(label, 2, step.other, step.other_radius, step.mu),
-                ]
-                centre = n[step.centre]
-                left = f"{n[step.side]} * (({n[step.other]} - {centre}) ⊗ (i1{label} - {centre}))"
-                self.one_of(label, arcs, left, look)
-            case _:
-                return False
-        return True
-
-    def line(self, makes: str, number: int, start: str, along: str) -> str:
-        """A line through a mark along a direction."""
-        label = f"g{number}{self.labels[makes]}"
-        shown = LINE if makes in self.figure.marks else HIDDEN
-        self.made.command("line", [label], "Line", [self.labels[start], self.labels[along]], shown)
-        return label
-
-    def arc(self, label: str, number: int, centre: str, radius: str, mu: str) -> str:
-        """A circle about a mark."""
-        reach = f"abs({self.labels[radius]} * {self.labels[mu]})"
-        self.made.command("conic", [f"k{number}{label}"], "Circle", [self.labels[centre], reach], LINE)
-        return f"k{number}{label}"
-
-    def one_of(self, label: str, met: list[str], side: str, look: Aspect) -> None:
-        """The one of two intersections on the chosen side, in whichever order they are found."""
-        both = [f"i1{label}", f"i2{label}"]
-        for k, one in enumerate(both, 1):
-            self.made.command("point", [one], "Intersect", [*met, str(k)])
-        self.made.command("point", [label], "If", [f"{side} >= 0", *both], look)
-
-    def turned(self, label: str, start: str, way: str, quarter: int, look: Aspect) -> None:
-        """A mark at a vector from another, turned by right angles."""
-        moved = f"t1{label}" if quarter % 4 else label
-        self.made.command("point", [moved], "Translate", [start, way], HIDDEN if quarter % 4 else look)
-        if quarter % 4:
-            self.made.command("point", [label], "Rotate", [moved, f"{quarter % 4} * {RIGHT}", start], look)
-
-    def similar(self, label: str, start: str, end: str, ratio: tuple[str, str], look: Aspect) -> None:
-        """A mark in a given ratio to two others: dilated and rotated."""
-        self.made.command("point", [f"t2{label}"], "Dilate", [end, ratio[0], start])
-        self.made.command("point", [label], "Rotate", [f"t2{label}", ratio[1], start], look)
+                return {"chosen": self.chosen(step)}
+            case r.Measure():
+                return {"span": self.span(step)}
+            case r.Sense():
+                beside = [f"Distance[{self.pole(m)}, {n[m]}]" for m in step.beside]
+                return {"span": self.span(step), "largest": " + ".join(beside) or "0"}
+            case r.Calculate():
+                return {"sum": " + ".join(self.product(term) for term in step.terms) or "0"}
+            case r.SenseBetween():
+                rates = [f"({n[rate]} * abs({n[sense]}))" if rate else "0" for rate, sense in step.both]
+                return dict(zip(("one", "two"), rates, strict=True))
+        return {}
 
     def chosen(self, step: r.Choose) -> str:
         """The trial whose assumptions hold."""
@@ -146,75 +122,7 @@ class Translator:
             text = f"If[{holds}, {self.labels[trial.mark]}{', ' + text if text else ''}]"
         return text
 
-    def ray(self, step: s.Step) -> bool:
-        """A unit vector; returns whether it can be constructed."""
-        n, label, put = self.labels, self.labels[step.makes], self.made.command
-        match step:
-            case s.Aim():
-                turn = f"{n[step.angle]} * {RADIAN}"
-                self.made.formula("vector", label, f"(cos({turn}), sin({turn}))")
-            case s.Through():
-                start, end = n[step.start], n[step.end]
-                put("vector", [f"t1{label}"], "Vector", [start, end])
-                self.made.formula("vector", label, f"t1{label} / Max[Distance[{start}, {end}], {NOTHING_MM}]")
-            case s.Turn():
-                turns = [f"{step.quarter % 4} * {RIGHT}"] * bool(step.quarter % 4)
-                turns += [f"{n[step.angle]} * {RADIAN}"] if step.angle else []
-                put("vector", [label], "Rotate", [n[step.of], " + ".join(turns) or "0"])
-            case c.Touch():
-                put("vector", [f"t1{label}"], "Vector", [n[step.start], n[step.end]])
-                put("vector", [f"t2{label}"], "UnitVector", [f"t1{label}"])
-                apart = f"Distance[{n[step.start]}, {n[step.end]}]"
-                sine = f"({n[step.offset]} * {n[step.mu]} / {apart})" if step.offset else "0"
-                ahead = f"({n[step.side]} * sqrt(1 - {sine}^2)) * t2{label}"
-                self.made.formula("vector", label, f"{ahead} - {sine} * Rotate[t2{label}, {RIGHT}]")
-            case r.Lean():
-                leant = f"{n[step.coefficient]} * {n[step.sliding]} * {literal(step.push)}"
-                self.made.formula("vector", f"t1{label}", f"{n[step.normal]} - ({leant}) * {n[step.along]}")
-                put("vector", [label], "UnitVector", [f"t1{label}"])
-            case _:
-                return False
-        return True
-
-    def value(self, step: s.Step) -> bool:
-        """A number; returns whether there is a formula for it."""
-        text = self.number(step)
-        if text:
-            self.made.formula("numeric", self.labels[step.makes], text)
-        return bool(text)
-
-    def number(self, step: s.Step) -> str:
-        """The formula of a number, "" if there is none."""
-        n = self.labels
-        match step:
-            case r.Measure():
-                return f"{self.length(step)} / {n[step.mu]}"
-            case r.Drop():
-                return f"(({n[step.point]} - {n[step.about]}) ⊗ {n[step.along]}) / {n[step.mu]}"
-            case r.Protractor():
-                return f"atan2((1, 0) ⊗ {n[step.of]}, (1, 0) * {n[step.of]}) * 180 / pi"
-            case r.Cosine():
-                return f"{n[step.of]} * {n[step.along]}"
-            case r.Calculate():
-                return " + ".join(self.product(term) for term in step.terms) or "0"
-            case r.Sense():
-                size = self.length(step)
-                beside = [f"Distance[{self.pole(m)}, {n[m]}]" for m in step.beside]
-                return f"If[abs({size}) > {STILL} * ({' + '.join(beside) or '0'}), sgn({size}), 0]"
-            case r.SenseOf():
-                return f"sgn({n[step.value]})"
-            case r.SizeOf():
-                return f"abs({n[step.value]})"
-            case r.SenseBetween():
-                one, two = (f"({n[rate]} * abs({n[sense]}))" if rate else "0" for rate, sense in step.both)
-                return f"If[abs({one} - {two}) > {STILL} * (abs({one}) + abs({two})), sgn({one} - {two}), 0]"
-            case ByStroke():
-                way = f"({literal(step.sense)} * {n[step.stroke]})"
-                working, idle = f"{n[step.working]} * (abs({way}) + {way})", f"{n[step.idle]} * (abs({way}) - {way})"
-                return f"({working} + {idle}) / 2"
-        return ""
-
-    def length(self, step: r.Measure | r.Sense) -> str:
+    def span(self, step: r.Measure | r.Sense) -> str:
         """The distance between two marks, or its component along a direction."""
         start, end = self.labels[step.start], self.labels[step.end]
         return f"(({end} - {start}) * {self.labels[step.along]})" if step.along else f"Distance[{start}, {end}]"
@@ -223,3 +131,8 @@ class Translator:
         """One product of powers."""
         factors = (self.labels[name] + (f"^({power})" if power != 1 else "") for name, power in term.factors)
         return " * ".join([literal(float(term.coefficient)), *factors])
+
+
+def _place(z: complex) -> str:
+    """A place or a vector as two numbers."""
+    return f"({literal(z.real)}, {literal(z.imag)})"

@@ -58,7 +58,7 @@ def _of(kind: Kind, *names: str | None) -> tuple[Read, ...]:
     return tuple((n, kind) for n in names if n)
 
 
-marks, directions, values = (partial(_of, kind) for kind in KINDS[:3])
+marks, directions, values, places = (partial(_of, kind) for kind in KINDS)
 
 
 @frozen

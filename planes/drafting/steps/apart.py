@@ -22,6 +22,5 @@ class CrossApart(Cross):
     """The crossing of two lines, missing where they are parallel or one of them is missing; neither is a failure."""
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        u, w = tool.ray(env[self.along]), tool.ray(env[self.across])
-        place, sharpness, _ = plane.lines(env[self.start], u, env[self.other], w)
+        place, sharpness, _ = self.met(env, tool)
         return tool.ar.where(abs(sharpness) > tool.flat, tool.mark(place), complex("nan"))

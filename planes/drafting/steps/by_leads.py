@@ -10,6 +10,7 @@ from planes.geometry import plane
 from planes.geometry.arithmetic import Point, Real
 from planes.words.frozen import frozen
 
+Names = tuple[str, ...]  # of marks and directions
 LEAN = "leads_lean"
 """Reason for other plans: two leads that meet in a special point are too nearly parallel."""
 FAIR = 0.4  # of the best crossing of two leads: a pair less sharp than this gives way to another
@@ -19,7 +20,7 @@ class ByLeads(Step):
     """A step by some leads of a basic link; others are preferred where those are too nearly parallel."""
 
     @property
-    def crossed(self) -> tuple[str, ...]:
+    def crossed(self) -> Names:
         """The directions whose crossing should be sharp."""
         raise NotImplementedError
 
@@ -64,9 +65,9 @@ class CrossInChain(ByLeads, Cross):
     the two links at each hinge. Of leads and hinges, in one sequence, ``turn`` is found last.
     """
 
-    points: tuple[str, ...] = ()
-    lines: tuple[str, ...] = ()
-    pins: tuple[str, ...] = ()
+    points: Names = ()
+    lines: Names = ()
+    pins: Names = ()
     sides: tuple[int, ...] = ()
     joined: tuple[tuple[int, int], ...] = ()
     turn: int = 0
@@ -74,7 +75,7 @@ class CrossInChain(ByLeads, Cross):
     needs = marks("start", "other", "points", "pins") + directions("along", "across", "lines")
 
     @property
-    def crossed(self) -> tuple[str, ...]:
+    def crossed(self) -> Names:
         return *self.points, *self.pins, *self.lines
 
     def crossings(self, env: Env) -> tuple[Real, ...]:
@@ -117,7 +118,7 @@ class CrossFalse(ByLeads, Cross):
     needs = marks("start", "other") + directions("along", "across", "instead")
 
     @property
-    def crossed(self) -> tuple[str, ...]:
+    def crossed(self) -> Names:
         return self.along, self.across, *self.instead
 
 
@@ -130,7 +131,7 @@ class DropFalse(ByLeads, Drop):
     needs = marks("point", "about") + directions("along", "lines") + values("mu")
 
     @property
-    def crossed(self) -> tuple[str, ...]:
+    def crossed(self) -> Names:
         return self.lines
 
 
@@ -143,5 +144,5 @@ class CosineFalse(ByLeads, Cosine):
     needs = directions("of", "along", "lines")
 
     @property
-    def crossed(self) -> tuple[str, ...]:
+    def crossed(self) -> Names:
         return self.lines

@@ -3,7 +3,7 @@
 from planes.drafting.steps import Read, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
-from planes.geometry.arithmetic import Real
+from planes.geometry.arithmetic import Point, Real
 from planes.words.frozen import frozen
 
 
@@ -19,9 +19,13 @@ class Cross(Step):
     far, same = "parallel", "coincident"  # the reasons for its absence
     needs = marks("start", "other") + directions("along", "across")
 
-    def draw(self, env: Env, tool: Tool) -> Thing:
+    def met(self, env: Env, tool: Tool) -> tuple[Point, Real, Real]:
+        """Where the lines cross, how sharply, and how far apart they are there if they are parallel."""
         u, w = tool.ray(env[self.along]), tool.ray(env[self.across])
-        place, sharpness, gap = plane.lines(env[self.start], u, env[self.other], w)
+        return plane.lines(env[self.start], u, env[self.other], w)
+
+    def draw(self, env: Env, tool: Tool) -> Thing:
+        place, sharpness, gap = self.met(env, tool)
         tool.sharpen(self.makes, abs(sharpness))
         met = abs(sharpness) > tool.flat
         if self.supposed:

@@ -1,10 +1,9 @@
 """Steps that read a drawing and compute from the readings: measuring, arms, arithmetic, senses, choices."""
 
-from collections.abc import Mapping
 from functools import reduce
 
 from planes.drafting.steps import Read, Step, directions, marks, values
-from planes.drafting.tools import Env, Thing, Tool
+from planes.drafting.tools import Env, Thing, Things, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words.frozen import frozen
@@ -95,7 +94,7 @@ class Product:
     coefficient: float
     factors: tuple[tuple[str, int], ...]
 
-    def value(self, env: Mapping[str, Thing], ar: Arithmetic) -> Real:
+    def value(self, env: Things, ar: Arithmetic) -> Real:
         """The product itself."""
         product: Real = self.coefficient
         for name, power in self.factors:
@@ -135,7 +134,7 @@ class Sense(Step):
     kind = "value"
     needs = marks("start", "end", "beside") + directions("along")
 
-    def weighed(self, env: Mapping[str, Thing], ar: Arithmetic) -> tuple[Real, Real]:
+    def weighed(self, env: Things, ar: Arithmetic) -> tuple[Real, Real]:
         """The length of the segment along its direction, and the distance of the farthest of the others."""
         segment = env[self.end] - env[self.start]
         length = plane.dot(env[self.along], segment) if self.along else abs(segment)

@@ -7,6 +7,8 @@ from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real
 from planes.words.frozen import frozen
 
+Reals = list[Real]
+
 
 @frozen
 class Fed(Step):
@@ -58,7 +60,7 @@ class Settle(Step):
         self._feed(sizes, things)
         return things[self.makes]
 
-    def _settled(self, first: list[Real], things: Env, tool: Tool) -> list[Real]:
+    def _settled(self, first: Reals, things: Env, tool: Tool) -> Reals:
         """The sizes that a plan drawn with them reproduces, by Newton's steps from those of the plan drawn with zero.
 
         Smaller couples lead to them without a fold; past a fold the slope is reversed, the solution belongs to another
@@ -81,25 +83,25 @@ class Settle(Step):
         tool.require(still & (turned > 0), self, "not_settled")
         return sizes
 
-    def _slope(self, k: int, sizes: list[Real], given: list[Real], step: Real, things: Env, tool: Tool) -> list[Real]:
+    def _slope(self, k: int, sizes: Reals, given: Reals, step: Real, things: Env, tool: Tool) -> Reals:
         """How the error of the sizes changes with one of them: a column."""
         self._feed([s + step if i == k else s for i, s in enumerate(sizes)], things)
         moved = self._sizes(self._anew, things, tool)
         return [float(i == k) - (m - g) / step for i, (m, g) in enumerate(zip(moved, given, strict=True))]
 
-    def _feed(self, sizes: list[Real], things: Env) -> None:
+    def _feed(self, sizes: Reals, things: Env) -> None:
         """Put the values made from the sizes into the inputs of the plan."""
         for fed, size in zip(self.fed, sizes, strict=True):
             things[fed.makes] = things[fed.factor] * size
 
-    def _sizes(self, steps: tuple[Step, ...], things: Env, tool: Tool) -> list[Real]:
+    def _sizes(self, steps: tuple[Step, ...], things: Env, tool: Tool) -> Reals:
         """Draw a plan; returns its sizes."""
         for step in steps:
             things[step.makes] = tool.draw(step, things)
         return [things[f.size] for f in self.fed]
 
 
-def eliminated(columns: list[list[Real]], right: list[Real]) -> tuple[list[Real], Real]:
+def eliminated(columns: list[Reals], right: Reals) -> tuple[Reals, Real]:
     """The solution of linear equations by C. F. Gauss's elimination, and their determinant."""
     rows = [[*row, r] for row, r in zip(zip(*columns, strict=True), right, strict=True)]
     turned: Real = 1.0

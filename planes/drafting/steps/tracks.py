@@ -8,8 +8,9 @@ ends of the range.
 """
 
 from collections.abc import Iterator
+from itertools import chain
 
-from planes.drafting.steps import Read, Step
+from planes.drafting.steps import Read, Step, directions, marks, places, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.tracks import Pose, Tie, TieKind, advanced, origins
@@ -35,15 +36,8 @@ class Hold:
 
     def reads(self) -> Iterator[Read]:
         """Names of its inputs."""
-        yield self.local, "place"
-        if self.place:
-            yield self.place, "mark"
-        if self.reach:
-            yield self.reach, "value"
-        if self.turn:
-            yield self.turn, "direction" if self.kind == "line" else "value"
-        if self.hinge:
-            yield self.hinge, "place"
+        turn = directions if self.kind == "line" else values
+        yield from (*places(self.local), *marks(self.place), *values(self.reach), *turn(self.turn), *places(self.hinge))
 
     def tie(self, env: Env, mu: Real, ar: Arithmetic) -> Tie:
         """The lead in its current position, in mm."""
@@ -75,9 +69,8 @@ class SeriesGuess:
 
     def reads(self) -> Iterator[Read]:
         """Names of its inputs."""
-        yield from ((n, "value") for n in (self.drive, self.middle, self.half, self.size))
-        yield from ((n, "value") for terms in self.turns for n in terms)
-        yield from ((n, "place") for n in self.places)
+        yield from values(self.drive, self.middle, self.half, self.size, *chain(*self.turns))
+        yield from places(*self.places)
 
     def part(self, env: Env, ar: Arithmetic) -> Real:
         """The relative position of the drive in its range: -1 to 1."""
@@ -116,11 +109,9 @@ class CutTrack(Step):
     hinge: str = ""
 
     def reads(self) -> tuple[Read, ...]:
-        own: tuple[Read, ...] = ((self.local, "place"), (self.mu, "value"), (self.side, "value"))
-        own += ((self.hinge, "place"),) if self.hinge else ()
+        own = (*places(self.local), *values(self.mu, self.side), *places(self.hinge))
         held = (read for hold in self.holds for read in hold.reads())
-        reads: dict[Read, None] = dict.fromkeys((*held, *self.guess.reads(), *own))
-        return tuple(reads)
+        return tuple(dict.fromkeys((*held, *self.guess.reads(), *own)))
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         origin, axis = self.lie(env, tool)

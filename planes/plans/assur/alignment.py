@@ -15,7 +15,7 @@ from functools import cached_property
 from itertools import product
 from typing import Literal
 
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Things
 from planes.geometry.plane import dropped, spread
 from planes.plans import Plans
 from planes.plans.assur.contours import AnyGroup
@@ -155,7 +155,7 @@ def _places(plans: Plans, file: str) -> list[PairPlaces]:
     return cycle
 
 
-def _line(plans: Plans, pair: Pair, things: Mapping[str, Thing]) -> Line:
+def _line(plans: Plans, pair: Pair, things: Things) -> Line:
     if pair.kind == "R":
         return complex(things[plans.points[pair.point].position]), 1 + 0j
     m = plans.mechanism

@@ -10,7 +10,7 @@ from typing import Literal
 
 from planes.plans.assur.basic_chains import chain_of
 from planes.plans.assur.contours import AnyGroup, Contour, Tracked, contour_of, triad_of
-from planes.plans.assur.groups import KIND_NAMES, Group, Pair
+from planes.plans.assur.groups import KIND_NAMES, Group, Names, Pair
 from planes.plans.assur.inner_drives import driven_from_inside
 from planes.plans.assur.structure import LEVELS, Structure
 from planes.plans.assur.unsolvable import Joint, freedom, unsolvable
@@ -151,7 +151,7 @@ class _Finder:
         """Dyads in the order of attachment, a higher group where no dyad attaches; an error for the rest when nothing
         does."""
         groups: list[AnyGroup] = []
-        solved: tuple[str, ...] = (FRAME, drive.link)
+        solved: Names = (FRAME, drive.link)
         if drive.other != FRAME:
             self.solve(FRAME)
             still, driven = driven_from_inside(self, drive)
@@ -216,7 +216,7 @@ class _Finder:
         """Pairs between two unsolved links."""
         return [p for p in self.between(link, other) if p.kind == "P" or p.point not in self.reached]
 
-    def together(self) -> tuple[tuple[str, ...], int]:
+    def together(self) -> tuple[Names, int]:
         """The links that prevent a solution of the rest, and their degree of freedom."""
         holders = [*self.holders.values(), *([s.link, s.other] for s in self.slides)]
         here = [tuple(x for x in links if x in self.left) for links in holders]
@@ -224,7 +224,7 @@ class _Finder:
         names = unsolvable(list(self.left), joints)
         return names, freedom(names, joints)
 
-    def stuck(self, names: tuple[str, ...], free: int) -> StructureError:
+    def stuck(self, names: Names, free: int) -> StructureError:
         """The error for links that form a group of too high a class, or are over- or under-constrained."""
         if free < 0:
             why = Phrase("overconstrained", names=names, count=(1 - free) // 2, freedom=free)

@@ -8,7 +8,7 @@ Two leads of a basic link at an end of the chain turn it into a lead of the next
 from collections.abc import Sequence
 
 from planes.plans.assur.basic_links import Lead, SolvedByLeads, lead_pairs
-from planes.plans.assur.groups import Between, Pair
+from planes.plans.assur.groups import Between, Names, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
 from planes.words.records import Json
@@ -18,8 +18,8 @@ from planes.words.records import Json
 class BasicChain(SolvedByLeads):
     """The ``basics``, each but the first with a hinge on an earlier one (``hinges``), and the leads of each."""
 
-    links: tuple[str, ...]
-    basics: tuple[str, ...]
+    links: Names
+    basics: Names
     hinges: tuple[Pair, ...]
     sides: tuple[tuple[Lead, ...], ...]
     level = "III"
@@ -56,17 +56,17 @@ class BasicChain(SolvedByLeads):
         return next(own, self.basics.index(last.link) if last in self.joints else 0)
 
     @property
-    def whole(self) -> tuple[str, ...]:
+    def whole(self) -> Names:
         """All its links."""
         return self.links
 
-    def side(self, k: int) -> tuple[str, ...]:
+    def side(self, k: int) -> Names:
         """One basic link with its leads, in the order of the file."""
         own = self.basics[k], *(lead.link for lead in self.sides[k])
         return tuple(link for link in self.links if link in own)
 
     @property
-    def balances(self) -> tuple[tuple[str, ...], ...]:
+    def balances(self) -> tuple[Names, ...]:
         """The links of each force plan, which name it."""
         return tuple(self.side(k) for k in range(len(self.basics)))
 

@@ -7,7 +7,7 @@ link on three leads (поводки), each attached to a solved link.
 from collections.abc import Iterable
 from typing import Any
 
-from planes.plans.assur.groups import Group, Pair
+from planes.plans.assur.groups import Group, Names, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
 from planes.words.records import Json
@@ -24,7 +24,7 @@ class Lead:
     drive: Pair | None = None
 
     @property
-    def parts(self) -> tuple[str, ...]:
+    def parts(self) -> Names:
         """The links it consists of."""
         return (self.link, self.drive.mate(self.link)) if self.drive else (self.link,)
 
@@ -47,16 +47,16 @@ class SolvedByLeads:
     """The common part of groups of ``basics``, basic links, on ``leads``."""
 
     @property
-    def ends(self: Any) -> tuple[str, ...]:
+    def ends(self: Any) -> Names:
         """The links that may be the output of the mechanism, the likeliest first."""
         return tuple(lead.link for lead in reversed(self.leads))
 
     @property
-    def solved(self: Any) -> tuple[str, ...]:
+    def solved(self: Any) -> Names:
         """Its links in the order of solving."""
         return *(x for x in self.links if x in self.basics), *(lead.link for lead in self.leads)
 
-    def reached(self: Any, drive: Pair) -> tuple[str, ...]:
+    def reached(self: Any, drive: Pair) -> Names:
         """The links solved together with it where the drive is inside."""
         return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
 
@@ -64,28 +64,28 @@ class SolvedByLeads:
 class OnLeads(SolvedByLeads):
     """The common part of groups of one ``basic`` link on leads; each lead may have a drive inside."""
 
-    links: tuple[str, ...]
+    links: Names
     basic: str
     leads: tuple[Lead, ...]
-    order: tuple[str, ...]
+    order: Names
 
     @property
-    def whole(self) -> tuple[str, ...]:
+    def whole(self) -> Names:
         """All its links, including both links of a drive inside."""
         return self.order or self.links
 
     @property
-    def balanced(self) -> tuple[str, ...]:
+    def balanced(self) -> Names:
         """The links whose forces are on its plan; they name the plan."""
         return self.whole
 
     @property
-    def basics(self) -> tuple[str, ...]:
+    def basics(self) -> Names:
         """Its basic links."""
         return (self.basic,)
 
     @property
-    def balances(self) -> tuple[tuple[str, ...], ...]:
+    def balances(self) -> tuple[Names, ...]:
         """The links of each force plan, which name it."""
         return (self.balanced,)
 
@@ -100,10 +100,10 @@ class OnLeads(SolvedByLeads):
 class Triad(OnLeads):
     """An Assur group of class III and order 3: the ``basic`` link and its three leads, all in the order of the file."""
 
-    links: tuple[str, ...]
+    links: Names
     basic: str
     leads: tuple[Lead, Lead, Lead]
-    order: tuple[str, ...] = ()  # with a drive inside: all its links in the order of the file
+    order: Names = ()  # with a drive inside: all its links in the order of the file
     level = "III"
 
     @property

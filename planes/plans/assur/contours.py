@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, OnLeads, Triad, kind_by, lead_pairs
-from planes.plans.assur.groups import Between, Group, Pair
+from planes.plans.assur.groups import Between, Group, Names, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
 from planes.words.records import Json
@@ -20,12 +20,12 @@ class Contour(OnLeads):
     """An Assur group of class IV and order 2: ``base`` and ``basic`` on their outer pairs, the base on a hinge, and the
     two links between them, as leads from the base to the basic link."""
 
-    links: tuple[str, ...]
+    links: Names
     base: str
     basic: str
     outer: tuple[Pair, Pair]  # of the base and of the basic link
     leads: tuple[Lead, Lead]
-    order: tuple[str, ...] = ()  # with a drive inside: all its links in the order of the file
+    order: Names = ()  # with a drive inside: all its links in the order of the file
     level = "IV"
 
     @property
@@ -46,12 +46,12 @@ class Contour(OnLeads):
         return self.base, one.link, self.basic, two.link
 
     @property
-    def ends(self) -> tuple[str, ...]:
+    def ends(self) -> Names:
         """The links that may be the output of the mechanism, the likeliest first."""
         return self.basic, self.base
 
     @property
-    def solved(self) -> tuple[str, ...]:
+    def solved(self) -> Names:
         """Its links in the order of solving."""
         return self.base, *super().solved
 

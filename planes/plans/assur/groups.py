@@ -9,6 +9,7 @@ from planes.words.records import Json
 
 Between = Callable[[str, str], Sequence["Pair"]]
 """The pairs of a link with another one."""
+Names = tuple[str, ...]  # of links
 KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
 
@@ -71,16 +72,16 @@ class Group:
     last_outer: Pair
     drive: Pair | None = None
     brace: Brace | None = None
-    order: tuple[str, ...] = ()  # with a drive inside: all its links in the order of the file
+    order: Names = ()  # with a drive inside: all its links in the order of the file
     level = "II"
 
     @property
-    def whole(self) -> tuple[str, ...]:
+    def whole(self) -> Names:
         """All its links, including both links of a drive inside."""
         return tuple(part for link in self.links for part in self.parts(link))
 
     @property
-    def balanced(self) -> tuple[str, ...]:
+    def balanced(self) -> Names:
         """The links whose forces are on its plan; they name the plan."""
         return self.order or self.links
 
@@ -100,15 +101,15 @@ class Group:
         return self.hangs[::-1] if self.drive and self.drive.joins(self.last) else self.hangs
 
     @property
-    def balances(self) -> tuple[tuple[str, ...], ...]:
+    def balances(self) -> tuple[Names, ...]:
         """The links of each force plan, which name it."""
         return (self.balanced,)
 
-    def parts(self, link: str) -> tuple[str, ...]:
+    def parts(self, link: str) -> Names:
         """The links that one of the two consists of: itself and, with a drive inside, the other link of the drive."""
         return (link, self.drive.mate(link)) if self.drive and link == self.held else (link,)
 
-    def loaded(self, link: str) -> tuple[str, ...]:
+    def loaded(self, link: str) -> Names:
         """The links whose loads act on one of the two: its parts, and the cylinder that braces them."""
         loaded_parts = (*self.parts(link), *(self.brace.halves if self.brace and link == self.held else ()))
         return tuple(x for x in self.order if x in loaded_parts) or loaded_parts
@@ -123,16 +124,16 @@ class Group:
         return ";".join("-".join(self.loaded(x)) for x in self.links)
 
     @property
-    def ends(self) -> tuple[str, ...]:
+    def ends(self) -> Names:
         """The links that may be the output of the mechanism, the likeliest first."""
         return self.last, self.first
 
     @property
-    def solved(self) -> tuple[str, ...]:
+    def solved(self) -> Names:
         """Its links in the order of solving."""
         return self.links
 
-    def reached(self, drive: Pair) -> tuple[str, ...]:
+    def reached(self, drive: Pair) -> Names:
         """The links solved together with it where the drive is inside."""
         return *((drive.link, drive.other) if self.drive == drive else self.parts(self.held)), self.hung[1][0]
 

@@ -1,7 +1,7 @@
 """The structure of a mechanism: degree of freedom, redundant constraints, pairs, Assur groups in order."""
 
 from planes.plans.assur.contours import AnyGroup
-from planes.plans.assur.groups import Group, Pair
+from planes.plans.assur.groups import Group, Names, Pair
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
 from planes.words.records import Json
@@ -19,7 +19,7 @@ class Structure:
     drive_pair: Pair
     groups: tuple[AnyGroup, ...]
     driver: str
-    passive: tuple[str, ...] = ()  # passive links, left out of the analysis
+    passive: Names = ()  # passive links, left out of the analysis
     ways: tuple["Structure", ...] = ()  # of other drivers that give a lower class
 
     @property

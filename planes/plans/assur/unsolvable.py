@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from planes.words.frozen import frozen
 
 Freedoms = tuple[str, ...]  # a link, or a joint by its number: the owner of freedoms
+Holds = list[tuple[Freedoms, ...]]
 
 
 @frozen
@@ -35,7 +36,7 @@ def unsolvable(links: Sequence[str], joints: Sequence[Joint]) -> tuple[str, ...]
     """Over-constrained links if there are any; otherwise the smallest group of more than two that must be solved
     together; otherwise empty."""
     room: dict[Freedoms, int] = {(link,): 3 for link in links}
-    holds: list[tuple[Freedoms, ...]] = []
+    holds: Holds = []
     for number, joint in enumerate(joints):
         own = () if joint.solved else ((str(number), "joint"),)
         room |= dict.fromkeys(own, 2)
@@ -47,9 +48,7 @@ def unsolvable(links: Sequence[str], joints: Sequence[Joint]) -> tuple[str, ...]
     return min((group for group in groups if len(group) > 2), key=len, default=())
 
 
-def _matched(
-    holds: list[tuple[Freedoms, ...]], room: dict[Freedoms, int]
-) -> tuple[dict[Freedoms, list[int]], set[Freedoms]]:
+def _matched(holds: Holds, room: dict[Freedoms, int]) -> tuple[dict[Freedoms, list[int]], set[Freedoms]]:
     """The freedoms that each constraint takes; and all links asked by the first constraint that found none."""
     takers: dict[Freedoms, list[int]] = {whose: [] for whose in room}
     taken: dict[int, Freedoms] = {}
@@ -75,9 +74,7 @@ def _matched(
     return takers, set()
 
 
-def _together(
-    link: str, links: Sequence[str], holds: list[tuple[Freedoms, ...]], takers: dict[Freedoms, list[int]]
-) -> tuple[str, ...]:
+def _together(link: str, links: Sequence[str], holds: Holds, takers: dict[Freedoms, list[int]]) -> tuple[str, ...]:
     """The links without which one cannot be solved, including itself."""
     queue: list[Freedoms] = [(link,)]
     for whose in queue:

@@ -16,7 +16,7 @@ from planes.drafting.steps.reckoning import Cosine
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.groups import Pair
-from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces
+from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces, PairEnds
 from planes.plans.force.loads import Force, force_name
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import settled
@@ -47,7 +47,7 @@ class BasicLinkForces(LeadForces):
         arm = self.draft.arm(three.part, three.point, three.line, special, three.lead.link)
         return three.along_line(self.moments(basic, held, special, three.part, arm, links))
 
-    def closed(self, basic: str, held: Sequence[HeldLead], known: list[Force]) -> dict[Pair, Ends]:
+    def closed(self, basic: str, held: Sequence[HeldLead], known: list[Force]) -> PairEnds:
         """Draw the polygon of a basic link: two leads close it, where all forces on the third, or on the link from
         another one, are ``known``. Each reaction is on the first link of its pair."""
         one, two, *others = held
@@ -68,7 +68,7 @@ class BasicLinkForces(LeadForces):
             ends_of_pairs |= self.reactions(three.lead, (starts[end_of(first.name)], ends[2]), (ends[2], ends[1]))
         return ends_of_pairs
 
-    def reactions(self, lead: Lead, outer: Ends, inner: Ends) -> dict[Pair, Ends]:
+    def reactions(self, lead: Lead, outer: Ends, inner: Ends) -> PairEnds:
         """The reactions on a lead; where the lead is another basic link both are the same, that of the hinge."""
         return {lead.inner: self.on(lead.parts, lead.inner, inner), lead.outer: self.on(lead.parts, lead.outer, outer)}
 
@@ -92,7 +92,7 @@ class TriadForces(BasicLinkForces):
             outer = self.seated(reactions[4], lead.link, [inner])
             self.handed_on(outer, lead)
 
-    def polygon(self) -> dict[Pair, Ends]:
+    def polygon(self) -> PairEnds:
         """Draw the polygon; each reaction is on the first link of its pair."""
         g = self.group
         self.drawn = tuple(self.held(lead) for lead in self.leads)
@@ -134,7 +134,7 @@ class ChainForces(BasicLinkForces):
             for held in leads:
                 self.read(held, ends, rubs)
 
-    def polygon(self) -> dict[Pair, Ends]:
+    def polygon(self) -> PairEnds:
         """Draw all polygons; each reaction is on the first link of its pair."""
         g, k = self.group, self.group.root(self.last)
         self.found: dict[Pair, Reaction] = {}
@@ -163,7 +163,7 @@ class ChainForces(BasicLinkForces):
         across = Force(name, g.basics[k], name, d.square(line), pin, "tangential")
         return HeldLead(Lead(g.basics[k], hinge, hinge), key, [across], line, pin, [], [])
 
-    def balanced(self, k: int, held: list[HeldLead], known: list[Force]) -> dict[Pair, Ends]:
+    def balanced(self, k: int, held: list[HeldLead], known: list[Force]) -> PairEnds:
         """The polygon of a basic link, then those of the links that lead to it, with the forces in their hinges
         known."""
         g = self.group

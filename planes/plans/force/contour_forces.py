@@ -12,7 +12,7 @@ from planes.drafting.steps.by_leads import CosineFalse, DropFalse
 from planes.drafting.steps.reckoning import Cosine, Drop, Product
 from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Pair
-from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces
+from planes.plans.force.lead_forces import HeldLead, LeadForces, PairEnds
 from planes.plans.force.loads import Couple, Force, force_name
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import settled
@@ -59,7 +59,7 @@ class ContourForces(LeadForces):
         if pair.mate(link) != FRAME:
             self.statics.hand_over(reaction, pair.mate(link))
 
-    def polygon(self) -> dict[Pair, Ends]:
+    def polygon(self) -> PairEnds:
         """Draw the polygons; each reaction is on the first link of its pair."""
         d, g = self.draft, self.group
         self.drawn = one, two = tuple(self.held(lead) for lead in self.leads)

@@ -23,6 +23,7 @@ from planes.scene.mechanism import FRAME
 from planes.words.names import POLE, Meaning, at, force_plan
 
 Ends = tuple[str, str]  # end marks of a reaction
+PairEnds = dict[Pair, Ends]
 
 
 @dataclass

@@ -15,6 +15,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Carry
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Contour
+from planes.plans.assur.groups import Pair
 from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, on_scheme
 from planes.plans.position.driven_positions import driven_way
 from planes.plans.position.positions import chain_to, meet, on_line, place_slider
@@ -50,10 +51,8 @@ def _reaching(b: Bodies, basic: str, lead: Lead, key: str, axis: str) -> tuple[T
     outer, inner = lead.outer, lead.inner
     if inner.kind == "P":
         along, hinge = b.direction_from(inner, basic, axis), outer.point
-        apart = difference(b.offset(inner, basic, key), b.offset(inner, lead.link, hinge))
-        beside = Meaning("guide", inner.guide, key)
-        start = b.shifted(f"{key}°{inner.guide}", beside, on_scheme(hinge), along, apart)
-        return chain_to(key, label_of(start), along=along)
+        start = _beside(b, inner, (basic, key), (lead.link, hinge), f"{key}°{inner.guide}", hinge, along)
+        return chain_to(key, start, along=along)
     hinge = inner.point
     if lead.drive:
         way, b.placers[lead] = driven_way(b, lead.moving(basic))
@@ -64,6 +63,14 @@ def _reaching(b: Bodies, basic: str, lead: Lead, key: str, axis: str) -> tuple[T
         return chain_to(key, moved_over(b, basic, start, hinge, key, axis), along=along)
     length = b.length(b.mechanism.links[lead.link], outer.point, hinge)
     return chain_to(key, moved_over(b, basic, outer.point, hinge, key, axis), length)
+
+
+def _beside(
+    b: Bodies, pair: Pair, one: tuple[str, str], other: tuple[str, str], label: str, start: str, along: str
+) -> str:
+    """A mark shifted across a guide by the difference of two offsets from it, each of a link's point."""
+    apart, helper = difference(b.offset(pair, *one), b.offset(pair, *other)), Meaning("guide", pair.guide, one[1])
+    return label_of(b.shifted(label, helper, on_scheme(start), along, apart))
 
 
 def moved_over(b: Bodies, basic: str, start: str, hinge: str, key: str, axis: str) -> str:
@@ -114,17 +121,14 @@ class BaseAside:
         aside = f"{key}°{self.first}"
         if outer.kind == "P":
             along = b.direction_from(outer, self.base.name, self.axes[self.base.name])
-            apart = difference(b.offset(outer, lead.link, inner.point), b.offset(outer, self.base.name, self.first))
-            beside = Meaning("guide", outer.guide, inner.point)
-            name = f"{inner.point}°{outer.guide}′"
-            start = label_of(b.shifted(name, beside, on_scheme(self.start), along, apart))
+            one, name = (lead.link, inner.point), f"{inner.point}°{outer.guide}′"
+            start = _beside(b, outer, one, (self.base.name, self.first), name, self.start, along)
             return chain_to(aside, moved_over(b, self.basic.name, start, inner.point, key, self.axis), along=along)
         start = self.point(outer.point)
         if inner.kind == "P":
             along = b.direction_from(inner, self.basic.name, self.axis)
-            apart = difference(b.offset(inner, self.basic.name, key), b.offset(inner, lead.link, outer.point))
-            beside = Meaning("guide", inner.guide, key)
-            start = label_of(b.shifted(f"{key}°{inner.guide}′", beside, on_scheme(start), along, apart))
+            one, name = (self.basic.name, key), f"{key}°{inner.guide}′"
+            start = _beside(b, inner, one, (lead.link, outer.point), name, start, along)
             return chain_to(aside, start, along=along)
         length = b.length(b.mechanism.links[lead.link], outer.point, inner.point)
         return chain_to(aside, moved_over(b, self.basic.name, start, inner.point, key, self.axis), length)

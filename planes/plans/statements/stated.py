@@ -25,6 +25,9 @@ from planes.words import Phrase, Told, table
 from planes.words.errors import EquationError, PlanFailure, ProgramError, SceneError
 from planes.words.lettering import name_in_words
 
+Left = list[tuple[VectorEquation, tuple[Side, Side]]]
+"""Equations that are not drawn yet, with their sides."""
+
 
 def stated_plans(scene: Scene) -> Plans:
     """State every plan of a scene of vectors. :class:`SceneError` with file:line where an equation cannot be drawn."""
@@ -83,7 +86,7 @@ class StatedPlansBuilder:
         """How many parts of the vectors are unknown; infinite where what they depend on is."""
         return len(self.unknowns(terms)) if self._ready(t.name for t in terms) else inf
 
-    def _one(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
+    def _one(self, left: Left) -> list[object]:
         for row in left:
             equation, (one, two) = row
             if self._lacking(one + two) == 2:
@@ -91,7 +94,7 @@ class StatedPlansBuilder:
                 return [row]
         return []
 
-    def _pair(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
+    def _pair(self, left: Left) -> list[object]:
         """Two sides equal to the same unknown vector are equal to each other."""
         for i, (one, (total, first)) in enumerate(left):
             for other, (same, second) in left[i + 1 :]:
@@ -101,7 +104,7 @@ class StatedPlansBuilder:
                     return [left[i], (other, (same, second))]
         return []
 
-    def _closing(self, left: list[tuple[VectorEquation, tuple[Side, Side]]]) -> list[object]:
+    def _closing(self, left: Left) -> list[object]:
         """An equation whose unknowns no other equation needs: it is compared with the known data."""
         for row in left:
             terms = row[1][0] + row[1][1]
