@@ -55,7 +55,7 @@ def _fault(scene: Scene, position: Position, given: Mapping[str, Json]) -> Scene
     try:
         scene_plans(loads(_text(scene, position, given), scene.file))
     except SceneError as error:
-        said = error.phrase.told()
+        said = str(error.phrase)
         line = next((e.line for e in scene.equations if e.text in said), scene.equations[0].line)
         return SceneError(error.phrase, scene.file, line)
     return None

@@ -41,7 +41,7 @@ OWN_MM, LONG_HEAD_MM, WIDE_HEAD_MM = 0.6, 5.0, 1.5  # of another line's ink, and
 # Beside an end without a head: the most darkness, that over the line behind it, also near the line, and by how much the
 # other end is darker. Points that tell, for both ends and for one. Of 419 heads none on a sheet called right is so.
 BARE, FLAT, THIN, TURNED_HEAD, FEWEST_WINGS, MOST_WINGS = 0.14, 0.08, 0.1, 0.12, 16, 44
-PALE = 0.67  # darkness of the palest vectors relative to the others of a drawing (one of 363 on right pictures is paler)
+PALE = 0.67  # darkness of the palest vectors, relative to the others of a drawing: one of 363 is paler
 GAP_STEP_MM, GONE = 0.5, 0.25  # step along a line; share below which a line is missing
 SHORT_MM = 1.0  # of a line that explains ink
 TURNS, ACROSS, EDGE_TO_EDGE, LEAST_EDGE_MM = 720, 0.2, 0.6, 120.0  # of lines that belong to the paper: see below
