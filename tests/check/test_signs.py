@@ -193,7 +193,7 @@ def test_signs_on_pictures(mistake: str | None, marks: set[str], camera: str, tm
     told(corpus.looked_at(one, file)[0], mistake, marks)
 
 
-@pytest.mark.few(1, slow=4)
+@pytest.mark.slow
 @pytest.mark.parametrize(("sample", "plan", "k"), [("bntu-1", "force:2-3", 0), ("bntu-2", "force:2-3", 0)])
 @pytest.mark.parametrize("camera", ["SCAN", "PHONE"])
 def test_a_force_turned_round_on_a_picture_is_not_right(

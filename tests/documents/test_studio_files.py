@@ -113,6 +113,7 @@ def test_scenes_are_dropped(page: Any) -> None:
     assert page.evaluate("bench.text") == (TEMPLATES / "four-bar.yaml").read_text("utf-8")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", ["PNG", "JPEG", "WEBP"])
 def test_a_picture_dropped_in_the_gallery_lies_beneath_a_new_mechanism(page: Any, tmp_path: Path, kind: str) -> None:
     """And the tool that gives it its size is in hand."""
@@ -177,6 +178,7 @@ HOSTILE = {
 }
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", HOSTILE)
 def test_a_hostile_file_is_refused_in_words(page: Any, tmp_path: Path, name: str) -> None:
     """Beside an open mechanism, which stays as it was."""
@@ -190,6 +192,7 @@ def test_a_hostile_file_is_refused_in_words(page: Any, tmp_path: Path, name: str
     assert page.locator("#verdict").count() and page.evaluate("document.getElementById('verdict').hidden")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", ["program.exe", "drawing.dxf", "archive.zip"])
 def test_a_hostile_file_in_the_gallery_is_refused_in_words(page: Any, tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_bytes(HOSTILE[name])
@@ -204,6 +207,7 @@ def test_a_dropped_folder_is_refused_in_words(page: Any, tmp_path: Path) -> None
     until(page, f"/A scene ends in .yaml/.test({STATE})")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("text", ["\x00\x01\x02", "a: &a [*a, *a]", "<html>", "[" * 3000, "planes: 1\ntitle: <b>x"])
 def test_a_text_that_is_no_scene_has_its_error(page: Any, tmp_path: Path, text: str) -> None:
     (tmp_path / "scene.yaml").write_text(text)
@@ -212,6 +216,7 @@ def test_a_text_that_is_no_scene_has_its_error(page: Any, tmp_path: Path, text: 
     assert page.inner_text("#problems") and "Traceback" not in page.inner_text("#problems")
 
 
+@pytest.mark.slow
 def test_a_studio_without_a_server_takes_a_picture_and_refuses_a_table(browser: Any, tmp_path: Path) -> None:
     """It has no checker: a picture goes beneath the drawing from whatever view, others are refused."""
     from planes.documents.studio import write_studio

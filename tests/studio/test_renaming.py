@@ -35,7 +35,7 @@ def leaves(thing: object) -> list[float]:
     return [abs(thing)] if isinstance(thing, float) else []
 
 
-@pytest.mark.few(4, slow=20)
+@pytest.mark.few(2, slow=20)
 @pytest.mark.parametrize("path", SCENES, ids=lambda p: f"{p.parent.name}-{p.stem}")
 def test_a_mechanism_with_other_names_moves_as_before(path: Path) -> None:
     """Every point and every link renamed, one after another: each of its numbers is the same under its new name."""
@@ -68,7 +68,7 @@ def asked_in_letterings(text: str, count: int) -> str:
     return Edited(text).put(("find",), str(some).replace("'", '"')).text
 
 
-@pytest.mark.few(4, slow=40)
+@pytest.mark.few(2, slow=40)
 @pytest.mark.parametrize("path", SCENES, ids=lambda p: f"{p.parent.name}-{p.stem}")
 def test_results_asked_for_in_any_lettering_follow_their_point(path: Path) -> None:
     """Every point renamed: as many results as before, with the same numbers."""
