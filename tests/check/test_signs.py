@@ -94,7 +94,7 @@ def test_a_vector_that_misses_its_marks_or_is_not_drawn(plan: str, way: str, suf
             assert row["own_deviation_mm"] > 1 and row["own_tolerance_mm"] is None
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("sample", ["six-link", "kind-1-rrr", "bntu-1"])
 @pytest.mark.parametrize("suffix", [".svg", ".dxf", ".pdf", ".png"])
 def test_a_force_turned_round_without_a_head_or_not_drawn(sample: str, suffix: str, tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return target
 
 
-def test_ten_pages_are_written_and_are_small(folder: Path) -> None:
+def test_twelve_pages_are_written_and_are_small(folder: Path) -> None:
     assert sorted(f.name for f in folder.iterdir()) == sorted(f"{k}.html" for k in NUMBERS)
     assert len(PAGES) == 12 and max(f.stat().st_size for f in folder.iterdir()) < LARGEST
 

@@ -150,6 +150,7 @@ def test_the_studio_on_a_telephone(browser: Any, address: str) -> None:
         assert page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, view
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("lang", ["en", "ru"])
 @pytest.mark.parametrize(("width", "height"), [(390, 844), (360, 740)])
 def test_the_tools_of_a_telephone_are_two_rows(browser: Any, address: str, lang: str, width: int, height: int) -> None:
