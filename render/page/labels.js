@@ -114,7 +114,7 @@ export class Labels {
   }
   /** @type {(p: Spot, half: number, tall: number) => number[][]} */
   around([x, y], half, tall) { // places of a label about a point
-    return [0, 7, 15, 26, 40, 58].flatMap(far => [...Array(16).keys()].map(k => {
+    return [0, 7, 15, 26, 40, 58, 90].flatMap(far => [...Array(16).keys()].map(k => {
       const c = Math.cos(k * Math.PI / 8), s = Math.sin(k * Math.PI / 8);
       return [x + c * (half + far), y + s * (tall + far), far * 0.06 + (k % 4 ? 0.05 : 0)];
     }));
@@ -129,7 +129,7 @@ export class Labels {
     return this.put(ends ? [...names, ends] : names, (half, tall) => {
       const places = [], off = Math.abs(uy) * half + Math.abs(ux) * tall + 5;
       for (const t of [0.5, 0.35, 0.65, 0.2, 0.8, 0.95, 0.08]) for (const side of [1, -1]) for (const far of [0, 10, 22,
-        36, 54, 74, 96]) {
+        36, 54, 74, 96, 130, 170]) {
         places.push([a[0] + t * n * ux - side * uy * (off + far), a[1] + t * n * uy + side * ux * (off + far),
           far * 0.05 + Math.abs(t - 0.5)]);
       }
