@@ -348,11 +348,14 @@ def test_a_teacher_decides_on_the_page_of_a_class(browser: Any, tmp_path: Path) 
     page.click("tr.right .decide button >> text=Reject")
     both, said = {"boris.jpg": "accepted", "anna.jpg": "rejected"}, "Decided by you: 1 accepted, 1 rejected."
     assert (page.evaluate(own), page.inner_text("#decided output")) == (both, said)
-    page.close()
-    page = browser.new_page()
+    kept = "JSON.stringify(localStorage).includes('rejected')"
+    page.wait_for_function(kept)
+    first, page = page, browser.new_page()
     errors += watched(page)
     page.goto((tmp_path / "class" / "index.html").as_uri())
+    page.wait_for_function(kept)
     assert (page.evaluate(own), page.inner_text("#decided output")) == (both, said)
+    first.close()
     page.click("tr.right .decide button >> text=Reject")
     assert page.evaluate(own)["anna.jpg"] == ""
     with page.expect_download() as kept:
