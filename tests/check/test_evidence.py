@@ -58,7 +58,7 @@ def test_an_empty_blank_is_unreadable(tmp_path: Path) -> None:
 FILES = sorted(p for p in (*SAMPLES.glob("*.yaml"), *SAMPLES.glob("assignments/*.yaml")) if p.stem != "vectors")
 
 
-@pytest.mark.few(1, slow=10)
+@pytest.mark.few(0, slow=10)
 @pytest.mark.parametrize("sample", FILES, ids=lambda p: p.stem)
 def test_an_empty_blank_of_every_sample_is_unreadable(sample: Path, tmp_path: Path) -> None:
     scene, file = load(sample), str(tmp_path / "blank.svg")

@@ -65,6 +65,7 @@ def off_mm(view: Any, found: Any, places: Any) -> float:
 PLACES = [0j, 60 + 10j, -50 + 40j, -30 - 50j, 55 - 45j]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("kind", "by", "near"), [("squared", "squares", 0.15), ("ruled", "lines", 0.3)])
 @pytest.mark.parametrize(("tilt", "way", "turn"), [(14.0, 70.0, 3.0), (8.0, 200.0, -4.0)])
 def test_a_sheet_is_seen_by_its_ruling(kind: str, by: str, near: float, tilt: float, way: float, turn: float) -> None:

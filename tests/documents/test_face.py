@@ -241,7 +241,7 @@ def test_a_reaction_named_from_the_other_link_is_opposite() -> None:
     assert "F_12" in table and table.get("nope", 0) == 0 and "nope" not in table
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("path", [p for p in SAMPLES if p.parent.name == "samples"], ids=lambda p: p.stem)
 def test_every_name_that_is_printed_can_be_asked_for(path: Path) -> None:
     scene = planes.load(path)

@@ -105,6 +105,7 @@ def test_every_number_is_one_of_the_results(name: str) -> None:
     assert told > 60
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", SCENES)
 def test_no_question_is_left_without_an_answer(name: str) -> None:
     for lang in langs():
@@ -162,6 +163,7 @@ def test_a_mechanism_without_loads_says_why_no_forces_are_found() -> None:
     assert all("no masses and no loads" in answer[-1].text for _, answer in replies[20:])  # type: ignore[union-attr]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("suffix", [".html", ".pdf", ".docx"])
 def test_each_format_is_written(suffix: str, tmp_path: Path) -> None:
     if suffix == ".docx":

@@ -43,6 +43,7 @@ def text_of(page: Any) -> str:
     return found
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("stamp", KINDS)
 def test_a_stamp_on_a_crank_is_a_group_of_its_kind(page: Any, stamp: str) -> None:
     """Joined to the crank's end at one side and to the frame at the other; what the text says is solved."""

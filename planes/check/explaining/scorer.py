@@ -88,11 +88,11 @@ class Scorer:
         return [self.settled(Hypothesis(order=wrong.hypothesis.order, cost=w.ORDER))]
 
     def heads_seen(self, one: Laid) -> Array:
-        """The heads of the vectors needed in a drawing: see :meth:`SheetInk.heads_seen`."""
+        """The heads of the vectors needed in a drawing: see :meth:`SheetInk.heads_seen`. Of one not drawn, nothing."""
         if not one.places or self.plan.kind == "position":
             return numpy.zeros(len(self.plan.lines))
-        a, b = self._lines(one.hypothesis, self._row(one))
-        return self.ink.heads_seen(a[0], b[0]) * self.plan.needed
+        a, b = (z[0] for z in self._lines(one.hypothesis, self._row(one)))
+        return self.ink.heads_seen(a, b) * (self.plan.needed & (self.ink.along(a, b, w.COARSE, 2) > w.DRAWN))
 
     def _plainly(self) -> list[Laid]:
         """The right plan and mistakes of the catalogue, if one leaves no ink unexplained: no other is likelier."""
@@ -151,18 +151,21 @@ class Scorer:
             named = orders(self.plan, self.ink, self.pole, self.words)[: w.NAMED]
             known = [(one.hypothesis.kind, one.hypothesis.mark, one.hypothesis.order) for one in laid]
             laid += [self.settled(h) for h in named if (h.kind, h.mark, h.order) not in known]
+        right = next(one for one in laid if one.hypothesis.right)
         for one in laid:
-            self._weigh_signs(one, names)
+            self._weigh_signs(one, right, names)
         for one in (more := self._in_the_order_of_mistakes(laid)):
-            self._weigh_signs(one, names)
+            self._weigh_signs(one, right, names)
         return sorted([*laid, *more], key=lambda one: -one.score)
 
-    def _weigh_signs(self, one: Laid, names: Sequence[str]) -> None:
-        """Score the heads missing from a drawing, and the names that stand elsewhere."""
+    def _weigh_signs(self, one: Laid, right: Laid, names: Sequence[str]) -> None:
+        """Score the heads missing from vectors that the right drawing has not, and the names that stand elsewhere."""
         if not one.places:
             return
         seen = self.heads_seen(one)
-        one.score -= w.HEADLESS * float((seen < 0).sum()) * (numpy.sign(seen).sum() > 0)
+        if right.places and numpy.sign(seen).sum() > 0:
+            here, there = (z[self.plan.ends] - z[self.plan.starts] for z in (self._row(one)[0], self._row(right)[0]))
+            one.score -= w.HEADLESS * float(((seen < 0) & (abs(here - there) > w.MOVED_MM)).sum())
         if self.words.words:
             ends = (z[0].tolist() for z in self._lines(one.hypothesis, self._row(one)))
             places = [self.pole + one.places[n] for n in self.plan.labels]

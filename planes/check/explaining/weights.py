@@ -23,6 +23,7 @@ WEIGHED, SETTLED, FIRSTS, SECONDS = 120, 10, 3, 3  # weighed on all ink; settled
 MOVES_MM = (1, (0.8, 0.3)), (0, (0.5, 0.25, 0.1))  # of settling marks, by ink within a pixel, and exactly there
 TO_END_MM, TO_END_SHARE = 1.6, 0.05  # from a mark to a line's end, where ends are known; per distance from the pole
 ROUNDS, ENOUGH, LOOSE_MM = 14, 0.05, 0.8  # rounds of moves; the smallest gain; tolerance of lines before they settle
+DRAWN = 0.5  # share of a line above which it is drawn, if without its head
 COARSE, FINE = 24, 56  # samples per line
 FAR_MM, ROOM_MM, MARGIN_MM = 230.0, 150.0, 20.0  # of a mark off the sheet; of the drawing area, and around it
 SHARES = 0.935, 0.996, 0.005  # print scales, in steps: those that fit the margins of a printer
