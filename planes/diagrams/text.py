@@ -19,10 +19,8 @@ GROUPS = ("place", "analogue", "rate", "force")
 
 def report(s: Summary, lang: Lang) -> str:
     """Stroke, dead points, time ratio, then the extremes of every curve, group by group."""
-    title, lines = (
-        s.scene.title.get(lang, ""),
-        [*_structure(s), _drive(s, lang), *_assembles(s, lang), *_flips(s, lang)],
-    )
+    title = s.scene.title.get(lang, "")
+    lines = [*_structure(s), _drive(s, lang), *_assembles(s, lang), *_flips(s, lang)]
     lines += ["", *stroke_said(s, lang)]
     name = drive_name(s)
     head = ["", say("column_unit", lang)]

@@ -16,8 +16,7 @@ from planes.words.names import kind_of, mu_of
 from planes.words.records import Json
 from planes.words.units import mu_text
 
-DIGITS = 12
-"""Of the numbers handed over: twice as many as equations are held to, and no rounding of the mechanism's."""
+DIGITS = 12  # of the numbers handed over: more than equations are held to, fewer than rounding has spoilt
 
 
 def by_equations(scene: Scene, position: Position) -> str:
@@ -31,16 +30,17 @@ def by_equations(scene: Scene, position: Position) -> str:
         raise SceneError(Phrase("own_none"), scene.file)
     for one in own_equations(position.plans, position.drawing, position.scales, scene.equations, scene.file):
         if not one.closes:
-            raise SceneError(
-                Phrase("about", what=one.equation.text, why=Written(one.fault)), scene.file, one.equation.line
-            )
+            why = Phrase("about", what=one.equation.text, why=Written(one.fault))
+            raise SceneError(why, scene.file, one.equation.line)
     vectors = dict(vectors_of(position.plans, position.drawing, position.scales))
     known = {name: _known(position, name, vectors) for e in scene.equations for name in e.names}
     alone = {side[0].name for e in scene.equations for side in e.sides if len(side) == 1}
     more = sorted((n for n in known if n in vectors and len(known[n]) < 2), key=lambda n: n in alone)
-    given, fault = known, _fault(scene, position, known)
+    given = known
+    fault = _fault(scene, position, known)
     while fault and more:
-        given = {**given, more[0]: _whole(vectors[more.pop(0)])}
+        name = more.pop(0)
+        given = {**given, name: _whole(vectors[name])}
         fault = _fault(scene, position, given)
     if fault:
         raise fault
@@ -52,38 +52,38 @@ def by_equations(scene: Scene, position: Position) -> str:
 
 def _fault(scene: Scene, position: Position, given: Mapping[str, Json]) -> SceneError | None:
     """Why the equations cannot be drawn with these data, at the line of the user's equation."""
+    text = _text(scene, position, given)
     try:
-        scene_plans(loads(_text(scene, position, given), scene.file))
+        scene_plans(loads(text, scene.file))
     except SceneError as error:
-        said = str(error.phrase)
-        line = next((e.line for e in scene.equations if e.text in said), scene.equations[0].line)
-        return SceneError(error.phrase, scene.file, line)
+        from_the_end = text.count("\n") - (error.line or 0)  # the equations are its last lines
+        own = scene.equations[-1 - from_the_end] if from_the_end < len(scene.equations) else scene.equations[0]
+        return SceneError(error.phrase, scene.file, own.line)
     return None
 
 
 def _text(scene: Scene, position: Position, given: Mapping[str, Json]) -> str:
-    """The scene with these data of its vectors, at the scales of the mechanism's plans."""
+    """The scene with these data of its vectors, at the scales of the mechanism's plans; last an equation a line."""
     title = {lang: say("own_title", lang, title=scene.title.get(lang, scene.file)) for lang in langs()}
-    own, mus = {kind_shown(e.names[0]) for e in scene.equations}, position.scales
+    own = {kind_shown(e.names[0]) for e in scene.equations}
+    mus = position.scales
     scales = {k: {"mu": mu_text(mus[mu_of(p)], k)} for p in position.plans.segments_of if (k := kind_of(p)) in own}
-    equations = [e.text for e in scene.equations]
     vectors = {**_lines(position, given), **given}
-    return written({"planes": 1, "title": title, "vectors": vectors, "equations": equations, "plans": scales})
+    head = written({"planes": 1, "title": title, "vectors": vectors, "plans": scales})
+    return f"{head}equations:\n" + "".join(f'  - "{e.text}"\n' for e in scene.equations)
 
 
 def _known(position: Position, name: str, vectors: Mapping[str, complex]) -> Json:
     """What the program knows of a vector before it draws the equation that gives it; nothing of a new one."""
-    equations, things = position.plans.equations, position.drawing
-    terms = [t for e in equations for t in e.terms if t.name == name]
-    term = next((t for t in terms if not t.drawn), None)
+    equations = position.plans.equations
+    things = position.drawing
+    term = next((t for e in equations for t in e.terms if t.name == name and not t.drawn), None)
     if term and term.known < 2:
-        return (
-            _line(position, term.direction) or {"direction": _angle(things[term.direction])} if term.direction else {}
-        )
-    sought = next((e for e in equations if e.total == name), None)
-    if name not in vectors or (sought and not term):
-        return {}
-    return _whole(vectors[name])
+        if not term.direction:
+            return {}
+        return _line(position, term.direction) or {"direction": _angle(things[term.direction])}
+    sought = not term and name in [e.total for e in equations]
+    return {} if sought or name not in vectors else _whole(vectors[name])
 
 
 def _line(position: Position, direction: str) -> Json:
@@ -100,8 +100,8 @@ def _lines(position: Position, given: Mapping[str, Json]) -> Json:
     lines = {}
     for one, two in permutations(position.plans.points, 2):
         if (name := f"r_{one}{two}") in names:
-            ends = (position.drawing[position.plans.points[n].position] for n in (two, one))
-            lines[name] = {"direction": _angle(next(ends) - next(ends))}
+            start, end = (position.drawing[position.plans.points[n].position] for n in (one, two))
+            lines[name] = {"direction": _angle(end - start)}
     return lines
 
 

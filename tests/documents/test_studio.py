@@ -16,7 +16,7 @@ from planes.documents.studio import engine, write_studio
 from planes.scene import load, loads
 from planes.solving.of_scene import solve
 from tests.helpers import ROOT
-from tests.helpers.browser import chromium, until, watched
+from tests.helpers.browser import until, watched
 from tests.helpers.studios import INNER, SEEN, Hand, behind_files, served
 
 DESK, PHONE = {"width": 1400, "height": 900}, {"width": 390, "height": 844}
@@ -24,14 +24,8 @@ SIX = ROOT / "samples" / "six-link.yaml"
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    pytest.importorskip("uvicorn", reason="install the test extra: pip install -e '.[test]'")
-    with chromium() as found:
-        yield found
-
-
-@pytest.fixture(scope="module")
 def address(browser: Any) -> Iterator[str]:
+    pytest.importorskip("uvicorn", reason="install the test extra: pip install -e '.[test]'")
     with served("--scenes", "samples/class-three") as found:
         browser.new_page().goto(found)  # the token is in the cookie now
         yield found.split("?")[0]

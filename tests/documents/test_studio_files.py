@@ -12,7 +12,7 @@ from PIL import Image
 
 from planes.cli import main
 from tests.helpers import ROOT
-from tests.helpers.browser import chromium, until
+from tests.helpers.browser import until
 from tests.helpers.studios import SEEN, behind_files, served
 
 SIX = ROOT / "samples" / "six-link.yaml"
@@ -23,14 +23,8 @@ ALERTED = "globalThis.alerted"
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    pytest.importorskip("uvicorn", reason="install the test extra: pip install -e '.[test]'")
-    with chromium() as found:
-        yield found
-
-
-@pytest.fixture(scope="module")
 def address(browser: Any) -> Iterator[str]:
+    pytest.importorskip("uvicorn", reason="install the test extra: pip install -e '.[test]'")
     with served() as found:
         browser.new_page().goto(found)
         yield found.split("?")[0]

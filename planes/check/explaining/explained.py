@@ -192,7 +192,7 @@ class Explanation:
 
     def faint(self) -> list[str]:
         """Vectors whose lines are hardly visible in the likeliest drawing, or whose heads are not at their ends."""
-        return [self._name(k) for k in numpy.flatnonzero(self._gone | self._headless).tolist()]
+        return [self._name(k) for k in numpy.flatnonzero(self._gone | self.scorer.headless(self.best)).tolist()]
 
     def unled(self) -> list[str]:
         """Marks with faint lines only: their positions come from the plan, not from the drawing."""
@@ -214,21 +214,11 @@ class Explanation:
         gaps = [self.ink.longest_gap(p, q) if abs(q - p) > w.LONG_MM else 0.0 for p, q in zip(a, b, strict=True)]
         return numpy.asarray(self.plan.needed & (numpy.array(gaps) > w.TORN_MM))
 
-    @cached_property
-    def _heads(self) -> Array:
-        """The heads of the vectors needed: see :meth:`SheetInk.heads_seen`."""
-        return self.scorer.heads_seen(self.best)
-
-    @property
-    def _headless(self) -> Booleans:
-        """Vectors without a head at their ends, where more have one."""
-        return numpy.asarray((self._heads < 0) & (numpy.sign(self._heads).sum() > 0))
-
-    def turned_round(self) -> list[SignFault]:
+    def reversed_vectors(self) -> list[SignFault]:
         """Vectors of the right plan that have their heads at their starts, where most others have them right."""
         how, lines = {1.0: DrawnVector("end"), -2.0: DrawnVector("start")}, self.plan.lines
         names = [("", self._name(k)) if k < len(self.plan.sides) else line for k, line in enumerate(lines)]
-        seen = {n: how[h] for n, h in zip(names, self._heads.tolist(), strict=True) if h in how}
+        seen = {n: how[h] for n, h in zip(names, self.scorer.heads_seen(self.best).tolist(), strict=True) if h in how}
         return [replace(f, chance_wrong=w.TURNED) for f in arrow_faults(seen)] if self.best.hypothesis.right else []
 
     def _name(self, k: int) -> str:

@@ -16,7 +16,7 @@ from planes.check.explaining import weights as w
 from planes.check.explaining.beforehand import LOST, covered, omitted, orders, shares_of_print
 from planes.check.explaining.hypotheses import catalogue, free_sizes, wholes, with_size
 from planes.check.explaining.plan_lines import Hypothesis, PlanLines, to_be_seen
-from planes.geometry.arrays import Array, Complexes
+from planes.geometry.arrays import Array, Booleans, Complexes
 from planes.words.frozen import replace
 
 Moves = Mapping[str, complex | Array]
@@ -61,7 +61,7 @@ class Scorer:
     def weighed(self) -> list[Laid]:
         """The likeliest hypotheses, settled, the best first; the right plan is one of them."""
         if plain := self._plainly() if self.ink.exact else []:
-            before, named = plain[0].score, self._by_names(plain)
+            before, named = plain[0].score, self._by_signs(plain)
             if before - named[0].score < w.TELLING:  # no name stands elsewhere
                 return named
             self.box = None
@@ -77,7 +77,7 @@ class Scorer:
             for first in [h for h in single if not h.right and h.turn == 1][: w.FIRSTS]:
                 pairs = [h for h in self.likeliest(first, alone=True) if h != first]
                 laid += [self.settled(h) for h in pairs[: w.SECONDS]]
-        return self._by_names(sorted(laid, key=lambda one: -one.score))
+        return self._by_signs(sorted(laid, key=lambda one: -one.score))
 
     def _in_the_order_of_mistakes(self, laid: list[Laid]) -> list[Laid]:
         """The right force polygon in the order in which the likeliest wrong one is laid, if it was not tried."""
@@ -93,6 +93,11 @@ class Scorer:
             return numpy.zeros(len(self.plan.lines))
         a, b = (z[0] for z in self._lines(one.hypothesis, self._row(one)))
         return self.ink.heads_seen(a, b) * (self.plan.needed & (self.ink.along(a, b, w.COARSE, 2) > w.DRAWN))
+
+    def headless(self, one: Laid) -> Booleans:
+        """Its vectors without a head at their ends, where more have one."""
+        seen = self.heads_seen(one)
+        return numpy.asarray((seen < 0) & (numpy.sign(seen).sum() > 0))
 
     def _plainly(self) -> list[Laid]:
         """The right plan and mistakes of the catalogue, if one leaves no ink unexplained: no other is likelier."""
@@ -140,8 +145,9 @@ class Scorer:
             best, most = (share, score) if score > most else (best, most)
         return best
 
-    def _by_names(self, laid: list[Laid]) -> list[Laid]:
-        """The same drawings scored with the names beside the lines, and for a force polygon with its order, too."""
+    def _by_signs(self, laid: list[Laid]) -> list[Laid]:
+        """The same drawings scored with their heads and the names beside their lines; right force polygons in more
+        orders, too."""
         best = laid[0]
         a, b = (z[0] for z in self._lines(best.hypothesis, self._row(best)))
         seen, force = abs(b - a) > w.SHORT_MM, self.plan.kind == "force"
@@ -162,10 +168,10 @@ class Scorer:
         """Score the heads missing from vectors that the right drawing has not, and the names that stand elsewhere."""
         if not one.places:
             return
-        seen = self.heads_seen(one)
-        if right.places and numpy.sign(seen).sum() > 0:
+        bare = self.headless(one)
+        if right.places and bare.any():
             here, there = (z[self.plan.ends] - z[self.plan.starts] for z in (self._row(one)[0], self._row(right)[0]))
-            one.score -= w.HEADLESS * float(((seen < 0) & (abs(here - there) > w.MOVED_MM)).sum())
+            one.score -= w.HEADLESS * float((bare & (abs(here - there) > w.MOVED_MM)).sum())
         if self.words.words:
             ends = (z[0].tolist() for z in self._lines(one.hypothesis, self._row(one)))
             places = [self.pole + one.places[n] for n in self.plan.labels]

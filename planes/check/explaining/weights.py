@@ -38,8 +38,8 @@ LETTERS = 1.2  # weight of names that stand elsewhere
 ODDS = (0.0, 0.8)  # of a mistake: at equal scores, and factor on a score, as logarithms
 TELLING, FAR_OFF_MM = 0.5, 4.0  # evidence for a mark's place over another at that distance, or the mark is unverified;
 # of 45 right blanks by other means at most one is right as seen for it; two wrong ones had been called right
-TURNED = 0.9  # chance of a vector turned round by its head on a picture: a page in twenty has one, seen on two in five,
-# and of 609 right pages none shows one
+TURNED = 0.9  # chance of a vector turned round by its head on a picture: a page in twenty has one, seen on one in four,
+# and of 614 right pages none shows one
 NO_DOUBT, ASKED = 0.02, 0.05  # less doubt is none; with more, the drawing may as well be the other
 LEAST_COVER = 0.75  # minimum share of the likeliest drawing's lines found, or no such plan is seen
 READ_MM, ASTRAY, SIGMAS, POLE_MM, UNSEEN_MM = (

@@ -128,8 +128,9 @@ def _judged(f: WrittenNumber, free: Hand, own: Hand | None, ruler_mm: float) -> 
     farthest = free.tool.skill.far * SIGMAS * sigma
     if not ruler_mm and too_near(true, sigma) and SHARE * abs(true) < off <= farthest:
         return _by_own_marks(f, own, true, sigma)
-    if off <= max(3 * sigma, SHARE * abs(true)) + 1e-9 * abs(true):
-        return Scored(f, true, sigma, "right", off > max(2 * sigma, SHARE * abs(true)))
+    right = Scored(f, true, sigma, "right", off > max(2 * sigma, SHARE * abs(true)))
+    if off <= right.tolerance + 1e-9 * abs(true):
+        return right
     if own is None:
         return Scored(f, true, sigma, "wrong")
     mine = first_of(f.read(own.things))

@@ -87,5 +87,5 @@ def looked(bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[st
     if seen.best.hypothesis.right and seen.best.strange > STRANGE_MM:
         flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.best.strange:.0f}")))
     motion = kind_of(bench.asked.plan) not in ("position", "force")
-    paper.signs = seen.whole_fault() or (seen.exchanged() if motion else []) or seen.turned_round()
+    paper.signs = seen.whole_fault() or (seen.exchanged() if motion else []) or seen.reversed_vectors()
     return look

@@ -14,7 +14,7 @@ from planes.words.names import at
 
 WORDS_OF_KIND = {1: ("left", "right"), 2: ("ahead", "behind"), 3: ("ahead", "behind")}
 
-PLACES = 12  # decimals of a place offered to the user, m: the rest is rounding
+DECIMALS = 12  # of a place offered to the user, m: the rest is rounding
 
 
 def resolve(b: Bodies) -> None:
@@ -108,7 +108,7 @@ def _question(b: Bodies, program: Program, choice: AssemblyChoice) -> Phrase:
     if g.kind != 3 and choice.placed:
         for side, place in _places(b, program, choice, choice.key):
             index = 0 if side > 0 else 1
-            x, y = (round(part, PLACES) + 0.0 for part in (place.real, place.imag))
+            x, y = (round(part, DECIMALS) + 0.0 for part in (place.real, place.imag))
             offers[index] = Phrase(placed, key=choice.key, word=words[index], x=x, y=y)
     key = "two_more_assemblies" if more else "two_assemblies"
     return Phrase(key, links=g.links, name=g.name, offers=tuple(offers))
