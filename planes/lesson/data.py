@@ -25,10 +25,12 @@ from planes.plans import Plans
 from planes.plans.measuring import lettering, say_plan, title_of
 from planes.scene import Scene
 from planes.words import Lang, say
-from planes.words.names import at, kind_of, lettered, links_of, mu_of, plan_of
+from planes.words.names import POLE, at, kind_of, lettered, links_of, mu_of, plan_of
 from planes.words.records import Json
 from planes.words.units import Convention
 
+MOTION = ("velocity", "acceleration", "lever")
+"""The plans that are not of forces."""
 Progress = Callable[[int, int], None]
 
 
@@ -55,7 +57,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "bodies": lesson.teller.bodies.drawn,
         "related": related(plans, {u.other: u.link for u in lesson.teller.stating.under.values()}),
         "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
-        "under": {at("position", u.point): u.other for u in lesson.teller.stating.under.values()},
+        "under": lesson.under(),
         "equations": lesson.equations,
         "centres": lines_of(plans),
         "noted": {k: spoken(f"lesson_centre_{k}", name="{name}") for k in NOTED * bool(plans.centres)},
@@ -151,7 +153,8 @@ def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
 
 
 def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
-    """Each vector of the plans once, by its ends, with all its names; ``sum`` marks one that is not a term."""
+    """Each vector of the plans once, by its ends, with all its names and its pen: results are thick; ``sum`` marks a
+    force that is not a term."""
     segments: dict[tuple[str, str, str], Json] = {}
     named = {t.name: whole(e, t.name) for e in plans.equations for t in e.terms}
     terms = {(e.plan, *sorted((t.start, t.end))) for e in plans.equations for t in e.terms}
@@ -159,13 +162,15 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
         rays = plans.figure.poles if plans.figure else ()
         shown = s.plan not in ("position", "motion") and at(s.plan, s.start) not in rays
         if s.start != s.end and shown and at(s.plan, s.end) in drawing:
-            corner = at(s.plan, s.end) in drawing.program.corners
-            new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": [], "corner": corner}
-            if (s.plan, *sorted((s.start, s.end))) not in terms:
+            force, name = kind_of(s.plan) not in MOTION, named.get(s.name, s.name)
+            from_pole = s.start == POLE and at(s.plan, s.end) not in drawing.program.corners
+            new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
+            if force and (s.plan, *sorted((s.start, s.end))) not in terms:
                 new["sum"] = True
-            names = segments.setdefault((s.plan, s.start, s.end), new)["names"]
-            name = named.get(s.name, s.name)
-            names += [name] * (name not in names)
+            one = segments.setdefault((s.plan, s.start, s.end), new)
+            one["names"] += [name] * (name not in one["names"])
+            result = any("^" not in n for n in one["names"]) if force else from_pole
+            one["pen"] = "result" if result else "part"
     return list(segments.values())
 
 

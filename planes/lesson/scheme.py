@@ -16,21 +16,16 @@ from planes.words.records import Json
 
 
 def scheme(plans: Plans, drawing: Drawing) -> Json:
-    """Links by their points, guides by a mark and a direction, sliders."""
+    """Links by their points, guides by a mark and a direction, and the signs on them."""
     m = plans.mechanism
-    moving = [p for x in m.links.values() for p in x.points]
     links, guides = [], []
     for x in m.links.values():
         guide, owner = m.round_guide(x) or (None, "")
-        points = m.joined(x)
-        other = next((y for y in m.links.values() if y.slides and y != x and y.first_point == x.first_point), None)
         links.append(
             {
                 "name": x.name,
-                "points": [at("position", p) for p in points],
-                "hinges": [at("position", p) for p in points if moving.count(p) > 1 or p in m.frame.points],
+                "points": [at("position", p) for p in m.joined(x)],
                 "round": {"centre": at("position", guide.centre), "link": owner} if guide else None,
-                "sign": "block" if other is None else "large" if m.rank(x) > m.rank(other) else "small",
                 "slides": x.slides.guide if x.slides else None,
             }
         )
@@ -42,10 +37,49 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
     return {
         "links": links,
         "guides": guides,
+        "signs": [*_supports(plans), *_sliders(m), *_hinges(plans)],
         "pivots": [at("position", p) for p in pivots(m)],
         "driver": m.drive.link,
         "drawn": drawn_beside(plans.figure, plans) if plans.figure else None,
     }
+
+
+def _supports(plans: Plans) -> Iterator[Json]:
+    """Rollers turned from their base, and clamps across the body towards the next of its points."""
+    spots = plans.figure.points if plans.figure else {}
+    for s in plans.figure.supports if plans.figure else ():
+        body = next((x for x in plans.mechanism.links.values() if s.point in x.points), None)
+        others = [p for p in body.points if p != s.point] if body and s.kind == "clamp" else []
+        towards = min(others, key=lambda p: abs(spots[p] - spots[s.point]), default=None)
+        if s.kind in ("roller", "clamp"):
+            sign = {"sign": s.kind, "mark": at("position", s.point), "turn": s.normal_deg - 90}
+            yield {**sign, "towards": at("position", towards)} if towards else sign
+
+
+def _sliders(m: Mechanism) -> list[Json]:
+    """Blocks along their guides; of two at one point the larger is drawn first."""
+    signs = []
+    for x in m.links.values():
+        if x.slides:
+            point, guide = x.first_point, x.slides.guide
+            other = next((y for y in m.links.values() if y.slides and y != x and y.first_point == point), None)
+            size = "block" if other is None else "large" if m.rank(x) > m.rank(other) else "small"
+            signs.append({"sign": size, "mark": at("position", point), "along": f"∥{guide}", "name": f"link:{x.name}"})
+    return sorted(signs, key=lambda sign: ("large", "block", "small").index(sign["sign"]))
+
+
+def _hinges(plans: Plans) -> Iterator[Json]:
+    """Fixed hinges, hinges between links, and points of one link, of Assur or of a circular guide."""
+    m = plans.mechanism
+    moving = [p for x in m.links.values() for p in x.points]
+    rollers = [s.point for s in plans.figure.supports if s.kind == "roller"] if plans.figure else []
+    centres = [guides[0].centre for x in m.links.values() if (guides := m.round_guide(x))]
+    yield from ({"sign": "ground", "mark": at("position", p)} for p in pivots(m))
+    joined = dict.fromkeys(p for x in m.links.values() for p in m.joined(x))
+    for p in dict.fromkeys([*joined, *centres, *special_points(plans)]):
+        hinged = p in rollers or (p in joined and (moving.count(p) > 1 or p in m.frame.points))
+        mark = at("position", p)
+        yield {"sign": "hinge" if hinged else "point", "mark": mark, "name": mark}
 
 
 def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
@@ -60,7 +94,6 @@ def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
     return {
         "strokes": [{"plan": s.plan, "kind": s.kind, "name": s.name, "ends": [s.start, s.end]} for s in figure.strokes],
         "loads": loads,
-        "signs": [{"kind": s.kind, "mark": at("position", s.point), "turn": s.normal_deg} for s in figure.supports],
         "members": [name for name, _, _ in figure.members],
         "numbered": sorted(figure.numbered),
     }

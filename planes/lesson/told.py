@@ -56,6 +56,16 @@ class Told:
         teller = Teller(plans, drawing, _cycle(knobs), scene.mu_convention)
         return cls(scene, plans, given, drawing, knobs, teller, teller.frames())
 
+    def under(self) -> Json:
+        """By the points of sliders, those under them, each with the frame whose equation first needs it."""
+        numbered = ((k, f.equation) for k, f in enumerate(self.frames) if f.key == "equation")
+        stated = [(k, self.plans.equations[n]) for k, n in numbered if n is not None]
+        marks, sliding = {}, self.teller.stating.sliding
+        for u in self.teller.stating.under.values():
+            first = (k for k, e in stated if any(s and s.other == u.other for s in map(sliding, e.terms)))
+            marks[at("position", u.point)] = {"name": u.other, "from": next(first, -1)}
+        return marks
+
     @cached_property
     def leaning(self) -> dict[int, Frame] | None:
         """Frames with more to say where guides are turned, by their number; None where the frames differ altogether."""

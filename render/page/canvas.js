@@ -1,10 +1,10 @@
 // The canvas: a mechanism is drawn point by point, link by link; each change is reported as a whole sketch.
 import { $, on } from "./dom.js";
 import { marked, taught } from "./first.js";
-import { along, distance } from "./geometry.js";
+import { along, distance, heading } from "./geometry.js";
 import { boxOf, depicted, viewOf } from "./moving.js";
 import { MM, arrow } from "./signs.js";
-import { alone, gone, guideAt, heading, holders, linkOf, merged, onGuide, pointAt, shifted, unguided,
+import { alone, gone, guideAt, holders, linkOf, merged, onGuide, pointAt, shifted, unguided,
   unpointed } from "./sketch.js";
 import { GROUPS, STAMPS, stamped } from "./stamps.js";
 import { svg } from "./svg.js";

@@ -3,6 +3,7 @@
 import { $, on, safe } from "./dom.js";
 import { Figure } from "./figure.js";
 import { distance } from "./geometry.js";
+import { Handles } from "./handles.js";
 import { Judge } from "./judge.js";
 import { letters } from "./labels.js";
 import { html } from "./letters.js";
@@ -108,14 +109,19 @@ class Sheet extends Figure { // the drawing under its marks, on one scale
 const original = data.marks.map((/** @type {Mark} */ m) => ({ ...m }));
 const sheet = new Sheet($("sheet"), data), judge = new Judge(data);
 let marks = original.map((/** @type {Mark} */ m) => ({ ...m })), found = /** @type {any} */ (null);
-let held = /** @type {any} */ (null), moved = false, shifted = [0, 0];
+let moved = false, shifted = [0, 0];
+const handles = new Handles(sheet.node, (name, e) => {
+  const [x, y] = mm(e);
+  drag(name, x, y);
+}, (name, [dx, dy], e) => {
+  const m = marks.find((/** @type {Mark} */ m) => m.name === name), k = e.shiftKey ? 5 : e.altKey ? 0.1 : 0.5;
+  const from = !m ? [0, 0] : m.read ? sheet.own.at(name) : sheet.mm(sheet.parked(marks.indexOf(m)));
+  drag(name, from[0] + k * dx, from[1] - k * dy);
+});
 
 function draw() {
-  const now = held; // redrawing loses the focus
   found = judge.judge(marks);
-  sheet.draw(marks, found);
-  held = now;
-  if (held) sheet.node.querySelector(`[data-mark="${CSS.escape(held)}"]`)?.focus({ preventScroll: true });
+  handles.redraw(() => sheet.draw(marks, found));
   if (!moved) return; // the printed outcome stays until a mark is moved
   /** @type {(text: string) => void} */
   say(found.sentence);
@@ -153,7 +159,7 @@ function table() {
 function move(name, x, y) {
   const m = marks.find((/** @type {Mark} */ m) => m.name === name);
   Object.assign(m, { x, y, read: true });
-  held = name;
+  handles.held = name;
   moved = true;
   draw();
 }
@@ -162,7 +168,7 @@ function origin(x, y) { // the pole moves on the picture: everything visible the
   for (const m of marks) if (m.read) { m.x -= x; m.y -= y; }
   for (const box of [data.box, data.picture.box]) for (let k = 0; k < 4; k++) box[k] -= k % 2 ? y : x;
   shifted = [shifted[0] + x, shifted[1] + y];
-  held = "p";
+  handles.held = "p";
   moved = true;
   draw();
 }
@@ -221,33 +227,6 @@ function mm(e) {
   const box = sheet.node.getBoundingClientRect();
   return sheet.mm([(e.clientX - box.left) * sheet.w / box.width, (e.clientY - box.top) * sheet.h / box.height]);
 }
-on(sheet.node, "pointerdown", e => {
-  const name = e.target.closest("[data-mark]")?.dataset.mark;
-  if (!name) return;
-  held = name;
-  sheet.node.dragged = name;
-  sheet.node.setPointerCapture(e.pointerId);
-  e.preventDefault();
-  e.target.closest("[data-mark]").focus({ preventScroll: true });
-});
-on(sheet.node, "pointermove", e => { if (sheet.node.dragged) {
-  const [x, y] = mm(e);
-  drag(sheet.node.dragged, x, y);
-} });
-for (const end of ["pointerup", "pointercancel"]) on(sheet.node, end,
-  () => { sheet.node.dragged = null; });
-on(sheet.node, "keydown", e => {
-  const way = /** @type {Record<string, number[]>} */ ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1],
-    ArrowDown: [0, -1] })[e.key];
-  const name = e.target.closest("[data-mark]")?.dataset.mark;
-  if (!way || !name) return;
-  e.preventDefault();
-  const m = marks.find((/** @type {Mark} */ m) => m.name === name), k = e.shiftKey ? 5 : e.altKey ? 0.1 : 0.5;
-  const from = !m ? [0, 0] : m.read ? sheet.own.at(name) : sheet.mm(sheet.parked(marks.indexOf(m)));
-  drag(name, from[0] + k * way[0], from[1] + k * way[1]);
-});
-on(sheet.node, "focusin", e => { held = e.target.closest("[data-mark]")?.dataset.mark || held; });
-on(sheet.node, "focusout", () => { if (!sheet.node.dragged) held = null; });
 document.querySelectorAll("input[data-layer]").forEach(i => {
   i.onchange = () => { sheet.layers[i.dataset.layer] = i.checked; draw(); }; });
 $("save").onclick = save;

@@ -3,9 +3,9 @@ import { bench, say } from "./bench.js";
 import { canvas, paint, step } from "./canvas.js";
 import { ask } from "./carrier.js";
 import { $, on } from "./dom.js";
-import { along, distance } from "./geometry.js";
+import { along, distance, heading } from "./geometry.js";
 import { problems, touched } from "./problems.js";
-import { copied, heading, renamed, shifted } from "./sketch.js";
+import { copied, renamed, shifted } from "./sketch.js";
 import { asTyped, typed } from "./typed.js";
 
 const BESIDE = 3; // steps of the grid from a part to its copy

@@ -6,6 +6,8 @@ export function distance(a, b) { return Math.hypot(b[0] - a[0], b[1] - a[1]); }
 export function along([x, y], by, angle) {
   return [x + by * Math.cos(angle * Math.PI / 180), y + by * Math.sin(angle * Math.PI / 180)];
 }
+/** The direction from a place to another, degrees. @type {(a: Spot, b: Spot) => number} */
+export const heading = (a, b) => Math.atan2(b[1] - a[1], b[0] - a[0]) * 180 / Math.PI;
 /** @type {(p: Spot, stroke: Ends) => number} */
 export function gap(p, [a, b]) { // from a point to a stroke, px
   const dx = b[0] - a[0], dy = b[1] - a[1], n = dx * dx + dy * dy;

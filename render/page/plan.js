@@ -8,8 +8,8 @@ import { circle, end } from "./svg.js";
 const SAME_PX = 2;
 
 export class Plan extends Lensed {
-  places = /** @type {Ends[]} */ ([]); // of forces
   drawn = /** @type {Shown[]} */ ([]);
+  sides = /** @type {Shown[]} */ ([]); // of a polygon of forces, as laid
   /** @type {(key: string) => Box} */
   frame(key) { // the plan in its given position fills the panel; the view follows a growing one, up to three times
     const marks = this.own(key), now = this.box(marks), own = this.box(marks, n => live.home(n)) || now || [0, 0, 1, 1];
@@ -30,16 +30,15 @@ export class Plan extends Lensed {
     const there = n => seen.has(n) && this.spot(n);
     const made = frame && !hidden ? frame.makes.filter((/** @type {string} */ m) => m.startsWith(key + ":")) : [];
     for (const m of made) this.trace(this.data.traces[m], m);
-    const names = /** @type {any[]} */ ([]);
-    this.places = [];
+    this.sides = [];
     this.drawn = [];
     const upto = frame ? this.data.frames.indexOf(frame) - (hidden ? 1 : 0) : this.data.frames.length;
     const begun = (/** @type {Segment} */ s) => s.plan === key &&
       (!force || s.names.some((/** @type {string} */ n) => born(n, key) <= upto));
-    const segments = this.data.segments.filter(begun);
-    for (const s of segments) if (!force || !s.sum) this.segment(s, there, lit, force, names);
+    const begunOnes = this.data.segments.filter(begun);
+    for (const s of begunOnes) if (!s.sum) this.segment(s, there, lit, force);
     const numbers = this.numbered();
-    for (const s of segments) if (force && s.sum) this.segment(s, there, lit, force, names);
+    for (const s of begunOnes) if (s.sum) this.segment(s, there, lit, force);
     const drawn = this.data.scheme.drawn, lettered = drawn && drawn.members.length && key === "cremona";
     if (drawn) this.strokesOf(drawn, key, there);
     if (lever) this.lever(there);
@@ -52,8 +51,8 @@ export class Plan extends Lensed {
     if (pole && !lettered && !this.data.moves && !key.startsWith("force") && force) this.beside(pole, ["p"], key);
     if (!lettered) numbers.forEach((q, k) => this.beside(q, [String(k + 1)], key, 5, ""));
     const number = (/** @type {Spot} */ q) => 1 + numbers.findIndex(o => distance(o, q) < SAME_PX);
-    if (force) for (const [a, b, n] of names) if (!lettered || !drawn.members.includes(n[0]))
-      this.along(a, b, n, key, number(a) && number(b) && !lettered ? `(${number(a)}–${number(b)})` : "");
+    for (const { a, b, names } of this.sides) if (!lettered || !drawn.members.includes(names[0]))
+      this.along(a, b, names, key, number(a) && number(b) && !lettered ? `(${number(a)}–${number(b)})` : "");
     if (!force || lettered) for (const g of this.groups(this.own(key).filter(n => seen.has(n)), 5)) this.beside(g.q,
       this.fixed(g.names, key), key);
     this.settle();
@@ -64,25 +63,20 @@ export class Plan extends Lensed {
   fixed(names, key) { // fixed points of the scheme end at the pole
     return names.includes("p") ? [...names, ...this.data.plans.find(p => p.key === key).fixed] : names;
   }
-  /** @type {(s: Segment, there: There, lit: Set<string>, force: boolean, names: any[]) => void} */
-  segment(s, there, lit, force, names) {
-    let a = there(`${s.plan}:${s.start}`), b = there(`${s.plan}:${s.end}`);
+  /** @type {(s: Segment, there: There, lit: Set<string>, force: boolean) => void} */
+  segment({ plan, start, end, names, pen, sum }, there, lit, force) {
+    let a = there(`${plan}:${start}`), b = there(`${plan}:${end}`);
     if (!a || !b) return;
-    const whole = force ? s.names.some(n => !n.includes("^")) : s.start === "p" && !s.corner;
-    const on = s.names.some(n => lit.has(n));
-    const kind = (whole ? "result" : "part") + (on ? " lit" : "");
-    this.drawn.push({ a, b, kind, names: s.names });
-    if (force && s.sum) [a, b] = this.aside(a, b); // the others are in the polygon, head to tail
-    this.arrow(a, b, kind, s.names.join(" "));
-    if (force && distance(a, b) > 1) {
-      this.places.push([a, b]);
-      names.push([a, b, s.names]);
-    }
+    const kind = pen + (names.some(n => lit.has(n)) ? " lit" : "");
+    this.drawn.push({ a, b, kind, names });
+    if (sum) [a, b] = this.aside(a, b); // the others are in the polygon, head to tail
+    this.arrow(a, b, kind, names.join(" "));
+    if (force && distance(a, b) > 1) this.sides.push({ a, b, kind, names });
   }
   /** @type {() => Spot[]} */
   numbered() { // the ends of overlapping forces, along the polygon
-    const lying = this.places.filter(p => this.places.some(o => o !== p && upon(p[0], p[1], o)));
-    return lying.flat().filter((q, k, all) => all.findIndex(o => distance(o, q) < SAME_PX) === k);
+    const lying = this.sides.filter(p => this.sides.some(o => o !== p && upon(p.a, p.b, o)));
+    return lying.flatMap(({ a, b }) => [a, b]).filter((q, k, all) => all.findIndex(o => distance(o, q) < SAME_PX) === k);
   }
   /** @type {(a: Spot, b: Spot) => Ends} */
   aside(a, b) { // a sum of forces is drawn beside the forces it overlaps, with ticks to its ends
@@ -90,7 +84,7 @@ export class Plan extends Lensed {
     if (n < 1) return [a, b];
     for (const k of [0, 1, -1, 2, -2, 3, -3]) {
       const d = k * (this.size ? 4 : 8), p = [a[0] + x * d, a[1] + y * d], q = [b[0] + x * d, b[1] + y * d];
-      if (this.places.some(o => upon(p, q, o))) continue;
+      if (this.sides.some(o => upon(p, q, o))) continue;
       for (const [from, to] of k ? [[a, p], [b, q]] : []) this.line(from, to, "trace", "", false);
       return [p, q];
     }
@@ -103,8 +97,8 @@ export class Plan extends Lensed {
       if (pole && q && n !== "lever:p") this.line(pole, q, "link"); }
   }
 }
-/** @type {(p: Spot, q: Spot, stroke: Ends) => boolean} */
-function upon(p, q, [a, b]) { // whether two strokes of one line share more than a few pixels
+/** @type {(p: Spot, q: Spot, side: Shown) => boolean} */
+function upon(p, q, { a, b }) { // whether two strokes of one line share more than a few pixels
   const n = distance(a, b), ux = (b[0] - a[0]) / n, uy = (b[1] - a[1]) / n;
   const along = (/** @type {Spot} */ r) => (r[0] - a[0]) * ux + (r[1] - a[1]) * uy;
   const off = (/** @type {Spot} */ r) => Math.abs((r[0] - a[0]) * uy - (r[1] - a[1]) * ux);

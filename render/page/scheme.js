@@ -1,7 +1,7 @@
 // The scheme of the mechanism: links, hinges, guides, sliders, and the forces on them.
 import { Drawing } from "./drawing.js";
 import { born } from "./frames.js";
-import { along, distance, hull, union } from "./geometry.js";
+import { along, distance, heading, hull, union } from "./geometry.js";
 import { labelOf } from "./letters.js";
 import { live, state } from "./page.js";
 import { paper } from "./signs.js";
@@ -10,11 +10,12 @@ import { arc, end, coordinates, svg } from "./svg.js";
 // additions by other modules: the figure, the frame, the visible marks
 export const overlays = /** @type {((figure: Scheme, frame: any, seen: Set<string>) => void)[]} */ ([]);
 
+const PENS = /** @type {Said} */ ({ large: "block", small: "block", roller: "ground", clamp: "ground" }); // as classes
+
 export class Scheme extends Drawing {
   /** @param {Element} node @param {LessonData} data @param {number[]} [size] */
   constructor(node, data, size) {
     super(node, data, size);
-    this.first = /** @type {Numbers} */ ({});
     this.names = Object.keys(data.marks).filter(n => n.startsWith("position:") && n !== "position:p" &&
       !data.helpers.includes(n));
     this.centres = data.scheme.links.flatMap(l => l.round ? [l.round.centre] : []);
@@ -38,13 +39,12 @@ export class Scheme extends Drawing {
     const apart = (/** @type {Link} */ l) => own.length && !own.includes(l.name);
     for (const l of scheme.links) this.link(l, there, apart(l) ? " away" : "");
     if (scheme.drawn) this.standing(scheme.drawn, there, !own.length && !told);
-    for (const size of ["large", "block", "small"]) for (const l of scheme.links.filter(l => l.sign === size)) {
-      const p = l.slides && there(l.points[0]), angle = live.angle("∥" + l.slides);
-      if (p && angle !== null) this.sign(size, p, angle, "block", `link:${l.name}`);
-    }
     for (const l of scheme.links) if (l.round) this.rounded(l, there(l.points[0]), there(l.round.centre));
-    for (const n of scheme.pivots) if (there(n)) this.sign("ground", there(n));
-    this.hinges(there, lit);
+    for (const { sign, mark, name, along, turn, towards } of scheme.signs) {
+      const p = there(mark), q = towards && there(towards);
+      const angle = along ? live.angle(along) : q ? -heading(p, q) : turn ?? 0;
+      if (p && angle !== null) this.sign(sign, p, angle, (PENS[sign] ?? sign) + (lit.has(name) ? " lit" : ""), name);
+    }
     if (told) this.forces(told, frame.terms);
     const made = frame && frame.chapter !== "centres" ? frame.makes : [];
     for (const m of made) if (m.startsWith("position:")) this.trace(this.data.traces[m], m);
@@ -53,18 +53,16 @@ export class Scheme extends Drawing {
     const joints = [...new Set([...scheme.links.flatMap(l => l.points), ...scheme.pivots, ...this.centres])];
     for (const n of this.special) if (there(n)) this.beside(there(n), [labelOf(n)], "position", 9, n);
     for (const g of this.groups(joints.filter(n => seen.has(n)), 6)) {
-      const under = g.names.map(n => this.data.under["position:" + n]).filter(n => n &&
-        state.frame >= this.introduced(n));
-      this.beside(g.q, [...g.names, ...under], "position", 9, g.names.map(n => "position:" + n).join(" "));
+      const under = g.names.map(n => this.data.under["position:" + n]).filter(u => u && state.frame >= u.from);
+      this.beside(g.q, [...g.names, ...under.map(u => u.name)], "position", 9, g.names.map(n => "position:" + n).join(" "));
     }
     for (const show of overlays) show(this, frame, seen);
     this.settle();
     end();
   }
   /** @type {(drawn: Statics, there: There, loaded: boolean) => void} */
-  standing(drawn, there, loaded) { // strings, lines of action, supports, loads at their points: not to scale
+  standing(drawn, there, loaded) { // strings, lines of action, loads at their points: not to scale
     this.strokesOf(drawn, "position", there);
-    for (const s of drawn.signs) if (s.kind in paper.signs && there(s.mark)) this.support(there(s.mark), s, there);
     for (const f of loaded ? drawn.loads : []) {
       const p = there(f.mark), angle = live.angle(f.along), size = live.value(f.size);
       if (!p || angle == null || !size) continue;
@@ -73,32 +71,21 @@ export class Scheme extends Drawing {
       this.along(from, p, [f.name], "force");
     }
   }
-  /** @type {(p: Spot, s: { kind: string, mark: string, turn: number }, there: There) => void} */
-  support(p, { kind, mark, turn }, there) { // a roller turned from its base, a clamp across the body it holds
-    const held = this.data.scheme.links.find(l => l.points.includes(mark)).points.map(there).filter(Boolean);
-    const [, [x, y] = [p[0] + 1, p[1]]] = held.sort((a, b) => distance(p, a) - distance(p, b));
-    this.sign(kind, p, kind === "clamp" ? Math.atan2(p[1] - y, x - p[0]) * 180 / Math.PI : turn - 90, "ground");
-  }
   // the free body of a group, with the forces laid off so far at their points, as long as on the plan
   /** @type {(frame: Frame) => void} */
   loaded(frame) {
     const upto = this.data.frames.indexOf(frame);
+    const known = (/** @type {string} */ n) => born(n, frame.plan) >= 0 && born(n, frame.plan) <= upto;
     for (const s of this.data.segments) for (const name of s.plan === frame.plan ? s.names : []) {
       const [p, a, b] = [this.data.acts[name] || "", `${s.plan}:${s.start}`, `${s.plan}:${s.end}`].map(n => this.at(n));
-      const first = born(name, frame.plan);
-      const whole = this.data.segments.some(o => o.plan === s.plan &&
-        o.names.some(n => n === name.split("^")[0] && n !== name && born(n, s.plan) <= upto));
-      if (!p || !a || !b || first > upto || first < 0 || (name.includes("^") && whole)) continue;
+      const sum = name.split("^")[0];
+      if (!p || !a || !b || !known(name) || (sum !== name && known(sum))) continue;
       const q = this.px(p);
       const e = [q[0] + (b[0] - a[0]) * this.k, q[1] - (b[1] - a[1]) * this.k];
       if (!this.arrow(q, e, frame.terms.includes(name) ? "force" : "part loaded", name)) continue;
       const n = distance(q, e), far = Math.min(n, 90) / n;
       this.along(q, [q[0] + (e[0] - q[0]) * far, q[1] + (e[1] - q[1]) * far], [name], frame.plan);
     }
-  }
-  /** @type {(name: string) => number} */
-  introduced(name) { // the frame that explains the point under a slider
-    return this.first[name] ??= this.data.frames.findIndex(f => f.key === "equation" && f.why.en.includes(`⟨${name}⟩`));
   }
   /** @type {(frame: Frame) => void} */
   carried(frame) { // a relative vector at its point, and the sense in which it turns the link
@@ -163,16 +150,5 @@ export class Scheme extends Drawing {
       if (fixed) this.sign("stroke", at(t), -t * 180 / Math.PI, "ground");
     }
     this.sign("block", p, 90 - here * 180 / Math.PI, "block", `link:${l.name}`);
-  }
-  /** @type {(there: There, lit: Set<string>) => void} */
-  hinges(there, lit) {
-    const { drawn, links } = this.data.scheme, hinges = new Set(links.flatMap(l => l.hinges));
-    for (const s of drawn?.signs ?? []) if (s.kind === "roller") hinges.add(s.mark);
-    for (const n of new Set([...links.flatMap(l => l.points), ...this.centres, ...this.special])) {
-      const p = there(n);
-      if (!p) continue;
-      const kind = hinges.has(n) ? "hinge" : "point";
-      this.sign(kind, p, 0, kind + (lit.has(n) ? " lit" : ""), n);
-    }
   }
 }

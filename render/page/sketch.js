@@ -1,5 +1,5 @@
 // A sketch under the hand: new names, places on guides, parts that go with others, other names.
-import { along, distance } from "./geometry.js";
+import { along, distance, heading } from "./geometry.js";
 
 const POINTS = [..."ABCDEFGHKLMNPQRSTUVW"], RAILS = ["x-x", "y-y", "z-z", "n-n", "m-m", "q-q"];
 const AT_MOST = 400, SAME_M = 1e-9;
@@ -27,8 +27,6 @@ export function guideAt({ guides }, at, angle, link) {
 }
 /** The links of a point, in the order of the sketch. @type {(sketch: Sketch, point: string) => string[]} */
 export const holders = ({ links }, point) => Object.keys(links).filter(n => links[n].points.includes(point));
-/** @type {(a: Spot, b: Spot) => number} */
-export const heading = (a, b) => Math.atan2(b[1] - a[1], b[0] - a[0]) * 180 / Math.PI;
 /** @type {(guide: { at: Spot, angle: number }, p: Spot) => Spot} */
 export function onGuide({ at, angle }, [x, y]) {
   const a = angle * Math.PI / 180;

@@ -1,6 +1,6 @@
 // Stamps: the groups of two links, a motor in a hinge, a cylinder; each joined to what is at its two ends.
-import { along, distance } from "./geometry.js";
-import { guideAt, heading, holders, linkOf, onGuide, pointAt } from "./sketch.js";
+import { along, distance, heading } from "./geometry.js";
+import { guideAt, holders, linkOf, onGuide, pointAt } from "./sketch.js";
 
 const WAY_DEG = 15, LONG = 1.5, BEYOND = 0.5, TURNED_DEG = 60, TURNS = 10, STRETCHES = 0.1; // rad/s, m/s
 export const GROUPS = ["RRR", "RRP", "RPR", "PRP", "RPP"], STAMPS = [...GROUPS, "motor", "cylinder"];

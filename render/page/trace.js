@@ -1,12 +1,12 @@
 // Tracing paper: the correct plan over a picture of a drawing, moved by its pole, turned and scaled by a mark.
 import { $, on } from "./dom.js";
 import { Figure } from "./figure.js";
+import { Handles } from "./handles.js";
 import { circle, svg } from "./svg.js";
 
 const data = JSON.parse(document.getElementById("data").textContent);
 // a place of the plan (mm, y up) lies at pole + turn · its mirror image, in pixels of the picture (y down)
-const state = { plan: data.plans[0], pole: [0, 0], turn: [1, 0], size: [1200, 800], file: "",
-  drag: /** @type {any} */ (null), held: /** @type {any} */ (null) };
+const state = { plan: data.plans[0], pole: [0, 0], turn: [1, 0], size: [1200, 800], file: "" };
 
 class Tracing extends Figure {
   zoom = 1;
@@ -49,6 +49,13 @@ class Tracing extends Figure {
   }
 }
 const sheet = new Tracing($("sheet"), data);
+const handles = new Handles(sheet.node, (name, e) => {
+  const box = sheet.node.getBoundingClientRect();
+  move(name, (e.clientX - box.left) / sheet.zoom, (e.clientY - box.top) / sheet.zoom);
+}, (name, way, e) => {
+  const [x, y] = sheet.px(sheet.at(name)).map(v => v / sheet.zoom), k = e.shiftKey ? 10 : 1;
+  move(name, x + k * way[0], y + k * way[1]);
+});
 
 /** @type {(name: string) => Spot} */
 function place(name) { return sheet.px(sheet.at(name)).map(v => Math.round(v / sheet.zoom)); }
@@ -56,10 +63,7 @@ function place(name) { return sheet.px(sheet.at(name)).map(v => Math.round(v / s
 function shown(v, digits) { const t = v.toFixed(digits);
   return document.documentElement.lang !== "en" ? t.replace(".", ",") : t; }
 function draw() {
-  const now = state.held;
-  sheet.draw();
-  state.held = now;
-  if (now) sheet.node.querySelector(`[data-mark="${CSS.escape(now)}"]`)?.focus({ preventScroll: true });
+  handles.redraw(() => sheet.draw());
   const turned = Math.atan2(-state.turn[1], state.turn[0]) * 180 / Math.PI, by = $("by").value;
   $("said").innerHTML = `${data.words.turned} <b>${shown(turned, 1).replace("-",
     "−")}°</b>, <b>${shown(Math.hypot(...state.turn), 2)}</b> ${data.words.scale}`;
@@ -77,7 +81,6 @@ function move(name, x, y) { // pixels of the picture
     const [u, v] = sheet.at(name), dx = x - state.pole[0], dy = y - state.pole[1], n = u * u + v * v;
     if (Math.hypot(dx, dy) > 3) state.turn = [(dx * u - dy * v) / n, (dx * v + dy * u) / n];
   }
-  state.held = name;
   draw();
 }
 function home() { // the plan in the middle, filling half the sheet
@@ -114,34 +117,6 @@ function open(file) {
     };
   image.src = url;
 }
-/** @type {(e: MouseEvent) => Spot} */
-function spot(e) {
-  const box = sheet.node.getBoundingClientRect();
-  return [(e.clientX - box.left) / sheet.zoom, (e.clientY - box.top) / sheet.zoom];
-}
-on(sheet.node, "pointerdown", e => {
-  const name = e.target.closest("[data-mark]")?.dataset.mark;
-  if (!name) return;
-  state.drag = state.held = name;
-  sheet.node.setPointerCapture(e.pointerId);
-  e.preventDefault();
-});
-on(sheet.node, "pointermove", e => { if (state.drag) {
-  const [x, y] = spot(e);
-  move(state.drag, x, y);
-} });
-for (const end of ["pointerup", "pointercancel"]) on(sheet.node, end, () => { state.drag = null; });
-on(sheet.node, "keydown", e => {
-  const way = /** @type {Record<string, number[]>} */ ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1],
-    ArrowDown: [0, 1] })[e.key];
-  const name = e.target.closest("[data-mark]")?.dataset.mark;
-  if (!way || !name) return;
-  e.preventDefault();
-  const q = sheet.px(sheet.at(name)), k = e.shiftKey ? 10 : 1;
-  move(name, q[0] / sheet.zoom + k * way[0], q[1] / sheet.zoom + k * way[1]);
-});
-on(sheet.node, "focusin", e => { state.held = e.target.closest("[data-mark]")?.dataset.mark || null; });
-on(sheet.node, "focusout", () => { state.held = null; });
 on(document, "dragover", e => e.preventDefault());
 on(document, "drop", e => { e.preventDefault(); open(e.dataTransfer.files[0]); });
 $("file").onchange = () => open(/** @type {FileList} */ ($("file").files)[0]);

@@ -40,11 +40,12 @@ interface Frame {
   why: Said; moments: number; turns: Turns; values: string[]; tools: Tool[]; rows: Row[]; tells: string[];
   chapter: string; still: Said;
 }
-interface Segment { plan: string; start: string; end: string; names: string[]; corner: boolean; sum?: boolean; }
+interface Segment { plan: string; start: string; end: string; names: string[]; pen: string; sum?: boolean; }
 interface Trace { lines?: string[]; arcs?: string[]; }
 interface Link {
-  name: string; points: string[]; hinges: string[]; slides: string; sign: string; round: { centre: string; link: string };
+  name: string; points: string[]; slides: string; round: { centre: string; link: string };
 }
+interface Sign { sign: string; mark: string; name?: string; along?: string; turn?: number; towards?: string; }
 interface Guide { name: string; link: string; mark: string; }
 interface Term { name: string; action: string; known: number; start?: string; end?: string; at?: string; minus?: boolean; }
 interface Equation { plan: string; total: Term; closed: boolean; sides: Term[][]; }
@@ -61,9 +62,10 @@ interface TapeData {
 interface Drive { symbol: string; given: string; at: number; held: Said; from: number; to: number; }
 interface LessonData {
   title: Said; moves: boolean; formula: string; drive: Drive; home: Numbers; knobs: Knob[]; drags: Record<string, string[]>; id: string;
-  plans: PlanOf[]; segments: Segment[]; traces: Record<string, Trace>; moments: Moments[]; acts: Said; under: Said;
+  plans: PlanOf[]; segments: Segment[]; traces: Record<string, Trace>; moments: Moments[]; acts: Said;
+  under: Record<string, { name: string; from: number }>;
   bodies: Record<string, Moments>; reckoned: { words: Record<string, Said>; units: Record<string, Said> };
-  scheme: { links: Link[]; guides: Guide[]; pivots: string[]; driver: string; drawn: Statics }; helpers: string[]; equations: Equation[];
+  scheme: { links: Link[]; guides: Guide[]; signs: Sign[]; pivots: string[]; driver: string; drawn: Statics }; helpers: string[]; equations: Equation[];
   frames: Frame[]; related: Record<string, string[]>; leaning?: Record<string, any>; units: Record<string, Said>;
   results: { name: string; value: string; unit: Said }[]; marks: Record<string, number[]>; values: Numbers;
   turned: Record<string, number[]>; sharp: Numbers; holds: { at: number; said: Said }[]; slips: Slip[]; lines: Said;
@@ -77,7 +79,7 @@ interface LessonData {
 interface Statics {
   strokes: { plan: string; kind: string; name: string; ends: string[] }[];
   loads: { name: string; mark: string; along: string; size: string }[];
-  signs: { kind: string; mark: string; turn: number }[]; members: string[]; numbered: string[];
+  members: string[]; numbered: string[];
 }
 
 interface Stroke { pen: string; points: Spot[]; closed?: boolean; r?: number; } // mm; with a radius a circle

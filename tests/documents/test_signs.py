@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Iterator
-from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -88,8 +87,10 @@ def scheme_of(name: str) -> Any:
 
 
 def hinges_and_points(scheme: Any, more: tuple[str, ...] = ()) -> dict[str, symbols.Marks]:
-    hinges = {*chain.from_iterable(x["hinges"] for x in scheme["links"]), *more}
-    return {p: symbols.hinge(0j) if p in hinges else symbols.dot(0j) for x in scheme["links"] for p in x["points"]}
+    """Points of two links, and fixed ones, are hinges."""
+    points = [p for x in scheme["links"] for p in x["points"]]
+    hinges = {*(p for p in points if points.count(p) > 1), *scheme["pivots"], *more}
+    return {p: symbols.hinge(0j) if p in hinges else symbols.dot(0j) for p in points}
 
 
 @pytest.mark.parametrize("wide", [True, False])
@@ -121,8 +122,8 @@ def test_supports_are_those_of_the_sheet(browser: Any, tmp_path: Path, name: str
     with lesson_opened(browser, lesson_written(tmp_path, SAMPLES / f"statics/{name}.yaml")) as page:
         page.evaluate("go(data.frames.length - 1)")
         figure, drawn = shown(page)
-    held = {s["mark"]: s for s in scheme["drawn"]["signs"] if s["kind"] in ("roller", "clamp")}
-    rollers = tuple(mark for mark, s in held.items() if s["kind"] == "roller")
+    held = {s["mark"]: s for s in scheme["signs"] if s["sign"] in ("roller", "clamp")}
+    rollers = tuple(mark for mark, s in held.items() if s["sign"] == "roller")
     wanted = [(p, marks) for p, marks in hinges_and_points(scheme, rollers).items()]
     wanted += [(p, symbols.fixed_hinge(0j)) for p in scheme["pivots"]]
     wanted += [(mark, symbols.wall(0j) if clamped else symbols.roller(0j)) for mark in held]
