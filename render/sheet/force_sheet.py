@@ -42,7 +42,7 @@ class ForceSheet:
                 every_view += [replace(v, step=plan) for v in step if v]
         every_view.append(self.lever(position, letter))
         tables = c.tables(position, letter)
-        return [v for v in (*every_view, tables.given(), tables.reactions(), tables.check(), *c.notes(letter)) if v]
+        return [v for v in (*every_view, tables.given(), *tables.forces(), *c.notes(letter)) if v]
 
     def loaded(self, position: Position) -> View:
         """The scheme with all external loads."""

@@ -13,6 +13,7 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
 from planes.geometry.plane import corners, dropped, toward
 from planes.plans.apart import LinkApart, links_apart
+from planes.plans.force.reactions import Reaction
 from planes.plans.position.bodies import SCHEME
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import Link, Mechanism
@@ -34,6 +35,7 @@ class Plotted:
     scales: Mapping[str, float]
     fixed: tuple[str, ...] = ()
     figure: StaticsFigure | None = None
+    leaning: tuple[Reaction, ...] = ()  # of guides with friction
 
     def mark(self, plan: str, label: str) -> complex:
         """The place of a mark, mm from the pole of its plan."""
@@ -75,7 +77,8 @@ def of_position(p: Position) -> Plotted:
     """The plans of a mechanism in one position."""
     m = p.plans.mechanism
     shared = tuple(n.lower() for n in m.frame.points if any(n in link.points for link in m.links.values()))
-    return Plotted(p.drawing, p.plans.segments, p.plans.equations, p.scales, shared, p.plans.figure)
+    leaning = tuple(r for r in p.plans.reactions.values() if r.friction and r.pair.guide)
+    return Plotted(p.drawing, p.plans.segments, p.plans.equations, p.scales, shared, p.plans.figure, leaning)
 
 
 def with_links_apart(p: Position) -> tuple[Plotted, dict[str, list[LinkApart]]]:

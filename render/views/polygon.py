@@ -6,7 +6,8 @@ from functools import cached_property
 from itertools import combinations
 
 from planes.drafting.equations import Term
-from planes.geometry.plane import toward
+from planes.geometry.plane import dropped, toward
+from planes.plans.force.loads import pair_index
 from planes.plans.scales import ZERO_MM
 from planes.words import say
 from planes.words.names import POLE, at, kind_of, label_of
@@ -72,10 +73,13 @@ class Polygon:
         self.marks += lines
         self.lines_of_action()
         self.vectors()
+        sides = self.friction_sides()
+        self.marks += (Arrow(*ends, "vector", "force", name) for name, ends in sides.items())
         rays, lettered = drawn_strokes(self.plotted.drawing, self.plotted.figure, self.plan)
         self.marks += rays
         ground = (*self.marks, *dot(self.mark(POLE), 0.7, "plan"))
         details = detail.details(self.places.values(), self.letters(), self.of_rates)
+        lettered += [Label(self.naming.vector(name), ends, FORCE_MM, name=name) for name, ends in sides.items()]
         named = [*self.named(details), *lettered]
         circled = (*ground, *self.aside, *(d.circle() for d in details))
         strokes = hatched(triangles)
@@ -166,6 +170,18 @@ class Polygon:
             else:
                 ticks = (Line(tick(*two), "thin", "construction") for two in zip(ends, placed, strict=True))
                 self.aside += (*ticks, arrow)
+
+    def friction_sides(self) -> dict[str, Ends]:
+        """The normal force and the friction of each leaning reaction, as the sides of a right triangle upon it."""
+        sides = dict[str, Ends]()
+        for r in self.plotted.leaning:
+            start, end = label_of(r.start), label_of(r.end)
+            if r.plan == self.plan and self.plotted.has(self.plan, start, end):
+                a, b, along = self.mark(start), self.mark(end), complex(self.plotted.drawing[f"∥{r.pair.guide}"])
+                corner, index = dropped(a, b, along), pair_index(r.pair.link, r.pair.other)
+                if abs(corner - a) > detail.SHORT_MM < abs(b - corner):
+                    sides |= {f"N_{index}": (a, corner), f"T_{index}": (corner, b)}
+        return sides
 
     def is_result(self, ends: tuple[str, str], names: list[str]) -> bool:
         """Whole vectors from the pole, and whole forces that were found here."""

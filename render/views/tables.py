@@ -112,16 +112,12 @@ class Tables:
         """Every table with contents; the measurements on both motion plans ``joined`` in one."""
         if not self.position.plans.moves:
             return [t for t in (self.given(), self.vectors(), self.members(), self.values()) if t]
-        tables = (
-            self.given(),
-            *self.rates(joined),
-            self.links(),
-            self.reactions(),
-            self.edges(),
-            self.check(),
-            self.equations(),
-        )
+        tables = (self.given(), *self.rates(joined), self.links(), *self.forces(), self.equations())
         return [t for t in tables if t]
+
+    def forces(self) -> tuple[View | None, ...]:
+        """The tables of the force calculation."""
+        return self.reactions(), self.edges(), self.friction(), self.check()
 
     def equations(self) -> View | None:
         """The user's equations: the result of each, or whether it closes and what would close it."""
@@ -214,6 +210,16 @@ class Tables:
             [self.naming.vector(f.quantity.name), self.number(f.number)] for f in self.position.of("edges").values()
         ]
         return self.table("edges", "of_edges", ["", self.say("N")], rows)
+
+    def friction(self) -> View | None:
+        """The normal force, the friction and its power in every pair; in a hinge the couple of friction."""
+        rubbing = self.position.of("friction").values()
+        rows = [
+            [self.naming.vector(f.quantity.name), self.number(f.number), self.say(f.quantity.columns[0].unit)]
+            for f in rubbing
+            if f.number
+        ]
+        return self.table("friction", "friction_table", ["", "", ""], rows)
 
     @property
     def idle(self) -> bool:

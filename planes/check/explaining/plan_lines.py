@@ -113,11 +113,17 @@ class PlanLines:
         return [*lines], [*lines.values()]
 
     def signs(self, places: Complexes) -> tuple[Complexes, Complexes, Complexes, Array]:
-        """The symbols of a scheme, row by row: guides by their two ends, the others by centre and radius, mm."""
+        """What else may be drawn, row by row: the guides of a scheme by their two ends, its other symbols by centre and
+        radius, mm; of a force polygon, the normal force and the friction of each leaning reaction."""
         none, count = numpy.zeros((len(places), 0), complex), len(places)
+        at_ = {n: places[:, k] for k, n in enumerate(self.names)}
         if self.kind != "position":
-            return none, none, none, numpy.zeros(0)
-        mechanism, at_ = self.bench.plans.mechanism, {n: places[:, k] for k, n in enumerate(self.names)}
+            leant = [(at_[a], at_[b], u) for a, b, u in self.bench.leaning if {a, b} <= at_.keys()]
+            corners = [b + ((a - b) * u.conjugate()).real * u for a, b, u in leant]
+            starts, ends = [*(a for a, _, _ in leant), *corners], [*corners, *(b for _, b, _ in leant)]
+            sides = [numpy.stack(z, axis=1) if z else none for z in (starts, ends)]
+            return sides[0], sides[1], none, numpy.zeros(0)
+        mechanism = self.bench.plans.mechanism
         reach = dict.fromkeys(self.names, HINGE_MM) | dict.fromkeys((*mechanism.frame.points, POLE), SUPPORT_MM)
         ways: list[tuple[Complexes, Complexes]] = []
         for link in mechanism.links.values():

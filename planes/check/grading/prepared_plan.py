@@ -12,7 +12,7 @@ from planes.check.grading.mistakes_position import position_variants
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.plan_steps import PlanSteps
 from planes.check.grading.variants import Variant
-from planes.drafting.drawing import draw_steps, run
+from planes.drafting.drawing import Drawing, draw_steps, run
 from planes.drafting.program import Program
 from planes.drafting.skill import HAND, Skill
 from planes.drafting.tools import Env, Tool
@@ -75,8 +75,18 @@ class PreparedPlan:
     @cached_property
     def true_marks(self) -> dict[str, complex]:
         """The marks of the right plan by label, mm from the pole."""
-        truth = run(self.program, self.given)
-        return {label_of(m): complex(truth[m]) for m in self.marks}
+        return {label_of(m): complex(self.right[m]) for m in self.marks}
+
+    @cached_property
+    def right(self) -> Drawing:
+        """The right plan, drawn."""
+        return run(self.program, self.given)
+
+    @cached_property
+    def leaning(self) -> list[tuple[str, str, complex]]:
+        """The ends of each reaction that leans by friction, by label, with the direction of its guide."""
+        own = (r for r in self.plans.reactions.values() if r.plan == self.asked.plan and r.friction and r.pair.guide)
+        return [(label_of(r.start), label_of(r.end), complex(self.right[f"∥{r.pair.guide}"])) for r in own]
 
     @cached_property
     def mistakes(self) -> list[Variant]:
