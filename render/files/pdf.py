@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from planes.scene.carried import PNG, chunk
+from render.files.tags import Tags
 from render.files.writer import Lines, Writer, dashes_of
 from render.paper.ink import arc_dashes, by_layer, checked, is_circle
 from render.paper.marks import Arc, Mark, Text
@@ -59,23 +60,31 @@ def write_pages(
     canvas.setSubject(title)
     canvas.setCreator("planes")
     canvas.setAuthor("")
+    tags = Tags(canvas, title) if words else None
     for marks, size_mm in pages:
         held = checked(marks, size_mm)
         canvas.setPageSize(tuple(POINTS_PER_MM * side for side in size_mm))
         canvas.scale(POINTS_PER_MM, POINTS_PER_MM)
+        if tags:
+            tags.draw(False)
         if under:
             x0, y0, x1, y1 = under.box
             canvas.drawImage(ImageReader(io.BytesIO(under.data)), x0, y0, x1 - x0, y1 - y0)
-        draw_marks(canvas, held, words)
-        canvas.showPage()
+        draw_marks(canvas, held, words, tags)
+        if tags:
+            tags.end_page()
+        else:
+            canvas.showPage()
+    if tags:
+        tags.end()
     made: bytes = canvas.getpdfdata()
     return made
 
 
-def draw_marks(canvas: Canvas, marks: Iterable[Mark], words: bool = True) -> None:
-    """Marks on a canvas with the unit of one millimetre, with their words for text search."""
+def draw_marks(canvas: Canvas, marks: Iterable[Mark], words: bool = True, tags: Tags | None = None) -> None:
+    """Marks on a canvas with the unit of one millimetre, with their words for text search, and their ``tags``."""
     canvas.setLineJoin(_ROUND)
-    page = _Page(canvas, words)
+    page = _Page(canvas, words, tags)
     for _, held in by_layer(marks):
         page.all(held)
 
@@ -93,8 +102,14 @@ def registered(name: str, file: Path) -> str:
 class _Page(Writer):
     """Draws marks on a reportlab canvas with the unit of one millimetre."""
 
-    def __init__(self, canvas: Canvas, words: bool) -> None:
-        self.canvas, self.words = canvas, words
+    def __init__(self, canvas: Canvas, words: bool, tags: Tags | None) -> None:
+        self.canvas, self.words, self.tags = canvas, words, tags
+
+    def mark(self, mark: Mark) -> None:
+        """One mark, as a text or a part of the figure."""
+        if self.tags:
+            self.tags.draw(isinstance(mark, Text))
+        super().mark(mark)
 
     def _path(self, lines: Iterable[Sequence[complex]], closed: bool = False) -> PDFPathObject:
         path = self.canvas.beginPath()

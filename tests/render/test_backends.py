@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import io
 import math
 import re
@@ -12,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pypdfium2
+import pypdfium2.raw as raw
 import pytest
 from PIL import Image
 
@@ -116,6 +118,53 @@ def test_pdf_gives_its_text_back_whole() -> None:
     found = pdf_text(pdf.write(SHEET, SIZE, "План"))
     for line in ("План скоростей, μv = 0,05 (м/с)/мм", "aCBn", "Щёлкающий съезд ω2 ⊥ φ, π, ε", "vB"):
         assert line in found
+
+
+def test_a_reader_of_structure_finds_the_figure_and_its_texts_in_order() -> None:
+    """By PDFium: a page is a figure with its title, and each text an element with its own piece of the page."""
+    texts = [Text(f"F_{{{k}}}", complex(10, 10 * k), 3.5) for k in range(1, 4)]
+    marks = [Line((0j, 5 + 5j), "thin"), texts[0], texts[1], Line((0j, 9 + 5j), "thin"), texts[2]]
+    data = pdf.write_pages([(marks, (60.0, 50.0)), (marks[:2], (60.0, 50.0))], "План сил")
+    with pypdfium2.PdfDocument(data) as document:
+        pages = [structure_of(page) for page in document]
+        held = (first := document[0]).get_objects(textpage=first.get_textpage())
+        words = {
+            raw.FPDFPageObj_GetMarkedContentID(o): o.extract() for o in held if isinstance(o, pypdfium2.PdfTextObj)
+        }
+    assert [kind for kind, _, _ in pages[0]] == ["Figure", "P", "P", "P"]
+    assert [kind for kind, _, _ in pages[1]] == ["Figure", "P"]
+    assert {alt for kind, alt, _ in pages[0] + pages[1] if kind == "Figure"} == {"План сил"}
+    assert [words[number] for kind, _, (number, *_) in pages[0] if kind == "P"] == ["F1", "F2", "F3"]
+
+
+def structure_of(page: pypdfium2.PdfPage) -> list[tuple[str, str, tuple[int, ...]]]:
+    """The kind, the words and the pieces of each element of a page."""
+    tree = raw.FPDF_StructTree_GetForPage(page)
+    top = raw.FPDF_StructTree_GetChildAtIndex(tree, 0)
+    children = [
+        raw.FPDF_StructElement_GetChildAtIndex(top, k) for k in range(raw.FPDF_StructElement_CountChildren(top))
+    ]
+    said = [
+        (
+            said_by(raw.FPDF_StructElement_GetType, one),
+            said_by(raw.FPDF_StructElement_GetAltText, one),
+            tuple(
+                raw.FPDF_StructElement_GetMarkedContentIdAtIndex(one, k)
+                for k in range(raw.FPDF_StructElement_GetMarkedContentIdCount(one))
+            ),
+        )
+        for one in children
+        if one
+    ]
+    raw.FPDF_StructTree_Close(tree)
+    return said
+
+
+def said_by(ask: Callable[..., int], element: object) -> str:
+    long = ask(element, None, 0)
+    held = ctypes.create_string_buffer(long)
+    ask(element, held, long)
+    return held.raw.decode("utf-16-le").rstrip("\0")
 
 
 def test_pdf_pages_have_their_own_sizes() -> None:
