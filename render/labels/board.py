@@ -98,7 +98,7 @@ class Board:
         if not len(points):
             return np.zeros(len(self.options[k].wish), dtype=bool)
         away = distances(self.options[k].boxes, points).min(axis=1)
-        stray: Booleans = away < own_distance(self.options[k], self.labels[k].at)
+        stray: Booleans = away < own_distance(self.options[k], self.labels[k].at, self.labels[k].also)
         return stray
 
     def choose(self) -> None:

@@ -19,10 +19,10 @@ from render.paper.typeset import extent
 Ends = tuple[complex, complex]
 Size = tuple[float, float]  # width and height
 
-NEAR = (0.9, 1.8, 3.2)
+NEAR = (0.9, 1.8, 3.2, 4.6)
 """Distances in mm from a point or segment to its label's box."""
 
-FAR = (4.5, 6.0, 8.0, 10.0, 13.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)
+FAR = (6.0, 8.0, 10.0, 13.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)
 """Distances in mm of labels with a leader line."""
 
 CLEAR_MM = 0.5  # least distance of a label from ink
@@ -33,6 +33,7 @@ _GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm between a leader and letters
 _ALONG = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8])
 _DIRECTIONS = np.array([cmath.rect(1, math.radians(22.5 * k)) for k in range(16)])
 _ROUND = np.array([cmath.rect(1, math.radians(15.0 * k)) for k in range(24)])
+_LESS = 1.5  # cost of a place around another point
 _EYE = cmath.rect(1, math.radians(50))  # by default a label goes to the upper right
 LED_DOT_MM = 0.45  # radius of the dot at the end of a leader
 _LED, _LONGER = 25.0, 1.0  # cost of a leader line, and of each mm of it
@@ -44,7 +45,7 @@ class Label:
 
     ``side`` is the preferred direction (0: none), ``clear`` the radius in mm around a point to be kept free (a
     hinge's); higher ``priority`` chooses earlier. A label ``told`` elsewhere too is left out where there is no room for
-    it.
+    it. Around the points ``also`` nothing else is named.
     """
 
     text: str
@@ -56,6 +57,7 @@ class Label:
     name: str = ""
     underlined: bool = False
     told: bool = False
+    also: tuple[complex, ...] = ()
 
     @property
     def extent(self) -> Bounds:
@@ -103,9 +105,11 @@ def beside(label: Label, gaps: Sequence[float]) -> Candidates:
     """Places right beside the named object."""
     size = _size(label)
     if isinstance(label.at, tuple):
-        boxes, wish = _along(label.at, label, size, np.array(gaps))
+        parts = [_along(label.at, label, size, np.array(gaps))]
     else:
-        boxes, wish = _around(label.at, label, size, np.array(gaps), _DIRECTIONS)
+        parts = [_around(label.at, label, size, np.array(gaps), _DIRECTIONS)]
+    others = (_around(z, label, size, np.array(gaps), _DIRECTIONS) for z in label.also)
+    boxes, wish = map(np.concatenate, zip(*parts, *((b, w + _LESS) for b, w in others), strict=True))
     return _candidates(label, boxes, wish, np.full((len(boxes), 2), np.nan, dtype=complex))
 
 
@@ -154,10 +158,11 @@ def distances(boxes: Array, points: Complexes) -> Array:
     return away
 
 
-def own_distance(candidates: Candidates, at: complex | Ends) -> Array:
-    """Distance in mm of each box from its own point, or from the line of its segment."""
+def own_distance(candidates: Candidates, at: complex | Ends, also: Sequence[complex]) -> Array:
+    """Distance in mm of each box from the nearest of its own points, or from the line of its segment."""
     if not isinstance(at, tuple):
-        return distances(candidates.boxes, np.array([at]))[:, 0]
+        nearest: Array = distances(candidates.boxes, np.array([at, *also])).min(axis=1)
+        return nearest
     x0, y0, x1, y1 = candidates.boxes.T
     along = _direction(at)
     across = (((x0 + x1) + 1j * (y0 + y1)) / 2 - at[0]) * along.conjugate()

@@ -76,7 +76,8 @@ export class Plan extends Lensed {
   /** @type {() => Spot[]} */
   numbered() { // the ends of overlapping forces, along the polygon
     const lying = this.sides.filter(p => this.sides.some(o => o !== p && upon(p.a, p.b, o)));
-    return lying.flatMap(({ a, b }) => [a, b]).filter((q, k, all) => all.findIndex(o => distance(o, q) < SAME_PX) === k);
+    const ends = lying.flatMap(({ a, b }) => [a, b]);
+    return ends.filter((q, k) => ends.findIndex(o => distance(o, q) < SAME_PX) === k);
   }
   /** @type {(a: Spot, b: Spot) => Ends} */
   aside(a, b) { // a sum of forces is drawn beside the forces it overlaps, with ticks to its ends

@@ -54,7 +54,8 @@ export class Scheme extends Drawing {
     for (const n of this.special) if (there(n)) this.beside(there(n), [labelOf(n)], "position", 9, n);
     for (const g of this.groups(joints.filter(n => seen.has(n)), 6)) {
       const under = g.names.map(n => this.data.under["position:" + n]).filter(u => u && state.frame >= u.from);
-      this.beside(g.q, [...g.names, ...under.map(u => u.name)], "position", 9, g.names.map(n => "position:" + n).join(" "));
+      const names = [...g.names, ...under.map(u => u.name)], marks = g.names.map(n => "position:" + n);
+      this.beside(g.q, names, "position", 9, marks.join(" "));
     }
     for (const show of overlays) show(this, frame, seen);
     this.settle();

@@ -14,6 +14,7 @@ from planes.words.units import number
 from render.labels import Label
 from render.paper.marks import Arc, Arrow, Line, Mark
 from render.paper.style import BLOCK_MM
+from render.paper.symbols import unit
 from render.views.arms import BREAK_MM, Arms, broken, drops_of
 from render.views.plotted import Ends, Places, scheme_mu, set_apart
 from render.views.senses import freest
@@ -207,7 +208,8 @@ class Loading:
         start, end = self.arrows.placed(point, way, from_outside)
         self.marks.append(Arrow(start, end, "vector", "force", name))
         far = start if from_outside else end
-        self.named.append(Label(self.naming.vector(name), (far, (start + end) / 2), NAME_MM, name=name))
+        ends = far, (start + end) / 2
+        self.named.append(Label(self.naming.vector(name), ends, NAME_MM, name=name, also=(far,)))
 
     def couple(self, name: str, link: str, value: float, number: int, about: complex | None = None) -> None:
         """A curved arrow about a place, or the mass centre of its link, where it crosses least."""
@@ -218,7 +220,8 @@ class Loading:
         begins = [start if sense > 0 else 180.0 - start for start in (100.0, 190.0, 10.0, -80.0)]
         arrow, middle = freest(centre, product(radii, begins), sense * 150, self.marks, 0.8, "vector", "force")
         self.marks += arrow
-        self.named.append(Label(self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name))
+        ends = tuple(centre + (middle - centre) * unit(turn) for turn in (50, -50))
+        self.named.append(Label(self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name, also=ends))
 
     def arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the moment point to the lines of action, which are extended to meet them."""

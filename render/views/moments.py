@@ -185,6 +185,7 @@ class Lever:
             point, along = complex(drawing[step.point]), complex(drawing[step.along]) * (1 if size >= 0 else -1)
             start, end = arrows.placed(point, along)
             marks.append(Arrow(start, end, "vector", "force", name))
-            named.append(Label(self.naming.vector(name), ((start + end) / 2, end), 3.5, name=name))
+            ends = (start + end) / 2, end
+            named.append(Label(self.naming.vector(name), ends, 3.5, name=name, also=(end,)))
             arms.add(point, along, 0j, self.naming.arm(name, arm), name)
         return [*marks, *arms.marks], [*named, *arms.named]

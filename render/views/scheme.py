@@ -199,7 +199,8 @@ class Scheme:
             at = self.places.at(link.first_point), self.places.foot(slider)[0]
         if at is not None:
             text, name = self.naming.link(link.name), f"link {link.name}"
-            self.named.append(Label(text, at, LETTER_MM, clear=clear, name=name, underlined=True))
+            ends = at if isinstance(at, tuple) and clear else ()
+            self.named.append(Label(text, at, LETTER_MM, clear=clear, name=name, underlined=True, also=ends))
 
     # pairs and letters
 

@@ -85,12 +85,12 @@ def test_a_label_boxed_in_gets_a_leader() -> None:
 def test_what_is_told_elsewhere_makes_way_where_there_is_no_room_for_all() -> None:
     field = (0.0, 0.0, 14.0, 14.0)
     points = [Label(name, complex(7, 3 + 4 * k), clear=1.0) for k, name in enumerate("BCD")]
-    arms = [Label(f"h_{{{k}}}", 7 + 7j, 3.5, name=f"arm {k}") for k in range(6)]
+    arms = [Label(f"h_{{{k}}}", 7 + 7j, 3.5, name=f"arm {k}") for k in range(9)]
     every = place([*points, *arms], [], field)
-    assert len(every.texts) == 9 and conflicts(every.texts, [], field) != ()
+    assert len(every.texts) == 12 and conflicts(every.texts, [], field) != ()
     some = place([*points, *(replace(arm, told=True) for arm in arms)], [], field)
     assert conflicts(some.texts, some.leaders, field) == ()
-    assert {"B", "C", "D"} <= {t.text for t in some.texts} and 3 < len(some.texts) < 9
+    assert {"B", "C", "D"} <= {t.text for t in some.texts} and 3 < len(some.texts) < 12
     there = place([*points[:1], replace(arms[0], told=True)], [], (0, 0, 40, 40))
     assert len(there.texts) == 2
 
