@@ -22,6 +22,7 @@ from planes.words.errors import PlanesError, SceneError
 from planes.words.lettering import letter_of_scale
 from planes.words.names import component_of, index_of, letter_of
 from planes.words.naming import Naming
+from planes.words.units import prefixed
 from render.files import Page
 from render.paper.marks import Text, lettered
 from render.paper.outlines import face_of
@@ -62,9 +63,11 @@ class Turned:
 
     def loop(self, arrow: CycleVector) -> Hodograph:
         """A hodograph, or a path."""
-        name, at = self.naming.curve(arrow.name), known(arrow.read(self.stations))
+        name = self.naming.curve(arrow.name)
         point = self.naming.point(index_of(arrow.name)) if letter_of(arrow.name) == "r" else ""
-        return Hodograph(name, arrow.unit, known(self.joined(arrow)[1]), at, point)
+        path = self.joined(arrow)[1]
+        size, unit = prefixed(arrow.unit, float(numpy.nanmax(abs(path), initial=0.0)))
+        return Hodograph(name, unit, known(path / size), known(arrow.read(self.stations) / size), point)
 
     def joined(self, curve: Curve | CycleVector) -> tuple[Array, Array]:
         """A curve's runs as one row of positions and one of values, with gaps between them."""
@@ -166,10 +169,25 @@ def _diagrams(turned: Turned, panels: Sequence[Sequence[str]]) -> list[View]:
         return []
     curve_extremes = extremes(grid(turn, runs.start, runs.end))
     ends = {curve.name: _ends(some) for curve, some in zip(turn.curves, curve_extremes, strict=True)}
-    curves = [[turned.curve(by_name[n], ends[n]) for n in names] for names in panels]
+    curves = [_measured([turned.curve(by_name[n], ends[n]) for n in names]) for names in panels]
     stations = runs.stations().tolist()
     shown = Diagrams(turn.plans, stations, curves, turned.naming, SECTION_MM, runs.closed, to_read=True).drawn()
     return [view("diagrams", "", shown)]
+
+
+def _measured(panel: Sequence[DiagramCurve]) -> list[DiagramCurve]:
+    """The curves of some axes in the multiple of their unit that suits their values."""
+    most = max((abs(v) for curve in panel for v in curve.values if v is not None), default=0.0)
+    size = prefixed(panel[0].unit, most)[0]
+    return [
+        replace(
+            curve,
+            unit=prefixed(curve.unit, most)[1],
+            values=tuple(v and v / size for v in curve.values),
+            ends=tuple((place, v / size) for place, v in curve.ends),
+        )
+        for curve in panel
+    ]
 
 
 def _ends(curve_extremes: Sequence[Extreme]) -> list[Extreme]:

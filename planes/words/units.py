@@ -42,6 +42,10 @@ _SCALE = re.compile(r"\s*(\d+(?:\.\d*)?)\s*:\s*(\d+(?:\.\d*)?)\s*", re.ASCII)
 _TOKEN = re.compile(r"(mm|cm|km|kN|MN|m|s|N)(-?\d)?|([·/()])")
 
 
+_PREFIXES = ((1e7, 1e6, "M"), (1e4, 1e3, "k"), (0.1, 1.0, ""), (1e-4, 1e-3, "m"), (1e-300, 1e-6, "µ"))
+"""From which largest value on, ISO 80000-1: the factor and its prefix."""
+
+
 class UnitError(PlanesError, ValueError):
     """A scale or a unit that makes no sense."""
 
@@ -54,6 +58,13 @@ def read_mu(text: str, plan: str) -> float:
 def written_in(text: str) -> tuple[str, Convention]:
     """The plan whose unit μ has, and the convention: "velocity", mm per unit for "30 mm/(m/s)"."""
     return _read(text, "vectors")[1:]
+
+
+def prefixed(unit: str, most: float) -> tuple[float, str]:
+    """The multiple of a unit of force, moment or power for values up to ``most``, and its key: 1000, "kN"."""
+    own = (x for x in _PREFIXES if most >= x[0] and unit in ("N", "N·m", "W"))
+    _, factor, prefix = next(own, (0.0, 1.0, ""))
+    return factor, prefix + unit
 
 
 def fitting_units(plan: str) -> tuple[Phrase, ...]:

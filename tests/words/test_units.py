@@ -5,12 +5,14 @@ import math
 import pytest
 
 from planes.geometry.arithmetic import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
+from planes.words import langs, say
 from planes.words.read_off import fixed, measured
 from planes.words.units import (
     PLANS,
     UnitError,
     mu_text,
     number,
+    prefixed,
     quantity,
     read_mu,
     standard_mu,
@@ -245,3 +247,21 @@ def test_a_result_has_the_three_digits_a_ruler_tells(value, told):
 
 def test_millimetres_and_degrees_have_one_digit_after_the_comma():
     assert [fixed(z, 1, "ru") for z in (60, 73.149, -0.04, -34.74)] == ["60,0", "73,1", "0,0", "−34,7"]
+
+
+@pytest.mark.parametrize(
+    ("unit", "most", "size", "key"),
+    [
+        ("N", 2e7, 1e6, "MN"),
+        ("N·m", 1e4, 1e3, "kN·m"),
+        ("N", 9999.0, 1.0, "N"),
+        ("W", 0.1, 1.0, "W"),
+        ("N", 0.0023, 1e-3, "mN"),
+        ("N·m", 2.3e-6, 1e-6, "µN·m"),
+        ("N", 0.0, 1.0, "N"),
+        ("m/s", 2e7, 1.0, "m/s"),
+    ],
+)
+def test_a_unit_has_the_prefix_that_suits_its_values(unit: str, most: float, size: float, key: str) -> None:
+    assert prefixed(unit, most) == (size, key)
+    assert all(say(key, lang) for lang in langs())
