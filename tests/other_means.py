@@ -236,6 +236,13 @@ class Sheet:
         else:
             ImageDraw.Draw(self.paper).polygon([self.px(z) for z in (b, *wings)], fill=self.ink)
 
+    def point(self, z: complex, hinge: bool) -> None:
+        """A hinge as a circle, a centre of mass as a dot."""
+        r, pen = (1.3 if hinge else 0.7) * PX, ImageDraw.Draw(self.paper)
+        x, y = self.px(z)
+        inside, width = (255, 255, 255) if hinge else self.ink, round(self.width * PX)
+        pen.ellipse([x - r, y - r, x + r, y + r], fill=inside, outline=self.ink, width=width)
+
     def word(self, text: str, z: complex, height: float = 4.0, ink: tuple[int, int, int] | None = None) -> None:
         """A word in a font."""
         font = ImageFont.truetype(str(self.font), round(height * PX * self.rng.uniform(0.9, 1.3)))
@@ -259,6 +266,9 @@ def sheet(bench: PreparedPlan, drawn: dict[str, complex], spoil: str, rng: rando
                 pen.line([(k * PX, 0), (k * PX, page.paper.height)], fill=(190, 205, 225), width=2)
     for a, b in lines_of(bench):
         page.vector(pole + at[a], pole + at[b], kind != "position")
+    centres = {link.centre for link in bench.plans.mechanism.links.values()}
+    for n, z in drawn.items() if kind == "position" else ():
+        page.point(pole + z, n not in centres)
     for n, z in drawn.items():
         if rng.random() < 0.9:
             page.word(n, pole + z + cmath.rect(rng.uniform(2, 4), rng.uniform(0, 6.28)))

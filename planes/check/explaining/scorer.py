@@ -219,12 +219,14 @@ class Scorer:
         return covered(self.plan, self.ink, self.pole, a, b, about, gain)
 
     def heads(self, a: Complexes, b: Complexes) -> Array:
-        """The score of the heads at the ends of the needed lines of each row."""
+        """The score of the heads at the ends of the lines of each row, each head once; a line that need not be drawn
+        does not miss its own."""
         if self.plan.kind == "position":
             return numpy.zeros(len(a))
-        there = to_be_seen(a, b) & self.plan.needed  # of coincident lines one head counts
-        felt = self.ink.head(numpy.where(there, a, 0j), numpy.where(there, b, 0j))
-        said: Array = w.HEAD * numpy.where(there, felt, 0.0).sum(axis=1)
+        there = to_be_seen(a, b)
+        felt = numpy.where(there, self.ink.head(numpy.where(there, a, 0j), numpy.where(there, b, 0j)), 0.0)
+        felt = numpy.where(self.plan.needed, felt, numpy.maximum(felt, 0.0))
+        said: Array = w.HEAD * numpy.where(_shared(a, b, felt), 0.0, felt).sum(axis=1)
         return said
 
     def points(self, drawn: Complexes) -> Array:
@@ -341,3 +343,12 @@ class Scorer:
         z = z[numpy.isfinite(z) & (abs(z - self.pole) < max(w.ROOM_MM, self.ink.reach_mm))]
         rim = w.MARGIN_MM * (1 + 1j)
         return Box(complex(z.real.min(), z.imag.min()) - rim, complex(z.real.max(), z.imag.max()) + rim)
+
+
+def _shared(a: Complexes, b: Complexes, felt: Array) -> Booleans:
+    """Lines of each row whose heads are also at the end of another in the same direction, which shows it more."""
+    way = (b - a) / numpy.maximum(abs(b - a), 1e-9)
+    near = abs(b[:, :, None] - b[:, None, :]) < w.ONE_HEAD_MM
+    near &= (way[:, :, None] * way[:, None, :].conj()).real > w.ONE_WAY
+    more = felt[:, None, :] - felt[:, :, None]
+    return numpy.asarray((near & ((more > 0) | numpy.tril(more == 0, -1))).any(axis=2))

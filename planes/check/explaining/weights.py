@@ -8,6 +8,7 @@ MISSING, GAINED = 0.55, 0.30  # per mm of a line missing; found, where stray ink
 STRANGE = 0.70  # per mm of unexplained ink
 BESIDE_SCHEME_MM = 100.0  # of it, beside a scheme: single views have 15, sheets with twelve positions 1400 to 1900
 HEAD = 1.2  # per unit of evidence for a head at the end of a line
+ONE_HEAD_MM, ONE_WAY = 2.5, 0.95  # half of a head's length: ends nearer than this share it; cosine of their directions
 HEADLESS = 4.7  # of a vector that shows no head, where more show theirs: so do 7 of 1453 with one, 140 of 241 without
 HAND = 0.2  # per squared distance of a mark from its constructed point, in σ
 HAND_MM, HAND_SHARE = 0.35, 0.004  # that σ: constant part, and part per distance from the pole
