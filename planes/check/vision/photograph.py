@@ -55,7 +55,8 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     if best.bare:
         paper.reason = Phrase("check_no_lines")
     elif not best.seen:
-        paper.reason = asking("check_no_plan_seen", share=f"{100 * best.cover:.0f}")
+        shares = {"share": best.cover, "own": best.explained}
+        paper.reason = asking("check_no_plan_seen", **{key: f"{100 * value:.0f}" for key, value in shares.items()})
     else:
         pointed = bench.pointed(known.marks, best.flat.place)
         paper.spots = with_told(paper.spots, pointed)
