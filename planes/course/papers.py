@@ -180,7 +180,7 @@ def segments(drawn: Position, name: str, lang: Lang, convention: Convention) -> 
                 number(segment["value"] if segment["mm"] > NOISE_MM else 0.0, lang),
             )
         )
-    size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
+    size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F")).told(lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
     mu = decimal(mu_text(drawn.scales[mu_of(name)], kind, lang, convention), lang)
     return DocumentTable(f"{say_plan(name, lang)}, μ = {mu}", (head, *rows)) if rows else None

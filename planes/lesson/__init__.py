@@ -20,12 +20,12 @@ from planes.lesson.rows import Row, reckoned
 from planes.lesson.standing import standing
 from planes.lesson.stated import StatedWords, last_marks
 from planes.lesson.stating import Stating
-from planes.lesson.steps import Names, Said, StepWords, apart_words, shown_on, sought, whole, worded
+from planes.lesson.steps import Names, StepWords, apart_words, shown_on, sought, whole
 from planes.plans import Plans
 from planes.plans.apart import links_apart
 from planes.plans.force.derived import unit_of_value
 from planes.plans.force.reactions import Reaction
-from planes.words import Lang, say
+from planes.words import Phrase, Told, Written
 from planes.words.names import POLE, at, kind_of, label_of, letter_of, lettered, mu_of, plan_of
 from planes.words.units import Convention
 
@@ -87,7 +87,7 @@ class Teller:
             if steps := reckoning.missing(f):
                 arms = self.plans.moments[f.moments].terms if f.moments is not None else ()
                 terms = tuple(force for force, arm in arms if arm in {step.makes for step in steps})
-                names: Names = {"readings": tuple(map(reckoning.reading, steps))}
+                names: Names = {"rows": tuple(map(reckoning.reading, steps))}
                 reason = "found_arms" if terms else "found_values"
                 ordered.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, names))
             reckoning.tell(f)
@@ -111,25 +111,23 @@ class Teller:
         plan: str,
         makes: tuple[str, ...] = (),
         uses: tuple[str, ...] = (),
-        reason: Said = "",
+        reason: Told = "",
         terms: tuple[str, ...] | None = None,
         moments: int | None = None,
         names: Names = NOTHING,
     ) -> Frame:
-        """A frame with its words in both languages; callables are evaluated per language."""
+        """A frame with its words in every language, in which its ``rows`` stand by their numbers."""
         index, equation_terms = self.equation_of(plan, makes)
-        rows = tuple(row for said in names.values() if isinstance(said, tuple) for row in said)
+        rows: tuple[Row, ...] = names.get("rows", ())
         own = ((m[1], m[2]) for said in names.values() if isinstance(said, str) for m in SLOT.finditer(said))
         scale = [("k", mu_of(plan))] if key in ("pole", "fixed", "points") else []
         numbers = (*scale, *own, *(n for row in rows for n in row.slots()))
-        names = {**names, "mu": partial(mu_said, plan, convention=self.convention)}
-
-        def marked(lang: Lang) -> str:
-            return say(f"lesson_{key}", lang, **{k: worded(v, lang, rows) for k, v in names.items()})
-
-        why = in_both(reason if callable(reason) else partial(say, f"why_{reason or key}"))
+        mu = Written(partial(mu_said, plan, convention=self.convention))
+        lines = "; ".join(f"⟪{rows.index(row)}⟫" for row in rows)
+        marked = in_both(Phrase(f"lesson_{key}", **{**names, "mu": mu, "rows": lines}).told)
+        why = in_both((reason if isinstance(reason, Phrase) else Phrase(f"why_{reason or key}")).told)
         in_hand = equation_terms if terms is None else terms
-        return Frame(key, plan, makes, uses, index, in_hand, in_both(marked), why, moments, rows=rows, numbers=numbers)
+        return Frame(key, plan, makes, uses, index, in_hand, marked, why, moments, rows=rows, numbers=numbers)
 
     def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
         """The equation on this plan with a term that ends at one of the marks, and those terms."""
@@ -177,7 +175,7 @@ class Teller:
         """Measured segments of a plan, and velocities or accelerations with their formula and sense."""
         rows = (*(self.reading(n, plan) for n in names), *map(self.reckoned, rates))
         uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
-        return self.frame(key, plan, uses=uses, terms=tuple(names), names={"readings": rows})
+        return self.frame(key, plan, uses=uses, terms=tuple(names), names={"rows": rows})
 
     def reckoned(self, rate: Calculate) -> Row:
         """A value with its formula; of a rotation also its sense."""
@@ -212,7 +210,7 @@ class Teller:
         frames = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
         for one in links:
             key = inside[one.force]
-            closes: Names = {**apart_words(one, key), "readings": (self.reading(key, plan),)}
+            closes: Names = {**apart_words(one, key), "rows": (self.reading(key, plan),)}
             frames.append(self.frame("apart", plan, names=closes, terms=one.drawn))
         reactions = self.plans.reactions.values()
         return frames + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
@@ -221,14 +219,14 @@ class Teller:
         """Both components of a reaction with friction, or its circle, and the power of friction."""
         key, parts = ("friction_circle", []) if r.pair.point else ("friction", [r.normal, r.friction])
         readings = tuple(self.reckoning.reading(self.made[n]) for n in (*parts, r.power))
-        names: Names = {"force": r.key, "point": r.pair.point, "readings": readings}
+        names: Names = {"force": r.key, "point": r.pair.point, "rows": readings}
         return self.frame(key, plan, names=names, terms=(r.key,))
 
     def seated(self, r: Reaction) -> Frame:
         """The arm at which a slider's reaction acts, by its couple."""
         arm = self.made[r.arm]
         assert isinstance(arm, Calculate)
-        names: Names = {"force": r.key, "formula": (reckoned(arm),), "mm": slot(r.arm, "mm", mu_of("position"))}
+        names: Names = {"force": r.key, "rows": (reckoned(arm),), "mm": slot(r.arm, "mm", mu_of("position"))}
         return self.frame("seated", r.plan, names=names, terms=(r.key,))
 
     def moment(self, step: Step) -> list[Frame]:

@@ -1,7 +1,6 @@
 """Instantaneous centres in a lesson: a separate chapter after the velocities, if requested."""
 
 from collections.abc import Callable, Iterator
-from functools import partial
 from itertools import combinations
 
 from planes.lesson.formulas import slot
@@ -11,7 +10,7 @@ from planes.lesson.steps import Names
 from planes.plans import Plans
 from planes.plans.centres import Centre, CentreLine, Check, centre_name
 from planes.scene.mechanism import FRAME
-from planes.words import Lang, say
+from planes.words import Phrase
 from planes.words.frozen import frozen, replace
 from planes.words.names import lettered
 from planes.words.records import Json
@@ -56,10 +55,7 @@ class CentreFrames:
         """The names of the centres known at once."""
         hinges = ", ".join(f"⟨{c.name}⟩ = ⟨{c.point}⟩" for c in seen if c.mark)
         far = ", ".join(f"⟨{c.name}⟩ {self.action(c.along)}" for c in seen if c.along)
-        return {
-            "hinges": hinges or "—",
-            "far": lambda lang: say("lesson_centres_sliders", lang, far=far) if far else "",
-        }
+        return {"hinges": hinges or "—", "far": Phrase("lesson_centres_sliders", far=far) if far else ""}
 
     def action(self, direction: str) -> str:
         """A direction as written."""
@@ -69,21 +65,21 @@ class CentreFrames:
         """A centre found by two lines, or by a hinge of three links."""
         if not c.lines:
             return self.make("centre_same", "position", (c.mark,), names={"name": c.name, "point": c.point})
-        first, second = (partial(self.line, line) for line in (*c.lines, *c.lines)[:2])
+        first, second = map(self.line, (*c.lines, *c.lines)[:2])
         uses = tuple(dict.fromkeys(m for line in c.lines for m in (line.mark, line.other) if m))
         names: Names = {"name": c.name, "first": first, "second": second}
         if c.along:
             return self.make("centre_far", "position", uses=uses, names={"name": c.name, "first": first})
         thirds = [self.plans.mechanism.frame_number if x.third == FRAME else x.third for x in c.lines]
-        why = partial(say, "why_centre", one=thirds[0], two=thirds[1])
+        why = Phrase("why_centre", one=thirds[0], two=thirds[1])
         return self.make("centre", "position", (c.mark,), uses, why, names=names)
 
-    def line(self, line: CentreLine, lang: Lang) -> str:
+    def line(self, line: CentreLine) -> Phrase:
         """A line of centres in words."""
         one, two = lettered(line.mark), lettered(line.other)
         if line.other:
-            return say("lesson_centre_line", lang, one=one, two=two)
-        return say("lesson_centre_line_far", lang, one=one, action=self.action(line.along))
+            return Phrase("lesson_centre_line", one=one, two=two)
+        return Phrase("lesson_centre_line_far", one=one, action=self.action(line.along))
 
     def check(self, check: Check) -> Frame:
         """The same velocity twice."""

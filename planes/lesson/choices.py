@@ -5,7 +5,7 @@ size of the plan.
 """
 
 from collections.abc import Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import LayOff
@@ -94,7 +94,8 @@ class Choices:
             return None
         return {
             "offered": [
-                {"value": p, "said": in_both(partial(links_told, p)), **self.early(names[p])} for p in sorted(left)
+                {"value": p, "said": in_both(links_told(links_of(p)).told), **self.early(names[p])}
+                for p in sorted(left)
             ]
         }
 

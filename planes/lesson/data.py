@@ -63,7 +63,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "leaning": {k: {n: z for n, z in _shown(f, kit).items() if z != shown[k][n]} for k, f in more.items()},
         "reckoned": templates(row for f in [*frames, *more.values()] for row in f.rows),
         "results": _results(plans),
-        "units": {n: in_both(partial(unit, n)) for n in needed([*frames, *more.values()]) if unit(n, "en")},
+        "units": {n: in_both(unit(n).told) for n in needed([*frames, *more.values()]) if unit(n).told()},
         **_live(lesson, progress, practice),
         **({} if practice else {"pending": True}),
     }
@@ -193,4 +193,4 @@ def _results(plans: Plans) -> list[Json]:
     """Angular velocities and accelerations, and balancing loads, shown beneath the plans at every position."""
     rates = [*(link.omega for link in plans.links.values()), *(link.epsilon for link in plans.links.values())]
     names = [n for n in dict.fromkeys([*rates, plans.balancing, plans.zhukovsky]) if n in plans.program.made]
-    return [{"name": n, "value": n, "unit": in_both(partial(unit, n))} for n in names]
+    return [{"name": n, "value": n, "unit": in_both(unit(n).told)} for n in names]

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Term
@@ -11,7 +11,7 @@ from planes.lesson.steps import Names
 from planes.plans import Plans
 from planes.plans.force.reactions import Reaction
 from planes.plans.position.bodies import SCHEME
-from planes.words import Lang, say
+from planes.words import Phrase
 from planes.words.frozen import frozen
 from planes.words.names import at, force_plan, kind_of, label_of, links_of, parts_of
 from planes.words.records import Json
@@ -52,21 +52,22 @@ class FreeBodies:
     def apart(self, plan: str, make: Make) -> Iterator[Frame]:
         """The forces on the links and the unknowns; then the reactions that are resolved."""
         known, sought, balancing = [name for name, _ in self.known(plan)], self.outer(plan), self.balancing(plan)
+        unknown = tuple(Phrase(f"lesson_free_{r.pair.kind}", name=name) for name, r in sought.items())
+        unknown += (Phrase("lesson_free_size", name=balancing),) if balancing else ()
         names: Names = {
-            "links": partial(links_told, plan),
+            "links": links_told(links_of(plan)),
             "known": ", ".join(f"⟨{n}⟩" for n in known) or "—",
-            "unknown": partial(_unknown, sought, balancing),
+            "unknown": unknown,
             "count": str(2 * len(sought) + bool(balancing)),
         }
         carried = [n for n in known if any(n in r.names for r in self.plans.reactions.values())]
         key = "driver" if balancing else "next" if carried else "first"
-        forces = ", ".join(f"⟨{n}⟩" for n in carried)
-        why = partial(say, f"why_free_body_{key}", forces=forces)
+        why = Phrase(f"why_free_body_{key}", forces=", ".join(f"⟨{n}⟩" for n in carried))
         yield make("free_body", plan, reason=why, terms=tuple(known), names=names)
         for one in self.splits(plan):
             parts = {"force": one.force, "normal": one.normal.name, "tangential": one.tangential.name, "line": one.line}
             terms = one.normal.name, one.tangential.name
-            why = partial(say, "why_split", **parts, about=one.about)
+            why = Phrase("why_split", **parts, about=one.about)
             yield make("split", plan, reason=why, terms=terms, names=parts)
 
     def known(self, plan: str) -> Iterator[tuple[str, Json]]:
@@ -124,13 +125,6 @@ class FreeBodies:
         return bodies
 
 
-def links_told(plan: str, lang: Lang) -> str:
-    """The links of a force polygon."""
-    links = links_of(plan)
-    return say("lesson_link" if len(links) == 1 else "lesson_links", lang, links="–".join(links))
-
-
-def _unknown(sought: dict[str, Reaction], balancing: str, lang: Lang) -> str:
-    parts = [say(f"lesson_free_{r.pair.kind}", lang, name=name) for name, r in sought.items()]
-    parts += [say("lesson_free_size", lang, name=balancing)] if balancing else []
-    return ", ".join(parts)
+def links_told(links: tuple[str, ...], between: str = "–") -> Phrase:
+    """The links of a force polygon, or of a moment equation."""
+    return Phrase("lesson_link" if len(links) == 1 else "lesson_links", links=between.join(links))

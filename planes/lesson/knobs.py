@@ -2,7 +2,7 @@
 
 import random
 from collections.abc import Mapping
-from functools import cached_property, partial
+from functools import cached_property
 
 from planes.drafting.steps import LayOff, Put, Similar, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
@@ -46,7 +46,7 @@ class Knobs:
             name_in_scene = "" if plan else self.told(given, axis)
             if given in used and (name_in_scene or plan not in (None, *CARRIED[1:])):
                 kind: Json = (
-                    {"plan": plan} if plan else {"name": name_in_scene, "unit": in_both(partial(unit, name_in_scene))}
+                    {"plan": plan} if plan else {"name": name_in_scene, "unit": in_both(unit(name_in_scene).told)}
                 )
                 kind |= {"unit": in_both(lambda _: "°")} if aimed(given) else {}
                 kind |= (

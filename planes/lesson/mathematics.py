@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable
 
-from planes.lesson.formulas import fill, slot
+from planes.lesson.formulas import fill, slot, unit
 from planes.lesson.rows import Row, remark
 from planes.words import say
 from planes.words.naming import Naming
@@ -36,7 +36,8 @@ class Typesetter:
             words = remark(row.kind, lang)
             shown.append(rf";\ \ {upright(f'{words} ') if words else ''}{self.term(name)}")
         value = f"={self.term(self.filled(row.value))}"
-        shown.append(rf"{value}\ {upright(row.unit(lang))}" if row.unit(lang) else value)
+        unit_words = unit(row.name, row.unit_key).told(lang)
+        shown.append(rf"{value}\ {upright(unit_words)}" if unit_words else value)
         if row.turns:
             shown.append(rf"\ \ ({upright(self.filled(slot(row.name, 's')))})")
         return tuple(shown)

@@ -246,7 +246,7 @@ class Note:
         percent = 100 * difference(balancing, check)
         names = {"found": number(balancing, self.lang), "check": number(check, self.lang)}
         shown = number(percent if percent > 1e-6 else 0.0, self.lang, 2)
-        yield Paragraph(self.say("note_difference", **names, unit=unit(plans.balancing, self.lang), percent=shown))
+        yield Paragraph(self.say("note_difference", **names, unit=unit(plans.balancing), percent=shown))
 
     def results(self) -> Iterator[Block]:
         """Tables of the results, and warnings about them."""
@@ -254,7 +254,7 @@ class Note:
         if self.scene.find is None and not p.plans.forces:
             yield Paragraph(self.say("note_no_forces"))
         yield Heading(self.say("note_results"))
-        v, a, w, e = (unit(x, self.lang) for x in ("v", "a", "omega", "epsilon"))
+        v, a, w, e = (unit(x).told(self.lang) for x in ("v", "a", "omega", "epsilon"))
         head: tuple[str, ...] = (self.say("note_point"), f"v, {v}", angle, f"a, {a}", angle)
         rows = [(f"⟨{n}⟩", *self.vector(x.get("v")), *self.vector(x.get("a"))) for n, x in p.rows("points").items()]
         yield from self.table("note_points_table", head, rows)
@@ -274,7 +274,7 @@ class Note:
         """The table of reactions, unless all are zero."""
         forces = list(self.position.of("reactions").items())
         if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):
-            head = (self.say("reaction"), f"|F|, {unit('F', self.lang)}", self.say("note_angle"))
+            head = (self.say("reaction"), f"|F|, {unit('F').told(self.lang)}", self.say("note_angle"))
             shown = [(f"⟨{k}⟩", *self.vector(f)) for k, f in forces]
             yield from self.table("note_reactions_table", head, shown)
         for name, f in self.position.of("bearings").items():

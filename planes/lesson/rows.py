@@ -32,17 +32,17 @@ class Row:
     unit_key: str = ""
     turns: bool = False
 
-    def unit(self, lang: Lang) -> str:
-        """Its unit, as written in the language."""
-        return say(self.unit_said, lang) if self.unit_said else ""
-
     def text(self, lang: Lang) -> str:
         """The line in words."""
         if not self.numbers:
             return f"⟨{self.name}⟩ = 0"
         parts = {k: getattr(self, k) for k in ("name", "letters", "numbers", "value")}
-        parts |= {"head": self.head or f"⟨{self.name}⟩", "unit": self.unit(lang), "remark": remark(self.kind, lang)}
-        arm = f" (⟨{self.arm}⟩ = {slot(self.arm, 'a')} {unit(self.arm, lang)})" if self.arm else ""
+        parts |= {
+            "head": self.head or f"⟨{self.name}⟩",
+            "unit": unit(self.name, self.unit_key),
+            "remark": remark(self.kind, lang),
+        }
+        arm = f" (⟨{self.arm}⟩ = {slot(self.arm, 'a')} {unit(self.arm).told(lang)})" if self.arm else ""
         lead = f"; ⟨{self.name}⟩" if "·" in parts["head"] else ""
         sense = f" ({slot(self.name, 's')})" if self.turns else ""
         return say(f"lesson_row_{self.kind or 'formula'}", lang, **parts, arm=arm, found=lead) + sense

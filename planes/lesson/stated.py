@@ -2,16 +2,17 @@
 
 import math
 from cmath import phase
+from functools import partial
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Image, LayOff, Put, Similar, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.rows import reckoned
-from planes.lesson.steps import Names, Said, StepWords, Words
+from planes.lesson.steps import Names, StepWords, Words
 from planes.plans import Plans
 from planes.plans.structures.figure import FigureLine
-from planes.words import Lang, say, table
+from planes.words import Phrase, Told, Written, table
 from planes.words.names import POLE, at, lettered
 from planes.words.units import number
 
@@ -42,21 +43,21 @@ class StatedWords(StepWords):
                 return ("arcs_stated" if key == "arcs" else key), f"{key}_stated", names
         return super().of(step)
 
-    def action(self, direction: str) -> Said:
+    def action(self, direction: str) -> Told | Written:
         """A line of action; for a given angle the angle."""
         action = super().action(direction)
         if action:
             return action
         angle = round(math.degrees(phase(complex(self.drawing[direction]))), 1) + 0.0
-        return lambda lang: f"∠{number(angle, lang)}°"
+        return Written(lambda lang: f"∠{number(angle, lang)}°")
 
     def similar(self, step: Similar) -> Words:
         ratio = complex(self.drawing[step.ratio])
         turned, first, second = abs(ratio.imag) > 1e-9 * abs(ratio), lettered(step.start), lettered(step.end)
         size, angle = (abs(ratio), math.degrees(phase(ratio))) if turned else (ratio.real, 0.0)
-        names: Names = {"first": first, "second": second, "ratio": lambda lang: number(size, lang)}
-        more: Names = {"angle": lambda lang: number(angle, lang)}
-        return ("turned_stated" if turned else "similar_stated"), "alike_stated", {**names, **more}
+        ratio_written, angle_written = (Written(partial(number, value)) for value in (size, angle))
+        names: Names = {"first": first, "second": second, "ratio": ratio_written, "angle": angle_written}
+        return ("turned_stated" if turned else "similar_stated"), "alike_stated", names
 
     def image(self, step: Image) -> Words:
         vectors = {ends: f"⟨{n}⟩" for n, ends in self.plans.vectors.items()}
@@ -67,11 +68,10 @@ class StatedWords(StepWords):
             {**names, "first": lettered(step.image[0]), "second": lettered(step.image[1])},
         )
 
-    def reason(self, term: Term, name: str, kind: str, lang: Lang) -> str:
-        line = self.plans.means[term.direction or ""]
-        key = f"why_{line.quantity}_{kind}"
-        known = kind != "force" and key in table(lang) and not term.name.startswith(line.line)
-        return say(key if known else "why_line", lang, name=name, line=line.line)
+    def reason(self, term: Term, name: str, kind: str) -> Phrase:
+        said, line = super().reason(term, name, kind), self.plans.means[term.direction or ""].line
+        known = kind != "force" and said.key in table("en") and not term.name.startswith(line)
+        return said if known else Phrase("why_line", **said.parts)
 
     def lay_off(self, step: LayOff) -> Words:
         key, reason, names = super().lay_off(step)
@@ -79,7 +79,7 @@ class StatedWords(StepWords):
         if isinstance(source, Measure):
             return "carried_stated", "reckoned", names
         if isinstance(source, Calculate):
-            named = {**names, "formula": (reckoned(source, self.vector(step)),)}
+            named = {**names, "rows": (reckoned(source, self.vector(step)),)}
             return "lay_off", reason if step.quantity in ("normal", "coriolis") else "reckoned", named
         return key, "stated" if key == "given" else reason, names
 
