@@ -96,8 +96,8 @@ class Teller:
 
     def stands(self, plan: str) -> bool:
         """Whether every mark of a plan is at its pole in every position: there is nothing to draw."""
-        own = [s.makes for s in self.drawing.program.steps if s.kind == "mark" and shown_on(s) == plan]
-        return all(not size >= 1e-6 for mark in own for size in many(abs(self.cycle[mark])))
+        own = self.drawing.program.marks[plan]
+        return all(not size >= 1e-6 for step in own for size in many(abs(self.cycle[step.makes])))
 
     def shown(self, step: Step) -> bool:
         """Whether a step has its own frame."""
@@ -184,8 +184,8 @@ class Teller:
 
     def span(self, name: str, plan: str) -> tuple[str, str] | tuple[()]:
         """The ends of the segment of that name."""
-        segment = next((x for x in self.plans.segments if x.name == name and x.plan == plan and x.start != x.end), None)
-        return (at(plan, segment.start), at(plan, segment.end)) if segment else ()
+        own = self.plans.segments_of.get(plan, ())
+        return next((x.ends for x in own if x.name == name and x.start != x.end), ())
 
     def reading(self, name: str, plan: str) -> Row:
         """A measured segment: its millimetres and its value."""

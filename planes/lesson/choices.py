@@ -68,14 +68,10 @@ class Choices:
         }
 
     @cached_property
-    def forces(self) -> list[str]:
-        """The force plans in drawing order."""
-        return [p for p in self.plans.drawn if kind_of(p) == "force"]
-
-    @cached_property
     def waits(self) -> dict[str, dict[str, set[str]]]:
         """By force plan the plans it waits for, and the reactions that each of them gives."""
-        bodies, waits = FreeBodies(self.plans, self.drawing), {plan: dict[str, set[str]]() for plan in self.forces}
+        bodies = FreeBodies(self.plans, self.drawing)
+        waits = {plan: dict[str, set[str]]() for plan in self.plans.forces}
         for plan, giving in waits.items():
             for name, _ in bodies.known(plan):
                 for r in self.plans.reactions.values():
@@ -86,9 +82,9 @@ class Choices:
     def order(self, plan: str) -> Json | None:
         """The links whose forces are still unknown, where some of them must wait: a group of one polygon each."""
         driver, group_links = self.plans.structure.driver, [set(g.whole) for g in self.plans.structure.groups]
-        if any(links_of(p) != (driver,) and set(links_of(p)) not in group_links for p in self.forces):
+        if any(links_of(p) != (driver,) and set(links_of(p)) not in group_links for p in self.plans.forces):
             return None
-        left = self.forces[self.forces.index(plan) :]
+        left = self.plans.forces[self.plans.forces.index(plan) :]
         names = {p: sorted(n for q in left for n in self.waits[p].get(q, ())) for p in left}
         if not any(names.values()):
             return None
@@ -106,7 +102,7 @@ class Choices:
 
     def reason(self, plan: str) -> Json | None:
         """Why the first links come first."""
-        if plan != self.forces[0] or not self.order(plan):
+        if plan != self.plans.forces[0] or not self.order(plan):
             return None
         why = {"why": spoken("why_free_body_first")}
         offered = ({"value": key, "said": spoken(f"lesson_choice_{key}")} for key in sorted(REASONS))

@@ -60,10 +60,9 @@ class Layout:
         m = self.mechanism
         for name, assembly in m.assembly.items():
             yield self.assembly(name, assembly)
-        for link in (m.frame, *m.links.values()):
-            for guide in link.guides.values():
-                if guide.through_point:
-                    yield self.say("through", guide=guide.name, point=guide.through_point)
+        for name, link in m.owners.items():
+            if point := link.guides[name].through_point:
+                yield self.say("through", guide=name, point=point)
         for link in m.links.values():
             if way := self.axis(link):
                 yield self.say("axis", link=link.name, way=way)

@@ -91,9 +91,9 @@ def _live(lesson: Told, progress: Progress | None = None, practice: bool = True)
     marks = {name: drawn[name] for name in made if plan_of(name) != "motion"} | own
     fails = live.failures(plans.drive_given, "φ" if plans.drive.rotates else "s")
     # directions of guides, and of the forces in moment equations
-    ways = [f"∥{g}" for link in (plans.mechanism.frame, *plans.mechanism.links.values()) for g in link.guides]
+    ways = [f"∥{g}" for g in plans.mechanism.owners]
     loaded = [*arms(plans), *lesson.teller.bodies.drawn.values()]
-    ways += [f.along for forces in plans.acting.forces.values() for f in forces if plans.figure and f.spot]
+    ways += [f.along for f in plans.acting.every if plans.figure and f.spot]
     ways += [line.along for c in plans.centres for line in c.lines]
     ways += [f["along"] for one in loaded for f in one["forces"]]
     sizes = [f["size"] for one in loaded for kind in ("forces", "couples") for f in one[kind] if f["size"] in drawn]
@@ -157,9 +157,10 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     terms = {(e.plan, *sorted((t.start, t.end))) for e in plans.equations for t in e.terms}
     for s in plans.segments:
         rays = plans.figure.poles if plans.figure else ()
-        shown = s.plan not in ("position", "motion") and at(s.plan, s.start) not in rays
-        if s.start != s.end and shown and at(s.plan, s.end) in drawing:
-            corner = at(s.plan, s.end) in drawing.program.corners
+        start, end = s.ends
+        shown = s.plan not in ("position", "motion") and start not in rays
+        if start != end and shown and end in drawing:
+            corner = end in drawing.program.corners
             new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": [], "corner": corner}
             if (s.plan, *sorted((s.start, s.end))) not in terms:
                 new["sum"] = True

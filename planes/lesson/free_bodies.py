@@ -111,7 +111,7 @@ class FreeBodies:
     def drawn(self) -> Json:
         """For a page: by polygon the forces on its links, and both components of the resolved reactions."""
         bodies: Json = {}
-        for plan in (p for p in self.plans.drawn if kind_of(p) == "force"):
+        for plan in self.plans.forces:
             known = [{"name": n, **how} for n, how in self.known(plan)]
             forces = [{**how, "foot": None} for how in known if "mark" in how]
             couples = [how for how in known if "link" in how]

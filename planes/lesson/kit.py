@@ -47,7 +47,7 @@ class Kit:
 
     def spans(self, f: Frame) -> list[tuple[str, str]]:
         """The segments of a frame's vectors on its plan."""
-        own = {x.name: (at(x.plan, x.start), at(x.plan, x.end)) for x in self.plans.segments if x.plan == f.plan}
+        own = {x.name: x.ends for x in self.plans.segments_of.get(f.plan, ())}
         return [own[name] for name in f.terms if name in own and own[name][0] != own[name][1]]
 
     def of(self, step: Step) -> Handled:
@@ -105,8 +105,7 @@ class Kit:
     def guided(self, step: Step) -> str:
         """The guide that a direction is along or across, "" for another."""
         means = self.plans.means.get(step.makes)
-        links = (self.plans.mechanism.frame, *self.plans.mechanism.links.values()) if self.plans.moves else ()
-        own = means is not None and any(means.of in link.guides for link in links)
+        own = means and self.plans.moves and means.of in self.plans.mechanism.owners
         return means.of if own and means and not means.about else ""
 
     def figure(self, step: Similar | Image) -> Handled:

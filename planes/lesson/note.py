@@ -182,7 +182,7 @@ class Note:
         if plan == "lever":
             yield self.figure("lever", self.say("lever") + mu)
         if kind_of(plan) == "force":
-            if plan == next(p for p in plans.drawn if kind_of(p) == "force"):
+            if plan == plans.forces[0]:
                 yield self.figure("loaded", self.say("loaded") + mu)
             links = links_of(plan)
             key = "group" if len(links) > 1 else "driver" if links == (plans.structure.driver,) else "link"

@@ -19,7 +19,6 @@ from planes.solving.document import Block, Chart, Figure, Heading, Paragraph, Pl
 from planes.words import decimals, table
 from planes.words.frozen import replace
 from planes.words.lettering import flat
-from planes.words.names import kind_of
 
 ASKED: Mapping[str, str] = {
     "structure": "link pair chain apart mobility surplus synthesis groups classes",
@@ -171,7 +170,7 @@ class Questions(Note):
         yield self.figure("loaded", self.say("loaded"))
 
     def of_stages(self) -> Iterator[Block]:
-        for plan in (plan for plan in self.position.plans.drawn if kind_of(plan) == "force"):
+        for plan in self.position.plans.forces:
             for f in self.frames:
                 if f.plan == plan and f.key in ("free_body", "equation"):
                     yield from self.prose(f, 0)

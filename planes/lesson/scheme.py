@@ -34,11 +34,10 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
                 "slides": x.slides.guide if x.slides else None,
             }
         )
-    for link in (m.frame, *m.links.values()):
-        for g in link.guides.values():
-            mark = at("position", g.through_point or f"°{g.name}")
-            if mark in drawing:
-                guides.append({"name": g.name, "link": link.name, "mark": mark})
+    for name, link in m.owners.items():
+        mark = at("position", link.guides[name].through_point or f"°{name}")
+        if mark in drawing:
+            guides.append({"name": name, "link": link.name, "mark": mark})
     return {
         "links": links,
         "guides": guides,
@@ -51,12 +50,7 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
 def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
     """The parts of statics beside links: lines, loads at their points, rollers and walls, and the plan with the letters
     of regions, with the members as its lines."""
-    loads = [
-        {"name": f.name, "mark": f.point, "along": f.along, "size": f.size}
-        for forces in plans.acting.forces.values()
-        for f in forces
-        if f.spot
-    ]
+    loads = [{"name": f.name, "mark": f.point, "along": f.along, "size": f.size} for f in plans.acting.every if f.spot]
     return {
         "strokes": [{"plan": s.plan, "kind": s.kind, "name": s.name, "ends": [s.start, s.end]} for s in figure.strokes],
         "loads": loads,
@@ -141,7 +135,7 @@ def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:
 
 def acting(plans: Plans) -> dict[str, str]:
     """The mark of the scheme at which each force acts; for a slider's reaction its point, whatever its arm."""
-    marks = {f.name: f.point for forces in plans.acting.forces.values() for f in forces}
+    marks = {f.name: f.point for f in plans.acting.every}
     for r in plans.reactions.values():
         point = at("position", r.pair.point or plans.mechanism.links[r.pair.link].first_point)
         marks |= {f"{name}{part}": point for name in r.names for part in ("", "^t", "^n")}

@@ -8,7 +8,7 @@ from planes.lesson.scheme import special_points
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.frozen import replace
-from planes.words.names import POLE, at, lettered, plan_of
+from planes.words.names import POLE, lettered, plan_of
 
 STILL_MM = 1e-4
 """Tolerance of a mark at its pole: a page's drive is known to a millionth of a degree."""
@@ -22,7 +22,7 @@ def standing(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
     special = special_points(plans)
     for s in plans.segments:
         if s.start == POLE and s.name in {f"{letter}_{name}" for letter in "va" for name in special}:
-            named[at(s.plan, s.end)] = s.name[2:]
+            named[s.ends[1]] = s.name[2:]
     return [
         replace(f, still=told(f.makes[0], named, special)) if f.makes and f.makes[0] in named else f for f in frames
     ]

@@ -62,7 +62,7 @@ class StaticsNote(StatedNote):
     def sought(self) -> Sequence[str]:
         """The requested results, or all reactions, and the values."""
         plans = self.position.plans
-        loads = {f.name for forces in plans.acting.forces.values() for f in forces}
+        loads = {f.name for f in plans.acting.every}
         return found_of(self.scene) or [*(n for n in plans.vectors if n not in loads), *plans.values]
 
     def blocks(self) -> list[Block]:

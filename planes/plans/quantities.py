@@ -224,7 +224,7 @@ def _plain(values: Iterable[Derived]) -> Quantities:
 def _segments(plans: Plans) -> Quantities:
     for s in plans.segments:
         if s.plan != "motion" and s.start != s.end and not {"°", "⊥"} & set(s.name):
-            size = Column(s.name, UNIT[kind_of(s.plan)], "", at(s.plan, s.start), at(s.plan, s.end), "size")
+            size = Column(s.name, UNIT[kind_of(s.plan)], "", *s.ends, "size")
             yield Quantity(s.name, (size,), "plans", s.plan, s.name)
 
 

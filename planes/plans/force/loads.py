@@ -74,6 +74,11 @@ class Loads:
     laws: Mapping[str, LoadLaw | StrokeLoad] = field(default_factory=dict)
     motion: Rates | None = None
 
+    @property
+    def every(self) -> list[Force]:
+        """The forces on all links."""
+        return [f for forces in self.forces.values() for f in forces]
+
 
 @dataclass
 class Acting:
