@@ -3,22 +3,20 @@
 The page runs the tape for any position and numbers, and draws lines between the resulting marks.
 """
 
-from collections.abc import Callable
 from functools import partial
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.steps.tracks import CutTrack
-from planes.lesson import value_of
 from planes.lesson.centres import NOTED, lines_of
 from planes.lesson.formulas import in_both, mu_said, slot, spoken, unit
 from planes.lesson.frame import Frame, needed
 from planes.lesson.kit import Kit
-from planes.lesson.live import Live
-from planes.lesson.practice import JUDGING, sentences, told_values
+from planes.lesson.live import Live, results
+from planes.lesson.practice import JUDGING, Progress, sentences, told_values
 from planes.lesson.rows import templates
-from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
+from planes.lesson.scheme import acting, arms, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.lesson.told import Told
 from planes.plans import Plans
@@ -28,8 +26,6 @@ from planes.words import Lang, say
 from planes.words.names import at, kind_of, lettered, links_of, mu_of, plan_of
 from planes.words.records import Json
 from planes.words.units import Convention
-
-Progress = Callable[[int, int], None]
 
 
 def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = False, practice: bool = True) -> Json:
@@ -62,7 +58,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "frames": (shown := [_shown(f, kit) for f in frames]),
         "leaning": {k: {n: z for n, z in _shown(f, kit).items() if z != shown[k][n]} for k, f in more.items()},
         "reckoned": templates(row for f in [*frames, *more.values()] for row in f.rows),
-        "results": _results(plans),
+        "results": [{"name": n, "value": n, "unit": in_both(unit(n).told)} for n in results(plans)],
         "units": {n: in_both(unit(n).told) for n in needed([*frames, *more.values()]) if unit(n).told()},
         **_live(lesson, progress, practice),
         **({} if practice else {"pending": True}),
@@ -83,52 +79,22 @@ def _shown(frame: Frame, kit: Kit) -> Json:
 
 
 def _live(lesson: Told, progress: Progress | None = None, practice: bool = True) -> Json:
-    """The tape, and the places on it of every mark, direction, value, sharpness and mistake; with the practice."""
-    plans, frames = lesson.plans, lesson.frames
-    live = Live(lesson.knobs.free)
-    drawn, own = live.drawing, feet(plans, live.drawing)
-    made = (s.makes for s in plans.program.steps if s.kind == "mark" and s.makes not in plans.program.trials)
-    marks = {name: drawn[name] for name in made if plan_of(name) != "motion"} | own
-    fails = live.failures(plans.drive_given, "φ" if plans.drive.rotates else "s")
-    # directions of guides, and of the forces in moment equations
-    ways = [f"∥{g}" for g in plans.mechanism.owners]
-    loaded = [*arms(plans), *lesson.teller.bodies.drawn.values()]
-    ways += [f.along for f in plans.acting.every if plans.figure and f.spot]
-    ways += [line.along for c in plans.centres for line in c.lines]
-    ways += [f["along"] for one in loaded for f in one["forces"]]
-    sizes = [f["size"] for one in loaded for kind in ("forces", "couples") for f in one[kind] if f["size"] in drawn]
-    told_in = needed([*frames, *(lesson.leaning or {}).values()])
-    results = (r["value"] for r in _results(plans))
-    names = dict.fromkeys([*told_in, *results, *sizes, *map(mu_of, plans.drawn), plans.drive_given])
-    slips, wrong = lesson.practice.slips(live, progress) if practice else ([], {})
-    lines = lesson.practice.lines()
-    tape, places = live.exported(
-        {
-            "marks": marks,
-            "turned": {d: drawn[d] for d in dict.fromkeys([*ways, *lines]) if d in drawn},
-            "values": {
-                **{n: value_of(n, lesson.teller, drawn) for n in names},
-                **live.numbers,
-                **lesson.practice.senses(drawn),
-            },
-            "sharp": live.sharp,
-            "holds": {str(k): ok for k, (ok, _) in enumerate(fails)},
-            "slips": wrong,
-        }
-    )
+    """The tape, and the places on it of all that a page shows; with the practice."""
+    live, plans = Live(lesson, progress, practice), lesson.plans
+    tape, places = live.exported(live.things)
     lettered = {n for n, m in plans.means.items() if m.quantity == "false"}
-    places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(slips)]
+    places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(live.slips)]
     return {
         **places,
         "judging": JUDGING,
         "practice": lesson.practice.items() if practice else [],
-        "lines": lines,
-        "mistakes": sentences(slips) if practice else {},
+        "lines": lesson.practice.lines(),
+        "mistakes": sentences(live.slips) if practice else {},
         "id": lesson.practice.id,
         "tape": tape,
-        "holds": [{"at": places["holds"][str(k)], "said": said} for k, (_, said) in enumerate(fails)],
+        "holds": [{"at": places["holds"][str(k)], "said": said} for k, said in enumerate(live.fails)],
         "blunt": {n: in_both(partial(_blunt, n)) for n in live.sharp},
-        "helpers": [*(n for n in marks if n in plans.helpers - lettered), *own],
+        "helpers": [*(n for n in places["marks"] if n in plans.helpers - lettered and n not in live.feet), *live.feet],
     }
 
 
@@ -188,10 +154,3 @@ def _traces(drawing: Drawing) -> Json:
             case CrossArcs():
                 traces[name] = {"arcs": [step.centre, step.other]}
     return traces
-
-
-def _results(plans: Plans) -> list[Json]:
-    """Angular velocities and accelerations, and balancing loads, shown beneath the plans at every position."""
-    rates = [*(link.omega for link in plans.links.values()), *(link.epsilon for link in plans.links.values())]
-    names = [n for n in dict.fromkeys([*rates, plans.balancing, plans.zhukovsky]) if n in plans.program.made]
-    return [{"name": n, "value": n, "unit": in_both(unit(n).told)} for n in names]

@@ -30,7 +30,7 @@ def standing(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
 
 def told(mark: str, named: dict[str, str], special: dict[str, str]) -> dict[str, str]:
     """The sentence, and its names."""
-    plan, point = plan_of(mark) or "", named[mark]
+    plan, point = plan_of(mark), named[mark]
     key = "special" if point in special and plan == "velocity" else plan
     names = {"said": key, "point": point, "mark": lettered(mark), "vector": f"{plan[0]}_{point}"}
     return {**names, "link": special[point]} if key == "special" else names
