@@ -3,6 +3,7 @@
 Numbers are in slots (:mod:`planes.lesson.formulas`), so a frame serves every position of the mechanism.
 """
 
+from collections.abc import Sequence
 from functools import partial
 
 from planes.drafting.drawing import Drawing
@@ -20,7 +21,7 @@ from planes.lesson.rows import Row, reckoned
 from planes.lesson.standing import standing
 from planes.lesson.stated import StatedWords, last_marks
 from planes.lesson.stating import Stating
-from planes.lesson.steps import Names, StepWords, apart_words, shown_on, sought, whole
+from planes.lesson.steps import StepWords, apart_words, shown_on, sought, whole
 from planes.plans import Plans
 from planes.plans.apart import links_apart
 from planes.plans.force.derived import unit_of_value
@@ -28,8 +29,6 @@ from planes.plans.force.reactions import Reaction
 from planes.words import Phrase, Told, Written
 from planes.words.names import POLE, at, kind_of, label_of, letter_of, lettered, mu_of, plan_of
 from planes.words.units import Convention
-
-NOTHING: Names = {}
 
 
 class Teller:
@@ -59,9 +58,9 @@ class Teller:
     def frames(self) -> list[Frame]:
         """All frames, in drawing order."""
         put: list[Step] = [step for step in self.drawing.program.steps if isinstance(step, Put) and step.at]
-        fixed: Names = {"names": ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put if not p.helper)}
+        names = ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put if not p.helper)
         key = "points" if self.plans.figure else "fixed"
-        frames = [self.frame(key, "position", tuple(p.makes for p in put), names=fixed)] if put else []
+        frames = [self.frame(key, "position", tuple(p.makes for p in put), names=names)] if put else []
         readings = list[Step]()
         for step in self.drawing.program.steps:
             if step.makes in self.moments or step.makes in self.rates:
@@ -72,11 +71,10 @@ class Teller:
             readings = []
             frames.append(self.mark(step))
             solved = ((e.plan, sought(e)) for e in self.solved.get(step.makes, ()))
-            frames += [self.read_off("measured", plan, names, []) for plan, names in solved if names]
+            frames += [self.read_off("measured", plan, names) for plan, names in solved if names]
             frames += self.closing(shown_on(step)) if step.makes == self.ends.get(shown_on(step)) else []
-        opened = self.bodies.opened(
-            self.stating.stated(frames + self.readings(readings, frames), self.frame), self.frame
-        )
+        stated = self.stating.stated(frames + self.readings(readings, frames), self.frame)
+        opened = self.bodies.opened(stated, self.frame)
         return self.in_order(CentreFrames(self.plans, self.frame, self.reading).among(opened))
 
     def in_order(self, frames: list[Frame]) -> list[Frame]:
@@ -87,9 +85,9 @@ class Teller:
             if steps := reckoning.missing(f):
                 arms = self.plans.moments[f.moments].terms if f.moments is not None else ()
                 terms = tuple(force for force, arm in arms if arm in {step.makes for step in steps})
-                names: Names = {"rows": tuple(map(reckoning.reading, steps))}
+                rows = tuple(map(reckoning.reading, steps))
                 reason = "found_arms" if terms else "found_values"
-                ordered.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, names))
+                ordered.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, rows))
             reckoning.tell(f)
             ordered.append(f)
         return in_chapters(standing(ordered, self.plans))
@@ -114,11 +112,12 @@ class Teller:
         reason: Told = "",
         terms: tuple[str, ...] | None = None,
         moments: int | None = None,
-        names: Names = NOTHING,
+        rows: tuple[Row, ...] = (),
+        **names: object,
     ) -> Frame:
-        """A frame with its words in every language, in which its ``rows`` stand by their numbers."""
+        """A frame with its words in every language, of the ``names`` of its sentence and its ``rows``, by their
+        numbers."""
         index, equation_terms = self.equation_of(plan, makes)
-        rows: tuple[Row, ...] = names.get("rows", ())
         own = ((m[1], m[2]) for said in names.values() if isinstance(said, str) for m in SLOT.finditer(said))
         scale = [("k", mu_of(plan))] if key in ("pole", "fixed", "points") else []
         numbers = (*scale, *own, *(n for row in rows for n in row.slots()))
@@ -136,18 +135,17 @@ class Teller:
             terms = tuple(whole(equation, t.name) for t in equation.terms if t.end in labels and not t.drawn)
             if equation.plan == plan and terms:
                 return index, terms
-        first = next((e for e in self.plans.segments if e.plan == plan and e.end in labels and e.start == POLE), None)
-        return None, (first.name,) if first else ()
+        own = self.plans.segments_of.get(plan, ())
+        return None, tuple([e.name for e in own if e.end in labels and e.start == POLE][:1])
 
     def mark(self, step: Step) -> Frame:
         """The frame of one mark, or of a tangent."""
         read = dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and name not in self.trials)
         uses = tuple(name for name in read if plan_of(name) != "motion")
-        names: Names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
+        fields = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
         key, reason, more = self.words.of(step)
         makes = () if isinstance(step, Touch) else (step.makes,)
-        names = {**names, "end": lettered(step.makes), **more}
-        return self.frame(key, shown_on(step), makes, uses, reason, names=names)
+        return self.frame(key, shown_on(step), makes, uses, reason, **{**fields, "end": lettered(step.makes), **more})
 
     def readings(self, values: list[Step], before: list[Frame]) -> list[Frame]:
         """Frames for the values computed since the last mark: angular velocities and accelerations together, each
@@ -160,7 +158,7 @@ class Teller:
             frames = [*self.stating.turns(rates, plan, self.frame)]
             frames += [self.measured(plan, rates, before)] if rates or crossed else []
         else:
-            frames = [self.read_off("measured", before[-1].plan, [], rates)] if rates and before else []
+            frames = [self.read_off("measured", before[-1].plan, (), rates)] if rates and before else []
         return frames + [f for v in values if v.makes in self.moments for f in self.moment(v)]
 
     def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
@@ -171,11 +169,11 @@ class Teller:
         read_names = {name for f in before if (f.key, f.plan) == ("measured", plan) for name in f.terms}
         return self.read_off("measured", plan, [name for name in names if name not in read_names], rates)
 
-    def read_off(self, key: str, plan: str, names: list[str], rates: list[Calculate]) -> Frame:
+    def read_off(self, key: str, plan: str, names: Sequence[str], rates: Sequence[Calculate] = ()) -> Frame:
         """Measured segments of a plan, and velocities or accelerations with their formula and sense."""
         rows = (*(self.reading(n, plan) for n in names), *map(self.reckoned, rates))
         uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
-        return self.frame(key, plan, uses=uses, terms=tuple(names), names={"rows": rows})
+        return self.frame(key, plan, uses=uses, terms=tuple(names), rows=rows)
 
     def reckoned(self, rate: Calculate) -> Row:
         """A value with its formula; of a rotation also its sense."""
@@ -207,27 +205,26 @@ class Teller:
         own = (r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan))
         names = [name for name in own if name not in inside.values()]
         names += [n for n in (self.bodies.balancing(plan),) if n and self.plans.drive.kind == "s"]
-        frames = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
+        frames = [self.read_off("closing", plan, list(dict.fromkeys(names)))] if names else []
         for one in links:
             key = inside[one.force]
-            closes: Names = {**apart_words(one, key), "rows": (self.reading(key, plan),)}
-            frames.append(self.frame("apart", plan, names=closes, terms=one.drawn))
+            row = self.reading(key, plan)
+            frames.append(self.frame("apart", plan, terms=one.drawn, rows=(row,), **apart_words(one, key)))
         reactions = self.plans.reactions.values()
         return frames + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
 
     def rubbing(self, plan: str, r: Reaction) -> Frame:
         """Both components of a reaction with friction, or its circle, and the power of friction."""
         key, parts = ("friction_circle", []) if r.pair.point else ("friction", [r.normal, r.friction])
-        readings = tuple(self.reckoning.reading(self.made[n]) for n in (*parts, r.power))
-        names: Names = {"force": r.key, "point": r.pair.point, "rows": readings}
-        return self.frame(key, plan, names=names, terms=(r.key,))
+        rows = tuple(self.reckoning.reading(self.made[n]) for n in (*parts, r.power))
+        return self.frame(key, plan, terms=(r.key,), rows=rows, force=r.key, point=r.pair.point)
 
     def seated(self, r: Reaction) -> Frame:
         """The arm at which a slider's reaction acts, by its couple."""
         arm = self.made[r.arm]
         assert isinstance(arm, Calculate)
-        names: Names = {"force": r.key, "rows": (reckoned(arm),), "mm": slot(r.arm, "mm", mu_of("position"))}
-        return self.frame("seated", r.plan, names=names, terms=(r.key,))
+        mm = slot(r.arm, "mm", mu_of("position"))
+        return self.frame("seated", r.plan, terms=(r.key,), rows=(reckoned(arm),), force=r.key, mm=mm)
 
     def moment(self, step: Step) -> list[Frame]:
         """A moment equation with its numbers."""
@@ -237,7 +234,7 @@ class Teller:
         m = self.plans.moments[index]
         key, names, terms = moment_words(m, step, self.cycle)
         plan, reason = ("lever", "moments_lever") if m.links == ("lever",) else ("position", "moments")
-        frames = [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
+        frames = [self.frame(key, plan, reason=reason, terms=terms, moments=index, **names)]
         seats = (r for r in self.plans.reactions.values() if r.moment == step.makes and key == "moments")
         return frames + [self.seated(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.reach]  # no NaN
 

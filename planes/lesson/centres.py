@@ -38,13 +38,13 @@ class CentreFrames:
         """The centres of pairs, then one after another, each with its check."""
         seen = [c for c in self.plans.centres if not c.lines and (c.along or self.joined(c))]
         makes = tuple(c.mark for c in seen if c.mark)
-        yield self.make("centres_first", "position", makes, names=self.first(seen))
+        yield self.make("centres_first", "position", makes, **self.first(seen))
         for c in self.plans.centres:
             if c not in seen:
                 yield self.one(c)
                 yield from (self.check(k) for k in self.plans.checks if k.centre == c)
         if left := self.left():
-            yield self.make("centres_left", "position", names={"names": ", ".join(f"⟨{n}⟩" for n in left)})
+            yield self.make("centres_left", "position", names=", ".join(f"⟨{n}⟩" for n in left))
 
     def joined(self, centre: Centre) -> bool:
         """Whether two links are hinged to each other."""
@@ -64,15 +64,14 @@ class CentreFrames:
     def one(self, c: Centre) -> Frame:
         """A centre found by two lines, or by a hinge of three links."""
         if not c.lines:
-            return self.make("centre_same", "position", (c.mark,), names={"name": c.name, "point": c.point})
+            return self.make("centre_same", "position", (c.mark,), name=c.name, point=c.point)
         first, second = map(self.line, (*c.lines, *c.lines)[:2])
         uses = tuple(dict.fromkeys(m for line in c.lines for m in (line.mark, line.other) if m))
-        names: Names = {"name": c.name, "first": first, "second": second}
         if c.along:
-            return self.make("centre_far", "position", uses=uses, names={"name": c.name, "first": first})
+            return self.make("centre_far", "position", uses=uses, name=c.name, first=first)
         thirds = [self.plans.mechanism.frame_number if x.third == FRAME else x.third for x in c.lines]
         why = Phrase("why_centre", one=thirds[0], two=thirds[1])
-        return self.make("centre", "position", (c.mark,), uses, why, names=names)
+        return self.make("centre", "position", (c.mark,), uses, why, name=c.name, first=first, second=second)
 
     def line(self, line: CentreLine) -> Phrase:
         """A line of centres in words."""
@@ -87,8 +86,8 @@ class CentreFrames:
         rows = tuple(Row(check.name, letters, numbers, slot(both, "a")) for letters, numbers, both in sides)
         rows += (self.reading(check.name, "velocity"),) if check.read else ()
         key = "centre_slider" if check.slides else "centre_speed" if check.read else "centre_equal"
-        names: Names = {"name": check.centre.name, "link": check.slides, "rows": rows}
-        return self.make(key, "position", uses=(check.centre.mark,), names=names)
+        uses = (check.centre.mark,)
+        return self.make(key, "position", uses=uses, rows=rows, name=check.centre.name, link=check.slides)
 
     def left(self) -> list[str]:
         """The centres that are not found."""

@@ -23,7 +23,7 @@ from planes.plans import Plans
 from planes.plans.measuring import lettering, say_plan, title_of
 from planes.scene import Scene
 from planes.words import Lang, say
-from planes.words.names import at, kind_of, lettered, links_of, mu_of, plan_of
+from planes.words.names import at, kind_of, lettered, links_of, plan_of
 from planes.words.records import Json
 from planes.words.units import Convention
 

@@ -7,7 +7,6 @@ from functools import cached_property
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Term
 from planes.lesson.frame import Frame, Make
-from planes.lesson.steps import Names
 from planes.plans import Plans
 from planes.plans.force.reactions import Reaction
 from planes.plans.position.bodies import SCHEME
@@ -54,21 +53,24 @@ class FreeBodies:
         known, sought, balancing = [name for name, _ in self.known(plan)], self.outer(plan), self.balancing(plan)
         unknown = tuple(Phrase(f"lesson_free_{r.pair.kind}", name=name) for name, r in sought.items())
         unknown += (Phrase("lesson_free_size", name=balancing),) if balancing else ()
-        names: Names = {
-            "links": links_told(links_of(plan)),
-            "known": ", ".join(f"⟨{n}⟩" for n in known) or "—",
-            "unknown": unknown,
-            "count": str(2 * len(sought) + bool(balancing)),
-        }
         carried = [n for n in known if any(n in r.names for r in self.plans.reactions.values())]
         key = "driver" if balancing else "next" if carried else "first"
         why = Phrase(f"why_free_body_{key}", forces=", ".join(f"⟨{n}⟩" for n in carried))
-        yield make("free_body", plan, reason=why, terms=tuple(known), names=names)
+        yield make(
+            "free_body",
+            plan,
+            reason=why,
+            terms=tuple(known),
+            links=links_told(links_of(plan)),
+            known=", ".join(f"⟨{n}⟩" for n in known) or "—",
+            unknown=unknown,
+            count=str(2 * len(sought) + bool(balancing)),
+        )
         for one in self.splits(plan):
             parts = {"force": one.force, "normal": one.normal.name, "tangential": one.tangential.name, "line": one.line}
             terms = one.normal.name, one.tangential.name
             why = Phrase("why_split", **parts, about=one.about)
-            yield make("split", plan, reason=why, terms=terms, names=parts)
+            yield make("split", plan, reason=why, terms=terms, **parts)
 
     def known(self, plan: str) -> Iterator[tuple[str, Json]]:
         """The known forces and couples on the links of a polygon, and how each is drawn."""

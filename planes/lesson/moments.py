@@ -26,7 +26,7 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     without = [f"⟨{name}⟩" for name, arm in m.terms if m.links != ("lever",) and passes(arm, cycle)]
     through = Phrase("lesson_through", forces=", ".join(without)) if without else ""
     links = Phrase("lesson_lever_of") if m.links == ("lever",) else links_told(m.links, ", ")
-    names: Names = {"about": lettered(m.about), "links": links, "through": through}
+    names = {"about": lettered(m.about), "links": links, "through": through}
     if len(dropped) == len(step.terms):
         force = step.means.of if step.means else m.unknown
         return "moments_none" if step.means else "moments_zero", {**names, "force": force}, (force,)

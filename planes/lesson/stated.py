@@ -9,7 +9,7 @@ from planes.drafting.steps import Image, LayOff, Put, Similar, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.rows import reckoned
-from planes.lesson.steps import Names, StepWords, Words
+from planes.lesson.steps import StepWords, Words
 from planes.plans import Plans
 from planes.plans.structures.figure import FigureLine
 from planes.words import Phrase, Told, Written, table
@@ -56,12 +56,12 @@ class StatedWords(StepWords):
         turned, first, second = abs(ratio.imag) > 1e-9 * abs(ratio), lettered(step.start), lettered(step.end)
         size, angle = (abs(ratio), math.degrees(phase(ratio))) if turned else (ratio.real, 0.0)
         ratio_written, angle_written = (Written(partial(number, value)) for value in (size, angle))
-        names: Names = {"first": first, "second": second, "ratio": ratio_written, "angle": angle_written}
+        names = {"first": first, "second": second, "ratio": ratio_written, "angle": angle_written}
         return ("turned_stated" if turned else "similar_stated"), "alike_stated", names
 
     def image(self, step: Image) -> Words:
         vectors = {ends: f"⟨{n}⟩" for n, ends in self.plans.vectors.items()}
-        names: Names = {"start": lettered(step.start), "own": vectors[step.of], "whole": vectors[step.like]}
+        names = {"start": lettered(step.start), "own": vectors[step.of], "whole": vectors[step.like]}
         return (
             "image_stated",
             "alike_stated",

@@ -9,7 +9,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import slot
 from planes.lesson.frame import Frame, Make
-from planes.lesson.steps import Names, once, whole
+from planes.lesson.steps import once, whole
 from planes.plans import Plans
 from planes.plans.force.loads import force_name
 from planes.words import Phrase
@@ -45,8 +45,8 @@ class Stating:
             if f.equation is not None and new:
                 stated_equations.add(f.equation)
                 e = self.plans.equations[f.equation]
-                names: Names = {"equation": self.written(e), "unknown": self.unknown(e)}
-                frame = make("equation", f.plan, reason=self.why(e), terms=(), names=names)
+                named = {"equation": self.written(e), "unknown": self.unknown(e)}
+                frame = make("equation", f.plan, reason=self.why(e), terms=(), **named)
                 frames_with_equations.append(replace(frame, equation=f.equation))
             frames_with_equations.append(f)
         return frames_with_equations
@@ -146,14 +146,8 @@ class Stating:
             link = self.carrying.get(index)
             if link and letter in LETTERS.values():
                 name, point, about = link
-                said: Names = {
-                    "vector": vector,
-                    "point": point,
-                    "about": about,
-                    "link": name,
-                    "rate": rate.makes,
-                    "sense": slot(rate.makes, "s"),
-                }
-                frame = make("sense", plan, terms=(vector,), names=said)
-                spots = {k: at("position", places.get(p, p)) for k, p in (("point", point), ("about", about))}
-                yield replace(frame, turns={**spots, "vector": vector, "rate": rate.makes})
+                ends, vectors = {"point": point, "about": about}, {"vector": vector, "rate": rate.makes}
+                sense = slot(rate.makes, "s")
+                frame = make("sense", plan, terms=(vector,), link=name, sense=sense, **ends, **vectors)
+                spots = {k: at("position", places.get(p, p)) for k, p in ends.items()}
+                yield replace(frame, turns={**spots, **vectors})

@@ -48,7 +48,7 @@ class StepWords:
                 key = "touch" if step.offset else "touch_through"
                 return key, "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
             case Cross():
-                lines: Names = {"action": self.action(step.along), "across": self.action(step.across)}
+                lines = {"action": self.action(step.along), "across": self.action(step.across)}
                 if step.quantity == "special":
                     return "special", "special", lines
                 return "cross", self.crossing(step.makes), lines
@@ -97,7 +97,7 @@ class StepWords:
     def similar(self, step: Similar) -> Words:
         """Proportional division, or a similar figure."""
         ratio = complex(self.drawing[step.ratio])
-        names: Names = {"first": lettered(step.start), "second": lettered(step.end)}
+        names = {"first": lettered(step.start), "second": lettered(step.end)}
         if kind_of(step.makes) == "position":
             return "point", "along", names
         if abs(ratio.imag) > 1e-9 * abs(ratio):
@@ -111,7 +111,7 @@ class StepWords:
         key = "image" if step.start == step.image[0] else "carried_image"
         marks = (step.start, *step.image, *step.like, *step.of)
         said = "start", "first", "second", "one", "two", "from", "own"
-        names: Names = dict(zip(said, map(lettered, marks), strict=True))
+        names = dict(zip(said, map(lettered, marks), strict=True))
         return key, "similar" if key == "image" else Phrase(f"why_{key}", **names), names
 
     def corners(self, step: Similar) -> Iterator[str]:
@@ -147,10 +147,10 @@ class StepWords:
         """A known vector: with the formula of its length if that was calculated."""
         kind = kind_of(step.makes)
         mm = slot(step.length, "mm", step.mu)
-        named: Names = {"mm": mm, "way": way(self.plans.means[step.along])}
+        named = {"mm": mm, "way": way(self.plans.means[step.along])}
         source = self.made.get(step.length)
         name = self.vector(step)
-        shown: Names = {**named, "name": name, "value": slot(step.length), "unit": unit(name)}
+        shown = {**named, "name": name, "value": slot(step.length), "unit": unit(name)}
         if kind == "position":
             along = self.made[step.along]
             drive = self.plans.drive
