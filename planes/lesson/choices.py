@@ -37,7 +37,7 @@ class Choices:
     equations: Sequence[Json]
     fit_mm: Mapping[str, float]
 
-    def of(self, kind: str, what: str | int, frame: int) -> Json | None:
+    def offered(self, kind: str, what: str | int, frame: int) -> Json | None:
         """The options of a choice, by its kind; None where there is nothing to choose."""
         if kind == "mu":
             return self.scale(str(what), self.frames[frame])

@@ -105,22 +105,22 @@ def _blunt(mark: str, lang: Lang) -> str:
 
 def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
     """A plan with its scale, its title and the letters of the scheme's fixed points, which are at its pole."""
-    prime = {"velocity": "", "acceleration": "'"}.get(plan)
-    fixed = [] if prime is None else [p.lower() + prime for p in pivots(plans.mechanism)]
+    primes = {"velocity": [""], "acceleration": ["'"]}.get(plan, [])
     return {
         "key": plan,
         "links": [x for x in links_of(plan) if x in plans.mechanism.links or plans.moves] * (kind_of(plan) == "force"),
         "mu": in_both(partial(mu_said, plan, convention=convention)),
         "title": in_both(partial(title_of, plan)),
-        "fixed": fixed,
+        "fixed": [p.lower() + prime for prime in primes for p in pivots(plans.mechanism)],
     }
 
 
 def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     """Each vector of the plans once, by its ends, with all its names; ``sum`` marks one that is not a term."""
     segments: dict[tuple[str, str, str], Json] = {}
-    named = {t.name: whole(e, t.name) for e in plans.equations for t in e.terms}
-    terms = {(e.plan, *sorted((t.start, t.end))) for e in plans.equations for t in e.terms}
+    every = [(e, t) for e in plans.equations for t in e.terms]
+    named = {t.name: whole(e, t.name) for e, t in every}
+    terms = {(e.plan, *sorted((t.start, t.end))) for e, t in every}
     for s in plans.segments:
         rays = plans.figure.poles if plans.figure else ()
         start, end = s.ends

@@ -12,6 +12,7 @@ from planes.geometry.listed import ListArithmetic, Listed
 from planes.lesson.dimensions import FreeNumbers
 from planes.lesson.formulas import in_both, spoken, unit
 from planes.plans import Plans
+from planes.words import Written
 from planes.words.frozen import frozen
 from planes.words.names import aimed, label_of, mu_of, parts_of, plan_of
 from planes.words.records import Json
@@ -39,33 +40,33 @@ class Knobs:
     def all(self) -> list[Json]:
         """Each with its name, its unit and its value in the scene; ``tied`` are those that change with it in
         proportion; one that ``stays`` is never drawn anew at random: guides, and points of a straight line."""
-        used, knobs = {*self.plans.program.givens, *self.free.own}, []
+        used, knobs = {*self.plans.program.givens, *self.free.own}, list[Json]()
         for name, value in self.free.home.items():
             given, _, axis = name.partition(".")
             plan = next((p for p in self.plans.drawn if mu_of(p) == given), None)
             name_in_scene = "" if plan else self.told(given, axis)
             if given in used and (name_in_scene or plan not in (None, *CARRIED[1:])):
-                kind: Json = (
-                    {"plan": plan} if plan else {"name": name_in_scene, "unit": in_both(unit(name_in_scene).told)}
-                )
-                kind |= {"unit": in_both(lambda _: "°")} if aimed(given) else {}
-                kind |= (
-                    {"when": spoken(STROKES[given[0]])} if given[0] in STROKES and given not in self.plans.means else {}
-                )
-                kind |= {"stays": True} if given in self.free.turned.values() or (not value and aimed(given)) else {}
-                knobs.append({"given": name, "at": value, "tied": self.tied(given), **kind})
-        return [{**k, **self.around(k, knobs)} for k in knobs if k["at"] or self.around(k, knobs)]
+                knob: Json = {"given": name, "at": value, "tied": self.tied(given)}
+                written = Written("°") if aimed(given) else unit(name_in_scene)
+                knob |= {"plan": plan} if plan else {"name": name_in_scene, "unit": in_both(written.told)}
+                if given[0] in STROKES and given not in self.plans.means:
+                    knob["when"] = spoken(STROKES[given[0]])
+                if given in self.free.turned.values() or (not value and aimed(given)):
+                    knob["stays"] = True
+                knobs.append(knob)
+        return [{**k, **more} for k in knobs if (more := self.around(k, knobs)) or k["at"]]
 
     def around(self, knob: Json, knobs: list[Json]) -> dict[str, float]:
         """The range of a number that is zero: the largest of its kind, for an angular acceleration the square of the
         speed; zero where there is none."""
-        letter = parts_of(str(knob["name"]))[0] if "name" in knob else ""
-        if aimed(str(knob["given"])) and not knob["at"]:
+        if knob["at"]:
+            return {}
+        if aimed(knob["given"]):
             return {"reach": TURNED}
-        rates = {"epsilon": "omega", "a": "v"}
+        letter, rates = parts_of(knob["name"])[0], {"epsilon": "omega", "a": "v"}
         like = ("x", "y", "l") if letter in ("x", "y") else (rates.get(letter, letter),)
-        sizes = [abs(k["at"]) for k in knobs if "name" in k and parts_of(k["name"])[0] in like and k["at"]]
-        return {"reach": max(sizes) ** (2 if letter in rates else 1)} if sizes and not knob["at"] else {}
+        size = max(abs(k["at"]) for k in knobs if parts_of(k.get("name", ""))[0] in like)
+        return {"reach": size ** (2 if letter in rates else 1)} if size else {}
 
     def tied(self, given: str) -> list[str]:
         """The scales that change with a scale: those of the plans that carry segments from each other."""

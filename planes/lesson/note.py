@@ -97,7 +97,7 @@ class Note:
         asked = tuple(f"⟨{name}⟩" for name in self.sought())
         named = {"title": title or Path(self.scene.file).stem, "drive": where, "names": asked}
         yield Paragraph(self.say(f"{self.task}_find" if asked else "note_task", **named))
-        head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
+        head = tuple(map(self.say, ("quantity", "value", "note_unit")))
         given = GivenTable(self.position, self.naming, self.scene.used)
         yield from self.table(self.given_table, head, [*given.rows(), *given.laws()])
         yield from map(Paragraph, conditions(plans, self.lang))
@@ -255,18 +255,18 @@ class Note:
             yield Paragraph(self.say("note_no_forces"))
         yield Heading(self.say("note_results"))
         v, a, w, e = (unit(x).told(self.lang) for x in ("v", "a", "omega", "epsilon"))
-        head: tuple[str, ...] = (self.say("note_point"), f"v, {v}", angle, f"a, {a}", angle)
+        head = (self.say("note_point"), f"v, {v}", angle, f"a, {a}", angle)
         rows = [(f"⟨{n}⟩", *self.vector(x.get("v")), *self.vector(x.get("a"))) for n, x in p.rows("points").items()]
         yield from self.table("note_points_table", head, rows)
-        head = (self.say("note_link"), f"ω, {w}", f"ε, {e}")
-        shown = [(k, *(self.number(x.get(i)) for i in ("omega", "epsilon"))) for k, x in p.rows("links").items()]
-        yield from self.table("note_links_table", head, [row for row in shown if row[0] != FRAME])
+        shown = [(k, self.number(x.get("omega")), self.number(x.get("epsilon"))) for k, x in p.rows("links").items()]
+        head_of_links = (self.say("note_link"), f"ω, {w}", f"ε, {e}")
+        yield from self.table("note_links_table", head_of_links, [row for row in shown if row[0] != FRAME])
         told_of = own_rows(p, (self.scene.equations, self.scene.file), self.lang)
         yield from self.table("own_equations", (self.say("own_equations"), ""), told_of)
         yield from self.reactions()
         for f in p.found:
             if f.quantity.group.startswith("balancing"):
-                size = f"⟨{f.quantity.name}⟩ = {self.number(f)} {self.say(f.quantity.columns[0].unit)}"
+                size = f"⟨{f.quantity.name}⟩ = {self.number(f)} {self.say(f.unit)}"
                 yield Paragraph(f"{self.say(f.quantity.group)}: {size}.")
         yield from self.warned()
 

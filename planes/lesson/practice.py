@@ -23,7 +23,6 @@ from planes.lesson.frame import CENTRES, Frame
 from planes.lesson.live import Live
 from planes.lesson.reckoning import plain
 from planes.lesson.scheme import arms
-from planes.plans import Plans
 from planes.words import Phrase, table
 from planes.words.frozen import frozen
 from planes.words.names import at, letter_of, mu_of, plan_of
@@ -69,17 +68,12 @@ CONSTRUCTED = LayOff | Cross | CrossArc | CrossArcs | Choose | Similar | Image
 
 
 @frozen
-class Practice:
-    """The items of one lesson; ``value`` reads a number by the name in its slot."""
+class Practice(Choices):
+    """The items of one lesson; ``values`` are its numbers by the names in slots."""
 
-    plans: Plans
     given: Mapping[str, Thing]
-    drawing: Drawing
-    frames: Sequence[Frame]
-    equations: Sequence[Json]
     values: Mapping[str, float]
     spans: Mapping[str, tuple[str, str, str]]
-    choices: Choices
 
     def items(self) -> list[Json]:
         """The questions, in the order of the lesson: choices (:class:`Choices`), the known data of an equation's
@@ -88,15 +82,18 @@ class Practice:
         for k, f in enumerate(self.frames):
             for kind, name in self.of_frame(f):
                 question = kind, plain(str(name))
-                if question not in asked:
-                    asked.add(question)
-                    more = self.choices.of(kind, name, k) if kind in CHOICES else {}
-                    if more is not None:
-                        items.append({"frame": k, "kind": kind, "what": name, **more})
-                    if kind == "number":
-                        items[-1]["mu"] = self.read_at(str(name))
-                        items[-1] |= {"signed": True} if letter_of(str(name)) in MOMENTS else {}
+                if question in asked:
+                    continue
+                asked.add(question)
+                more = self.offered(kind, name, k) if kind in CHOICES else self.number(str(name), kind)
+                if more is not None:
+                    items.append({"frame": k, "kind": kind, "what": name, **more})
         return items
+
+    def number(self, name: str, kind: str) -> Json:
+        """The scale at which the number of a question is measured, and whether its sign is asked too."""
+        own: Json = {"mu": self.read_at(name)} if kind == "number" else {}
+        return own | {"signed": True} if own and letter_of(name) in MOMENTS else own
 
     def of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
         """The kinds and names of the questions that a frame allows."""
@@ -107,7 +104,7 @@ class Practice:
             yield "reason", f.plan
         if f.equation is not None and f.plan == "velocity":
             yield "first", f.equation
-        if f.equation is not None and plan_of(at(f.plan, "p")) != "position" and goal(self.equations[f.equation]):
+        if f.equation is not None and f.plan != "position" and goal(self.equations[f.equation]):
             yield "known", f.equation
         mark = f.makes[0] if f.makes and f.key != "fixed" and self.drawn(f.makes[0]) else ""
         if f.turns and abs(self.values.get(f.turns["rate"], 0.0)) > NOTHING:
@@ -166,13 +163,12 @@ class Practice:
         """Directions of the drawing for a set square, each with the line that names it."""
         lines_of_directions: dict[str, str] = {}
         for step in self.plans.program.steps:
-            for name in (getattr(step, "along", None), getattr(step, "across", None)):
-                own = name and self.base(name)
-                means = self.plans.means.get(own or "")
-                if own and own in self.drawing and means and own not in lines_of_directions:
-                    line = means.line or means.action
-                    if line and line not in lines_of_directions.values():
-                        lines_of_directions[own] = line
+            for name in (getattr(step, "along", ""), getattr(step, "across", "")):
+                own = self.base(name or "")
+                means = self.plans.means.get(own)
+                line = means and own in self.drawing and (means.line or means.action)
+                if line and own not in lines_of_directions and line not in lines_of_directions.values():
+                    lines_of_directions[own] = line
         return lines_of_directions
 
     def base(self, direction: str) -> str:

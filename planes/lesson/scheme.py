@@ -5,7 +5,7 @@ from itertools import chain, permutations
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Moments
-from planes.drafting.steps import LayOff, Step
+from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.geometry.arrays import Points
 from planes.plans import Plans
@@ -19,7 +19,7 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
     """Links by their points, guides by a mark and a direction, sliders."""
     m = plans.mechanism
     moving = [p for x in m.links.values() for p in x.points]
-    links, guides = [], []
+    links = []
     for x in m.links.values():
         guide, owner = m.round_guide(x) or (None, "")
         points = m.joined(x)
@@ -34,13 +34,10 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
                 "slides": x.slides.guide if x.slides else None,
             }
         )
-    for name, link in m.owners.items():
-        mark = at("position", link.guides[name].through_point or f"°{name}")
-        if mark in drawing:
-            guides.append({"name": name, "link": link.name, "mark": mark})
+    marks = {name: at("position", x.guides[name].through_point or f"°{name}") for name, x in m.owners.items()}
     return {
         "links": links,
-        "guides": guides,
+        "guides": [{"name": n, "link": m.owner(n), "mark": mark} for n, mark in marks.items() if mark in drawing],
         "pivots": [at("position", p) for p in pivots(m)],
         "driver": m.drive.link,
         "drawn": drawn_beside(plans.figure, plans) if plans.figure else None,
@@ -68,59 +65,48 @@ def pivots(m: Mechanism) -> list[str]:
 
 def arms(plans: Plans) -> list[Json]:
     """For each moment equation its forces: the point, the direction and the foot of the arm of each."""
-    steps, equations = plans.program.makers, []
-    for m in plans.moments:
-        plan = "lever" if m.links == ("lever",) else "position"
-        equations.append(
-            {
-                "about": at(plan, m.about),
-                "plan": plan,
-                "links": list(m.links),
-                "forces": [*_forces(m, steps), *_unknown(plans, m, steps)],
-                "couples": list(_couples(plans, m)),
-            }
-        )
-    return equations
+    return [
+        {
+            "about": at(plan, m.about),
+            "plan": plan,
+            "links": list(m.links),
+            "forces": [*_forces(plans, m)],
+            "couples": [*_couples(plans, m)],
+        }
+        for m in plans.moments
+        for plan in ["lever" if m.links == ("lever",) else "position"]
+    ]
 
 
-def _forces(m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
+def _forces(plans: Plans, m: Moments) -> Iterator[Json]:
+    """The forces of an equation with their arms; then the tangential reaction found from it."""
+    steps = plans.program.makers
     equation = steps.get(m.unknown)
     terms = equation.terms if isinstance(equation, Calculate) else ()
     for (name, arm), term in zip(m.terms, terms, strict=False):
         drop = steps.get(arm)
         if isinstance(drop, Drop):
-            yield {
-                "name": name,
-                "mark": drop.point,
-                "along": drop.along,
-                "size": term.factors[0][0],
-                "arm": arm,
-                "foot": foot_of(drop),
-            }
-
-
-def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
-    """The couples of an equation of links, each at the middle of its link."""
-    named = {name for name, arm in m.terms if not arm}
-    for link in m.links:
-        for c in plans.acting.couples.get(link, ()):
-            if c.name in named:
-                yield {"name": c.name, "link": link, "size": c.value, "sign": c.sign}
-
-
-def foot_of(drop: Drop) -> str:
-    """The mark of an arm's foot."""
-    return at(plan_of(drop.point), f"⊥{drop.makes}")
-
-
-def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
-    """The tangential reaction found from a moment equation."""
+            own = {"name": name, "mark": drop.point, "along": drop.along, "size": term.factors[0][0]}
+            yield {**own, "arm": arm, "foot": foot_of(drop)}
     laid = next((s for s in steps.values() if isinstance(s, LayOff) and s.length == m.unknown), None)
     letter, index, _ = parts_of(m.unknown)
     reaction = plans.reactions.get(f"{letter}_{index}")
     if laid and reaction:
         mark = at("position", reaction.pair.point)
         yield {"name": m.unknown, "mark": mark, "along": laid.along, "size": m.unknown, "foot": None}
+
+
+def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
+    """The couples of an equation of links, each at the middle of its link."""
+    for link in m.links:
+        for c in plans.acting.couples.get(link, ()):
+            if (c.name, "") in m.terms:
+                yield {"name": c.name, "link": link, "size": c.value, "sign": c.sign}
+
+
+def foot_of(drop: Drop) -> str:
+    """The mark of an arm's foot."""
+    return at(plan_of(drop.point), f"⊥{drop.makes}")
 
 
 def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:

@@ -50,7 +50,7 @@ class TransferFunctions:
     def row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:
         """A row of the table, for equal quantities; one below ``noise`` is zero."""
         name = " = ".join(self.naming.curve(f.quantity.name) for f in alike)
-        unit, value = alike[0].quantity.columns[0].unit, alike[0].number
+        unit, value = alike[0].unit, alike[0].number
         shown = measured(value if abs(value) > noise else 0.0, self.naming.lang)
         return [name, relation, shown, "" if unit == "1" else say(unit, self.naming.lang)]
 

@@ -65,6 +65,11 @@ class Measured(NamedTuple):
         return f"<{', '.join(said)}>"
 
     @property
+    def unit(self) -> str:
+        """The key of its unit, of its first number."""
+        return self.quantity.columns[0].unit
+
+    @property
     def number(self) -> float:
         """A plain number; of a slider's reaction or another vector, its x component."""
         return self.numbers[0]  # type: ignore[return-value]  # only an arm may be empty
