@@ -9,7 +9,7 @@ from functools import cached_property
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import LayOff
-from planes.lesson.formulas import in_both, spoken
+from planes.lesson.formulas import LANGS, in_both, spoken
 from planes.lesson.frame import Frame
 from planes.lesson.free_bodies import FreeBodies, links_told
 from planes.plans import Plans
@@ -122,7 +122,7 @@ class Choices:
         offered |= dict(waiting[:LATER])
         if not any(offered.values()) or all(offered.values()):
             return None
-        return {"offered": [{"value": t, "said": in_both(lambda _: t), **offered[t]} for t in sorted(offered)]}  # noqa: B023
+        return {"offered": [{"value": t, "said": dict.fromkeys(LANGS, t), **offered[t]} for t in sorted(offered)]}
 
     def unknown(self, term: Json, made: set[str]) -> Json:
         """Why an equation that begins with a vector cannot be written yet; empty where it can."""
@@ -136,7 +136,7 @@ class Choices:
         point = next((p for p in self.plans.points if f"v_{p}" == equation["total"]["name"]), "")
         together = {p for x in links.values() if point in x.points for p in x.points}
         own = {*links[self.plans.drive.link].points}
-        for other in sorted(own - together - {point}) if point in self.plans.points and together else ():
+        for other in sorted(own - together) if together else ():
             if self.plans.points[other].velocity in made or other in self.plans.mechanism.frame.points:
                 text = f"⟨v_{point}⟩ = ⟨v_{other}⟩ + ⟨v_{point}{other}⟩"
                 why = spoken("lesson_choice_unlinked", one=point, two=other, name=f"v_{point}{other}")

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from planes.geometry.plane import corners
 from planes.lesson.live import Live
 from planes.lesson.practice import JUDGING, goal
 from planes.words import Phrase
@@ -115,12 +116,10 @@ class PracticeJudge:
         if kind == "known":
             return answer == goal(self.told.equations[what])
         if kind == "mark":
-            return (
-                isinstance(answer, list)
-                and len(answer) == 2
-                and all(isinstance(x, (int, float)) for x in answer)
-                and abs(complex(*answer) - numbers[f"marks {what}"]) <= self.fits(f"marks {what}", numbers)
-            )
+            match answer:
+                case [int() | float() as x, int() | float() as y]:
+                    return abs(complex(x, y) - numbers[f"marks {what}"]) <= self.fits(f"marks {what}", numbers)
+            return False
         if kind in ("order", "reason", "first"):
             return any(one["value"] == answer and "why" not in one for one in item["offered"])
         if not isinstance(answer, (int, float)):
@@ -138,9 +137,8 @@ class PracticeJudge:
         """Whether a plan fits its place at a scale, and can be measured as well as at that of the lesson."""
         mu, places = mu_of(item["what"]), [numbers[f"marks {m}"] for m in item["marks"]]
         places = [z for z in places if z == z] + [0j] * (item["what"] != "position")
-        sides = [z.real for z in places], [z.imag for z in places]
-        wide, high = (max(side, default=math.nan) - min(side, default=math.nan) for side in sides)
-        size = max(wide, high) / given[mu]
+        across = corners(places)[1] - corners(places)[0] if places else complex(math.nan, math.nan)
+        size = max(across.real, across.imag) / given[mu]
         own, least = size * self.home[mu], JUDGING["ruler_mm"] / JUDGING["number_share"]
         return bool(min(least, own / 2) <= size * scale <= max(item["most"], own))
 

@@ -86,6 +86,10 @@ class Note:
         caption = self.say("note_figure", number=self.figures, title=title) if title else ""
         return Figure(DrawnViews(self.scene, self.position, ((key,),)), caption)
 
+    def drawn(self, plan: str) -> Figure:
+        """The figure of a plan, or of the scheme."""
+        return self.figure("scheme" if plan == "position" else plan, self.caption(plan))
+
     def opening(self) -> Iterator[Block]:
         """Title, task and given numbers."""
         plans, drive = self.position.plans, self.position.plans.drive
@@ -165,7 +169,7 @@ class Note:
             if plan == "lever":
                 yield from self.compared()
                 continue
-            yield self.figure("scheme" if plan == "position" else plan, self.caption(plan))
+            yield self.drawn(plan)
             for one in links_apart(self.position.plans, plan):
                 if one.polygon and one.marks(self.position.plans, self.position.drawing):
                     yield self.figure(one.plan, self.caption(one.plan, plan))

@@ -63,7 +63,7 @@ class Questions(Note):
         """What this mechanism gives for an answer; where that is nothing, why the question does not arise."""
         shown = [*self.told(f"reply_{key}_here"), *self.in_frames(*FRAMES.get(key, ("", "-")))]
         plans = [plan for plan in self.position.plans.drawn if plan in FIGURES.get(key, ())]
-        shown += (self.figure("scheme" if plan == "position" else plan, self.caption(plan)) for plan in plans)
+        shown += map(self.drawn, plans)
         return [*shown, *getattr(self, f"of_{key}", tuple)()] or [*self.told(f"reply_{key}_none")]
 
     def told(self, key: str, **more: object) -> Iterator[Block]:
@@ -174,7 +174,7 @@ class Questions(Note):
             for f in self.frames:
                 if f.plan == plan and f.key in ("free_body", "equation"):
                     yield from self.prose(f, 0)
-            yield self.figure(plan, self.caption(plan))
+            yield self.drawn(plan)
 
     def of_reactions(self) -> Iterator[Block]:
         rubbing = ", ".join((*self.m.friction, *self.m.journals))

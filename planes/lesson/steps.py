@@ -126,17 +126,12 @@ class StepWords:
         """Why the lines that cross at a mark have their directions."""
         plan, label = plan_of(mark), label_of(mark)
         kind = kind_of(plan)
-        equations = (e for e in self.plans.equations if e.plan == plan)
-        for e in equations:  # the line drawn first finds the mark
+        for e in (e for e in self.plans.equations if e.plan == plan and kind != "position"):
             sought = [t for t in e.terms if t.direction and not t.length and not t.drawn]
             terms = [t for t in sought if label in (t.start, t.end)]
-            if any(t.end == label for t in terms):
-                break
-        else:
-            terms = []
-        if kind == "position" or not terms:
-            return "cross_position"
-        return Phrase("why_cross", reasons=once(self.reason(t, whole(e, t.name), kind) for t in terms))
+            if any(t.end == label for t in terms):  # the line drawn first finds the mark
+                return Phrase("why_cross", reasons=once(self.reason(t, whole(e, t.name), kind) for t in terms))
+        return "cross_position"
 
     def reason(self, term: Term, name: str, kind: str) -> Phrase:
         """Why a vector of unknown length has its direction."""
@@ -179,10 +174,10 @@ class StepWords:
     def vector(self, step: LayOff) -> str:
         """The name of the vector a step lays off."""
         plan, label = plan_of(step.makes), label_of(step.makes)
-        ends = [t for e in self.plans.equations if e.plan == plan for t in e.terms if t.end == label]
-        terms = [t.name for t in sorted(ends, key=lambda t: t.start != label_of(step.start))]
-        segments = [x.name for x in self.plans.segments if x.plan == plan and x.end == label]
-        return (terms or segments or [label])[0]
+        terms = [t for e in self.plans.equations if e.plan == plan for t in e.terms]
+        own = sorted(terms, key=lambda t: t.start != label_of(step.start))
+        named = (x.name for x in (*own, *self.plans.segments_of.get(plan, ())) if x.end == label)
+        return next(named, label)
 
 
 def apart_words(one: LinkApart, key: str) -> Names:
@@ -218,8 +213,7 @@ def way(direction: Meaning) -> Phrase:
 def _kind_of_vector(step: LayOff, kind: str, source: Calculate) -> str:
     """The reason for a calculated vector."""
     if kind == "force":
-        reasons = {"tangential": "projected", "weight": "weight", "inertia": "inertia"}
-        return reasons.get(step.quantity or "", "load")
+        return {"tangential": "projected", "weight": "weight", "inertia": "inertia"}.get(step.quantity, "load")
     if kind == "velocity":
         return "driver_v"
     if step.quantity == "normal":

@@ -41,11 +41,9 @@ class TransferFunctions:
         plans = self.position.plans
         still = {marks.velocity for p, marks in plans.points.items() if p in plans.standing}
         for one in transfers.values():
-            if one.quantity.columns[0].part:
-                if (column := one.quantity.columns[0]).end in still:
-                    continue
-                ends = self.ends(*column.needs[:2])
-                yield self.row([one], f"{ends}{times}/{segment}", noise)
+            column = one.quantity.columns[0]
+            if column.part and column.end not in still:
+                yield self.row([one], f"{self.ends(*column.needs[:2])}{times}/{segment}", noise)
 
     def row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:
         """A row of the table, for equal quantities; one below ``noise`` is zero."""
