@@ -43,8 +43,11 @@ class CentreFrames:
             if c not in seen:
                 yield self.one(c)
                 yield from (self.check(k) for k in self.plans.checks if k.centre == c)
-        if left := self.left():
-            yield self.make("centres_left", "position", names=", ".join(f"⟨{n}⟩" for n in left))
+        known, links = {c.links for c in self.plans.centres}, (FRAME, *self.plans.mechanism.links)
+        pairs = (pair for pair in combinations(links, 2) if pair not in known)
+        left = [f"⟨{centre_name(*pair, self.plans.mechanism.frame_number)}⟩" for pair in pairs]
+        if left:
+            yield self.make("centres_left", "position", names=", ".join(left))
 
     def joined(self, centre: Centre) -> bool:
         """Whether two links are hinged to each other."""
@@ -53,13 +56,10 @@ class CentreFrames:
 
     def first(self, seen: list[Centre]) -> Names:
         """The names of the centres known at once."""
+        means = self.plans.means
         hinges = ", ".join(f"⟨{c.name}⟩ = ⟨{c.point}⟩" for c in seen if c.mark)
-        far = ", ".join(f"⟨{c.name}⟩ {self.action(c.along)}" for c in seen if c.along)
+        far = ", ".join(f"⟨{c.name}⟩ {means[c.along].action}" for c in seen if c.along)
         return {"hinges": hinges or "—", "far": Phrase("lesson_centres_sliders", far=far) if far else ""}
-
-    def action(self, direction: str) -> str:
-        """A direction as written."""
-        return self.plans.means[direction].action
 
     def one(self, c: Centre) -> Frame:
         """A centre found by two lines, or by a hinge of three links."""
@@ -75,10 +75,10 @@ class CentreFrames:
 
     def line(self, line: CentreLine) -> Phrase:
         """A line of centres in words."""
-        one, two = lettered(line.mark), lettered(line.other)
+        one = lettered(line.mark)
         if line.other:
-            return Phrase("lesson_centre_line", one=one, two=two)
-        return Phrase("lesson_centre_line_far", one=one, action=self.action(line.along))
+            return Phrase("lesson_centre_line", one=one, two=lettered(line.other))
+        return Phrase("lesson_centre_line_far", one=one, action=self.plans.means[line.along].action)
 
     def check(self, check: Check) -> Frame:
         """The same velocity twice."""
@@ -88,12 +88,6 @@ class CentreFrames:
         key = "centre_slider" if check.slides else "centre_speed" if check.read else "centre_equal"
         uses = (check.centre.mark,)
         return self.make(key, "position", uses=uses, rows=rows, name=check.centre.name, link=check.slides)
-
-    def left(self) -> list[str]:
-        """The centres that are not found."""
-        known, links = {c.links for c in self.plans.centres}, (FRAME, *self.plans.mechanism.links)
-        pairs = (pair for pair in combinations(links, 2) if pair not in known)
-        return [centre_name(*pair, self.plans.mechanism.frame_number) for pair in pairs]
 
 
 def lines_of(plans: Plans) -> Json:

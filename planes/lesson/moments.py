@@ -35,17 +35,13 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
 
     def size(name: str) -> str:
-        written_size = f"⟨{forces.get(name, name)}⟩"
-        return (
-            f"∣{written_size}∣"
-            if parts_of(name)[0] not in ARMS and any(x < 0 for x in many(cycle[name]))
-            else written_size
-        )
+        bar = "∣" if parts_of(name)[0] not in ARMS and any(x < 0 for x in many(cycle[name])) else ""
+        return f"{bar}⟨{forces.get(name, name)}⟩{bar}"
 
     reaction = m.unknown if over and over == m.arm else ""  # along the force; a couple counter-clockwise
     letters, numbers = by_sense(step, size, over, m.arm, dropped, reaction)
     head = f"⟨{m.unknown}⟩ · ⟨{over}⟩" if over else ""
-    found_here = over if over in {s.makes for s in cycle.program.steps} else ""  # an arm that exists in every position
+    found_here = over if over in cycle.program.made else ""  # an arm that exists in every position
     row = Row(m.unknown, letters, numbers, slot(m.unknown, "a" if reaction else "v"), "moments", head, found_here)
     return "moments", {**names, "rows": (row,)}, (*terms, m.unknown) if m.arm else terms
 

@@ -50,13 +50,12 @@ class Questions(Note):
         """All questions, in three chapters, numbered throughout."""
         numbers, cover = count(1), self.cover(self.scene.title.get(self.lang, ""))
         blocks: list[Block] = [replace(cover, kind=self.say("questions"))]
-        loaded = self.m.loads or any(x.mass or x.inertia for x in self.m.links.values())
         for chapter, keys in ASKED.items():
             blocks.append(Heading(self.say(f"questions_{chapter}")))
             for key in keys.split():
                 blocks.append(Heading(f"{next(numbers)}. {self.say(f'question_{key}')}", 2))
                 blocks += self.told(f"reply_{key}")
-                blocks += self.here(key) if loaded or chapter != "forces" else self.told("reply_no_forces")
+                blocks += self.here(key) if self.m.loaded or chapter != "forces" else self.told("reply_no_forces")
         return blocks
 
     def here(self, key: str) -> list[Block]:

@@ -1,6 +1,6 @@
 """No number is used before it is found: the missing values of a sentence, and how they are found."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
@@ -38,8 +38,8 @@ class Reckoning:
             return
         self.told.add(plain(name))
         if isinstance(step, Calculate):
-            for factor in factors(step):
-                self._find(factor, steps)
+            for name_of_factor, _ in (f for term in step.terms for f in term.factors):
+                self._find(name_of_factor, steps)
         steps[name] = step
 
     def reading(self, step: Step) -> Row:
@@ -70,11 +70,6 @@ class Reckoning:
         kind, size = ("couple", slot(fed.size)) if isinstance(step, Fed) else ("couple_settled", f"⟨{force}⟩")
         letters, numbers = f"⟨{circle}⟩ · ⟨{force}⟩", f"{slot(circle)} · {size}"
         return Row(step.makes, letters, numbers, slot(step.makes), kind, f"∣⟨{step.makes}⟩∣")
-
-
-def factors(step: Calculate) -> Iterator[str]:
-    """The factors of the values in a sum of products."""
-    return (name for term in step.terms for name, _ in term.factors)
 
 
 def products(program: Program, power: int) -> dict[str, tuple[str, str]]:

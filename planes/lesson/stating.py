@@ -39,9 +39,7 @@ class Stating:
         """The frames, each vector equation before the first frame that draws one of its vectors."""
         frames_with_equations, stated_equations = list[Frame](), set[int]()
         for f in frames:
-            new = (
-                f.equation not in stated_equations and kind_of(f.plan) != "position" and self.plans.moves
-            )  # otherwise it is given
+            new = f.equation not in stated_equations and f.plan != "position" and self.plans.moves  # otherwise given
             if f.equation is not None and new:
                 stated_equations.add(f.equation)
                 e = self.plans.equations[f.equation]
@@ -122,9 +120,8 @@ class Stating:
         if index in self.under or line is None or line.quantity != "along":
             return self.under.get(index)
         frame = self.plans.mechanism.frame
-        point = next(
-            (x.first_point for x in self.plans.mechanism.links.values() if x.slides and x.slides.guide == line.line), ""
-        )
+        links = self.plans.mechanism.links.values()
+        point = next((x.first_point for x in links if x.slides and x.slides.guide == line.line), "")
         return Under(point, "", frame.name, line.line) if point and line.line in frame.guides else None
 
     @cached_property

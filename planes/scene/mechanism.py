@@ -237,6 +237,11 @@ class Mechanism:
         """The frame and the moving links."""
         return (self.frame, *self.links.values())
 
+    @property
+    def loaded(self) -> bool:
+        """Whether any load, mass or moment of inertia is given."""
+        return bool(self.loads) or any(link.mass or link.inertia for link in self.links.values())
+
     @cached_property
     def owners(self) -> dict[str, Link]:
         """The link that carries each guide, the frame's guides first."""
