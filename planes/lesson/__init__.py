@@ -42,13 +42,13 @@ class Teller:
         self.plans, self.drawing = plans, drawing
         self.cycle = cycle or drawing
         self.made = drawing.program.makers
-        self.rates = {rate for link in plans.links.values() for rate in (link.omega, link.epsilon)}
-        self.rates.update(value for value in plans.values.values() if value in self.made)
+        rates = (rate for link in plans.links.values() for rate in (link.omega, link.epsilon))
+        self.rates = {*rates, *plans.values.values()}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured only for the lesson
         self.trials = drawing.program.trials | {c.mark for c in plans.centres}  # no frames of the scheme
-        drawn = (x for x in drawing.program.steps if x.kind == "mark" and x.makes not in self.trials)
-        self.ends = {p: x.makes for x in drawn if kind_of(p := shown_on(x)) == "force"}  # the last mark of each
+        drawn = {p: [s.makes for s in own if s.makes not in self.trials] for p, own in drawing.program.marks.items()}
+        self.ends = {own[-1] for plan, own in drawn.items() if kind_of(plan) == "force"}
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
         self.reckoning = Reckoning(plans, self.made, self.divided)
         self.words = (StepWords if plans.moves else StatedWords)(plans, drawing, self.made)
@@ -72,7 +72,7 @@ class Teller:
             frames.append(self.mark(step))
             solved = ((e.plan, sought(e)) for e in self.solved.get(step.makes, ()))
             frames += [self.read_off("measured", plan, names) for plan, names in solved if names]
-            frames += self.closing(shown_on(step)) if step.makes == self.ends.get(shown_on(step)) else []
+            frames += self.closing(shown_on(step)) if step.makes in self.ends else []
         stated = self.stating.stated(frames + self.readings(readings, frames), self.frame)
         opened = self.bodies.opened(stated, self.frame)
         return self.in_order(CentreFrames(self.plans, self.frame, self.reading).among(opened))
@@ -99,9 +99,8 @@ class Teller:
 
     def shown(self, step: Step) -> bool:
         """Whether a step has its own frame."""
-        if kind_of(shown_on(step)) == "motion" or step.makes == at("position", POLE) or shown_on(step) in self.still:
-            return False
-        return isinstance(step, Touch) or step.kind == "mark"
+        drawn = isinstance(step, Touch) or step.kind == "mark"
+        return drawn and step.makes != at("position", POLE) and shown_on(step) not in {"motion", *self.still}
 
     def frame(
         self,
@@ -151,14 +150,16 @@ class Teller:
         """Frames for the values computed since the last mark: angular velocities and accelerations together, each
         moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
-        if self.plans.moves:
-            last = next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None)
-            rates, plan = (rates, last.plan) if last else ([], "velocity")
-            crossed = last is not None and last is before[-1] and last.key == "cross"
-            frames = [*self.stating.turns(rates, plan, self.frame)]
-            frames += [self.measured(plan, rates, before)] if rates or crossed else []
-        else:
-            frames = [self.read_off("measured", before[-1].plan, (), rates)] if rates and before else []
+        last, frames = (
+            next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None),
+            list[Frame](),
+        )
+        if not self.plans.moves:
+            frames += [self.read_off("measured", before[-1].plan, (), rates)] if rates and before else []
+        elif last:
+            frames += self.stating.turns(rates, last.plan, self.frame)
+            crossed = last is before[-1] and last.key == "cross"
+            frames += [self.measured(last.plan, rates, before)] if rates or crossed else []
         return frames + [f for v in values if v.makes in self.moments for f in self.moment(v)]
 
     def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
@@ -200,18 +201,16 @@ class Teller:
 
     def closing(self, plan: str) -> list[Frame]:
         """The reactions read from a closed force polygon, those inside the group each with the link it closes."""
-        links = [*links_apart(self.plans, plan)]
-        inside = {name: r.key for one in links for name, (r, _) in one.reactions.items() if name == one.force}
-        own = (r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan))
-        names = [name for name in own if name not in inside.values()]
+        links = [(one, one.reactions[one.force][0].key) for one in links_apart(self.plans, plan)]
+        inside = {key for _, key in links}
+        reactions = [r for r in self.plans.reactions.values() if r.plan == plan]
+        names = [r.key for r in reactions if r.key not in inside and self.span(r.key, plan)]
         names += [n for n in (self.bodies.balancing(plan),) if n and self.plans.drive.kind == "s"]
-        frames = [self.read_off("closing", plan, list(dict.fromkeys(names)))] if names else []
-        for one in links:
-            key = inside[one.force]
+        frames = [self.read_off("closing", plan, names)] if names else []
+        for one, key in links:
             row = self.reading(key, plan)
             frames.append(self.frame("apart", plan, terms=one.drawn, rows=(row,), **apart_words(one, key)))
-        reactions = self.plans.reactions.values()
-        return frames + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
+        return frames + [self.rubbing(plan, r) for r in reactions if r.power in self.made]
 
     def rubbing(self, plan: str, r: Reaction) -> Frame:
         """Both components of a reaction with friction, or its circle, and the power of friction."""

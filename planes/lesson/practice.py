@@ -25,7 +25,7 @@ from planes.lesson.reckoning import plain
 from planes.lesson.scheme import arms
 from planes.words import Phrase, table
 from planes.words.frozen import frozen
-from planes.words.names import at, letter_of, mu_of, plan_of
+from planes.words.names import at, letter_of, mu_of
 from planes.words.records import Json
 
 Progress = Callable[[int, int], None]
@@ -183,7 +183,7 @@ class Practice(Choices):
         for k, plan in enumerate(plans := known_plans(self.plans)):
             if progress:
                 progress(k + 1, len(plans))
-            own = {s.makes for s in self.plans.program.steps if plan_of(s.makes) == plan}
+            own = {s.makes for s in self.plans.program.marks[plan]}
             tool = live.another({m: live.drawing[m] for m in own})
             ways = PlanSteps(self.plans, self.plans.program.sliced([*own]), plan)
             for variant in catalogue(ways, {}, complex(self.given[mu_of(plan)]).real):

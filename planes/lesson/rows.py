@@ -36,16 +36,12 @@ class Row:
         """The line in words."""
         if not self.numbers:
             return f"⟨{self.name}⟩ = 0"
-        parts = {k: getattr(self, k) for k in ("name", "letters", "numbers", "value")}
-        parts |= {
-            "head": self.head or f"⟨{self.name}⟩",
-            "unit": unit(self.name, self.unit_key),
-            "remark": remark(self.kind, lang),
-        }
-        arm = f" (⟨{self.arm}⟩ = {slot(self.arm, 'a')} {unit(self.arm).told(lang)})" if self.arm else ""
-        lead = f"; ⟨{self.name}⟩" if "·" in parts["head"] else ""
+        parts: dict[str, object] = {"unit": unit(self.name, self.unit_key), "remark": remark(self.kind, lang)}
+        parts["head"] = self.head or f"⟨{self.name}⟩"
+        parts["arm"] = f" (⟨{self.arm}⟩ = {slot(self.arm, 'a')} {unit(self.arm).told(lang)})" if self.arm else ""
+        parts["found"] = f"; ⟨{self.name}⟩" if "·" in self.head else ""
         sense = f" ({slot(self.name, 's')})" if self.turns else ""
-        return say(f"lesson_row_{self.kind or 'formula'}", lang, **parts, arm=arm, found=lead) + sense
+        return say(f"lesson_row_{self.kind or 'formula'}", lang, **{**vars(self), **parts}) + sense
 
     @property
     def unit_said(self) -> str:

@@ -11,7 +11,6 @@ from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.rows import reckoned
 from planes.lesson.steps import StepWords, Words
 from planes.plans import Plans
-from planes.plans.structures.figure import FigureLine
 from planes.words import Phrase, Told, Written, table
 from planes.words.names import POLE, at, lettered
 from planes.words.units import number
@@ -21,27 +20,21 @@ class StatedWords(StepWords):
     """Finds the words of the steps of one drawing of stated vectors."""
 
     def of(self, step: Step) -> Words:
-        key, reason, names = self.plain(step)
-        said = self.plans.figure.said.get(step.makes) if self.plans.figure else None
-        if said is None:
+        (key, reason, names), figure = self.plain(step), self.plans.figure
+        said = figure.said.get(step.makes) if figure else None
+        if not figure or said is None:
             return key, reason, names
-        strings = (x.name for x in self.strings if x.end == step.makes)
+        strings = (x.name for x in figure.strokes if x.kind == "string" and x.end == step.makes)
         return said if f"lesson_{said}" in table("en") else key, said, {**names, "name": next(strings, "")}
-
-    @property
-    def strings(self) -> tuple[FigureLine, ...]:
-        """The strings of a figure of statics."""
-        return tuple(x for x in self.plans.figure.strokes if x.kind == "string") if self.plans.figure else ()
 
     def plain(self, step: Step) -> Words:
         """The words of a step by its kind alone."""
-        match step:
-            case Put():
-                return "pole", "pole_stated", {}
-            case CrossArc() | CrossArcs():
-                key, _, names = super().of(step)
-                return ("arcs_stated" if key == "arcs" else key), f"{key}_stated", names
-        return super().of(step)
+        key, reason, names = super().of(step)
+        if isinstance(step, Put):
+            return key, "pole_stated", names
+        if isinstance(step, CrossArc | CrossArcs):
+            return ("arcs_stated" if key == "arcs" else key), f"{key}_stated", names
+        return key, reason, names
 
     def action(self, direction: str) -> Told | Written:
         """A line of action; for a given angle the angle."""
