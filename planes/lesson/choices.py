@@ -56,8 +56,8 @@ class Choices:
             return None
         own = complex(self.drawing[mu_of(plan)]).real
         offered = sorted({fitting(plan, 1.0, own * times) for times in TIMES})
-        made = (s for s in self.plans.program.marks[plan] if not s.loose and label_of(s.makes) != POLE)
-        shown = [s.makes for s in made if s.makes not in self.plans.program.trials]
+        others = {at(plan, POLE), *self.plans.program.trials}
+        shown = [s.makes for s in self.plans.program.marks[plan] if not s.loose and s.makes not in others]
         kind = kind_of(plan)
         return {
             "offered": [{"value": mu} for mu in offered],
@@ -73,10 +73,10 @@ class Choices:
         bodies = FreeBodies(self.plans, self.drawing)
         waits = {plan: dict[str, set[str]]() for plan in self.plans.forces}
         for plan, giving in waits.items():
-            for name, _ in bodies.known(plan):
+            for f in bodies.known(plan):
                 for r in self.plans.reactions.values():
-                    if name in r.names and r.plan != plan:
-                        giving.setdefault(r.plan, set()).add(name)
+                    if f["name"] in r.names and r.plan != plan:
+                        giving.setdefault(r.plan, set()).add(f["name"])
         return waits
 
     def order(self, plan: str) -> Json | None:

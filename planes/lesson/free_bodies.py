@@ -50,7 +50,7 @@ class FreeBodies:
 
     def apart(self, plan: str, make: Make) -> Iterator[Frame]:
         """The forces on the links and the unknowns; then the reactions that are resolved."""
-        known, sought, balancing = [name for name, _ in self.known(plan)], self.outer(plan), self.balancing(plan)
+        known, sought, balancing = [f["name"] for f in self.known(plan)], self.outer(plan), self.balancing(plan)
         unknown = tuple(Phrase(f"lesson_free_{r.pair.kind}", name=name) for name, r in sought.items())
         unknown += (Phrase("lesson_free_size", name=balancing),) if balancing else ()
         carried = [n for n in known if any(n in r.names for r in self.plans.reactions.values())]
@@ -72,17 +72,17 @@ class FreeBodies:
             why = Phrase("why_split", **parts, about=one.about)
             yield make("split", plan, reason=why, terms=terms, **parts)
 
-    def known(self, plan: str) -> Iterator[tuple[str, Json]]:
+    def known(self, plan: str) -> Iterator[Json]:
         """The known forces and couples on the links of a polygon, and how each is drawn."""
         own = self.own(plan)
         for link in links_of(plan):
             for f in self.plans.acting.forces.get(link, ()):
                 outside = f.quantity in ("weight", "inertia", "load")
                 if f.size in self.drawing and (outside or (f.quantity == "reaction" and f.name not in own)):
-                    yield f.name, {"mark": f.point, "along": f.along, "size": f.size}
+                    yield f.shown
             for c in self.plans.acting.couples.get(link, ()):
                 if not c.handed and c.value in self.drawing:
-                    yield c.name, {"link": link, "size": c.value, "sign": c.sign}
+                    yield c.shown
 
     def own(self, plan: str) -> dict[str, Reaction]:
         """The reactions found from a polygon, by their names on its links: internal ones have both names."""
@@ -114,9 +114,9 @@ class FreeBodies:
         """For a page: by polygon the forces on its links, and both components of the resolved reactions."""
         bodies: Json = {}
         for plan in self.plans.forces:
-            known = [{"name": n, **how} for n, how in self.known(plan)]
-            forces = [{**how, "foot": None} for how in known if "mark" in how]
-            couples = [how for how in known if "link" in how]
+            known = [*self.known(plan)]
+            forces = [{**f, "foot": None} for f in known if "mark" in f]
+            couples = [c for c in known if "link" in c]
             for one in self.splits(plan):
                 reaction = self.plans.reactions.get(one.force)
                 if reaction:

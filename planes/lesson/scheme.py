@@ -101,7 +101,7 @@ def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
     for link in m.links:
         for c in plans.acting.couples.get(link, ()):
             if (c.name, "") in m.terms:
-                yield {"name": c.name, "link": link, "size": c.value, "sign": c.sign}
+                yield c.shown
 
 
 def foot_of(drop: Drop) -> str:
