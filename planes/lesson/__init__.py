@@ -165,10 +165,11 @@ class Teller:
     def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
         """The measurements on a velocity or acceleration plan after an equation is solved, and the angular values from
         them."""
-        index = next((f.equation for f in reversed(before) if f.plan == plan and f.equation is not None), None)
-        names = sought(self.plans.equations[index]) if index is not None else []
-        read_names = {name for f in before if (f.key, f.plan) == ("measured", plan) for name in f.terms}
-        return self.read_off("measured", plan, [name for name in names if name not in read_names], rates)
+        own = [f for f in before if f.plan == plan]
+        solved = [self.plans.equations[f.equation] for f in own if f.equation is not None]
+        known = {name for f in own if f.key == "measured" for name in f.terms}
+        names = [name for e in solved[-1:] for name in sought(e) if name not in known]
+        return self.read_off("measured", plan, names, rates)
 
     def read_off(self, key: str, plan: str, names: Sequence[str], rates: Sequence[Calculate] = ()) -> Frame:
         """Measured segments of a plan, and velocities or accelerations with their formula and sense."""

@@ -20,9 +20,10 @@ from planes.lesson.scheme import acting, arms, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.lesson.told import Told
 from planes.plans import Plans
-from planes.plans.measuring import lettering, say_plan, title_of
+from planes.plans.measuring import lettering, title_of
 from planes.scene import Scene
-from planes.words import Lang, say
+from planes.words import Lang
+from planes.words.lettering import plan_phrase
 from planes.words.names import at, kind_of, lettered, links_of, plan_of
 from planes.words.records import Json
 from planes.words.units import Convention
@@ -33,7 +34,8 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
     catalogue of mistakes is drawn. Without its ``practice`` it is ``pending``. Errors as for :class:`Told`."""
     lesson = Told.of(scene, centres)
     plans, drawing, knobs, frames = lesson.plans, lesson.drawing, lesson.knobs, lesson.frames
-    kit, more = Kit(plans, drawing), lesson.leaning or {}
+    kit, more, under = Kit(plans, drawing), lesson.leaning or {}, lesson.teller.stating.under.values()
+    acts, vectors = acting(plans), {s.name for s in plans.segments}
     return {
         "title": dict(scene.title),
         "moves": plans.moves,
@@ -49,9 +51,9 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "scheme": scheme(plans, drawing),
         "moments": arms(plans),
         "bodies": lesson.teller.bodies.drawn,
-        "related": related(plans, {u.other: u.link for u in lesson.teller.stating.under.values()}),
-        "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
-        "under": {at("position", u.point): u.other for u in lesson.teller.stating.under.values()},
+        "related": related(plans, {u.other: u.link for u in under}),
+        "acts": {n: m for n, m in acts.items() if n in vectors},
+        "under": {at("position", u.point): u.other for u in under},
         "equations": lesson.equations,
         "centres": lines_of(plans),
         "noted": {k: spoken(f"lesson_centre_{k}", name="{name}") for k in NOTED * bool(plans.centres)},
@@ -93,14 +95,14 @@ def _live(lesson: Told, progress: Progress | None = None, practice: bool = True)
         "id": lesson.practice.id,
         "tape": tape,
         "holds": [{"at": places["holds"][str(k)], "said": said} for k, said in enumerate(live.fails)],
-        "blunt": {n: in_both(partial(_blunt, n)) for n in live.sharp},
+        "blunt": {n: _blunt(n) for n in live.sharp},
         "helpers": [*(n for n in places["marks"] if n in plans.helpers - lettered and n not in live.feet), *live.feet],
     }
 
 
-def _blunt(mark: str, lang: Lang) -> str:
-    named = {"mark": lettered(mark), "plan": say_plan(plan_of(mark) or "position", lang)}
-    return say("lesson_zone_blunt", lang, **named, angle=slot(mark, "d"))
+def _blunt(mark: str) -> dict[Lang, str]:
+    plan = plan_phrase(plan_of(mark) or "position")
+    return spoken("lesson_zone_blunt", mark=lettered(mark), plan=plan, angle=slot(mark, "d"))
 
 
 def _plan(plans: Plans, plan: str, convention: Convention) -> Json:

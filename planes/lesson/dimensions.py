@@ -16,7 +16,7 @@ from planes.plans import Plans
 from planes.plans.position.reckoned import OwnPlace, SceneDimensions, anew
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
-from planes.words.names import Meaning, given_of
+from planes.words.names import given_of
 
 ANGLE = "angle_∠"
 APART = 1e-9  # relative to a link: points closer than that are one
@@ -110,7 +110,8 @@ class FreeNumbers:
         places of its other points."""
         for link in self.plans.mechanism.links.values():
             if len(link.points) > 1:
-                given = {(m.of, m.about): n for n, m in self.lengths.items() if m.link == link.name}
+                meant = ((n, self.plans.means[n]) for n in self.plans.lengths)
+                given = {(m.of, m.about): n for n, m in meant if m.link == link.name}
                 base = next(iter(given), ("", ""))[0] or link.first_point
                 ways = {p: z - link.points[base] for p, z in link.points.items()}
                 far = [p for p, way in ways.items() if abs(way) > APART * max(map(abs, ways.values()))]
@@ -123,12 +124,6 @@ class FreeNumbers:
                         length = self._named(named, abs(ways[p]))
                         turned = "" if p == first else self._named(f"{ANGLE}{first}{base}{p}", degrees(ways[p] / level))
                         yield spot, Reach(link.points[base], level, length, turned)
-
-    @cached_property
-    def lengths(self) -> dict[str, Meaning]:
-        """The lengths given to the program."""
-        means = self.plans.means
-        return {n: means[n] for n in self.plans.program.givens if n in means and means[n].quantity == "length"}
 
 
 def degrees(z: complex) -> float:

@@ -18,7 +18,7 @@ from planes.lesson.standing import still_said
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.apart import links_apart
 from planes.plans.assur.alignment import aligned
-from planes.plans.measuring import counted, lettering, say_plan
+from planes.plans.measuring import counted, lettering
 from planes.plans.quantities import Measured
 from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
@@ -31,6 +31,7 @@ from planes.solving.structure_text import alignment_report, group_counted, ways_
 from planes.solving.tables import difference
 from planes.words import Lang, capital, decimal, say, text_in
 from planes.words.errors import PlanesError
+from planes.words.lettering import plan_phrase
 from planes.words.names import kind_of, links_of
 from planes.words.naming import Naming
 from planes.words.units import number
@@ -215,7 +216,7 @@ class Note:
         mu = self.mu(group or plan)
         if plan == "position":
             return self.say("note_scheme", mu=mu)
-        return self.say("note_plan", plan=say_plan(plan, self.lang), mu=mu)
+        return self.say("note_plan", plan=plan_phrase(plan), mu=mu)
 
     def prose(self, frame: Frame, index: int) -> Iterator[Block]:
         """A frame in words, its lines of reckoning set apart."""
@@ -248,9 +249,9 @@ class Note:
         plans, drawing = self.position.plans, self.position.drawing
         balancing, check = float(drawing[plans.balancing]), float(drawing[plans.zhukovsky])
         percent = 100 * difference(balancing, check)
-        names = {"found": number(balancing, self.lang), "check": number(check, self.lang)}
         shown = number(percent if percent > 1e-6 else 0.0, self.lang, 2)
-        yield Paragraph(self.say("note_difference", **names, unit=unit(plans.balancing), percent=shown))
+        own, other = number(balancing, self.lang), number(check, self.lang)
+        yield Paragraph(self.say("note_difference", found=own, check=other, unit=unit(plans.balancing), percent=shown))
 
     def results(self) -> Iterator[Block]:
         """Tables of the results, and warnings about them."""

@@ -61,8 +61,7 @@ class Questions(Note):
     def here(self, key: str) -> list[Block]:
         """What this mechanism gives for an answer; where that is nothing, why the question does not arise."""
         shown = [*self.told(f"reply_{key}_here"), *self.in_frames(*FRAMES.get(key, ("", "-")))]
-        plans = [plan for plan in self.position.plans.drawn if plan in FIGURES.get(key, ())]
-        shown += map(self.drawn, plans)
+        shown += (self.drawn(plan) for plan in FIGURES.get(key, ()) if plan in self.position.plans.drawn)
         return [*shown, *getattr(self, f"of_{key}", tuple)()] or [*self.told(f"reply_{key}_none")]
 
     def told(self, key: str, **more: object) -> Iterator[Block]:

@@ -47,10 +47,9 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
 def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
     """The parts of statics beside links: lines, loads at their points, rollers and walls, and the plan with the letters
     of regions, with the members as its lines."""
-    loads = [{"name": f.name, "mark": f.point, "along": f.along, "size": f.size} for f in plans.acting.every if f.spot]
     return {
         "strokes": [{"plan": s.plan, "kind": s.kind, "name": s.name, "ends": [s.start, s.end]} for s in figure.strokes],
-        "loads": loads,
+        "loads": [f.shown for f in plans.acting.every if f.spot],
         "signs": [{"kind": s.kind, "mark": at("position", s.point), "turn": s.normal_deg} for s in figure.supports],
         "members": [name for name, _, _ in figure.members],
         "numbered": sorted(figure.numbered),

@@ -111,7 +111,7 @@ def drive_of(plans: Plans) -> Json:
 def equation_written(plans: Plans, e: Equation) -> Json:
     """An equation as written: without zero vectors, with a vector along the frame's guide as itself."""
     if not e.total:
-        sides = [[{**_term(plans, e.plan, t), "minus": sign < 0} for sign, t in side] for side in e.written]
+        sides = [[_term(plans, e.plan, t, sign) for sign, t in side] for side in e.written]
         return {"plan": e.plan, "total": None, "closed": e.closed, "sides": sides}
     total: Json = {"name": e.total, "action": "", "known": 0}
     sides = []
@@ -120,14 +120,14 @@ def equation_written(plans: Plans, e: Equation) -> Json:
         if alone:
             total.update(action=_acted(plans, alone[0]), known=alone[0].known)
         elif chain:
-            sides.append([{**_term(plans, e.plan, t), "minus": t.sign < 0} for t in chain])
+            sides.append([_term(plans, e.plan, t, t.sign) for t in chain])
     return {"plan": e.plan, "total": total, "closed": False, "sides": sides}
 
 
-def _term(plans: Plans, plan: str, t: Term) -> Json:
+def _term(plans: Plans, plan: str, t: Term, sign: int) -> Json:
     start, end = (at(plan, label) for label in t.ends)
     own = {"name": t.name, "start": start, "end": end, "at": at(plan, t.end)}
-    return {**own, "action": _acted(plans, t), "known": t.known}
+    return {**own, "action": _acted(plans, t), "known": t.known, "minus": sign < 0}
 
 
 def _acted(plans: Plans, t: Term) -> str:
