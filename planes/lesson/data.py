@@ -42,7 +42,7 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "formula": plans.structure.formula_as(scene.frame_number).replace("->", "→") if plans.moves else "",
         "lettering": lettering(scene, plans),
         "drive": lesson.drive,
-        "home": knobs.free.home,
+        "home": knobs.home,
         "knobs": [k for k in knobs.all if lesson.leaning is not None or "stays" not in k],
         "drags": knobs.drags(),
         "plans": [_plan(plans, p, scene.mu_convention) for p in plans.drawn if p != "motion"],

@@ -85,7 +85,7 @@ class PracticeJudge:
     """Judges the practices of one scene."""
 
     def __init__(self, lesson: Told) -> None:
-        self.told, self.items, self.home = lesson, lesson.practice.items(), lesson.knobs.free.home
+        self.told, self.items, self.home = lesson, lesson.practice.items(), lesson.knobs.home
         self.live = Live(lesson)
         self.things = {f"{group} {n}": z for group, own in self.live.things.items() for n, z in own.items()}
         self.marks = [f"marks {item['what']}" for item in self.items if item["kind"] == "mark"]

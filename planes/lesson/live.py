@@ -53,7 +53,7 @@ class Live:
     """
 
     def __init__(self, lesson: Told, progress: Progress | None = None, practice: bool = True) -> None:
-        free, program = lesson.knobs.free, lesson.plans.program
+        free, program = lesson.knobs, lesson.plans.program
         self.tape, self.home = Tape(), free.home
         self.tool = self.another()
         drawn = free.on(self.tape, self.tool.ar)
