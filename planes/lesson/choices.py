@@ -105,8 +105,12 @@ class Choices:
         if plan != self.plans.forces[0] or not self.order(plan):
             return None
         why = {"why": spoken("why_free_body_first")}
-        offered = ({"value": key, "said": spoken(f"lesson_choice_{key}")} for key in sorted(REASONS))
-        return {"offered": [one if one["value"] == REASONS[0] else one | why for one in offered]}
+        wrong = dict.fromkeys(REASONS[1:], why)
+        return {
+            "offered": [
+                {"value": key, "said": spoken(f"lesson_choice_{key}"), **wrong.get(key, {})} for key in sorted(REASONS)
+            ]
+        }
 
     def first(self, index: int, frame: int) -> Json | None:
         """Velocity equations; those that begin with a known vector can be written first."""

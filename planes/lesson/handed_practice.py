@@ -1,25 +1,20 @@
 """A returned practice: its code decoded, the scene drawn again with its numbers, its answers judged again."""
 
-from __future__ import annotations
-
 import base64
 import json
 import math
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from planes.geometry.plane import corners
 from planes.lesson.live import Live
 from planes.lesson.practice import JUDGING, goal
+from planes.lesson.told import Told
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
 from planes.words.names import mu_of, plan_of
 from planes.words.records import Json
-
-if TYPE_CHECKING:
-    from planes.lesson.told import Told
 
 Numbers = Mapping[str, complex]  # marks and values of the lesson's tape
 Given = Mapping[str, float]
@@ -130,8 +125,8 @@ class PracticeJudge:
         if kind == "sense":
             return answer == math.copysign(1, value)
         ruler = JUDGING["ruler_mm"] / given[item["mu"]] if item["mu"] else 0.0
-        seen = (answer, value) if "signed" in item else (abs(answer), abs(value))
-        return bool(abs(seen[0] - seen[1]) <= max(JUDGING["number_share"] * abs(value), ruler))
+        off = answer - value if "signed" in item else abs(answer) - abs(value)
+        return bool(abs(off) <= max(JUDGING["number_share"] * abs(value), ruler))
 
     def holds(self, item: Json, scale: float, numbers: Numbers, given: Given) -> bool:
         """Whether a plan fits its place at a scale, and can be measured as well as at that of the lesson."""

@@ -81,9 +81,8 @@ class Kit:
 
     def line(self, direction: str, start: str, end: str) -> Handled:
         """A line through two marks: by a set square along or across another line, by protractor at an angle."""
-        on = plan_of(end) or "position"
         step = self.made[direction]
-        if on != "position":
+        if plan_of(end) != "position":
             yield {"tool": "square", "to": (start, end), **self.laid(step)}
             return
         while isinstance(step, Turn) and not step.angle:

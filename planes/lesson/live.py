@@ -1,16 +1,15 @@
 """The program of a lesson as a page runs it: a tape of everything shown."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 from planes.batch.plain_tape import PLAIN, PlainRecording, exported
 from planes.batch.symbols import place_of
 from planes.batch.tape import Tape, reckoned
 from planes.batch.tracing import TracingTool
+from planes.check.grading.plan_steps import PlanSteps
+from planes.check.grading.prepared_plan import catalogue, known_plans
 from planes.drafting.drawing import Drawing, draw_steps
 from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Thing, names_of
@@ -18,16 +17,15 @@ from planes.geometry.arrays import Floats
 from planes.lesson import value_of
 from planes.lesson.formulas import slot, spoken
 from planes.lesson.frame import needed
+from planes.lesson.practice import Practice, Progress
 from planes.lesson.scheme import arms, feet
+from planes.lesson.told import Told
 from planes.plans import Plans
 from planes.words import Lang, Phrase
-from planes.words.names import mu_of, plan_of
+from planes.words.names import at, mu_of, plan_of
 from planes.words.records import Json
 
-if TYPE_CHECKING:
-    from planes.lesson.practice import Progress
-    from planes.lesson.told import Told
-
+APART_MM = 0.3  # a wrong place closer than this to the right one is no mistake
 FEW, NEAR = 4, 1e3
 """Successive plans of a page, which shows four digits, and the tolerance of the last of them, relative to the root of
 rounding."""
@@ -63,7 +61,10 @@ class Live:
         self.sharp = {n: z for n, z in sharp if n not in program.trials and plan_of(n) != "motion"}
         self.feet, numbers = feet(lesson.plans, self.drawing), Env()
         self.fails = [*self.failures(lesson.plans, numbers)]
-        self.slips, wrong = lesson.practice.slips(self, progress) if practice else ([], {})
+        slips = [*self.mistakes(lesson.practice, progress)] if practice else []
+        off = self.numbers_of({str(k): z - self.drawing[slip["at"]] for k, (slip, z) in enumerate(slips)}, self.home)
+        visible = [slips[int(k)] for k, z in off.items() if abs(z) > APART_MM]
+        self.slips, wrong = [slip for slip, _ in visible], {str(k): z for k, (_, z) in enumerate(visible)}
         made = (s.makes for s in program.steps if s.kind == "mark" and s.makes not in program.trials)
         self.things: dict[str, Mapping[str, Thing]] = {
             "marks": {name: drawn[name] for name in made if plan_of(name) != "motion"} | self.feet,
@@ -82,10 +83,21 @@ class Live:
         """Another tool that continues the tape; marks that are ``kept`` stay, whatever they depend on."""
         return _KeepingTool(PlainRecording(), True, tape=self.tape, plans=FEW, settled=NEAR, kept=kept)
 
-    def apart(self, pairs: Sequence[tuple[Thing, Thing]]) -> list[float]:
-        """The distance between two marks of the tape in the scene, for each of the pairs; NaN for one that fails."""
-        apart = self.numbers_of({str(k): a - b for k, (a, b) in enumerate(pairs)}, self.home)
-        return [abs(z) for z in apart.values()]
+    def mistakes(self, practice: Practice, progress: Progress | None) -> Iterator[tuple[Json, Thing]]:
+        """Every mistake at every mark asked for, and the place on the tape where it puts the mark."""
+        plans, drawn = practice.plans, self.drawing
+        asked = {item["what"] for item in practice.items() if item["kind"] == "mark"}
+        for k, plan in enumerate(names := known_plans(plans)):
+            if progress:
+                progress(k + 1, len(names))
+            own = {s.makes for s in plans.program.marks[plan]}
+            tool = self.another({m: drawn[m] for m in own})
+            ways = PlanSteps(plans, plans.program.sliced([*own]), plan)
+            for variant in catalogue(ways, {}, complex(practice.given[mu_of(plan)]).real):
+                mark = at(plan, variant.blames)
+                made = variant.drawn(ways.program, drawn.things, tool, own) if mark in asked else {}
+                if mark in made:
+                    yield practice.slip(variant, mark), made[mark]
 
     def numbers_of(self, things: Mapping[str, Thing], given: Mapping[str, Floats]) -> dict[str, complex]:
         """Marks and values of the tape with those numbers."""

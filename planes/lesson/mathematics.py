@@ -25,10 +25,8 @@ class Typesetter:
         lang, name = self.naming.lang, f"⟨{row.name}⟩"
         if not row.numbers:
             return self.pieces(f"{name} = 0")
-        sides = f"{row.letters} = {row.numbers}"
-        if row.kind == "measured":
-            sides = f"{row.letters} {say('mm', lang)} {row.numbers}"
-        shown = list(self.pieces(f"{row.head or name} = {sides}"))
+        between = say("mm", lang) if row.kind == "measured" else "="
+        shown = list(self.pieces(f"{row.head or name} = {row.letters} {between} {row.numbers}"))
         if row.arm:
             arm = self.pieces(f"⟨{row.arm}⟩ = {slot(row.arm, 'a')}")
             shown.append(rf"\ ({''.join(arm)}\ {upright(say('m', lang))})")

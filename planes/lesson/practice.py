@@ -8,8 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from hashlib import sha256
 
-from planes.check.grading.plan_steps import PlanSteps
-from planes.check.grading.prepared_plan import catalogue, known_plans
+from planes.check.grading.prepared_plan import known_plans
 from planes.check.grading.variants import Variant
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import Image, LayOff, Similar, Turn
@@ -20,17 +19,15 @@ from planes.geometry.arrays import Floats
 from planes.lesson.choices import CHOICES, Choices
 from planes.lesson.formulas import in_both, spoken
 from planes.lesson.frame import CENTRES, Frame
-from planes.lesson.live import Live
 from planes.lesson.reckoning import plain
 from planes.lesson.scheme import arms
 from planes.words import Phrase, table
 from planes.words.frozen import frozen
-from planes.words.names import at, letter_of, mu_of
+from planes.words.names import letter_of, mu_of
 from planes.words.records import Json
 
 Progress = Callable[[int, int], None]
 SHORT_MM = 2.0  # shorter vectors are not asked for
-APART_MM = 0.3  # a wrong place closer than this to the right one is no mistake
 NOTHING = 1e-7  # a smaller value is zero
 PARTS = [
     "mark",
@@ -175,25 +172,6 @@ class Practice(Choices):
         """The direction to which a perpendicular was drawn, or the direction itself."""
         step = self.plans.program.makers.get(direction)
         return step.of if isinstance(step, Turn) and step.quarter and not step.angle else direction
-
-    def slips(self, live: Live, progress: Progress | None = None) -> tuple[list[Json], Env]:
-        """Every mistake at every mark asked for, and the place on the lesson's tape where it puts the mark."""
-        slips = list[tuple[Json, Thing]]()
-        asked = {item["what"] for item in self.items() if item["kind"] == "mark"}
-        for k, plan in enumerate(plans := known_plans(self.plans)):
-            if progress:
-                progress(k + 1, len(plans))
-            own = {s.makes for s in self.plans.program.marks[plan]}
-            tool = live.another({m: live.drawing[m] for m in own})
-            ways = PlanSteps(self.plans, self.plans.program.sliced([*own]), plan)
-            for variant in catalogue(ways, {}, complex(self.given[mu_of(plan)]).real):
-                mark = at(plan, variant.blames)
-                made = variant.drawn(ways.program, live.drawing.things, tool, own) if mark in asked else {}
-                if mark in made:
-                    slips.append((self.slip(variant, mark), made[mark]))
-        apart = live.apart([(thing, live.drawing[slip["at"]]) for slip, thing in slips])
-        visible = [one for one, off in zip(slips, apart, strict=True) if off > APART_MM]
-        return [slip for slip, _ in visible], {str(k): thing for k, (_, thing) in enumerate(visible)}
 
     def slip(self, variant: Variant, mark: str) -> Json:
         """A mistake at a mark, with the names in the order of its sentence."""

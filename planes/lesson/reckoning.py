@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
-from planes.drafting.steps.reckoning import Calculate, Drop, Measure
+from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
 from planes.drafting.steps.settling import Fed, Settle
 from planes.lesson.formulas import by_sense, slot
 from planes.lesson.frame import Frame
@@ -72,11 +72,18 @@ class Reckoning:
         return Row(step.makes, letters, numbers, slot(step.makes), kind, f"∣⟨{step.makes}⟩∣")
 
 
-def products(program: Program, power: int) -> dict[str, tuple[str, str]]:
-    """Values of a program that are another one times (1), or divided by (-1), a length: both by name."""
-    plain = (s for s in program.steps if isinstance(s, Calculate) and len(s.terms) == 1)
-    factors = ((s.makes, s.terms[0].factors) for s in plain)
-    return {name: (f[0][0], f[1][0]) for name, f in factors if [p for _, p in f] == [1, power]}
+def quotients(program: Program) -> dict[str, tuple[str, str]]:
+    """Values of a program that are another one divided by a length: both by name."""
+    parts = ((s.makes, quotient(s)) for s in program.steps if isinstance(s, Calculate))
+    return {name: both for name, both in parts if both}
+
+
+def quotient(step: Calculate) -> tuple[str, str] | None:
+    """The value and the length, if a step divides one by the other."""
+    match step.terms:
+        case [Product(factors=((value, 1), (length, -1)))]:
+            return value, length
+    return None
 
 
 def plain(name: str) -> str:

@@ -21,7 +21,7 @@ def standing(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
     }
     special = special_points(plans)
     for s in plans.segments:
-        if s.start == POLE and s.name in {f"{letter}_{name}" for letter in "va" for name in special}:
+        if s.start == POLE and s.name[:2] in ("v_", "a_") and s.name[2:] in special:
             named[s.ends[1]] = s.name[2:]
     return [
         replace(f, still=told(f.makes[0], named, special)) if f.makes and f.makes[0] in named else f for f in frames

@@ -83,7 +83,6 @@ def last_marks(plans: Plans) -> dict[str, list[Equation]]:
     solved_at = dict[str, list[Equation]]()
     for e in plans.equations:
         ends = {at(e.plan, label) for t in e.terms for label in (t.start, t.end)} - {at(e.plan, POLE)}
-        made = [mark for mark in ends if mark in order]
-        if made and len(made) == len(ends):
-            solved_at.setdefault(max(made, key=order.__getitem__), []).append(e)
+        if ends and ends <= order.keys():
+            solved_at.setdefault(max(ends, key=order.__getitem__), []).append(e)
     return solved_at

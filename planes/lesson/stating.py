@@ -9,6 +9,7 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import slot
 from planes.lesson.frame import Frame, Make
+from planes.lesson.reckoning import plain, quotient
 from planes.lesson.steps import once, whole
 from planes.plans import Plans
 from planes.plans.force.loads import force_name
@@ -137,8 +138,7 @@ class Stating:
         point."""
         places = {under.other: under.point for under in self.under.values()}
         for rate in rates:
-            factors = rate.terms[0].factors if len(rate.terms) == 1 else ()
-            vector = factors[0][0].strip("|‖") if [power for _, power in factors] == [1, -1] else ""
+            vector = plain((quotient(rate) or ("",))[0])
             letter, index, _ = parts_of(vector)
             link = self.carrying.get(index)
             if link and letter in LETTERS.values():

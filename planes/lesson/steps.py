@@ -83,11 +83,11 @@ class StepWords:
         hold = next((h for h in leads if h.local == step.local), leads[-1] if leads else None)
         if hold is None:
             return key, key, {"kept": Phrase("lesson_kept_hinge")}
-        kept: Names = {"start": lettered(hold.place)}
-        if hold.kind == "arc":
-            kept = {**kept, "mm": slot(hold.reach, "mm", step.mu)}
-        elif hold.kind == "line":
-            kept = {**kept, "action": self.action(hold.turn)}
+        kept: Names = {
+            "start": lettered(hold.place),
+            "mm": slot(hold.reach, "mm", step.mu) if hold.kind == "arc" else "",
+            "action": self.action(hold.turn) if hold.kind == "line" else "",
+        }
         return key, key, {**kept, "kept": Phrase(f"lesson_kept_{hold.kind}", **kept)}
 
     def action(self, direction: str) -> Told | Written:
@@ -116,10 +116,9 @@ class StepWords:
 
     def corners(self, step: Similar) -> Iterator[str]:
         """The points of the link on the scheme, in the order of a similar figure's marks."""
-        links = self.plans.mechanism.links.values()
+        links, named = self.plans.mechanism.links.values(), self.plans.points
         own = next(x.points for x in links for p in x.points if step.ratio == f"ratio_{p}_{x.name}")
         for mark in (step.start, step.end, step.makes):
-            named = self.plans.points
             yield next(p for p in own if mark in (named[p].velocity, named[p].acceleration))
 
     def crossing(self, mark: str) -> Told:

@@ -4,7 +4,7 @@ plan."""
 from collections.abc import Iterable, Iterator
 
 from planes.drafting.steps.reckoning import Measure
-from planes.lesson.reckoning import products
+from planes.lesson.reckoning import quotients
 from planes.plans.quantities import Measured
 from planes.plans.transfers import PLAN, driver_vector
 from planes.solving import Position
@@ -56,7 +56,7 @@ class TransferFunctions:
         """Ratios of links whose angular velocity is measured on the plan, equal ones together, with the segment and the
         length for each."""
         known, program = list(transfers), self.position.drawing.program
-        for rate, (vector, length) in products(program, -1).items():
+        for rate, (vector, length) in quotients(program).items():
             alike = [f for f in known if f.quantity.columns[0].value == rate]
             if alike and isinstance(step := program.makers.get(vector), Measure):
                 yield alike, self.ends(step.start, step.end), length

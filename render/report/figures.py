@@ -74,7 +74,7 @@ def raster(picture: Shown) -> bytes:
     return png_of(canvas.getpdfdata(), DPI)
 
 
-class Setter:
+class DocumentSetter:
     """Sets the blocks of one document: names in its lettering, and its figures."""
 
     def __init__(self, naming: Naming) -> None:

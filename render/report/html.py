@@ -7,7 +7,7 @@ from html import escape
 from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
 from render.page import web_page
-from render.report.figures import Setter
+from render.report.figures import DocumentSetter
 from render.report.mathml import mathml
 
 
@@ -18,7 +18,7 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     return web_page.page(title, naming.lang, ("report.css",), body).encode()
 
 
-class _HtmlPage(Setter):
+class _HtmlPage(DocumentSetter):
     def __init__(self, blocks: Sequence[Block], naming: Naming) -> None:
         super().__init__(naming)
         self.chapters = [b for b in blocks if isinstance(b, Heading) and b.level == 1]

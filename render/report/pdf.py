@@ -24,7 +24,7 @@ from planes.words.naming import Naming
 from planes.words.records import Json
 from render.files.pdf import registered
 from render.paper.outlines import dejavu
-from render.report.figures import Setter, Shown
+from render.report.figures import DocumentSetter, Shown
 from render.report.floats import Filled, PagePiece, floated, glued
 from render.report.html import is_number
 from render.report.math_line import MathLine, broken
@@ -101,7 +101,7 @@ class _Paper(SimpleDocTemplate):  # type: ignore[misc]
             self.notify("TOCEntry", (int(style[1]) - 1, text, self.page, key))
 
 
-class _Setter(Setter):
+class _Setter(DocumentSetter):
     """Turns blocks into reportlab flowables."""
 
     def flow(self, block: Block) -> list[Flowable]:

@@ -18,7 +18,7 @@ from docx.text.paragraph import Paragraph as Words
 from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
 from render.paper.letters import pieces
-from render.report.figures import Setter, Shown, raster
+from render.report.figures import DocumentSetter, Shown, raster
 from render.report.html import is_number
 from render.report.omml import equation
 
@@ -60,7 +60,7 @@ def set_type(style: ParagraphStyle, heading: bool) -> None:
     style.font.bold, shape.keep_with_next = heading or style.name == "Title", heading
 
 
-class _Writer(Setter):
+class _Writer(DocumentSetter):
     def __init__(self, paper: WordFile, naming: Naming, chapters: Sequence[str]) -> None:
         super().__init__(naming)
         self.paper, self.chapters = paper, chapters
