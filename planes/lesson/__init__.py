@@ -50,7 +50,7 @@ class Teller:
         drawn = {p: [s.makes for s in own if s.makes not in self.trials] for p, own in drawing.program.marks.items()}
         self.ends = {own[-1] for plan, own in drawn.items() if kind_of(plan) == "force"}
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
-        self.reckoning = Reckoning(plans, self.made, self.divided)
+        self.reckoning = Reckoning(plans, self.made, convention)
         self.words = (StepWords if plans.moves else StatedWords)(plans, drawing, self.made)
         self.solved = {} if plans.moves else last_marks(plans)
         self.stating, self.bodies = Stating(plans), FreeBodies(plans, drawing)
@@ -195,10 +195,6 @@ class Teller:
         read, mu = f"‖{name}‖", mu_of(plan)
         self.spans[read] = (*span, mu)
         return self.reckoning.measured(name, read, mu, slot(read))
-
-    def divided(self, scale: str) -> str:
-        """How a length on paper becomes a value at a scale, by its name."""
-        return f"/ {slot(scale, 'k')}" if self.convention == "mm_per_unit" else f"· {slot(scale, 'i')}"
 
     def closing(self, plan: str) -> list[Frame]:
         """The reactions read from a closed force polygon, those inside the group each with the link it closes."""

@@ -96,7 +96,7 @@ def _live(lesson: Told, progress: Progress | None = None, practice: bool = True)
         "tape": tape,
         "holds": [{"at": places["holds"][str(k)], "said": said} for k, said in enumerate(live.fails)],
         "blunt": {n: _blunt(n) for n in live.sharp},
-        "helpers": [*(n for n in places["marks"] if n in plans.helpers - lettered and n not in live.feet), *live.feet],
+        "helpers": [*(n for n in places["marks"] if n in plans.helpers - lettered), *live.feet],
     }
 
 
@@ -119,12 +119,12 @@ def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
 
 def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     """Each vector of the plans once, by its ends, with all its names; ``sum`` marks one that is not a term."""
-    segments: dict[tuple[str, str, str], Json] = {}
+    segments: dict[tuple[str, str], Json] = {}
     every = [(e, t) for e in plans.equations for t in e.terms]
     named = {t.name: whole(e, t.name) for e, t in every}
     terms = {(e.plan, *sorted((t.start, t.end))) for e, t in every}
+    rays = plans.figure.poles if plans.figure else ()
     for s in plans.segments:
-        rays = plans.figure.poles if plans.figure else ()
         start, end = s.ends
         shown = s.plan not in ("position", "motion") and start not in rays
         if start != end and shown and end in drawing:
@@ -132,7 +132,7 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
             new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": [], "corner": corner}
             if (s.plan, *sorted((s.start, s.end))) not in terms:
                 new["sum"] = True
-            names = segments.setdefault((s.plan, s.start, s.end), new)["names"]
+            names = segments.setdefault(s.ends, new)["names"]
             name = named.get(s.name, s.name)
             names += [name] * (name not in names)
     return list(segments.values())

@@ -52,7 +52,7 @@ class Knobs(FreeNumbers):
             return {"reach": TURNED}
         letter, rates = parts_of(knob["name"])[0], {"epsilon": "omega", "a": "v"}
         like = ("x", "y", "l") if letter in ("x", "y") else (rates.get(letter, letter),)
-        size = max(abs(k["at"]) for k in knobs if parts_of(k.get("name", ""))[0] in like)
+        size = max((abs(k["at"]) for k in knobs if parts_of(k.get("name", ""))[0] in like), default=0.0)
         return {"reach": size ** (2 if letter in rates else 1)} if size else {}
 
     def tied(self, given: str) -> list[str]:

@@ -61,7 +61,7 @@ JUDGING: Json = {
 """How answers are judged, in a page and where a code is read again: the tolerance of a mark, of its plan's size, but at
 least that of a hand; of a number; of a ruler reading, which also sets the smallest plan. Then the range of fresh
 numbers, and the attempts to draw them."""
-CONSTRUCTED = LayOff | Cross | CrossArc | CrossArcs | Choose | Similar | Image
+CONSTRUCTED = Cross | CrossArc | CrossArcs | Choose | Similar | Image
 
 
 @frozen
@@ -140,9 +140,9 @@ class Practice(Choices):
     def drawn(self, mark: str) -> bool:
         """Whether a reader can draw a mark."""
         step = self.plans.program.makers[mark]
-        if not isinstance(step, CONSTRUCTED):
-            return False
-        return not isinstance(step, LayOff) or abs(self.drawing[mark] - self.drawing[step.start]) >= SHORT_MM
+        if isinstance(step, LayOff):
+            return bool(abs(self.drawing[mark] - self.drawing[step.start]) >= SHORT_MM)
+        return isinstance(step, CONSTRUCTED)
 
     def read_at(self, name: str) -> str:
         """The scale of the plan that a number is measured on, "" for a computed one."""

@@ -1,6 +1,6 @@
 """No number is used before it is found: the missing values of a sentence, and how they are found."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
@@ -11,13 +11,14 @@ from planes.lesson.frame import Frame
 from planes.lesson.rows import Row, reckoned
 from planes.plans import Plans
 from planes.plans.force.loads import load_names
+from planes.words.units import Convention
 
 
 class Reckoning:
-    """Records which values have been shown; ``divided`` says how a length on paper becomes a value at a scale."""
+    """Records which values have been shown."""
 
-    def __init__(self, plans: Plans, made: Mapping[str, Step], divided: Callable[[str], str]) -> None:
-        self.plans, self.made, self.divided = plans, made, divided
+    def __init__(self, plans: Plans, made: Mapping[str, Step], convention: Convention) -> None:
+        self.plans, self.made, self.convention = plans, made, convention
         self.told = {*plans.given, *load_names(plans.mechanism), *(m.unknown for m in plans.moments)}
 
     def tell(self, frame: Frame) -> None:
@@ -54,7 +55,8 @@ class Reckoning:
 
     def measured(self, name: str, read: str, mu: str, value: str) -> Row:
         """A length on paper and the quantity it represents."""
-        return Row(name, slot(read, "mm", mu), self.divided(mu), value, "measured")
+        divided = f"/ {slot(mu, 'k')}" if self.convention == "mm_per_unit" else f"· {slot(mu, 'i')}"
+        return Row(name, slot(read, "mm", mu), divided, value, "measured")
 
     def reduced(self, step: Calculate) -> Row:
         """The combined arm of a force and of another force that depends on it, by sense: it has no sign."""

@@ -134,8 +134,7 @@ def related(plans: Plans, under: Mapping[str, str]) -> dict[str, list[str]]:
     names |= {*plans.links, *plans.program.made}
     acted_on = {name: link for r in plans.reactions.values() for name, link in r.names.items()}
     own = {**under, **special_points(plans)}
-    owners = {name: _owner(plans, name, acted_on, own) for name in sorted(names)}
-    return {name: [owner] for name, owner in owners.items() if owner}
+    return {name: [owner] for name in sorted(names) if (owner := _owner(plans, name, acted_on, own))}
 
 
 def special_points(plans: Plans) -> dict[str, str]:

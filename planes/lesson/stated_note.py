@@ -34,9 +34,6 @@ class StatedNote(Note):
         """The vectors with given length and direction."""
         return {t.name for e in self.position.plans.equations for t in e.terms if t.known == 2 and not t.drawn}
 
-    def transfers(self) -> Iterator[Block]:
-        return iter(())
-
     def vectors(self) -> Iterator[Block]:
         """The results of a scene of vectors."""
         yield Heading(self.say("note_results"))
