@@ -69,8 +69,8 @@ class CentreFrames:
         uses = tuple(dict.fromkeys(m for line in c.lines for m in (line.mark, line.other) if m))
         if c.along:
             return self.make("centre_far", "position", uses=uses, name=c.name, first=first)
-        thirds = [self.plans.mechanism.frame_number if x.third == FRAME else x.third for x in c.lines]
-        why = Phrase("why_centre", one=thirds[0], two=thirds[1])
+        one, two = (self.plans.naming.link(x.third) for x in c.lines[:2])
+        why = Phrase("why_centre", one=one, two=two)
         return self.make("centre", "position", (c.mark,), uses, why, name=c.name, first=first, second=second)
 
     def line(self, line: CentreLine) -> Phrase:

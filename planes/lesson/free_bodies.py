@@ -86,8 +86,8 @@ class FreeBodies:
 
     def own(self, plan: str) -> dict[str, Reaction]:
         """The reactions found from a polygon, by their names on its links: internal ones have both names."""
-        reactions = [(r, r.names.items()) for r in self.plans.reactions.values() if r.plan == plan]
-        return {name: r for r, names in reactions for name, link in names if link in links_of(plan)}
+        reactions, links = (r for r in self.plans.reactions.values() if r.plan == plan), links_of(plan)
+        return {name: r for r in reactions for name, link in r.names.items() if link in links}
 
     def outer(self, plan: str) -> dict[str, Reaction]:
         """Those from other links."""
@@ -95,8 +95,7 @@ class FreeBodies:
 
     def balancing(self, plan: str) -> str:
         """The balancing load, if the polygon is the driver's."""
-        drive = self.plans.drive
-        return self.plans.balancing if plan == force_plan(drive.link) and self.plans.balancing else ""
+        return self.plans.balancing if plan == force_plan(self.plans.drive.link) else ""
 
     def splits(self, plan: str) -> Iterator[Split]:
         """The reactions of a polygon with both components in its equation."""

@@ -287,10 +287,10 @@ class Note:
 
     def warned(self) -> Iterator[Block]:
         """Warnings about the results."""
-        for warning in self.position.results["warnings"]:
+        names = ", ".join(f"⟨{name}⟩" for name in unsure(self.position))
+        by_hand = [self.say("unsure_by_hand", names=names)] if names else []
+        for warning in (*self.position.results["warnings"], *by_hand):
             yield Paragraph(self.say("note_warning", text=warning.rstrip(".")))
-        if names := ", ".join(f"⟨{name}⟩" for name in unsure(self.position)):
-            yield Paragraph(self.say("note_warning", text=self.say("unsure_by_hand", names=names).rstrip(".")))
 
     def vector(self, measured: Measured | None) -> tuple[str, str]:
         """Magnitude and direction."""

@@ -112,7 +112,7 @@ class Practice(Choices):
                 yield "number", name
         if f.moments is not None and (sense := f"{SENSE}{self.plans.moments[f.moments].unknown}") in self.turning:
             yield "sense", sense
-        if mark and f.plan in self.scaled:
+        if mark and f.plan in known_plans(self.plans) and mu_of(f.plan) in self.given:
             yield "mu", f.plan
         if mark:
             yield "mark", mark
@@ -131,11 +131,6 @@ class Practice(Choices):
                     lever = drawn[f["mark"]] - drawn[equation["about"]]
                     senses[f"{SENSE}{f['name']}"] = (lever.conjugate() * drawn[f["along"]]).imag * drawn[f["size"]]
         return senses
-
-    @property
-    def scaled(self) -> set[str]:
-        """The plans with an independent scale."""
-        return {p for p in known_plans(self.plans) if mu_of(p) in self.given}
 
     def drawn(self, mark: str) -> bool:
         """Whether a reader can draw a mark."""

@@ -75,9 +75,8 @@ def templates(rows: Iterable[Row]) -> Json:
     """The templates for a page: the sentence of every kind with its placeholders, and the units."""
     units = dict.fromkeys(["m", *(row.unit_said for row in rows if row.unit_said)])
     sentences = in_both(partial(under, "lesson_row_"))
-
-    def template(kind: str, lang: Lang) -> str:
-        return sentences[lang][kind].replace("{remark}", remark(kind, lang))
-
-    words = {kind: {lang: template(kind, lang) for lang in LANGS} for kind in sentences["en"]}
+    words = {
+        kind: {lang: sentences[lang][kind].replace("{remark}", remark(kind, lang)) for lang in LANGS}
+        for kind in sentences["en"]
+    }
     return {"words": words, "units": {key: spoken(key) for key in units}}

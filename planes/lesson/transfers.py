@@ -1,7 +1,7 @@
 """Transfer functions in the form of the manuals: analogues of velocities and ratios, by segments of the velocity
 plan."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 
 from planes.drafting.steps.reckoning import Measure
 from planes.lesson.reckoning import quotients
@@ -31,14 +31,14 @@ class TransferFunctions:
 
     def rows(self) -> Iterator[list[str]]:
         """Name, relation of segments, value and unit of each."""
-        drive, transfers = driver_vector(self.position.plans), self.position.of("transfers")
+        plans, transfers = self.position.plans, self.position.of("transfers")
+        drive = driver_vector(plans)
         if drive is None:
             return
         segment, times = self.ends(drive.start, drive.end), f"·{greek(drive.length)}" if drive.length else ""
         for alike, ends, arm in self.turning(transfers.values()):
             yield self.row(alike, f"{ends}{times}/({segment}·{greek(arm)})")
         noise = NOISE * (abs(self.position.drawing[drive.length]) if drive.length else 1.0)
-        plans = self.position.plans
         still = {marks.velocity for p, marks in plans.points.items() if p in plans.standing}
         for one in transfers.values():
             column = one.quantity.columns[0]
@@ -52,12 +52,12 @@ class TransferFunctions:
         shown = measured(value if abs(value) > noise else 0.0, self.naming.lang)
         return [name, relation, shown, "" if unit == "1" else say(unit, self.naming.lang)]
 
-    def turning(self, transfers: Iterable[Measured]) -> Iterator[tuple[list[Measured], str, str]]:
+    def turning(self, transfers: Collection[Measured]) -> Iterator[tuple[list[Measured], str, str]]:
         """Ratios of links whose angular velocity is measured on the plan, equal ones together, with the segment and the
         length for each."""
-        known, program = list(transfers), self.position.drawing.program
+        program = self.position.drawing.program
         for rate, (vector, length) in quotients(program).items():
-            alike = [f for f in known if f.quantity.columns[0].value == rate]
+            alike = [f for f in transfers if f.quantity.columns[0].value == rate]
             if alike and isinstance(step := program.makers.get(vector), Measure):
                 yield alike, self.ends(step.start, step.end), length
 
