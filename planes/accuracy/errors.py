@@ -22,7 +22,7 @@ from planes.plans.columns import Column
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import Measured, Quantity, asked, nested, told_of
 from planes.solving import Position, Solved
-from planes.words.names import at, mu_of
+from planes.words.names import mu_of
 from planes.words.records import or_none
 
 
@@ -63,9 +63,7 @@ class Errors:
         reader = DrawingReader(plans, position.drawing, position.scales)
         self.segments = {f"{p}:{k}": s for p in plans.drawn for k, s in reader.plan_segments(p).items()}
         columns = {c.name: c for q in self.quantities for c in q.columns}
-        columns |= {
-            n: Column(n, "", "", at(s.plan, s.start), at(s.plan, s.end), "size") for n, s in self.segments.items()
-        }
+        columns |= {n: Column(n, "", "", *s.ends, "size") for n, s in self.segments.items()}
         self.cycle = Cycle(plans, known=position.scales, columns=columns.values())
         pencil = by if isinstance(by, Pencil) else None
         self.ruler_mm = pencil.ruler_mm / math.sqrt(12.0) if pencil else 0.0  # reading error of the ruler

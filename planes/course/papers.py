@@ -139,10 +139,9 @@ def work(scene: Scene, drawn: Position, lang: Lang, asked: Sequence[str]) -> Ite
     m, drive = drawn.plans.mechanism, drawn.plans.drive
     value = decimal(told(drawn.at, drive.kind, lang), lang)
     value = f"⟨{'phi' if drive.rotates else 's'}_{drive.link}⟩ = {value}"
-    loaded = bool(m.loads) or any(link.mass or link.inertia for link in m.links.values())
     for key in _WORK:
         due = not asked or key in ("structure", "position") or ("force" if key == "lever" else key) in asked
-        if due and key in plans and (loaded or key not in ("force", "lever")):
+        if due and key in plans and (m.loaded or key not in ("force", "lever")):
             yield say("task_force_plan" if key == "force" else f"task_{key}", lang, drive=value)
     if scene.find:
         yield say("task_find", lang, names=tuple(f"⟨{name}⟩" for name in found_of(scene)))
@@ -180,7 +179,7 @@ def segments(drawn: Position, name: str, lang: Lang, convention: Convention) -> 
                 number(segment["value"] if segment["mm"] > NOISE_MM else 0.0, lang),
             )
         )
-    size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F"), lang)
+    size = unit({"velocity": "v", "acceleration": "a"}.get(name, "F")).told(lang)
     head = (say("key_vector", lang), say("segment", lang), say("mm", lang), size)
     mu = decimal(mu_text(drawn.scales[mu_of(name)], kind, lang, convention), lang)
     return DocumentTable(f"{say_plan(name, lang)}, μ = {mu}", (head, *rows)) if rows else None

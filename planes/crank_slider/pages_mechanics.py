@@ -13,7 +13,6 @@ from planes.crank_slider.pages import KN, ChapterWriter, lines
 from planes.scene import Scene
 from planes.solving import Position, plans_of, position
 from planes.solving.document import Chart, DrawnViews, PlottedLine
-from planes.words.names import kind_of
 
 FITS = {"position": 110.0, "velocity": 58.0, "acceleration": 58.0, "force": 78.0, "motion": 58.0}
 """The size of a plan in the report, mm."""
@@ -131,7 +130,7 @@ def write_forces(w: ChapterWriter, c: Calculation) -> None:
     _cycle(w, c)
     for phi in c.given.positions or (chosen(c),):
         scene, solved = drawn_at(w, c, c.angle(phi))
-        plans = tuple((p,) for p in solved.plans.drawn if kind_of(p) == "force")
+        plans = tuple((p,) for p in solved.plans.forces)
         w.figure("f_force", DrawnViews(scene, solved, plans, True), phi=float(solved.at))
     _torque(w, c)
 

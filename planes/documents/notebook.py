@@ -59,7 +59,7 @@ def _of_position(here: Position, lang: Lang) -> Iterable[str]:
     rates = [(f"v_{p}", abs(v), "m/s") for p, v in here.v.items()] + [
         (f"a_{p}", abs(a), "m/s²") for p, a in here.a.items()
     ]
-    rates += [(n, abs(f.vector), f.quantity.columns[0].unit) for n, f in here.of("vectors").items()]
+    rates += [(n, abs(f.vector), f.unit) for n, f in here.of("vectors").items()]
     rates += [(f"omega_{n}", w, "rad/s") for n, w in here.omega.items()]
     rates += [(f"epsilon_{n}", e, "rad/s²") for n, e in here.epsilon.items()]
     rates += [(f"|{n}|", abs(f.vector), "N") for n, f in here.of("reactions").items()]

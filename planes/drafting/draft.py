@@ -33,6 +33,11 @@ class Segment:
     end: str
     name: str
 
+    @property
+    def ends(self) -> tuple[str, str]:
+        """The full names of its end marks."""
+        return at(self.plan, self.start), at(self.plan, self.end)
+
 
 class Draft:
     """A program under construction, with its givens, equations, moment equations and measured segments."""

@@ -3,6 +3,7 @@
 Numbers are in slots (:mod:`planes.lesson.formulas`), so a frame serves every position of the mechanism.
 """
 
+from collections.abc import Sequence
 from functools import partial
 
 from planes.drafting.drawing import Drawing
@@ -20,16 +21,14 @@ from planes.lesson.rows import Row, reckoned
 from planes.lesson.standing import standing
 from planes.lesson.stated import StatedWords, last_marks
 from planes.lesson.stating import Stating
-from planes.lesson.steps import Names, Said, StepWords, apart_words, shown_on, sought, whole, worded
+from planes.lesson.steps import StepWords, apart_words, shown_on, sought, whole
 from planes.plans import Plans
 from planes.plans.apart import links_apart
 from planes.plans.force.derived import unit_of_value
 from planes.plans.force.reactions import Reaction
-from planes.words import Lang, say
+from planes.words import Phrase, Told, Written
 from planes.words.names import POLE, at, kind_of, label_of, letter_of, lettered, mu_of, plan_of
 from planes.words.units import Convention
-
-NOTHING: Names = {}
 
 
 class Teller:
@@ -43,15 +42,15 @@ class Teller:
         self.plans, self.drawing = plans, drawing
         self.cycle = cycle or drawing
         self.made = drawing.program.makers
-        self.rates = {rate for link in plans.links.values() for rate in (link.omega, link.epsilon)}
-        self.rates.update(value for value in plans.values.values() if value in self.made)
+        rates = (rate for link in plans.links.values() for rate in (link.omega, link.epsilon))
+        self.rates = {*rates, *plans.values.values()}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured only for the lesson
         self.trials = drawing.program.trials | {c.mark for c in plans.centres}  # no frames of the scheme
-        drawn = (x for x in drawing.program.steps if x.kind == "mark" and x.makes not in self.trials)
-        self.ends = {p: x.makes for x in drawn if kind_of(p := shown_on(x)) == "force"}  # the last mark of each
+        drawn = {p: [s.makes for s in own if s.makes not in self.trials] for p, own in drawing.program.marks.items()}
+        self.ends = {own[-1] for plan, own in drawn.items() if kind_of(plan) == "force"}
         self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
-        self.reckoning = Reckoning(plans, self.made, self.divided)
+        self.reckoning = Reckoning(plans, self.made, convention)
         self.words = (StepWords if plans.moves else StatedWords)(plans, drawing, self.made)
         self.solved = {} if plans.moves else last_marks(plans)
         self.stating, self.bodies = Stating(plans), FreeBodies(plans, drawing)
@@ -59,9 +58,9 @@ class Teller:
     def frames(self) -> list[Frame]:
         """All frames, in drawing order."""
         put: list[Step] = [step for step in self.drawing.program.steps if isinstance(step, Put) and step.at]
-        fixed: Names = {"names": ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put if not p.helper)}
+        names = ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put if not p.helper)
         key = "points" if self.plans.figure else "fixed"
-        frames = [self.frame(key, "position", tuple(p.makes for p in put), names=fixed)] if put else []
+        frames = [self.frame(key, "position", tuple(p.makes for p in put), names=names)] if put else []
         readings = list[Step]()
         for step in self.drawing.program.steps:
             if step.makes in self.moments or step.makes in self.rates:
@@ -72,11 +71,10 @@ class Teller:
             readings = []
             frames.append(self.mark(step))
             solved = ((e.plan, sought(e)) for e in self.solved.get(step.makes, ()))
-            frames += [self.read_off("measured", plan, names, []) for plan, names in solved if names]
-            frames += self.closing(shown_on(step)) if step.makes == self.ends.get(shown_on(step)) else []
-        opened = self.bodies.opened(
-            self.stating.stated(frames + self.readings(readings, frames), self.frame), self.frame
-        )
+            frames += [self.read_off("measured", plan, names) for plan, names in solved if names]
+            frames += self.closing(shown_on(step)) if step.makes in self.ends else []
+        stated = self.stating.stated(frames + self.readings(readings, frames), self.frame)
+        opened = self.bodies.opened(stated, self.frame)
         return self.in_order(CentreFrames(self.plans, self.frame, self.reading).among(opened))
 
     def in_order(self, frames: list[Frame]) -> list[Frame]:
@@ -87,23 +85,22 @@ class Teller:
             if steps := reckoning.missing(f):
                 arms = self.plans.moments[f.moments].terms if f.moments is not None else ()
                 terms = tuple(force for force, arm in arms if arm in {step.makes for step in steps})
-                names: Names = {"readings": tuple(map(reckoning.reading, steps))}
+                rows = tuple(map(reckoning.reading, steps))
                 reason = "found_arms" if terms else "found_values"
-                ordered.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, names))
+                ordered.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, rows))
             reckoning.tell(f)
             ordered.append(f)
         return in_chapters(standing(ordered, self.plans))
 
     def stands(self, plan: str) -> bool:
         """Whether every mark of a plan is at its pole in every position: there is nothing to draw."""
-        own = [s.makes for s in self.drawing.program.steps if s.kind == "mark" and shown_on(s) == plan]
-        return all(not size >= 1e-6 for mark in own for size in many(abs(self.cycle[mark])))
+        own = self.drawing.program.marks[plan]
+        return all(not size >= 1e-6 for step in own for size in many(abs(self.cycle[step.makes])))
 
     def shown(self, step: Step) -> bool:
         """Whether a step has its own frame."""
-        if kind_of(shown_on(step)) == "motion" or step.makes == at("position", POLE) or shown_on(step) in self.still:
-            return False
-        return isinstance(step, Touch) or step.kind == "mark"
+        drawn = isinstance(step, Touch) or step.kind == "mark"
+        return drawn and step.makes != at("position", POLE) and shown_on(step) not in {"motion", *self.still}
 
     def frame(
         self,
@@ -111,25 +108,24 @@ class Teller:
         plan: str,
         makes: tuple[str, ...] = (),
         uses: tuple[str, ...] = (),
-        reason: Said = "",
+        reason: Told = "",
         terms: tuple[str, ...] | None = None,
         moments: int | None = None,
-        names: Names = NOTHING,
+        rows: tuple[Row, ...] = (),
+        **names: object,
     ) -> Frame:
-        """A frame with its words in both languages; callables are evaluated per language."""
+        """A frame with its words in every language, of the ``names`` of its sentence and its ``rows``, by their
+        numbers."""
         index, equation_terms = self.equation_of(plan, makes)
-        rows = tuple(row for said in names.values() if isinstance(said, tuple) for row in said)
         own = ((m[1], m[2]) for said in names.values() if isinstance(said, str) for m in SLOT.finditer(said))
         scale = [("k", mu_of(plan))] if key in ("pole", "fixed", "points") else []
         numbers = (*scale, *own, *(n for row in rows for n in row.slots()))
-        names = {**names, "mu": partial(mu_said, plan, convention=self.convention)}
-
-        def marked(lang: Lang) -> str:
-            return say(f"lesson_{key}", lang, **{k: worded(v, lang, rows) for k, v in names.items()})
-
-        why = in_both(reason if callable(reason) else partial(say, f"why_{reason or key}"))
+        mu = Written(partial(mu_said, plan, convention=self.convention))
+        lines = "; ".join(f"⟪{rows.index(row)}⟫" for row in rows)
+        marked = in_both(Phrase(f"lesson_{key}", **{**names, "mu": mu, "rows": lines}).told)
+        why = in_both((reason if isinstance(reason, Phrase) else Phrase(f"why_{reason or key}")).told)
         in_hand = equation_terms if terms is None else terms
-        return Frame(key, plan, makes, uses, index, in_hand, in_both(marked), why, moments, rows=rows, numbers=numbers)
+        return Frame(key, plan, makes, uses, index, in_hand, marked, why, moments, rows=rows, numbers=numbers)
 
     def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
         """The equation on this plan with a term that ends at one of the marks, and those terms."""
@@ -138,46 +134,48 @@ class Teller:
             terms = tuple(whole(equation, t.name) for t in equation.terms if t.end in labels and not t.drawn)
             if equation.plan == plan and terms:
                 return index, terms
-        first = next((e for e in self.plans.segments if e.plan == plan and e.end in labels and e.start == POLE), None)
-        return None, (first.name,) if first else ()
+        own = self.plans.segments_of.get(plan, ())
+        return None, tuple([e.name for e in own if e.end in labels and e.start == POLE][:1])
 
     def mark(self, step: Step) -> Frame:
         """The frame of one mark, or of a tangent."""
         read = dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and name not in self.trials)
         uses = tuple(name for name in read if plan_of(name) != "motion")
-        names: Names = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
+        fields = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
         key, reason, more = self.words.of(step)
         makes = () if isinstance(step, Touch) else (step.makes,)
-        names = {**names, "end": lettered(step.makes), **more}
-        return self.frame(key, shown_on(step), makes, uses, reason, names=names)
+        return self.frame(key, shown_on(step), makes, uses, reason, **{**fields, "end": lettered(step.makes), **more})
 
     def readings(self, values: list[Step], before: list[Frame]) -> list[Frame]:
         """Frames for the values computed since the last mark: angular velocities and accelerations together, each
         moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
-        if self.plans.moves:
-            last = next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None)
-            rates, plan = (rates, last.plan) if last else ([], "velocity")
-            crossed = last is not None and last is before[-1] and last.key == "cross"
-            frames = [*self.stating.turns(rates, plan, self.frame)]
-            frames += [self.measured(plan, rates, before)] if rates or crossed else []
-        else:
-            frames = [self.read_off("measured", before[-1].plan, [], rates)] if rates and before else []
+        last, frames = (
+            next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None),
+            list[Frame](),
+        )
+        if not self.plans.moves:
+            frames += [self.read_off("measured", before[-1].plan, (), rates)] if rates and before else []
+        elif last:
+            frames += self.stating.turns(rates, last.plan, self.frame)
+            crossed = last is before[-1] and last.key == "cross"
+            frames += [self.measured(last.plan, rates, before)] if rates or crossed else []
         return frames + [f for v in values if v.makes in self.moments for f in self.moment(v)]
 
     def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
         """The measurements on a velocity or acceleration plan after an equation is solved, and the angular values from
         them."""
-        index = next((f.equation for f in reversed(before) if f.plan == plan and f.equation is not None), None)
-        names = sought(self.plans.equations[index]) if index is not None else []
-        read_names = {name for f in before if (f.key, f.plan) == ("measured", plan) for name in f.terms}
-        return self.read_off("measured", plan, [name for name in names if name not in read_names], rates)
+        own = [f for f in before if f.plan == plan]
+        solved = [self.plans.equations[f.equation] for f in own if f.equation is not None]
+        known = {name for f in own if f.key == "measured" for name in f.terms}
+        names = [name for e in solved[-1:] for name in sought(e) if name not in known]
+        return self.read_off("measured", plan, names, rates)
 
-    def read_off(self, key: str, plan: str, names: list[str], rates: list[Calculate]) -> Frame:
+    def read_off(self, key: str, plan: str, names: Sequence[str], rates: Sequence[Calculate] = ()) -> Frame:
         """Measured segments of a plan, and velocities or accelerations with their formula and sense."""
         rows = (*(self.reading(n, plan) for n in names), *map(self.reckoned, rates))
         uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
-        return self.frame(key, plan, uses=uses, terms=tuple(names), names={"readings": rows})
+        return self.frame(key, plan, uses=uses, terms=tuple(names), rows=rows)
 
     def reckoned(self, rate: Calculate) -> Row:
         """A value with its formula; of a rotation also its sense."""
@@ -186,8 +184,8 @@ class Teller:
 
     def span(self, name: str, plan: str) -> tuple[str, str] | tuple[()]:
         """The ends of the segment of that name."""
-        segment = next((x for x in self.plans.segments if x.name == name and x.plan == plan and x.start != x.end), None)
-        return (at(plan, segment.start), at(plan, segment.end)) if segment else ()
+        own = self.plans.segments_of.get(plan, ())
+        return next((x.ends for x in own if x.name == name and x.start != x.end), ())
 
     def reading(self, name: str, plan: str) -> Row:
         """A measured segment: its millimetres and its value."""
@@ -198,38 +196,31 @@ class Teller:
         self.spans[read] = (*span, mu)
         return self.reckoning.measured(name, read, mu, slot(read))
 
-    def divided(self, scale: str) -> str:
-        """How a length on paper becomes a value at a scale, by its name."""
-        return f"/ {slot(scale, 'k')}" if self.convention == "mm_per_unit" else f"· {slot(scale, 'i')}"
-
     def closing(self, plan: str) -> list[Frame]:
         """The reactions read from a closed force polygon, those inside the group each with the link it closes."""
-        links = [*links_apart(self.plans, plan)]
-        inside = {name: r.key for one in links for name, (r, _) in one.reactions.items() if name == one.force}
-        own = (r.key for r in self.plans.reactions.values() if r.plan == plan and self.span(r.key, plan))
-        names = [name for name in own if name not in inside.values()]
+        links = [(one, one.reactions[one.force][0].key) for one in links_apart(self.plans, plan)]
+        inside = {key for _, key in links}
+        reactions = [r for r in self.plans.reactions.values() if r.plan == plan]
+        names = [r.key for r in reactions if r.key not in inside and self.span(r.key, plan)]
         names += [n for n in (self.bodies.balancing(plan),) if n and self.plans.drive.kind == "s"]
-        frames = [self.read_off("closing", plan, list(dict.fromkeys(names)), [])] if names else []
-        for one in links:
-            key = inside[one.force]
-            closes: Names = {**apart_words(one, key), "readings": (self.reading(key, plan),)}
-            frames.append(self.frame("apart", plan, names=closes, terms=one.drawn))
-        reactions = self.plans.reactions.values()
-        return frames + [self.rubbing(plan, r) for r in reactions if r.plan == plan and r.power in self.made]
+        frames = [self.read_off("closing", plan, names)] if names else []
+        for one, key in links:
+            row = self.reading(key, plan)
+            frames.append(self.frame("apart", plan, terms=one.drawn, rows=(row,), **apart_words(one, key)))
+        return frames + [self.rubbing(plan, r) for r in reactions if r.power in self.made]
 
     def rubbing(self, plan: str, r: Reaction) -> Frame:
         """Both components of a reaction with friction, or its circle, and the power of friction."""
         key, parts = ("friction_circle", []) if r.pair.point else ("friction", [r.normal, r.friction])
-        readings = tuple(self.reckoning.reading(self.made[n]) for n in (*parts, r.power))
-        names: Names = {"force": r.key, "point": r.pair.point, "readings": readings}
-        return self.frame(key, plan, names=names, terms=(r.key,))
+        rows = tuple(self.reckoning.reading(self.made[n]) for n in (*parts, r.power))
+        return self.frame(key, plan, terms=(r.key,), rows=rows, force=r.key, point=r.pair.point)
 
     def seated(self, r: Reaction) -> Frame:
         """The arm at which a slider's reaction acts, by its couple."""
         arm = self.made[r.arm]
         assert isinstance(arm, Calculate)
-        names: Names = {"force": r.key, "formula": (reckoned(arm),), "mm": slot(r.arm, "mm", mu_of("position"))}
-        return self.frame("seated", r.plan, names=names, terms=(r.key,))
+        mm = slot(r.arm, "mm", mu_of("position"))
+        return self.frame("seated", r.plan, terms=(r.key,), rows=(reckoned(arm),), force=r.key, mm=mm)
 
     def moment(self, step: Step) -> list[Frame]:
         """A moment equation with its numbers."""
@@ -239,7 +230,7 @@ class Teller:
         m = self.plans.moments[index]
         key, names, terms = moment_words(m, step, self.cycle)
         plan, reason = ("lever", "moments_lever") if m.links == ("lever",) else ("position", "moments")
-        frames = [self.frame(key, plan, reason=reason, terms=terms, moments=index, names=names)]
+        frames = [self.frame(key, plan, reason=reason, terms=terms, moments=index, **names)]
         seats = (r for r in self.plans.reactions.values() if r.moment == step.makes and key == "moments")
         return frames + [self.seated(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.reach]  # no NaN
 

@@ -1,7 +1,6 @@
 """Instantaneous centres in a lesson: a separate chapter after the velocities, if requested."""
 
 from collections.abc import Callable, Iterator
-from functools import partial
 from itertools import combinations
 
 from planes.lesson.formulas import slot
@@ -11,7 +10,7 @@ from planes.lesson.steps import Names
 from planes.plans import Plans
 from planes.plans.centres import Centre, CentreLine, Check, centre_name
 from planes.scene.mechanism import FRAME
-from planes.words import Lang, say
+from planes.words import Phrase
 from planes.words.frozen import frozen, replace
 from planes.words.names import lettered
 from planes.words.records import Json
@@ -39,13 +38,16 @@ class CentreFrames:
         """The centres of pairs, then one after another, each with its check."""
         seen = [c for c in self.plans.centres if not c.lines and (c.along or self.joined(c))]
         makes = tuple(c.mark for c in seen if c.mark)
-        yield self.make("centres_first", "position", makes, names=self.first(seen))
+        yield self.make("centres_first", "position", makes, **self.first(seen))
         for c in self.plans.centres:
             if c not in seen:
                 yield self.one(c)
                 yield from (self.check(k) for k in self.plans.checks if k.centre == c)
-        if left := self.left():
-            yield self.make("centres_left", "position", names={"names": ", ".join(f"⟨{n}⟩" for n in left)})
+        known, links = {c.links for c in self.plans.centres}, (FRAME, *self.plans.mechanism.links)
+        pairs = (pair for pair in combinations(links, 2) if pair not in known)
+        left = [f"⟨{centre_name(*pair, self.plans.mechanism.frame_number)}⟩" for pair in pairs]
+        if left:
+            yield self.make("centres_left", "position", names=", ".join(left))
 
     def joined(self, centre: Centre) -> bool:
         """Whether two links are hinged to each other."""
@@ -54,36 +56,29 @@ class CentreFrames:
 
     def first(self, seen: list[Centre]) -> Names:
         """The names of the centres known at once."""
+        means = self.plans.means
         hinges = ", ".join(f"⟨{c.name}⟩ = ⟨{c.point}⟩" for c in seen if c.mark)
-        far = ", ".join(f"⟨{c.name}⟩ {self.action(c.along)}" for c in seen if c.along)
-        return {
-            "hinges": hinges or "—",
-            "far": lambda lang: say("lesson_centres_sliders", lang, far=far) if far else "",
-        }
-
-    def action(self, direction: str) -> str:
-        """A direction as written."""
-        return self.plans.means[direction].action
+        far = ", ".join(f"⟨{c.name}⟩ {means[c.along].action}" for c in seen if c.along)
+        return {"hinges": hinges or "—", "far": Phrase("lesson_centres_sliders", far=far) if far else ""}
 
     def one(self, c: Centre) -> Frame:
         """A centre found by two lines, or by a hinge of three links."""
         if not c.lines:
-            return self.make("centre_same", "position", (c.mark,), names={"name": c.name, "point": c.point})
-        first, second = (partial(self.line, line) for line in (*c.lines, *c.lines)[:2])
+            return self.make("centre_same", "position", (c.mark,), name=c.name, point=c.point)
+        first, second = map(self.line, (*c.lines, *c.lines)[:2])
         uses = tuple(dict.fromkeys(m for line in c.lines for m in (line.mark, line.other) if m))
-        names: Names = {"name": c.name, "first": first, "second": second}
         if c.along:
-            return self.make("centre_far", "position", uses=uses, names={"name": c.name, "first": first})
-        thirds = [self.plans.mechanism.frame_number if x.third == FRAME else x.third for x in c.lines]
-        why = partial(say, "why_centre", one=thirds[0], two=thirds[1])
-        return self.make("centre", "position", (c.mark,), uses, why, names=names)
+            return self.make("centre_far", "position", uses=uses, name=c.name, first=first)
+        one, two = (self.plans.naming.link(x.third) for x in c.lines[:2])
+        why = Phrase("why_centre", one=one, two=two)
+        return self.make("centre", "position", (c.mark,), uses, why, name=c.name, first=first, second=second)
 
-    def line(self, line: CentreLine, lang: Lang) -> str:
+    def line(self, line: CentreLine) -> Phrase:
         """A line of centres in words."""
-        one, two = lettered(line.mark), lettered(line.other)
+        one = lettered(line.mark)
         if line.other:
-            return say("lesson_centre_line", lang, one=one, two=two)
-        return say("lesson_centre_line_far", lang, one=one, action=self.action(line.along))
+            return Phrase("lesson_centre_line", one=one, two=lettered(line.other))
+        return Phrase("lesson_centre_line_far", one=one, action=self.plans.means[line.along].action)
 
     def check(self, check: Check) -> Frame:
         """The same velocity twice."""
@@ -91,14 +86,8 @@ class CentreFrames:
         rows = tuple(Row(check.name, letters, numbers, slot(both, "a")) for letters, numbers, both in sides)
         rows += (self.reading(check.name, "velocity"),) if check.read else ()
         key = "centre_slider" if check.slides else "centre_speed" if check.read else "centre_equal"
-        names: Names = {"name": check.centre.name, "link": check.slides, "rows": rows}
-        return self.make(key, "position", uses=(check.centre.mark,), names=names)
-
-    def left(self) -> list[str]:
-        """The centres that are not found."""
-        known, links = {c.links for c in self.plans.centres}, (FRAME, *self.plans.mechanism.links)
-        pairs = (pair for pair in combinations(links, 2) if pair not in known)
-        return [centre_name(*pair, self.plans.mechanism.frame_number) for pair in pairs]
+        uses = (check.centre.mark,)
+        return self.make(key, "position", uses=uses, rows=rows, name=check.centre.name, link=check.slides)
 
 
 def lines_of(plans: Plans) -> Json:

@@ -5,11 +5,11 @@ size of the plan.
 """
 
 from collections.abc import Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import LayOff
-from planes.lesson.formulas import in_both, spoken
+from planes.lesson.formulas import LANGS, in_both, spoken
 from planes.lesson.frame import Frame
 from planes.lesson.free_bodies import FreeBodies, links_told
 from planes.plans import Plans
@@ -37,7 +37,7 @@ class Choices:
     equations: Sequence[Json]
     fit_mm: Mapping[str, float]
 
-    def of(self, kind: str, what: str | int, frame: int) -> Json | None:
+    def offered(self, kind: str, what: str | int, frame: int) -> Json | None:
         """The options of a choice, by its kind; None where there is nothing to choose."""
         if kind == "mu":
             return self.scale(str(what), self.frames[frame])
@@ -56,8 +56,8 @@ class Choices:
             return None
         own = complex(self.drawing[mu_of(plan)]).real
         offered = sorted({fitting(plan, 1.0, own * times) for times in TIMES})
-        made = (s for s in self.plans.program.marks[plan] if not s.loose and label_of(s.makes) != POLE)
-        shown = [s.makes for s in made if s.makes not in self.plans.program.trials]
+        others = {at(plan, POLE), *self.plans.program.trials}
+        shown = [s.makes for s in self.plans.program.marks[plan] if not s.loose and s.makes not in others]
         kind = kind_of(plan)
         return {
             "offered": [{"value": mu} for mu in offered],
@@ -68,33 +68,30 @@ class Choices:
         }
 
     @cached_property
-    def forces(self) -> list[str]:
-        """The force plans in drawing order."""
-        return [p for p in self.plans.drawn if kind_of(p) == "force"]
-
-    @cached_property
     def waits(self) -> dict[str, dict[str, set[str]]]:
         """By force plan the plans it waits for, and the reactions that each of them gives."""
-        bodies, waits = FreeBodies(self.plans, self.drawing), {plan: dict[str, set[str]]() for plan in self.forces}
+        bodies = FreeBodies(self.plans, self.drawing)
+        waits = {plan: dict[str, set[str]]() for plan in self.plans.forces}
         for plan, giving in waits.items():
-            for name, _ in bodies.known(plan):
+            for f in bodies.known(plan):
                 for r in self.plans.reactions.values():
-                    if name in r.names and r.plan != plan:
-                        giving.setdefault(r.plan, set()).add(name)
+                    if f["name"] in r.names and r.plan != plan:
+                        giving.setdefault(r.plan, set()).add(f["name"])
         return waits
 
     def order(self, plan: str) -> Json | None:
         """The links whose forces are still unknown, where some of them must wait: a group of one polygon each."""
         driver, group_links = self.plans.structure.driver, [set(g.whole) for g in self.plans.structure.groups]
-        if any(links_of(p) != (driver,) and set(links_of(p)) not in group_links for p in self.forces):
+        if any(links_of(p) != (driver,) and set(links_of(p)) not in group_links for p in self.plans.forces):
             return None
-        left = self.forces[self.forces.index(plan) :]
+        left = self.plans.forces[self.plans.forces.index(plan) :]
         names = {p: sorted(n for q in left for n in self.waits[p].get(q, ())) for p in left}
         if not any(names.values()):
             return None
         return {
             "offered": [
-                {"value": p, "said": in_both(partial(links_told, p)), **self.early(names[p])} for p in sorted(left)
+                {"value": p, "said": in_both(links_told(links_of(p)).told), **self.early(names[p])}
+                for p in sorted(left)
             ]
         }
 
@@ -105,11 +102,15 @@ class Choices:
 
     def reason(self, plan: str) -> Json | None:
         """Why the first links come first."""
-        if plan != self.forces[0] or not self.order(plan):
+        if plan != self.plans.forces[0] or not self.order(plan):
             return None
         why = {"why": spoken("why_free_body_first")}
-        offered = ({"value": key, "said": spoken(f"lesson_choice_{key}")} for key in sorted(REASONS))
-        return {"offered": [one if one["value"] == REASONS[0] else one | why for one in offered]}
+        wrong = dict.fromkeys(REASONS[1:], why)
+        return {
+            "offered": [
+                {"value": key, "said": spoken(f"lesson_choice_{key}"), **wrong.get(key, {})} for key in sorted(REASONS)
+            ]
+        }
 
     def first(self, index: int, frame: int) -> Json | None:
         """Velocity equations; those that begin with a known vector can be written first."""
@@ -125,7 +126,7 @@ class Choices:
         offered |= dict(waiting[:LATER])
         if not any(offered.values()) or all(offered.values()):
             return None
-        return {"offered": [{"value": t, "said": in_both(lambda _: t), **offered[t]} for t in sorted(offered)]}  # noqa: B023
+        return {"offered": [{"value": t, "said": dict.fromkeys(LANGS, t), **offered[t]} for t in sorted(offered)]}
 
     def unknown(self, term: Json, made: set[str]) -> Json:
         """Why an equation that begins with a vector cannot be written yet; empty where it can."""
@@ -139,7 +140,7 @@ class Choices:
         point = next((p for p in self.plans.points if f"v_{p}" == equation["total"]["name"]), "")
         together = {p for x in links.values() if point in x.points for p in x.points}
         own = {*links[self.plans.drive.link].points}
-        for other in sorted(own - together - {point}) if point in self.plans.points and together else ():
+        for other in sorted(own - together) if together else ():
             if self.plans.points[other].velocity in made or other in self.plans.mechanism.frame.points:
                 text = f"⟨v_{point}⟩ = ⟨v_{other}⟩ + ⟨v_{point}{other}⟩"
                 why = spoken("lesson_choice_unlinked", one=point, two=other, name=f"v_{point}{other}")

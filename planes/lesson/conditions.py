@@ -60,10 +60,9 @@ class Layout:
         m = self.mechanism
         for name, assembly in m.assembly.items():
             yield self.assembly(name, assembly)
-        for link in (m.frame, *m.links.values()):
-            for guide in link.guides.values():
-                if guide.through_point:
-                    yield self.say("through", guide=guide.name, point=guide.through_point)
+        for name, link in m.owners.items():
+            if point := link.guides[name].through_point:
+                yield self.say("through", guide=name, point=point)
         for link in m.links.values():
             if way := self.axis(link):
                 yield self.say("axis", link=link.name, way=way)
@@ -116,10 +115,11 @@ class Layout:
             return self.say(key, link=link.name, guide=slide.guide)
         if not uses_axes or slide:
             return ""
-        ways = ((link.first_point, name) for name, z in places.items() if not z.imag and z.real > 0)
-        back = ((name, link.first_point) for name, z in places.items() if not z.imag and z.real < 0)
-        if ends := next(ways, None) or next(back, None):
-            return self.say("way_points", one=ends[0], two=ends[1])
+        level = {name: z.real for name, z in places.items() if z.real and not z.imag}
+        if level:
+            name = next((name for name, x in level.items() if x > 0), next(iter(level)))
+            one, two = (link.first_point, name) if level[name] > 0 else (name, link.first_point)
+            return self.say("way_points", one=one, two=two)
         guide = next((g.name for g in link.guides.values() if not g.angle_deg), "")
         return self.say("way_guide", guide=guide) if guide else ""
 

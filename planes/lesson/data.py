@@ -3,35 +3,33 @@
 The page runs the tape for any position and numbers, and draws lines between the resulting marks.
 """
 
-from collections.abc import Callable
 from functools import partial
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.steps.tracks import CutTrack
-from planes.lesson import value_of
 from planes.lesson.centres import NOTED, lines_of
 from planes.lesson.formulas import in_both, mu_said, slot, spoken, unit
 from planes.lesson.frame import Frame, needed
 from planes.lesson.kit import Kit
-from planes.lesson.live import Live
-from planes.lesson.practice import JUDGING, sentences, told_values
+from planes.lesson.live import Live, results
+from planes.lesson.practice import JUDGING, Progress, sentences, told_values
 from planes.lesson.rows import templates
-from planes.lesson.scheme import acting, arms, feet, pivots, related, scheme
+from planes.lesson.scheme import acting, arms, pivots, related, scheme
 from planes.lesson.steps import whole
 from planes.lesson.told import Told
 from planes.plans import Plans
-from planes.plans.measuring import lettering, say_plan, title_of
+from planes.plans.measuring import lettering, title_of
 from planes.scene import Scene
-from planes.words import Lang, say
-from planes.words.names import POLE, at, kind_of, lettered, links_of, mu_of, plan_of
+from planes.words import Lang
+from planes.words.lettering import plan_phrase
+from planes.words.names import POLE, kind_of, lettered, links_of, plan_of
 from planes.words.records import Json
 from planes.words.units import Convention
 
 MOTION = ("velocity", "acceleration", "lever")
 """The plans that are not of forces."""
-Progress = Callable[[int, int], None]
 
 
 def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = False, practice: bool = True) -> Json:
@@ -39,14 +37,15 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
     catalogue of mistakes is drawn. Without its ``practice`` it is ``pending``. Errors as for :class:`Told`."""
     lesson = Told.of(scene, centres)
     plans, drawing, knobs, frames = lesson.plans, lesson.drawing, lesson.knobs, lesson.frames
-    kit, more = Kit(plans, drawing), lesson.leaning or {}
+    kit, more, under = Kit(plans, drawing), lesson.leaning or {}, lesson.teller.stating.under.values()
+    acts, vectors = acting(plans), {s.name for s in plans.segments}
     return {
         "title": dict(scene.title),
         "moves": plans.moves,
         "formula": plans.structure.formula_as(scene.frame_number).replace("->", "→") if plans.moves else "",
         "lettering": lettering(scene, plans),
         "drive": lesson.drive,
-        "home": knobs.free.home,
+        "home": knobs.home,
         "knobs": [k for k in knobs.all if lesson.leaning is not None or "stays" not in k],
         "drags": knobs.drags(),
         "plans": [_plan(plans, p, scene.mu_convention) for p in plans.drawn if p != "motion"],
@@ -55,8 +54,8 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "scheme": scheme(plans, drawing),
         "moments": arms(plans),
         "bodies": lesson.teller.bodies.drawn,
-        "related": related(plans, {u.other: u.link for u in lesson.teller.stating.under.values()}),
-        "acts": {n: m for n, m in acting(plans).items() if n in {s.name for s in plans.segments}},
+        "related": related(plans, {u.other: u.link for u in under}),
+        "acts": {n: m for n, m in acts.items() if n in vectors},
         "under": lesson.under(),
         "equations": lesson.equations,
         "centres": lines_of(plans),
@@ -64,8 +63,8 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
         "frames": (shown := [_shown(f, kit) for f in frames]),
         "leaning": {k: {n: z for n, z in _shown(f, kit).items() if z != shown[k][n]} for k, f in more.items()},
         "reckoned": templates(row for f in [*frames, *more.values()] for row in f.rows),
-        "results": _results(plans),
-        "units": {n: in_both(partial(unit, n)) for n in needed([*frames, *more.values()]) if unit(n, "en")},
+        "results": [{"name": n, "value": n, "unit": in_both(unit(n).told)} for n in results(plans)],
+        "units": {n: in_both(unit(n).told) for n in needed([*frames, *more.values()]) if unit(n).told()},
         **_live(lesson, progress, practice),
         **({} if practice else {"pending": True}),
     }
@@ -85,89 +84,60 @@ def _shown(frame: Frame, kit: Kit) -> Json:
 
 
 def _live(lesson: Told, progress: Progress | None = None, practice: bool = True) -> Json:
-    """The tape, and the places on it of every mark, direction, value, sharpness and mistake; with the practice."""
-    plans, frames = lesson.plans, lesson.frames
-    live = Live(lesson.knobs.free)
-    drawn, own = live.drawing, feet(plans, live.drawing)
-    made = (s.makes for s in plans.program.steps if s.kind == "mark" and s.makes not in plans.program.trials)
-    marks = {name: drawn[name] for name in made if plan_of(name) != "motion"} | own
-    fails = live.failures(plans.drive_given, "φ" if plans.drive.rotates else "s")
-    # directions of guides, and of the forces in moment equations
-    ways = [f"∥{g}" for link in (plans.mechanism.frame, *plans.mechanism.links.values()) for g in link.guides]
-    loaded = [*arms(plans), *lesson.teller.bodies.drawn.values()]
-    ways += [f.along for forces in plans.acting.forces.values() for f in forces if plans.figure and f.spot]
-    ways += [line.along for c in plans.centres for line in c.lines]
-    ways += [f["along"] for one in loaded for f in one["forces"]]
-    sizes = [f["size"] for one in loaded for kind in ("forces", "couples") for f in one[kind] if f["size"] in drawn]
-    told_in = needed([*frames, *(lesson.leaning or {}).values()])
-    results = (r["value"] for r in _results(plans))
-    names = dict.fromkeys([*told_in, *results, *sizes, *map(mu_of, plans.drawn), plans.drive_given])
-    slips, wrong = lesson.practice.slips(live, progress) if practice else ([], {})
-    lines = lesson.practice.lines()
-    tape, places = live.exported(
-        {
-            "marks": marks,
-            "turned": {d: drawn[d] for d in dict.fromkeys([*ways, *lines]) if d in drawn},
-            "values": {
-                **{n: value_of(n, lesson.teller, drawn) for n in names},
-                **live.numbers,
-                **lesson.practice.senses(drawn),
-            },
-            "sharp": live.sharp,
-            "holds": {str(k): ok for k, (ok, _) in enumerate(fails)},
-            "slips": wrong,
-        }
-    )
+    """The tape, and the places on it of all that a page shows; with the practice."""
+    live, plans = Live(lesson, progress, practice), lesson.plans
+    tape, places = live.exported(live.things)
     lettered = {n for n, m in plans.means.items() if m.quantity == "false"}
-    places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(slips)]
+    places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(live.slips)]
     return {
         **places,
         "judging": JUDGING,
         "practice": lesson.practice.items() if practice else [],
-        "lines": lines,
-        "mistakes": sentences(slips) if practice else {},
+        "lines": lesson.practice.lines(),
+        "mistakes": sentences(live.slips) if practice else {},
         "id": lesson.practice.id,
         "tape": tape,
-        "holds": [{"at": places["holds"][str(k)], "said": said} for k, (_, said) in enumerate(fails)],
-        "blunt": {n: in_both(partial(_blunt, n)) for n in live.sharp},
-        "helpers": [*(n for n in marks if n in plans.helpers - lettered), *own],
+        "holds": [{"at": places["holds"][str(k)], "said": said} for k, said in enumerate(live.fails)],
+        "blunt": {n: _blunt(n) for n in live.sharp},
+        "helpers": [*(n for n in places["marks"] if n in plans.helpers - lettered), *live.feet],
     }
 
 
-def _blunt(mark: str, lang: Lang) -> str:
-    named = {"mark": lettered(mark), "plan": say_plan(plan_of(mark) or "position", lang)}
-    return say("lesson_zone_blunt", lang, **named, angle=slot(mark, "d"))
+def _blunt(mark: str) -> dict[Lang, str]:
+    plan = plan_phrase(plan_of(mark) or "position")
+    return spoken("lesson_zone_blunt", mark=lettered(mark), plan=plan, angle=slot(mark, "d"))
 
 
 def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
     """A plan with its scale, its title and the letters of the scheme's fixed points, which are at its pole."""
-    prime = {"velocity": "", "acceleration": "'"}.get(plan)
-    fixed = [] if prime is None else [p.lower() + prime for p in pivots(plans.mechanism)]
+    primes = {"velocity": [""], "acceleration": ["'"]}.get(plan, [])
     return {
         "key": plan,
         "links": [x for x in links_of(plan) if x in plans.mechanism.links or plans.moves] * (kind_of(plan) == "force"),
         "mu": in_both(partial(mu_said, plan, convention=convention)),
         "title": in_both(partial(title_of, plan)),
-        "fixed": fixed,
+        "fixed": [p.lower() + prime for prime in primes for p in pivots(plans.mechanism)],
     }
 
 
 def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     """Each vector of the plans once, by its ends, with all its names and its pen: results are thick; ``sum`` marks a
     force that is not a term."""
-    segments: dict[tuple[str, str, str], Json] = {}
-    named = {t.name: whole(e, t.name) for e in plans.equations for t in e.terms}
-    terms = {(e.plan, *sorted((t.start, t.end))) for e in plans.equations for t in e.terms}
+    segments: dict[tuple[str, str], Json] = {}
+    every = [(e, t) for e in plans.equations for t in e.terms]
+    named = {t.name: whole(e, t.name) for e, t in every}
+    terms = {(e.plan, *sorted((t.start, t.end))) for e, t in every}
+    rays = plans.figure.poles if plans.figure else ()
     for s in plans.segments:
-        rays = plans.figure.poles if plans.figure else ()
-        shown = s.plan not in ("position", "motion") and at(s.plan, s.start) not in rays
-        if s.start != s.end and shown and at(s.plan, s.end) in drawing:
+        start, end = s.ends
+        shown = s.plan not in ("position", "motion") and start not in rays
+        if start != end and shown and end in drawing:
             force, name = kind_of(s.plan) not in MOTION, named.get(s.name, s.name)
-            from_pole = s.start == POLE and at(s.plan, s.end) not in drawing.program.corners
+            from_pole = s.start == POLE and end not in drawing.program.corners
             new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
             if force and (s.plan, *sorted((s.start, s.end))) not in terms:
                 new["sum"] = True
-            one = segments.setdefault((s.plan, s.start, s.end), new)
+            one = segments.setdefault(s.ends, new)
             one["names"] += [name] * (name not in one["names"])
             result = any("^" not in n for n in one["names"]) if force else from_pole
             one["pen"] = "result" if result else "part"
@@ -192,10 +162,3 @@ def _traces(drawing: Drawing) -> Json:
             case CrossArcs():
                 traces[name] = {"arcs": [step.centre, step.other]}
     return traces
-
-
-def _results(plans: Plans) -> list[Json]:
-    """Angular velocities and accelerations, and balancing loads, shown beneath the plans at every position."""
-    rates = [*(link.omega for link in plans.links.values()), *(link.epsilon for link in plans.links.values())]
-    names = [n for n in dict.fromkeys([*rates, plans.balancing, plans.zhukovsky]) if n in plans.program.made]
-    return [{"name": n, "value": n, "unit": in_both(partial(unit, n))} for n in names]

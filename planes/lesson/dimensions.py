@@ -16,7 +16,7 @@ from planes.plans import Plans
 from planes.plans.position.reckoned import OwnPlace, SceneDimensions, anew
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
-from planes.words.names import Meaning, given_of
+from planes.words.names import given_of
 
 ANGLE = "angle_∠"
 APART = 1e-9  # relative to a link: points closer than that are one
@@ -33,31 +33,14 @@ class Reach:
     angle: str = ""
 
 
-class _Asked(SceneDimensions):
-    """Records which dimensions are used."""
-
-    def __init__(self, plans: Plans) -> None:
-        super().__init__(plans.mechanism, plans.passive)
-        self.places: dict[OwnPlace, None] = {}
-        self.guides: dict[str, None] = {}
-        self.sliders: dict[str, None] = {}
-
-    def place(self, spot: OwnPlace) -> Any:
-        self.places[self.point(spot)] = None
-        return super().place(spot)
-
-    def point(self, spot: OwnPlace) -> OwnPlace:
-        """The point on a guide, where it has one."""
-        point = self.links[spot.link].guides[spot.guide].through_point if spot.guide else None
-        return OwnPlace(spot.link, point) if point else spot
-
-    def angle(self, guide: str) -> Any:
-        self.guides[guide] = None
-        return super().angle(guide)
-
-    def offset(self, slider: str) -> Any:
-        self.sliders[slider] = None
-        return super().offset(slider)
+def used(how: tuple[Any, ...]) -> Iterator[tuple[str, Any]]:
+    """The dimensions that a computed one uses: places, angles of guides and offsets of sliders."""
+    way, *what = how
+    for one in what:
+        if isinstance(one, tuple) and not isinstance(one, OwnPlace):
+            yield from used(one)
+        else:
+            yield "place" if isinstance(one, OwnPlace) else way, one
 
 
 class FreeNumbers:
@@ -66,14 +49,18 @@ class FreeNumbers:
     def __init__(self, plans: Plans, given: Mapping[str, Thing]) -> None:
         self.plans, self.given = plans, given
         self.plain = {n: z for n, z in given.items() if n not in plans.reckoned}
-        self.asked, ar = _Asked(plans), Arithmetic()
-        for name in plans.program.givens:
-            if name in plans.reckoned:
-                anew(plans.reckoned[name].of, self.asked, ar)
-        self.own: dict[str, float] = {}
-        self.reaches = dict(self._reaches())
-        self.turned = {g: self._named(ANGLE + g, self.asked.angle(g)) for g in [*self.asked.guides]}
-        self.aside = {x: self._named(f"e_{x}", e) for x in [*self.asked.sliders] if (e := self.asked.offset(x))}
+        shape, self.own = SceneDimensions(plans.mechanism, plans.passive), dict[str, float]()
+        reckoned = (plans.reckoned[n].of for n in plans.program.givens if n in plans.reckoned)
+        asked = dict.fromkeys(one for how in reckoned for one in used(how))
+        self.reaches = dict(self._reaches({self.point(spot) for kind, spot in asked if kind == "place"}))
+        guides, sliders = ([name for kind, name in asked if kind == wanted] for wanted in ("angle", "offset"))
+        self.turned = {g: self._named(ANGLE + g, shape.angle(g)) for g in guides}
+        self.aside = {x: self._named(f"e_{x}", e) for x in sliders if (e := shape.offset(x))}
+
+    def point(self, spot: OwnPlace) -> OwnPlace:
+        """The point on a guide, where it has one."""
+        point = self.plans.mechanism.guide(spot.guide).through_point if spot.guide else None
+        return OwnPlace(spot.link, point) if point else spot
 
     @cached_property
     def home(self) -> dict[str, float]:
@@ -98,7 +85,7 @@ class FreeNumbers:
         return self._reckoned(plain, free, ar or Arithmetic())
 
     def _reckoned(self, things: Env, own: Mapping[str, Any], ar: Arithmetic) -> Env:
-        shape = _Changed(self, things, own, ar)
+        shape = _FreeDimensions(self, things, own, ar)
         for name in self.given:
             if name in self.plans.reckoned:
                 things[name] = own[name] if name in self.own else anew(self.plans.reckoned[name].of, shape, ar)
@@ -118,12 +105,13 @@ class FreeNumbers:
     def _same(self, name: str, value: float) -> bool:
         return name in self.plans.reckoned and abs(self.given[name] - value) <= APART * abs(value)
 
-    def _reaches(self) -> Iterator[tuple[OwnPlace, Reach]]:
+    def _reaches(self, asked: set[OwnPlace]) -> Iterator[tuple[OwnPlace, Reach]]:
         """For every link: its first length, from which the angles are counted (for a slider from its axis), and the
         places of its other points."""
         for link in self.plans.mechanism.links.values():
             if len(link.points) > 1:
-                given = {(m.of, m.about): n for n, m in self.lengths.items() if m.link == link.name}
+                meant = ((n, self.plans.means[n]) for n in self.plans.lengths)
+                given = {(m.of, m.about): n for n, m in meant if m.link == link.name}
                 base = next(iter(given), ("", ""))[0] or link.first_point
                 ways = {p: z - link.points[base] for p, z in link.points.items()}
                 far = [p for p, way in ways.items() if abs(way) > APART * max(map(abs, ways.values()))]
@@ -131,17 +119,11 @@ class FreeNumbers:
                 first = "" if link.slides else next(iter(ends or far), "")
                 level = ways[first] / abs(ways[first]) if first else 1 + 0j
                 for p in sorted(far, key=lambda p: p != first):
-                    if (spot := OwnPlace(link.name, p)) in self.asked.places:
+                    if (spot := OwnPlace(link.name, p)) in asked:
                         named = given.get((base, p)) or given.get((p, base)) or f"l_{base}{p}"
                         length = self._named(named, abs(ways[p]))
                         turned = "" if p == first else self._named(f"{ANGLE}{first}{base}{p}", degrees(ways[p] / level))
                         yield spot, Reach(link.points[base], level, length, turned)
-
-    @cached_property
-    def lengths(self) -> dict[str, Meaning]:
-        """The lengths given to the program."""
-        means = self.plans.means
-        return {n: means[n] for n in self.plans.program.givens if n in means and means[n].quantity == "length"}
 
 
 def degrees(z: complex) -> float:
@@ -149,21 +131,19 @@ def degrees(z: complex) -> float:
     return math.degrees(cmath.phase(z))
 
 
-@frozen
-class _Changed:
+class _FreeDimensions(SceneDimensions):
     """The dimensions as the free numbers make them."""
 
-    free: FreeNumbers
-    things: Mapping[str, Thing]
-    own: Mapping[str, Any]
-    ar: Arithmetic
+    def __init__(self, free: FreeNumbers, things: Mapping[str, Thing], own: Mapping[str, Any], ar: Arithmetic) -> None:
+        super().__init__(free.plans.mechanism, free.plans.passive)
+        self.free, self.things, self.own, self.ar = free, things, own, ar
 
     def place(self, spot: OwnPlace) -> Point:
-        home = self.free.asked.place(spot)
+        home = super().place(spot)
         if spot.link == FRAME:
-            label = spot.point or self.free.plans.mechanism.guide(spot.guide).through_point or f"°{spot.guide}"
+            label = self.free.point(spot).point or f"°{spot.guide}"
             return self.things.get(f"place_{label}", home)
-        reach = self.free.reaches.get(self.free.asked.point(spot))
+        reach = self.free.reaches.get(self.free.point(spot))
         if not reach:
             return home
         along = reach.along * (self.ar.cis_deg(self.own[reach.angle]) if reach.angle else 1.0)
@@ -172,8 +152,5 @@ class _Changed:
     def angle(self, guide: str) -> Real:
         return self.own[self.free.turned[guide]]
 
-    def lean(self, slider: str) -> Real:
-        return self.free.asked.lean(slider)
-
     def offset(self, slider: str) -> Real:
-        return self.own[self.free.aside[slider]] if slider in self.free.aside else self.free.asked.offset(slider)
+        return self.own[self.free.aside[slider]] if slider in self.free.aside else super().offset(slider)

@@ -21,13 +21,9 @@ def false_words(step: Step, made: Mapping[str, Step]) -> tuple[str, str, dict[st
         return None
     if isinstance(step, LayOff) and not isinstance(made.get(step.start), Cross) and step.length.endswith("^II"):
         return "false_supposed", "false", {"mm": slot(step.length, "mm", step.mu)}
-    if isinstance(step, LayOff):
-        return "false_normal", "false_normal", {}
-    if isinstance(step, Carry):
-        return "false_carry", "false_carry", {}
     if isinstance(step, CrossFalse):
         return "false_cross", "false", {}
-    if isinstance(step, Cross):
-        key = "false_still" if step.means and step.means.of == "still" else "false_met"
-        return key, key, {}
-    return None
+    still = bool(step.means and step.means.of == "still")
+    keys = {LayOff: "false_normal", Carry: "false_carry", Cross: "false_still" if still else "false_met"}
+    key = next((key for kind, key in keys.items() if isinstance(step, kind)), None)
+    return (key, key, {}) if key else None

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from planes.drafting.steps.reckoning import Calculate, Product
-from planes.words import Lang, decimal, langs, say
+from planes.words import Lang, Phrase, Written, decimal, langs, say
 from planes.words.names import kind_of, mu_of, parts_of
 from planes.words.units import Convention, mu_number, mu_text, number
 
@@ -45,13 +45,13 @@ def in_both(say_in: Callable[[Lang], One]) -> dict[Lang, One]:
 
 def spoken(key: str, **names: object) -> dict[Lang, str]:
     """A sentence of the table in every language of lessons."""
-    return in_both(lambda lang: say(key, lang, **names))
+    return in_both(Phrase(key, **names).told)
 
 
-def unit(name: str, lang: Lang) -> str:
-    """The SI unit of a value by its name, as written in the language."""
-    key = UNITS.get(parts_of(name)[0])
-    return say(key, lang) if key else ""
+def unit(name: str, key: str = "") -> Phrase | Written:
+    """The SI unit of a value by its name, unless its ``key`` is known; empty where it has none."""
+    key = key or UNITS.get(parts_of(name)[0], "")
+    return Phrase(key) if key else Written("")
 
 
 def slot(name: str, how: str = "v", mu: str = "") -> str:

@@ -2,16 +2,15 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Term
 from planes.lesson.frame import Frame, Make
-from planes.lesson.steps import Names
 from planes.plans import Plans
 from planes.plans.force.reactions import Reaction
 from planes.plans.position.bodies import SCHEME
-from planes.words import Lang, say
+from planes.words import Phrase
 from planes.words.frozen import frozen
 from planes.words.names import at, force_plan, kind_of, label_of, links_of, parts_of
 from planes.words.records import Json
@@ -51,40 +50,44 @@ class FreeBodies:
 
     def apart(self, plan: str, make: Make) -> Iterator[Frame]:
         """The forces on the links and the unknowns; then the reactions that are resolved."""
-        known, sought, balancing = [name for name, _ in self.known(plan)], self.outer(plan), self.balancing(plan)
-        names: Names = {
-            "links": partial(links_told, plan),
-            "known": ", ".join(f"⟨{n}⟩" for n in known) or "—",
-            "unknown": partial(_unknown, sought, balancing),
-            "count": str(2 * len(sought) + bool(balancing)),
-        }
+        known, sought, balancing = [f["name"] for f in self.known(plan)], self.outer(plan), self.balancing(plan)
+        unknown = tuple(Phrase(f"lesson_free_{r.pair.kind}", name=name) for name, r in sought.items())
+        unknown += (Phrase("lesson_free_size", name=balancing),) if balancing else ()
         carried = [n for n in known if any(n in r.names for r in self.plans.reactions.values())]
         key = "driver" if balancing else "next" if carried else "first"
-        forces = ", ".join(f"⟨{n}⟩" for n in carried)
-        why = partial(say, f"why_free_body_{key}", forces=forces)
-        yield make("free_body", plan, reason=why, terms=tuple(known), names=names)
+        why = Phrase(f"why_free_body_{key}", forces=", ".join(f"⟨{n}⟩" for n in carried))
+        yield make(
+            "free_body",
+            plan,
+            reason=why,
+            terms=tuple(known),
+            links=links_told(links_of(plan)),
+            known=", ".join(f"⟨{n}⟩" for n in known) or "—",
+            unknown=unknown,
+            count=str(2 * len(sought) + bool(balancing)),
+        )
         for one in self.splits(plan):
             parts = {"force": one.force, "normal": one.normal.name, "tangential": one.tangential.name, "line": one.line}
             terms = one.normal.name, one.tangential.name
-            why = partial(say, "why_split", **parts, about=one.about)
-            yield make("split", plan, reason=why, terms=terms, names=parts)
+            why = Phrase("why_split", **parts, about=one.about)
+            yield make("split", plan, reason=why, terms=terms, **parts)
 
-    def known(self, plan: str) -> Iterator[tuple[str, Json]]:
+    def known(self, plan: str) -> Iterator[Json]:
         """The known forces and couples on the links of a polygon, and how each is drawn."""
         own = self.own(plan)
         for link in links_of(plan):
             for f in self.plans.acting.forces.get(link, ()):
                 outside = f.quantity in ("weight", "inertia", "load")
                 if f.size in self.drawing and (outside or (f.quantity == "reaction" and f.name not in own)):
-                    yield f.name, {"mark": f.point, "along": f.along, "size": f.size}
+                    yield f.shown
             for c in self.plans.acting.couples.get(link, ()):
                 if not c.handed and c.value in self.drawing:
-                    yield c.name, {"link": link, "size": c.value, "sign": c.sign}
+                    yield c.shown
 
     def own(self, plan: str) -> dict[str, Reaction]:
         """The reactions found from a polygon, by their names on its links: internal ones have both names."""
-        reactions = [(r, r.names.items()) for r in self.plans.reactions.values() if r.plan == plan]
-        return {name: r for r, names in reactions for name, link in names if link in links_of(plan)}
+        reactions, links = (r for r in self.plans.reactions.values() if r.plan == plan), links_of(plan)
+        return {name: r for r in reactions for name, link in r.names.items() if link in links}
 
     def outer(self, plan: str) -> dict[str, Reaction]:
         """Those from other links."""
@@ -92,8 +95,7 @@ class FreeBodies:
 
     def balancing(self, plan: str) -> str:
         """The balancing load, if the polygon is the driver's."""
-        drive = self.plans.drive
-        return self.plans.balancing if plan == force_plan(drive.link) and self.plans.balancing else ""
+        return self.plans.balancing if plan == force_plan(self.plans.drive.link) else ""
 
     def splits(self, plan: str) -> Iterator[Split]:
         """The reactions of a polygon with both components in its equation."""
@@ -110,10 +112,10 @@ class FreeBodies:
     def drawn(self) -> Json:
         """For a page: by polygon the forces on its links, and both components of the resolved reactions."""
         bodies: Json = {}
-        for plan in (p for p in self.plans.drawn if kind_of(p) == "force"):
-            known = [{"name": n, **how} for n, how in self.known(plan)]
-            forces = [{**how, "foot": None} for how in known if "mark" in how]
-            couples = [how for how in known if "link" in how]
+        for plan in self.plans.forces:
+            known = [*self.known(plan)]
+            forces = [{**f, "foot": None} for f in known if "mark" in f]
+            couples = [c for c in known if "link" in c]
             for one in self.splits(plan):
                 reaction = self.plans.reactions.get(one.force)
                 if reaction:
@@ -124,13 +126,6 @@ class FreeBodies:
         return bodies
 
 
-def links_told(plan: str, lang: Lang) -> str:
-    """The links of a force polygon."""
-    links = links_of(plan)
-    return say("lesson_link" if len(links) == 1 else "lesson_links", lang, links="–".join(links))
-
-
-def _unknown(sought: dict[str, Reaction], balancing: str, lang: Lang) -> str:
-    parts = [say(f"lesson_free_{r.pair.kind}", lang, name=name) for name, r in sought.items()]
-    parts += [say("lesson_free_size", lang, name=balancing)] if balancing else []
-    return ", ".join(parts)
+def links_told(links: tuple[str, ...], between: str = "–") -> Phrase:
+    """The links of a force polygon, or of a moment equation."""
+    return Phrase("lesson_link" if len(links) == 1 else "lesson_links", links=between.join(links))

@@ -1,25 +1,20 @@
 """A returned practice: its code decoded, the scene drawn again with its numbers, its answers judged again."""
 
-from __future__ import annotations
-
 import base64
 import json
 import math
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from planes.lesson import value_of
+from planes.geometry.plane import corners
 from planes.lesson.live import Live
 from planes.lesson.practice import JUDGING, goal
+from planes.lesson.told import Told
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
 from planes.words.names import mu_of, plan_of
 from planes.words.records import Json
-
-if TYPE_CHECKING:
-    from planes.lesson.told import Told
 
 Numbers = Mapping[str, complex]  # marks and values of the lesson's tape
 Given = Mapping[str, float]
@@ -85,22 +80,11 @@ class PracticeJudge:
     """Judges the practices of one scene."""
 
     def __init__(self, lesson: Told) -> None:
-        self.told, self.items = lesson, lesson.practice.items()
-        self.live, self.home = Live(lesson.knobs.free), lesson.knobs.free.home
-        drawn = self.live.drawing
-        self.marks = [item["what"] for item in self.items if item["kind"] == "mark"]
-        slips, wrong = lesson.practice.slips(self.live)
-        self.slips = [(slip["at"], f"wrong {k}") for k, slip in enumerate(slips)]
-
-        self.things = {
-            **{m: drawn[m] for m in self.marks},
-            **{f"at {m}": drawn[m] for item in self.items if item["kind"] == "mu" for m in item["marks"]},
-            **{f"= {n}": value_of(n, lesson.teller, drawn) for n in lesson.practice.values},
-            **{f"= {n}": z for n, z in lesson.practice.senses(drawn).items()},
-            **{f"wrong {k}": z for k, z in wrong.items()},
-            **{f"sharp {n}": z for n, z in self.live.sharp.items()},
-            **{f"holds {k}": ok for k, (_, _, ok, _) in enumerate(self.live.tool.failures)},
-        }
+        self.told, self.items, self.home = lesson, lesson.practice.items(), lesson.knobs.home
+        self.live = Live(lesson)
+        self.things = {f"{group} {n}": z for group, own in self.live.things.items() for n, z in own.items()}
+        self.marks = [f"marks {item['what']}" for item in self.items if item["kind"] == "mark"]
+        self.slips = [(f"marks {slip['at']}", f"slips {k}") for k, slip in enumerate(self.live.slips)]
 
     def judged(self, file: str) -> HandedPractice:
         """The practice, judged; :class:`PlanesError` where a file is damaged, belongs to another scene, or contradicts
@@ -127,32 +111,29 @@ class PracticeJudge:
         if kind == "known":
             return answer == goal(self.told.equations[what])
         if kind == "mark":
-            return (
-                isinstance(answer, list)
-                and len(answer) == 2
-                and all(isinstance(x, (int, float)) for x in answer)
-                and abs(complex(*answer) - numbers[what]) <= self.fits(what, numbers)
-            )
+            match answer:
+                case [int() | float() as x, int() | float() as y]:
+                    return abs(complex(x, y) - numbers[f"marks {what}"]) <= self.fits(f"marks {what}", numbers)
+            return False
         if kind in ("order", "reason", "first"):
             return any(one["value"] == answer and "why" not in one for one in item["offered"])
         if not isinstance(answer, (int, float)):
             return False
         if kind == "mu":
             return self.holds(item, float(answer), numbers, given)
-        value = numbers[f"= {what}"].real
+        value = numbers[f"values {what}"].real
         if kind == "sense":
             return answer == math.copysign(1, value)
         ruler = JUDGING["ruler_mm"] / given[item["mu"]] if item["mu"] else 0.0
-        seen = (answer, value) if "signed" in item else (abs(answer), abs(value))
-        return bool(abs(seen[0] - seen[1]) <= max(JUDGING["number_share"] * abs(value), ruler))
+        off = answer - value if "signed" in item else abs(answer) - abs(value)
+        return bool(abs(off) <= max(JUDGING["number_share"] * abs(value), ruler))
 
     def holds(self, item: Json, scale: float, numbers: Numbers, given: Given) -> bool:
         """Whether a plan fits its place at a scale, and can be measured as well as at that of the lesson."""
-        mu, places = mu_of(item["what"]), [numbers[f"at {m}"] for m in item["marks"]]
+        mu, places = mu_of(item["what"]), [numbers[f"marks {m}"] for m in item["marks"]]
         places = [z for z in places if z == z] + [0j] * (item["what"] != "position")
-        sides = [z.real for z in places], [z.imag for z in places]
-        wide, high = (max(side, default=math.nan) - min(side, default=math.nan) for side in sides)
-        size = max(wide, high) / given[mu]
+        across = corners(places)[1] - corners(places)[0] if places else complex(math.nan, math.nan)
+        size = max(across.real, across.imag) / given[mu]
         own, least = size * self.home[mu], JUDGING["ruler_mm"] / JUDGING["number_share"]
         return bool(min(least, own / 2) <= size * scale <= max(item["most"], own))
 
@@ -163,7 +144,7 @@ class PracticeJudge:
 
     def fits(self, mark: str, numbers: Numbers) -> float:
         """The tolerance of a mark, mm: closer to its place than to any mistake, within the limits of a hand."""
-        wide = max(JUDGING["fits_mm"], JUDGING["fits_share"] * self.size(plan_of(mark) or "", numbers))
+        wide = max(JUDGING["fits_mm"], JUDGING["fits_share"] * self.size(plan_of(mark), numbers))
         wrong = (abs(numbers[slip] - numbers[mark]) for at, slip in self.slips if at == mark)
         nearest = min((off for off in wrong if off == off), default=math.inf)
         return float(max(JUDGING["least_mm"], min(wide, nearest / 2)))
@@ -174,7 +155,7 @@ class PracticeJudge:
 
     def fresh(self, seed: int) -> dict[str, float]:
         """The numbers for a seed; :class:`PlanesError` where there are none."""
-        plans = [p for p in self.told.plans.drawn if p != "motion"]
+        plans = [f"marks {p}" for p in self.told.plans.drawn if p != "motion"]
         home = self.live.numbers_of(self.things, self.home)
         sizes, sharp = [self.size(p, home) for p in plans], _bluntest(home)
         for k in range(JUDGING["draws"]):

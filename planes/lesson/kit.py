@@ -47,8 +47,8 @@ class Kit:
 
     def spans(self, f: Frame) -> list[tuple[str, str]]:
         """The segments of a frame's vectors on its plan."""
-        own = {x.name: (at(x.plan, x.start), at(x.plan, x.end)) for x in self.plans.segments if x.plan == f.plan}
-        return [own[name] for name in f.terms if name in own and own[name][0] != own[name][1]]
+        own = {x.name: x.ends for x in self.plans.segments_of.get(f.plan, ()) if x.start != x.end}
+        return [own[name] for name in f.terms if name in own]
 
     def of(self, step: Step) -> Handled:
         """The tools for a step, in order of use."""
@@ -81,9 +81,8 @@ class Kit:
 
     def line(self, direction: str, start: str, end: str) -> Handled:
         """A line through two marks: by a set square along or across another line, by protractor at an angle."""
-        on = plan_of(end) or "position"
         step = self.made[direction]
-        if on != "position":
+        if plan_of(end) != "position":
             yield {"tool": "square", "to": (start, end), **self.laid(step)}
             return
         while isinstance(step, Turn) and not step.angle:
@@ -105,16 +104,14 @@ class Kit:
     def guided(self, step: Step) -> str:
         """The guide that a direction is along or across, "" for another."""
         means = self.plans.means.get(step.makes)
-        links = (self.plans.mechanism.frame, *self.plans.mechanism.links.values()) if self.plans.moves else ()
-        own = means is not None and any(means.of in link.guides for link in links)
-        return means.of if own and means and not means.about else ""
+        return means.of if means and not means.about and means.of in self.plans.mechanism.owners else ""
 
     def figure(self, step: Similar | Image) -> Handled:
         """A figure similar to one of the scheme: both its angles by protractor; a point on the line itself by
         dividers."""
         ends = (step.start, step.end) if isinstance(step, Similar) else step.image
-        apart = isinstance(step, Image) and step.start not in ends
-        if apart or (isinstance(step, Similar) and not complex(self.drawing[step.ratio]).imag):
+        along = isinstance(step, Similar) and not complex(self.drawing[step.ratio]).imag
+        if along or step.start not in ends:
             yield _dividers((), (step.start, step.makes))
             return
         for vertex, other in (ends, ends[::-1]):

@@ -1,18 +1,15 @@
 """The given numbers of a lesson that a reader may change, their ranges, and the effect of a dragged mark."""
 
 import random
-from collections.abc import Mapping
-from functools import cached_property, partial
+from functools import cached_property
 
 from planes.drafting.steps import LayOff, Put, Similar, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.steps.tracks import CutTrack
-from planes.drafting.tools import Thing
 from planes.geometry.listed import ListArithmetic, Listed
 from planes.lesson.dimensions import FreeNumbers
 from planes.lesson.formulas import in_both, spoken, unit
-from planes.plans import Plans
-from planes.words.frozen import frozen
+from planes.words import Written
 from planes.words.names import aimed, label_of, mu_of, parts_of, plan_of
 from planes.words.records import Json
 
@@ -23,49 +20,40 @@ TURNED = 30.0  # degrees: range of an angle about zero
 SHAKEN = 0.07  # relative: trial change of a number, to find terms that are always zero
 
 
-@frozen
-class Knobs:
-    """The given numbers that a reader may change, and the effect of dragging a mark."""
-
-    plans: Plans
-    given: Mapping[str, Thing]
-
-    @cached_property
-    def free(self) -> FreeNumbers:
-        """The numbers there are."""
-        return FreeNumbers(self.plans, self.given)
+class Knobs(FreeNumbers):
+    """The free numbers that a reader may change, and the effect of dragging a mark."""
 
     @cached_property
     def all(self) -> list[Json]:
         """Each with its name, its unit and its value in the scene; ``tied`` are those that change with it in
         proportion; one that ``stays`` is never drawn anew at random: guides, and points of a straight line."""
-        used, knobs = {*self.plans.program.givens, *self.free.own}, []
-        for name, value in self.free.home.items():
+        used, knobs = {*self.plans.program.givens, *self.own}, list[Json]()
+        for name, value in self.home.items():
             given, _, axis = name.partition(".")
             plan = next((p for p in self.plans.drawn if mu_of(p) == given), None)
             name_in_scene = "" if plan else self.told(given, axis)
             if given in used and (name_in_scene or plan not in (None, *CARRIED[1:])):
-                kind: Json = (
-                    {"plan": plan} if plan else {"name": name_in_scene, "unit": in_both(partial(unit, name_in_scene))}
-                )
-                kind |= {"unit": in_both(lambda _: "°")} if aimed(given) else {}
-                kind |= (
-                    {"when": spoken(STROKES[given[0]])} if given[0] in STROKES and given not in self.plans.means else {}
-                )
-                kind |= {"stays": True} if given in self.free.turned.values() or (not value and aimed(given)) else {}
-                knobs.append({"given": name, "at": value, "tied": self.tied(given), **kind})
-        return [{**k, **self.around(k, knobs)} for k in knobs if k["at"] or self.around(k, knobs)]
+                knob: Json = {"given": name, "at": value, "tied": self.tied(given)}
+                written = Written("°") if aimed(given) else unit(name_in_scene)
+                knob |= {"plan": plan} if plan else {"name": name_in_scene, "unit": in_both(written.told)}
+                if given[0] in STROKES and given not in self.plans.means:
+                    knob["when"] = spoken(STROKES[given[0]])
+                if given in self.turned.values() or (not value and aimed(given)):
+                    knob["stays"] = True
+                knobs.append(knob)
+        return [{**k, **more} for k in knobs if (more := self.around(k, knobs)) or k["at"]]
 
     def around(self, knob: Json, knobs: list[Json]) -> dict[str, float]:
         """The range of a number that is zero: the largest of its kind, for an angular acceleration the square of the
         speed; zero where there is none."""
-        letter = parts_of(str(knob["name"]))[0] if "name" in knob else ""
-        if aimed(str(knob["given"])) and not knob["at"]:
+        if knob["at"]:
+            return {}
+        if aimed(knob["given"]):
             return {"reach": TURNED}
-        rates = {"epsilon": "omega", "a": "v"}
+        letter, rates = parts_of(knob["name"])[0], {"epsilon": "omega", "a": "v"}
         like = ("x", "y", "l") if letter in ("x", "y") else (rates.get(letter, letter),)
-        sizes = [abs(k["at"]) for k in knobs if "name" in k and parts_of(k["name"])[0] in like and k["at"]]
-        return {"reach": max(sizes) ** (2 if letter in rates else 1)} if sizes and not knob["at"] else {}
+        size = max((abs(k["at"]) for k in knobs if parts_of(k.get("name", ""))[0] in like), default=0.0)
+        return {"reach": size ** (2 if letter in rates else 1)} if size else {}
 
     def tied(self, given: str) -> list[str]:
         """The scales that change with a scale: those of the plans that carry segments from each other."""
@@ -75,14 +63,14 @@ class Knobs:
     def shaken(self, count: int, leaning: bool = False) -> dict[str, Listed]:
         """Given numbers with many others near them: a list for each, every second one unchanged, since a structure of
         many links may not assemble with others. Guides keep their directions, unless they are ``leaning``."""
-        draw, flat = random.Random(1), {n: Listed([v] * count) for n, v in self.free.home.items()}
+        draw, flat = random.Random(1), {n: Listed([v] * count) for n, v in self.home.items()}
         for knob in self.all:
             most = SHAKEN * (leaning or "stays" not in knob)
             times = Listed(1 + most * draw.uniform(-1, 1) * (k % 2) for k in range(count))
             flat[knob["given"]] = flat[knob["given"]] + (times - 1) * knob.get("reach", 0.0)
             for name in (knob["given"], *knob["tied"]):
                 flat[name] = flat[name] * times
-        given = self.free.given_by(flat, ListArithmetic())
+        given = self.given_by(flat, ListArithmetic())
         return {n: z for n, z in given.items() if isinstance(z, Listed) and max(abs(z)) > min(abs(z))}
 
     def told(self, given: str, axis: str) -> str:
@@ -94,7 +82,7 @@ class Knobs:
         if means and means.quantity == "place":
             return self.placed(given, axis)
         plain = letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") and "°" not in given
-        own = plain or given in self.free.own
+        own = plain or given in self.own
         return aimed(given) or given * own
 
     def placed(self, given: str, axis: str) -> str:
@@ -108,15 +96,15 @@ class Knobs:
 
     def drags(self) -> dict[str, list[str]]:
         """For each mark of the scheme the numbers that fix it."""
-        free, drive = self.free.home, self.plans.drive_given
+        free, drive = self.home, self.plans.drive_given
         placed_by = {}
         for step in self.plans.program.steps:
-            names = [n for n in self.placing(step) if free.get(n) or n == drive or (n in free and aimed(n))]
+            names = [n for n in self.drawing(step) if free.get(n) or n == drive or (n in free and aimed(n))]
             if plan_of(step.makes) == "position" and step.kind == "mark" and names:
                 placed_by[step.makes] = names
         return placed_by
 
-    def placing(self, step: Step) -> list[str]:
+    def drawing(self, step: Step) -> list[str]:
         """The numbers by which a step places its mark."""
         drive = self.plans.drive_given
         match step:
@@ -125,20 +113,20 @@ class Knobs:
             case LayOff():
                 turned = getattr(self.plans.program.makers.get(step.along), "of", "")
                 driven = turned == f"x_{self.plans.drive.link}" or step.length == drive
-                return [step.length, *self.own(step.makes)[1:], *[drive] * driven]
+                return [step.length, *self.fixing(step.makes)[1:], *[drive] * driven]
             case CrossArc():
                 return [step.radius]
             case CrossArcs():
                 return [step.radius, step.other_radius]
             case Similar():
-                return self.own(step.makes)
+                return self.fixing(step.makes)
             case CutTrack():
                 held = [hold.reach for hold in step.holds if hold.local == step.local and hold.kind == "arc"]
                 basic = [x for x in self.plans.mechanism.links if step.local == f"at_{label_of(step.makes)}_{x}"]
-                return [*held, *self.own(step.makes, *basic), drive]
+                return [*held, *self.fixing(step.makes, *basic), drive]
         return []
 
-    def own(self, mark: str, *links: str) -> list[str]:
+    def fixing(self, mark: str, *links: str) -> list[str]:
         """The numbers that fix a point on its link, one of some ``links``."""
-        names_of_links = (self.free.placing(x, label_of(mark)) for x in links or self.plans.mechanism.links)
+        names_of_links = (self.placing(x, label_of(mark)) for x in links or self.plans.mechanism.links)
         return next(filter(None, names_of_links), [])

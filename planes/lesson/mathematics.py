@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable
 
-from planes.lesson.formulas import fill, slot
+from planes.lesson.formulas import fill, slot, unit
 from planes.lesson.rows import Row, remark
 from planes.words import say
 from planes.words.naming import Naming
@@ -25,10 +25,8 @@ class Typesetter:
         lang, name = self.naming.lang, f"⟨{row.name}⟩"
         if not row.numbers:
             return self.pieces(f"{name} = 0")
-        sides = f"{row.letters} = {row.numbers}"
-        if row.kind == "measured":
-            sides = f"{row.letters} {say('mm', lang)} {row.numbers}"
-        shown = list(self.pieces(f"{row.head or name} = {sides}"))
+        between = say("mm", lang) if row.kind == "measured" else "="
+        shown = list(self.pieces(f"{row.head or name} = {row.letters} {between} {row.numbers}"))
         if row.arm:
             arm = self.pieces(f"⟨{row.arm}⟩ = {slot(row.arm, 'a')}")
             shown.append(rf"\ ({''.join(arm)}\ {upright(say('m', lang))})")
@@ -36,7 +34,8 @@ class Typesetter:
             words = remark(row.kind, lang)
             shown.append(rf";\ \ {upright(f'{words} ') if words else ''}{self.term(name)}")
         value = f"={self.term(self.filled(row.value))}"
-        shown.append(rf"{value}\ {upright(row.unit(lang))}" if row.unit(lang) else value)
+        unit_words = unit(row.name, row.unit_key).told(lang)
+        shown.append(rf"{value}\ {upright(unit_words)}" if unit_words else value)
         if row.turns:
             shown.append(rf"\ \ ({upright(self.filled(slot(row.name, 's')))})")
         return tuple(shown)

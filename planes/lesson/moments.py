@@ -9,9 +9,10 @@ from planes.drafting.equations import Moments
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.geometry.listed import Listed, each, greater
 from planes.lesson.formulas import by_sense, slot
+from planes.lesson.free_bodies import links_told
 from planes.lesson.rows import Row
 from planes.lesson.steps import Names
-from planes.words import Lang, say
+from planes.words import Phrase
 from planes.words.names import lettered, parts_of
 
 NOISE = 1e-9  # of the largest term: below this it is zero
@@ -23,8 +24,9 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     dropped = nothing(step, cycle)
     terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)
     without = [f"⟨{name}⟩" for name, arm in m.terms if m.links != ("lever",) and passes(arm, cycle)]
-    through = lambda lang: say("lesson_through", lang, forces=", ".join(without)) if without else ""  # noqa: E731
-    names: Names = {"about": lettered(m.about), "links": lambda lang: _links(m, lang), "through": through}
+    through = Phrase("lesson_through", forces=", ".join(without)) if without else ""
+    links = Phrase("lesson_lever_of") if m.links == ("lever",) else links_told(m.links, ", ")
+    names = {"about": lettered(m.about), "links": links, "through": through}
     if len(dropped) == len(step.terms):
         force = step.means.of if step.means else m.unknown
         return "moments_none" if step.means else "moments_zero", {**names, "force": force}, (force,)
@@ -33,19 +35,15 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
 
     def size(name: str) -> str:
-        written_size = f"⟨{forces.get(name, name)}⟩"
-        return (
-            f"∣{written_size}∣"
-            if parts_of(name)[0] not in ARMS and any(x < 0 for x in many(cycle[name]))
-            else written_size
-        )
+        bar = "∣" if parts_of(name)[0] not in ARMS and any(x < 0 for x in many(cycle[name])) else ""
+        return f"{bar}⟨{forces.get(name, name)}⟩{bar}"
 
     reaction = m.unknown if over and over == m.arm else ""  # along the force; a couple counter-clockwise
     letters, numbers = by_sense(step, size, over, m.arm, dropped, reaction)
     head = f"⟨{m.unknown}⟩ · ⟨{over}⟩" if over else ""
-    found_here = over if over in {s.makes for s in cycle.program.steps} else ""  # an arm that exists in every position
+    found_here = over if over in cycle.program.made else ""  # an arm that exists in every position
     row = Row(m.unknown, letters, numbers, slot(m.unknown, "a" if reaction else "v"), "moments", head, found_here)
-    return "moments", {**names, "row": (row,)}, (*terms, m.unknown) if m.arm else terms
+    return "moments", {**names, "rows": (row,)}, (*terms, m.unknown) if m.arm else terms
 
 
 def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
@@ -69,9 +67,3 @@ def many(thing: Any) -> Listed:
 def _size(term: Product, cycle: Drawing) -> Any:
     """The magnitude of a term, before its division."""
     return abs(math.prod((cycle[name] ** power for name, power in term.factors if power > 0), start=term.coefficient))
-
-
-def _links(m: Moments, lang: Lang) -> str:
-    if m.links == ("lever",):
-        return say("lesson_lever_of", lang)
-    return say("lesson_link" if len(m.links) == 1 else "lesson_links", lang, links=", ".join(m.links))

@@ -18,7 +18,7 @@ from planes.lesson.standing import still_said
 from planes.lesson.transfers import TransferFunctions
 from planes.plans.apart import links_apart
 from planes.plans.assur.alignment import aligned
-from planes.plans.measuring import counted, lettering, say_plan
+from planes.plans.measuring import counted, lettering
 from planes.plans.quantities import Measured
 from planes.plans.statements.of_scene import found_of
 from planes.scene import Scene
@@ -31,6 +31,7 @@ from planes.solving.structure_text import alignment_report, group_counted, ways_
 from planes.solving.tables import difference
 from planes.words import Lang, capital, decimal, say, text_in
 from planes.words.errors import PlanesError
+from planes.words.lettering import plan_phrase
 from planes.words.names import kind_of, links_of
 from planes.words.naming import Naming
 from planes.words.units import number
@@ -86,6 +87,10 @@ class Note:
         caption = self.say("note_figure", number=self.figures, title=title) if title else ""
         return Figure(DrawnViews(self.scene, self.position, ((key,),)), caption)
 
+    def drawn(self, plan: str) -> Figure:
+        """The figure of a plan, or of the scheme."""
+        return self.figure("scheme" if plan == "position" else plan, self.caption(plan))
+
     def opening(self) -> Iterator[Block]:
         """Title, task and given numbers."""
         plans, drive = self.position.plans, self.position.plans.drive
@@ -97,7 +102,7 @@ class Note:
         asked = tuple(f"⟨{name}⟩" for name in self.sought())
         named = {"title": title or Path(self.scene.file).stem, "drive": where, "names": asked}
         yield Paragraph(self.say(f"{self.task}_find" if asked else "note_task", **named))
-        head = (self.say("quantity"), self.say("value"), self.say("note_unit"))
+        head = tuple(map(self.say, ("quantity", "value", "note_unit")))
         given = GivenTable(self.position, self.naming, self.scene.used)
         yield from self.table(self.given_table, head, [*given.rows(), *given.laws()])
         yield from map(Paragraph, conditions(plans, self.lang))
@@ -165,7 +170,7 @@ class Note:
             if plan == "lever":
                 yield from self.compared()
                 continue
-            yield self.figure("scheme" if plan == "position" else plan, self.caption(plan))
+            yield self.drawn(plan)
             for one in links_apart(self.position.plans, plan):
                 if one.polygon and one.marks(self.position.plans, self.position.drawing):
                     yield self.figure(one.plan, self.caption(one.plan, plan))
@@ -182,7 +187,7 @@ class Note:
         if plan == "lever":
             yield self.figure("lever", self.say("lever") + mu)
         if kind_of(plan) == "force":
-            if plan == next(p for p in plans.drawn if kind_of(p) == "force"):
+            if plan == plans.forces[0]:
                 yield self.figure("loaded", self.say("loaded") + mu)
             links = links_of(plan)
             key = "group" if len(links) > 1 else "driver" if links == (plans.structure.driver,) else "link"
@@ -211,7 +216,7 @@ class Note:
         mu = self.mu(group or plan)
         if plan == "position":
             return self.say("note_scheme", mu=mu)
-        return self.say("note_plan", plan=say_plan(plan, self.lang), mu=mu)
+        return self.say("note_plan", plan=plan_phrase(plan), mu=mu)
 
     def prose(self, frame: Frame, index: int) -> Iterator[Block]:
         """A frame in words, its lines of reckoning set apart."""
@@ -244,9 +249,9 @@ class Note:
         plans, drawing = self.position.plans, self.position.drawing
         balancing, check = float(drawing[plans.balancing]), float(drawing[plans.zhukovsky])
         percent = 100 * difference(balancing, check)
-        names = {"found": number(balancing, self.lang), "check": number(check, self.lang)}
         shown = number(percent if percent > 1e-6 else 0.0, self.lang, 2)
-        yield Paragraph(self.say("note_difference", **names, unit=unit(plans.balancing, self.lang), percent=shown))
+        own, other = number(balancing, self.lang), number(check, self.lang)
+        yield Paragraph(self.say("note_difference", found=own, check=other, unit=unit(plans.balancing), percent=shown))
 
     def results(self) -> Iterator[Block]:
         """Tables of the results, and warnings about them."""
@@ -254,19 +259,19 @@ class Note:
         if self.scene.find is None and not p.plans.forces:
             yield Paragraph(self.say("note_no_forces"))
         yield Heading(self.say("note_results"))
-        v, a, w, e = (unit(x, self.lang) for x in ("v", "a", "omega", "epsilon"))
-        head: tuple[str, ...] = (self.say("note_point"), f"v, {v}", angle, f"a, {a}", angle)
+        v, a, w, e = (unit(x).told(self.lang) for x in ("v", "a", "omega", "epsilon"))
+        head = (self.say("note_point"), f"v, {v}", angle, f"a, {a}", angle)
         rows = [(f"⟨{n}⟩", *self.vector(x.get("v")), *self.vector(x.get("a"))) for n, x in p.rows("points").items()]
         yield from self.table("note_points_table", head, rows)
-        head = (self.say("note_link"), f"ω, {w}", f"ε, {e}")
-        shown = [(k, *(self.number(x.get(i)) for i in ("omega", "epsilon"))) for k, x in p.rows("links").items()]
-        yield from self.table("note_links_table", head, [row for row in shown if row[0] != FRAME])
+        shown = [(k, self.number(x.get("omega")), self.number(x.get("epsilon"))) for k, x in p.rows("links").items()]
+        head_of_links = (self.say("note_link"), f"ω, {w}", f"ε, {e}")
+        yield from self.table("note_links_table", head_of_links, [row for row in shown if row[0] != FRAME])
         told_of = own_rows(p, (self.scene.equations, self.scene.file), self.lang)
         yield from self.table("own_equations", (self.say("own_equations"), ""), told_of)
         yield from self.reactions()
         for f in p.found:
             if f.quantity.group.startswith("balancing"):
-                size = f"⟨{f.quantity.name}⟩ = {self.number(f)} {self.say(f.quantity.columns[0].unit)}"
+                size = f"⟨{f.quantity.name}⟩ = {self.number(f)} {self.say(f.unit)}"
                 yield Paragraph(f"{self.say(f.quantity.group)}: {size}.")
         yield from self.warned()
 
@@ -274,7 +279,7 @@ class Note:
         """The table of reactions, unless all are zero."""
         forces = list(self.position.of("reactions").items())
         if any(max(abs(f.vector.real), abs(f.vector.imag)) > NOISE for _, f in forces):
-            head = (self.say("reaction"), f"|F|, {unit('F', self.lang)}", self.say("note_angle"))
+            head = (self.say("reaction"), f"|F|, {unit('F').told(self.lang)}", self.say("note_angle"))
             shown = [(f"⟨{k}⟩", *self.vector(f)) for k, f in forces]
             yield from self.table("note_reactions_table", head, shown)
         for name, f in self.position.of("bearings").items():
@@ -282,10 +287,10 @@ class Note:
 
     def warned(self) -> Iterator[Block]:
         """Warnings about the results."""
-        for warning in self.position.results["warnings"]:
+        names = ", ".join(f"⟨{name}⟩" for name in unsure(self.position))
+        by_hand = [self.say("unsure_by_hand", names=names)] if names else []
+        for warning in (*self.position.results["warnings"], *by_hand):
             yield Paragraph(self.say("note_warning", text=warning.rstrip(".")))
-        if names := ", ".join(f"⟨{name}⟩" for name in unsure(self.position)):
-            yield Paragraph(self.say("note_warning", text=self.say("unsure_by_hand", names=names).rstrip(".")))
 
     def vector(self, measured: Measured | None) -> tuple[str, str]:
         """Magnitude and direction."""

@@ -8,8 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from hashlib import sha256
 
-from planes.check.grading.plan_steps import PlanSteps
-from planes.check.grading.prepared_plan import catalogue, known_plans
+from planes.check.grading.prepared_plan import known_plans
 from planes.check.grading.variants import Variant
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import Image, LayOff, Similar, Turn
@@ -20,18 +19,15 @@ from planes.geometry.arrays import Floats
 from planes.lesson.choices import CHOICES, Choices
 from planes.lesson.formulas import in_both, spoken
 from planes.lesson.frame import CENTRES, Frame
-from planes.lesson.live import Live
 from planes.lesson.reckoning import plain
 from planes.lesson.scheme import arms
-from planes.plans import Plans
 from planes.words import Phrase, table
 from planes.words.frozen import frozen
-from planes.words.names import at, letter_of, mu_of, plan_of
+from planes.words.names import letter_of, mu_of
 from planes.words.records import Json
 
 Progress = Callable[[int, int], None]
 SHORT_MM = 2.0  # shorter vectors are not asked for
-APART_MM = 0.3  # a wrong place closer than this to the right one is no mistake
 NOTHING = 1e-7  # a smaller value is zero
 PARTS = [
     "mark",
@@ -65,21 +61,16 @@ JUDGING: Json = {
 """How answers are judged, in a page and where a code is read again: the tolerance of a mark, of its plan's size, but at
 least that of a hand; of a number; of a ruler reading, which also sets the smallest plan. Then the range of fresh
 numbers, and the attempts to draw them."""
-CONSTRUCTED = LayOff | Cross | CrossArc | CrossArcs | Choose | Similar | Image
+CONSTRUCTED = Cross | CrossArc | CrossArcs | Choose | Similar | Image
 
 
 @frozen
-class Practice:
-    """The items of one lesson; ``value`` reads a number by the name in its slot."""
+class Practice(Choices):
+    """The items of one lesson; ``values`` are its numbers by the names in slots."""
 
-    plans: Plans
     given: Mapping[str, Thing]
-    drawing: Drawing
-    frames: Sequence[Frame]
-    equations: Sequence[Json]
     values: Mapping[str, float]
     spans: Mapping[str, tuple[str, str, str]]
-    choices: Choices
 
     def items(self) -> list[Json]:
         """The questions, in the order of the lesson: choices (:class:`Choices`), the known data of an equation's
@@ -88,15 +79,18 @@ class Practice:
         for k, f in enumerate(self.frames):
             for kind, name in self.of_frame(f):
                 question = kind, plain(str(name))
-                if question not in asked:
-                    asked.add(question)
-                    more = self.choices.of(kind, name, k) if kind in CHOICES else {}
-                    if more is not None:
-                        items.append({"frame": k, "kind": kind, "what": name, **more})
-                    if kind == "number":
-                        items[-1]["mu"] = self.read_at(str(name))
-                        items[-1] |= {"signed": True} if letter_of(str(name)) in MOMENTS else {}
+                if question in asked:
+                    continue
+                asked.add(question)
+                more = self.offered(kind, name, k) if kind in CHOICES else self.number(str(name), kind)
+                if more is not None:
+                    items.append({"frame": k, "kind": kind, "what": name, **more})
         return items
+
+    def number(self, name: str, kind: str) -> Json:
+        """The scale at which the number of a question is measured, and whether its sign is asked too."""
+        own: Json = {"mu": self.read_at(name)} if kind == "number" else {}
+        return own | {"signed": True} if own and letter_of(name) in MOMENTS else own
 
     def of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
         """The kinds and names of the questions that a frame allows."""
@@ -107,7 +101,7 @@ class Practice:
             yield "reason", f.plan
         if f.equation is not None and f.plan == "velocity":
             yield "first", f.equation
-        if f.equation is not None and plan_of(at(f.plan, "p")) != "position" and goal(self.equations[f.equation]):
+        if f.equation is not None and f.plan != "position" and goal(self.equations[f.equation]):
             yield "known", f.equation
         mark = f.makes[0] if f.makes and f.key != "fixed" and self.drawn(f.makes[0]) else ""
         if f.turns and abs(self.values.get(f.turns["rate"], 0.0)) > NOTHING:
@@ -118,7 +112,7 @@ class Practice:
                 yield "number", name
         if f.moments is not None and (sense := f"{SENSE}{self.plans.moments[f.moments].unknown}") in self.turning:
             yield "sense", sense
-        if mark and f.plan in self.scaled:
+        if mark and f.plan in known_plans(self.plans) and mu_of(f.plan) in self.given:
             yield "mu", f.plan
         if mark:
             yield "mark", mark
@@ -138,17 +132,12 @@ class Practice:
                     senses[f"{SENSE}{f['name']}"] = (lever.conjugate() * drawn[f["along"]]).imag * drawn[f["size"]]
         return senses
 
-    @property
-    def scaled(self) -> set[str]:
-        """The plans with an independent scale."""
-        return {p for p in known_plans(self.plans) if mu_of(p) in self.given}
-
     def drawn(self, mark: str) -> bool:
         """Whether a reader can draw a mark."""
         step = self.plans.program.makers[mark]
-        if not isinstance(step, CONSTRUCTED):
-            return False
-        return not isinstance(step, LayOff) or abs(self.drawing[mark] - self.drawing[step.start]) >= SHORT_MM
+        if isinstance(step, LayOff):
+            return bool(abs(self.drawing[mark] - self.drawing[step.start]) >= SHORT_MM)
+        return isinstance(step, CONSTRUCTED)
 
     def read_at(self, name: str) -> str:
         """The scale of the plan that a number is measured on, "" for a computed one."""
@@ -166,38 +155,18 @@ class Practice:
         """Directions of the drawing for a set square, each with the line that names it."""
         lines_of_directions: dict[str, str] = {}
         for step in self.plans.program.steps:
-            for name in (getattr(step, "along", None), getattr(step, "across", None)):
-                own = name and self.base(name)
-                means = self.plans.means.get(own or "")
-                if own and own in self.drawing and means and own not in lines_of_directions:
-                    line = means.line or means.action
-                    if line and line not in lines_of_directions.values():
-                        lines_of_directions[own] = line
+            for name in (getattr(step, "along", ""), getattr(step, "across", "")):
+                own = self.base(name or "")
+                means = self.plans.means.get(own)
+                line = means and own in self.drawing and (means.line or means.action)
+                if line and own not in lines_of_directions and line not in lines_of_directions.values():
+                    lines_of_directions[own] = line
         return lines_of_directions
 
     def base(self, direction: str) -> str:
         """The direction to which a perpendicular was drawn, or the direction itself."""
         step = self.plans.program.makers.get(direction)
         return step.of if isinstance(step, Turn) and step.quarter and not step.angle else direction
-
-    def slips(self, live: Live, progress: Progress | None = None) -> tuple[list[Json], Env]:
-        """Every mistake at every mark asked for, and the place on the lesson's tape where it puts the mark."""
-        slips = list[tuple[Json, Thing]]()
-        asked = {item["what"] for item in self.items() if item["kind"] == "mark"}
-        for k, plan in enumerate(plans := known_plans(self.plans)):
-            if progress:
-                progress(k + 1, len(plans))
-            own = {s.makes for s in self.plans.program.steps if plan_of(s.makes) == plan}
-            tool = live.another({m: live.drawing[m] for m in own})
-            ways = PlanSteps(self.plans, self.plans.program.sliced([*own]), plan)
-            for variant in catalogue(ways, {}, complex(self.given[mu_of(plan)]).real):
-                mark = at(plan, variant.blames)
-                made = variant.drawn(ways.program, live.drawing.things, tool, own) if mark in asked else {}
-                if mark in made:
-                    slips.append((self.slip(variant, mark), made[mark]))
-        apart = live.apart([(thing, live.drawing[slip["at"]]) for slip, thing in slips])
-        visible = [one for one, off in zip(slips, apart, strict=True) if off > APART_MM]
-        return [slip for slip, _ in visible], {str(k): thing for k, (_, thing) in enumerate(visible)}
 
     def slip(self, variant: Variant, mark: str) -> Json:
         """A mistake at a mark, with the names in the order of its sentence."""

@@ -19,7 +19,6 @@ from planes.solving.document import Block, Chart, Figure, Heading, Paragraph, Pl
 from planes.words import decimals, table
 from planes.words.frozen import replace
 from planes.words.lettering import flat
-from planes.words.names import kind_of
 
 ASKED: Mapping[str, str] = {
     "structure": "link pair chain apart mobility surplus synthesis groups classes",
@@ -51,20 +50,18 @@ class Questions(Note):
         """All questions, in three chapters, numbered throughout."""
         numbers, cover = count(1), self.cover(self.scene.title.get(self.lang, ""))
         blocks: list[Block] = [replace(cover, kind=self.say("questions"))]
-        loaded = self.m.loads or any(x.mass or x.inertia for x in self.m.links.values())
         for chapter, keys in ASKED.items():
             blocks.append(Heading(self.say(f"questions_{chapter}")))
             for key in keys.split():
                 blocks.append(Heading(f"{next(numbers)}. {self.say(f'question_{key}')}", 2))
                 blocks += self.told(f"reply_{key}")
-                blocks += self.here(key) if loaded or chapter != "forces" else self.told("reply_no_forces")
+                blocks += self.here(key) if self.m.loaded or chapter != "forces" else self.told("reply_no_forces")
         return blocks
 
     def here(self, key: str) -> list[Block]:
         """What this mechanism gives for an answer; where that is nothing, why the question does not arise."""
         shown = [*self.told(f"reply_{key}_here"), *self.in_frames(*FRAMES.get(key, ("", "-")))]
-        plans = [plan for plan in self.position.plans.drawn if plan in FIGURES.get(key, ())]
-        shown += (self.figure("scheme" if plan == "position" else plan, self.caption(plan)) for plan in plans)
+        shown += (self.drawn(plan) for plan in FIGURES.get(key, ()) if plan in self.position.plans.drawn)
         return [*shown, *getattr(self, f"of_{key}", tuple)()] or [*self.told(f"reply_{key}_none")]
 
     def told(self, key: str, **more: object) -> Iterator[Block]:
@@ -171,11 +168,11 @@ class Questions(Note):
         yield self.figure("loaded", self.say("loaded"))
 
     def of_stages(self) -> Iterator[Block]:
-        for plan in (plan for plan in self.position.plans.drawn if kind_of(plan) == "force"):
+        for plan in self.position.plans.forces:
             for f in self.frames:
                 if f.plan == plan and f.key in ("free_body", "equation"):
                     yield from self.prose(f, 0)
-            yield self.figure(plan, self.caption(plan))
+            yield self.drawn(plan)
 
     def of_reactions(self) -> Iterator[Block]:
         rubbing = ", ".join((*self.m.friction, *self.m.journals))

@@ -1,23 +1,24 @@
 """No number is used before it is found: the missing values of a sentence, and how they are found."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Mapping
 
 from planes.drafting.program import Program
 from planes.drafting.steps import Step
-from planes.drafting.steps.reckoning import Calculate, Drop, Measure
+from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
 from planes.drafting.steps.settling import Fed, Settle
 from planes.lesson.formulas import by_sense, slot
 from planes.lesson.frame import Frame
 from planes.lesson.rows import Row, reckoned
 from planes.plans import Plans
 from planes.plans.force.loads import load_names
+from planes.words.units import Convention
 
 
 class Reckoning:
-    """Records which values have been shown; ``divided`` says how a length on paper becomes a value at a scale."""
+    """Records which values have been shown."""
 
-    def __init__(self, plans: Plans, made: Mapping[str, Step], divided: Callable[[str], str]) -> None:
-        self.plans, self.made, self.divided = plans, made, divided
+    def __init__(self, plans: Plans, made: Mapping[str, Step], convention: Convention) -> None:
+        self.plans, self.made, self.convention = plans, made, convention
         self.told = {*plans.given, *load_names(plans.mechanism), *(m.unknown for m in plans.moments)}
 
     def tell(self, frame: Frame) -> None:
@@ -38,8 +39,8 @@ class Reckoning:
             return
         self.told.add(plain(name))
         if isinstance(step, Calculate):
-            for factor in factors(step):
-                self._find(factor, steps)
+            for name_of_factor, _ in (f for term in step.terms for f in term.factors):
+                self._find(name_of_factor, steps)
         steps[name] = step
 
     def reading(self, step: Step) -> Row:
@@ -54,7 +55,8 @@ class Reckoning:
 
     def measured(self, name: str, read: str, mu: str, value: str) -> Row:
         """A length on paper and the quantity it represents."""
-        return Row(name, slot(read, "mm", mu), self.divided(mu), value, "measured")
+        divided = f"/ {slot(mu, 'k')}" if self.convention == "mm_per_unit" else f"· {slot(mu, 'i')}"
+        return Row(name, slot(read, "mm", mu), divided, value, "measured")
 
     def reduced(self, step: Calculate) -> Row:
         """The combined arm of a force and of another force that depends on it, by sense: it has no sign."""
@@ -72,16 +74,18 @@ class Reckoning:
         return Row(step.makes, letters, numbers, slot(step.makes), kind, f"∣⟨{step.makes}⟩∣")
 
 
-def factors(step: Calculate) -> Iterator[str]:
-    """The factors of the values in a sum of products."""
-    return (name for term in step.terms for name, _ in term.factors)
+def quotients(program: Program) -> dict[str, tuple[str, str]]:
+    """Values of a program that are another one divided by a length: both by name."""
+    parts = ((s.makes, quotient(s)) for s in program.steps if isinstance(s, Calculate))
+    return {name: both for name, both in parts if both}
 
 
-def products(program: Program, power: int) -> dict[str, tuple[str, str]]:
-    """Values of a program that are another one times (1), or divided by (-1), a length: both by name."""
-    plain = (s for s in program.steps if isinstance(s, Calculate) and len(s.terms) == 1)
-    factors = ((s.makes, s.terms[0].factors) for s in plain)
-    return {name: (f[0][0], f[1][0]) for name, f in factors if [p for _, p in f] == [1, power]}
+def quotient(step: Calculate) -> tuple[str, str] | None:
+    """The value and the length, if a step divides one by the other."""
+    match step.terms:
+        case [Product(factors=((value, 1), (length, -1)))]:
+            return value, length
+    return None
 
 
 def plain(name: str) -> str:

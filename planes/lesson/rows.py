@@ -32,20 +32,16 @@ class Row:
     unit_key: str = ""
     turns: bool = False
 
-    def unit(self, lang: Lang) -> str:
-        """Its unit, as written in the language."""
-        return say(self.unit_said, lang) if self.unit_said else ""
-
     def text(self, lang: Lang) -> str:
         """The line in words."""
         if not self.numbers:
             return f"⟨{self.name}⟩ = 0"
-        parts = {k: getattr(self, k) for k in ("name", "letters", "numbers", "value")}
-        parts |= {"head": self.head or f"⟨{self.name}⟩", "unit": self.unit(lang), "remark": remark(self.kind, lang)}
-        arm = f" (⟨{self.arm}⟩ = {slot(self.arm, 'a')} {unit(self.arm, lang)})" if self.arm else ""
-        lead = f"; ⟨{self.name}⟩" if "·" in parts["head"] else ""
+        parts: dict[str, object] = {"unit": unit(self.name, self.unit_key), "remark": remark(self.kind, lang)}
+        parts["head"] = self.head or f"⟨{self.name}⟩"
+        parts["arm"] = f" (⟨{self.arm}⟩ = {slot(self.arm, 'a')} {unit(self.arm).told(lang)})" if self.arm else ""
+        parts["found"] = f"; ⟨{self.name}⟩" if "·" in self.head else ""
         sense = f" ({slot(self.name, 's')})" if self.turns else ""
-        return say(f"lesson_row_{self.kind or 'formula'}", lang, **parts, arm=arm, found=lead) + sense
+        return say(f"lesson_row_{self.kind or 'formula'}", lang, **{**vars(self), **parts}) + sense
 
     @property
     def unit_said(self) -> str:
@@ -79,9 +75,8 @@ def templates(rows: Iterable[Row]) -> Json:
     """The templates for a page: the sentence of every kind with its placeholders, and the units."""
     units = dict.fromkeys(["m", *(row.unit_said for row in rows if row.unit_said)])
     sentences = in_both(partial(under, "lesson_row_"))
-
-    def template(kind: str, lang: Lang) -> str:
-        return sentences[lang][kind].replace("{remark}", remark(kind, lang))
-
-    words = {kind: {lang: template(kind, lang) for lang in LANGS} for kind in sentences["en"]}
+    words = {
+        kind: {lang: sentences[lang][kind].replace("{remark}", remark(kind, lang)) for lang in LANGS}
+        for kind in sentences["en"]
+    }
     return {"words": words, "units": {key: spoken(key) for key in units}}

@@ -5,7 +5,7 @@ from itertools import chain, permutations
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Moments
-from planes.drafting.steps import LayOff, Step
+from planes.drafting.steps import LayOff
 from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.geometry.arrays import Points
 from planes.plans import Plans
@@ -18,7 +18,7 @@ from planes.words.records import Json
 def scheme(plans: Plans, drawing: Drawing) -> Json:
     """Links by their points, guides by a mark and a direction, and the signs on them."""
     m = plans.mechanism
-    links, guides = [], []
+    links = []
     for x in m.links.values():
         guide, owner = m.round_guide(x) or (None, "")
         links.append(
@@ -29,14 +29,10 @@ def scheme(plans: Plans, drawing: Drawing) -> Json:
                 "slides": x.slides.guide if x.slides else None,
             }
         )
-    for link in (m.frame, *m.links.values()):
-        for g in link.guides.values():
-            mark = at("position", g.through_point or f"°{g.name}")
-            if mark in drawing:
-                guides.append({"name": g.name, "link": link.name, "mark": mark})
+    marks = {name: at("position", x.guides[name].through_point or f"°{name}") for name, x in m.owners.items()}
     return {
         "links": links,
-        "guides": guides,
+        "guides": [{"name": n, "link": m.owner(n), "mark": mark} for n, mark in marks.items() if mark in drawing],
         "signs": [*_supports(plans), *_sliders(m), *_hinges(plans)],
         "pivots": [at("position", p) for p in pivots(m)],
         "driver": m.drive.link,
@@ -85,15 +81,9 @@ def _hinges(plans: Plans) -> Iterator[Json]:
 def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
     """The parts of statics beside links: lines, loads at their points, rollers and walls, and the plan with the letters
     of regions, with the members as its lines."""
-    loads = [
-        {"name": f.name, "mark": f.point, "along": f.along, "size": f.size}
-        for forces in plans.acting.forces.values()
-        for f in forces
-        if f.spot
-    ]
     return {
         "strokes": [{"plan": s.plan, "kind": s.kind, "name": s.name, "ends": [s.start, s.end]} for s in figure.strokes],
-        "loads": loads,
+        "loads": [f.shown for f in plans.acting.every if f.spot],
         "members": [name for name, _, _ in figure.members],
         "numbered": sorted(figure.numbered),
     }
@@ -107,59 +97,48 @@ def pivots(m: Mechanism) -> list[str]:
 
 def arms(plans: Plans) -> list[Json]:
     """For each moment equation its forces: the point, the direction and the foot of the arm of each."""
-    steps, equations = plans.program.makers, []
-    for m in plans.moments:
-        plan = "lever" if m.links == ("lever",) else "position"
-        equations.append(
-            {
-                "about": at(plan, m.about),
-                "plan": plan,
-                "links": list(m.links),
-                "forces": [*_forces(m, steps), *_unknown(plans, m, steps)],
-                "couples": list(_couples(plans, m)),
-            }
-        )
-    return equations
+    return [
+        {
+            "about": at(plan, m.about),
+            "plan": plan,
+            "links": list(m.links),
+            "forces": [*_forces(plans, m)],
+            "couples": [*_couples(plans, m)],
+        }
+        for m in plans.moments
+        for plan in ["lever" if m.links == ("lever",) else "position"]
+    ]
 
 
-def _forces(m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
+def _forces(plans: Plans, m: Moments) -> Iterator[Json]:
+    """The forces of an equation with their arms; then the tangential reaction found from it."""
+    steps = plans.program.makers
     equation = steps.get(m.unknown)
     terms = equation.terms if isinstance(equation, Calculate) else ()
     for (name, arm), term in zip(m.terms, terms, strict=False):
         drop = steps.get(arm)
         if isinstance(drop, Drop):
-            yield {
-                "name": name,
-                "mark": drop.point,
-                "along": drop.along,
-                "size": term.factors[0][0],
-                "arm": arm,
-                "foot": foot_of(drop),
-            }
-
-
-def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
-    """The couples of an equation of links, each at the middle of its link."""
-    named = {name for name, arm in m.terms if not arm}
-    for link in m.links:
-        for c in plans.acting.couples.get(link, ()):
-            if c.name in named:
-                yield {"name": c.name, "link": link, "size": c.value, "sign": c.sign}
-
-
-def foot_of(drop: Drop) -> str:
-    """The mark of an arm's foot."""
-    return at(plan_of(drop.point), f"⊥{drop.makes}")
-
-
-def _unknown(plans: Plans, m: Moments, steps: dict[str, Step]) -> Iterator[Json]:
-    """The tangential reaction found from a moment equation."""
+            own = {"name": name, "mark": drop.point, "along": drop.along, "size": term.factors[0][0]}
+            yield {**own, "arm": arm, "foot": foot_of(drop)}
     laid = next((s for s in steps.values() if isinstance(s, LayOff) and s.length == m.unknown), None)
     letter, index, _ = parts_of(m.unknown)
     reaction = plans.reactions.get(f"{letter}_{index}")
     if laid and reaction:
         mark = at("position", reaction.pair.point)
         yield {"name": m.unknown, "mark": mark, "along": laid.along, "size": m.unknown, "foot": None}
+
+
+def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
+    """The couples of an equation of links, each at the middle of its link."""
+    for link in m.links:
+        for c in plans.acting.couples.get(link, ()):
+            if (c.name, "") in m.terms:
+                yield c.shown
+
+
+def foot_of(drop: Drop) -> str:
+    """The mark of an arm's foot."""
+    return at(plan_of(drop.point), f"⊥{drop.makes}")
 
 
 def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:
@@ -174,7 +153,7 @@ def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:
 
 def acting(plans: Plans) -> dict[str, str]:
     """The mark of the scheme at which each force acts; for a slider's reaction its point, whatever its arm."""
-    marks = {f.name: f.point for forces in plans.acting.forces.values() for f in forces}
+    marks = {f.name: f.point for f in plans.acting.every}
     for r in plans.reactions.values():
         point = at("position", r.pair.point or plans.mechanism.links[r.pair.link].first_point)
         marks |= {f"{name}{part}": point for name in r.names for part in ("", "^t", "^n")}
@@ -188,8 +167,7 @@ def related(plans: Plans, under: Mapping[str, str]) -> dict[str, list[str]]:
     names |= {*plans.links, *plans.program.made}
     acted_on = {name: link for r in plans.reactions.values() for name, link in r.names.items()}
     own = {**under, **special_points(plans)}
-    owners = {name: _owner(plans, name, acted_on, own) for name in sorted(names)}
-    return {name: [owner] for name, owner in owners.items() if owner}
+    return {name: [owner] for name in sorted(names) if (owner := _owner(plans, name, acted_on, own))}
 
 
 def special_points(plans: Plans) -> dict[str, str]:

@@ -8,7 +8,7 @@ from planes.lesson.scheme import special_points
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.frozen import replace
-from planes.words.names import POLE, at, lettered, plan_of
+from planes.words.names import POLE, lettered, plan_of
 
 STILL_MM = 1e-4
 """Tolerance of a mark at its pole: a page's drive is known to a millionth of a degree."""
@@ -21,8 +21,8 @@ def standing(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
     }
     special = special_points(plans)
     for s in plans.segments:
-        if s.start == POLE and s.name in {f"{letter}_{name}" for letter in "va" for name in special}:
-            named[at(s.plan, s.end)] = s.name[2:]
+        if s.start == POLE and s.name[:2] in ("v_", "a_") and s.name[2:] in special:
+            named[s.ends[1]] = s.name[2:]
     return [
         replace(f, still=told(f.makes[0], named, special)) if f.makes and f.makes[0] in named else f for f in frames
     ]
@@ -30,7 +30,7 @@ def standing(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
 
 def told(mark: str, named: dict[str, str], special: dict[str, str]) -> dict[str, str]:
     """The sentence, and its names."""
-    plan, point = plan_of(mark) or "", named[mark]
+    plan, point = plan_of(mark), named[mark]
     key = "special" if point in special and plan == "velocity" else plan
     names = {"said": key, "point": point, "mark": lettered(mark), "vector": f"{plan[0]}_{point}"}
     return {**names, "link": special[point]} if key == "special" else names

@@ -2,16 +2,16 @@
 
 import math
 from cmath import phase
+from functools import partial
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps import Image, LayOff, Put, Similar, Step
 from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.lesson.rows import reckoned
-from planes.lesson.steps import Names, Said, StepWords, Words
+from planes.lesson.steps import StepWords, Words
 from planes.plans import Plans
-from planes.plans.structures.figure import FigureLine
-from planes.words import Lang, say, table
+from planes.words import Phrase, Told, Written, table
 from planes.words.names import POLE, at, lettered
 from planes.words.units import number
 
@@ -20,58 +20,51 @@ class StatedWords(StepWords):
     """Finds the words of the steps of one drawing of stated vectors."""
 
     def of(self, step: Step) -> Words:
-        key, reason, names = self.plain(step)
-        said = self.plans.figure.said.get(step.makes) if self.plans.figure else None
-        if said is None:
+        (key, reason, names), figure = self.plain(step), self.plans.figure
+        said = figure.said.get(step.makes) if figure else None
+        if not figure or said is None:
             return key, reason, names
-        strings = (x.name for x in self.strings if x.end == step.makes)
+        strings = (x.name for x in figure.strokes if x.kind == "string" and x.end == step.makes)
         return said if f"lesson_{said}" in table("en") else key, said, {**names, "name": next(strings, "")}
-
-    @property
-    def strings(self) -> tuple[FigureLine, ...]:
-        """The strings of a figure of statics."""
-        return tuple(x for x in self.plans.figure.strokes if x.kind == "string") if self.plans.figure else ()
 
     def plain(self, step: Step) -> Words:
         """The words of a step by its kind alone."""
-        match step:
-            case Put():
-                return "pole", "pole_stated", {}
-            case CrossArc() | CrossArcs():
-                key, _, names = super().of(step)
-                return ("arcs_stated" if key == "arcs" else key), f"{key}_stated", names
-        return super().of(step)
+        key, reason, names = super().of(step)
+        if isinstance(step, Put):
+            return key, "pole_stated", names
+        if isinstance(step, CrossArc | CrossArcs):
+            return ("arcs_stated" if key == "arcs" else key), f"{key}_stated", names
+        return key, reason, names
 
-    def action(self, direction: str) -> Said:
+    def action(self, direction: str) -> Told | Written:
         """A line of action; for a given angle the angle."""
         action = super().action(direction)
         if action:
             return action
         angle = round(math.degrees(phase(complex(self.drawing[direction]))), 1) + 0.0
-        return lambda lang: f"∠{number(angle, lang)}°"
+        return Written(lambda lang: f"∠{number(angle, lang)}°")
 
     def similar(self, step: Similar) -> Words:
         ratio = complex(self.drawing[step.ratio])
         turned, first, second = abs(ratio.imag) > 1e-9 * abs(ratio), lettered(step.start), lettered(step.end)
         size, angle = (abs(ratio), math.degrees(phase(ratio))) if turned else (ratio.real, 0.0)
-        names: Names = {"first": first, "second": second, "ratio": lambda lang: number(size, lang)}
-        more: Names = {"angle": lambda lang: number(angle, lang)}
-        return ("turned_stated" if turned else "similar_stated"), "alike_stated", {**names, **more}
+        ratio_written, angle_written = (Written(partial(number, value)) for value in (size, angle))
+        names = {"first": first, "second": second, "ratio": ratio_written, "angle": angle_written}
+        return ("turned_stated" if turned else "similar_stated"), "alike_stated", names
 
     def image(self, step: Image) -> Words:
         vectors = {ends: f"⟨{n}⟩" for n, ends in self.plans.vectors.items()}
-        names: Names = {"start": lettered(step.start), "own": vectors[step.of], "whole": vectors[step.like]}
+        names = {"start": lettered(step.start), "own": vectors[step.of], "whole": vectors[step.like]}
         return (
             "image_stated",
             "alike_stated",
             {**names, "first": lettered(step.image[0]), "second": lettered(step.image[1])},
         )
 
-    def reason(self, term: Term, name: str, kind: str, lang: Lang) -> str:
-        line = self.plans.means[term.direction or ""]
-        key = f"why_{line.quantity}_{kind}"
-        known = kind != "force" and key in table(lang) and not term.name.startswith(line.line)
-        return say(key if known else "why_line", lang, name=name, line=line.line)
+    def reason(self, term: Term, name: str, kind: str) -> Phrase:
+        said, line = super().reason(term, name, kind), self.plans.means[term.direction or ""].line
+        known = kind != "force" and said.key in table("en") and not term.name.startswith(line)
+        return said if known else Phrase("why_line", **said.parts)
 
     def lay_off(self, step: LayOff) -> Words:
         key, reason, names = super().lay_off(step)
@@ -79,7 +72,7 @@ class StatedWords(StepWords):
         if isinstance(source, Measure):
             return "carried_stated", "reckoned", names
         if isinstance(source, Calculate):
-            named = {**names, "formula": (reckoned(source, self.vector(step)),)}
+            named = {**names, "rows": (reckoned(source, self.vector(step)),)}
             return "lay_off", reason if step.quantity in ("normal", "coriolis") else "reckoned", named
         return key, "stated" if key == "given" else reason, names
 
@@ -90,7 +83,6 @@ def last_marks(plans: Plans) -> dict[str, list[Equation]]:
     solved_at = dict[str, list[Equation]]()
     for e in plans.equations:
         ends = {at(e.plan, label) for t in e.terms for label in (t.start, t.end)} - {at(e.plan, POLE)}
-        made = [mark for mark in ends if mark in order]
-        if made and len(made) == len(ends):
-            solved_at.setdefault(max(made, key=order.__getitem__), []).append(e)
+        if ends and ends <= order.keys():
+            solved_at.setdefault(max(ends, key=order.__getitem__), []).append(e)
     return solved_at

@@ -8,7 +8,7 @@ from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.document import Block, Heading, Paragraph
 from planes.solving.text_tables import NOISE, largest
-from planes.words import Lang, say
+from planes.words import Lang
 from planes.words.units import number
 
 
@@ -27,30 +27,24 @@ class StatedNote(Note):
 
     def sought(self) -> Sequence[str]:
         """The requested results, or all vectors without given data, and the values."""
-        plans = self.position.plans
-        given = {t.name for e in plans.equations for t in e.terms if t.known == 2 and not t.drawn}
+        plans, given = self.position.plans, self.given_vectors()
         return found_of(self.scene) or [*(n for n in plans.vectors if n not in given), *plans.values]
 
-    def transfers(self) -> Iterator[Block]:
-        return iter(())
+    def given_vectors(self) -> set[str]:
+        """The vectors with given length and direction."""
+        return {t.name for e in self.position.plans.equations for t in e.terms if t.known == 2 and not t.drawn}
 
     def vectors(self) -> Iterator[Block]:
         """The results of a scene of vectors."""
         yield Heading(self.say("note_results"))
-        angle, rows = self.say("note_angle"), []
-        for f in self.position.of("vectors").values():
-            rows.append((f"⟨{f.quantity.name}⟩", *self.vector(f), say(f.quantity.columns[0].unit, self.lang)))
-        head: tuple[str, ...] = (self.say("note_vector"), self.say("value"), angle, self.say("note_unit"))
+        vectors, values = (self.position.of(group).values() for group in ("vectors", "values"))
+        head = tuple(map(self.say, ("note_vector", "value", "note_angle", "note_unit")))
+        rows = [(f"⟨{f.quantity.name}⟩", *self.vector(f), self.say(f.unit)) for f in vectors]
         yield from self.table("note_vectors_table", head, rows)
-        numbers, most = (
-            ((f, f.quantity.columns[0].unit) for f in self.position.of("values").values()),
-            largest(self.position),
-        )
-        rounded = ((f, k, f.number if abs(f.number) > NOISE * most else 0.0) for f, k in numbers)
-        values = [(f"⟨{f.quantity.name}⟩", number(x, self.lang), k and say(k, self.lang)) for f, k, x in rounded]
-        yield from self.table(
-            "note_values_table", (self.say("quantity"), self.say("value"), self.say("note_unit")), values
-        )
+        noise, head = NOISE * largest(self.position), tuple(map(self.say, ("quantity", "value", "note_unit")))
+        rounded = ((f, f.number if abs(f.number) > noise else 0.0) for f in values)
+        computed = [(f"⟨{f.quantity.name}⟩", number(x, self.lang), f.unit and self.say(f.unit)) for f, x in rounded]
+        yield from self.table("note_values_table", head, computed)
         yield from self.warned()
 
 
@@ -59,11 +53,9 @@ class StaticsNote(StatedNote):
 
     task = "note_task_statics"
 
-    def sought(self) -> Sequence[str]:
-        """The requested results, or all reactions, and the values."""
-        plans = self.position.plans
-        loads = {f.name for forces in plans.acting.forces.values() for f in forces}
-        return found_of(self.scene) or [*(n for n in plans.vectors if n not in loads), *plans.values]
+    def given_vectors(self) -> set[str]:
+        """The loads."""
+        return {f.name for f in self.position.plans.acting.every}
 
     def blocks(self) -> list[Block]:
         figure = self.position.plans.figure

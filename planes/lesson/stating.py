@@ -2,17 +2,18 @@
 velocity."""
 
 from collections.abc import Iterator
-from functools import cached_property, partial
+from functools import cached_property
 from itertools import permutations
 
 from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.formulas import slot
 from planes.lesson.frame import Frame, Make
-from planes.lesson.steps import Names, whole
+from planes.lesson.reckoning import plain, quotient
+from planes.lesson.steps import once, whole
 from planes.plans import Plans
 from planes.plans.force.loads import force_name
-from planes.words import Lang, Phrase, say
+from planes.words import Phrase
 from planes.words.frozen import frozen, replace
 from planes.words.names import at, kind_of, links_of, parts_of
 
@@ -39,14 +40,12 @@ class Stating:
         """The frames, each vector equation before the first frame that draws one of its vectors."""
         frames_with_equations, stated_equations = list[Frame](), set[int]()
         for f in frames:
-            new = (
-                f.equation not in stated_equations and kind_of(f.plan) != "position" and self.plans.moves
-            )  # otherwise it is given
+            new = f.equation not in stated_equations and f.plan != "position" and self.plans.moves  # otherwise given
             if f.equation is not None and new:
                 stated_equations.add(f.equation)
                 e = self.plans.equations[f.equation]
-                names: Names = {"equation": self.written(e), "unknown": partial(self.unknown, e)}
-                frame = make("equation", f.plan, reason=partial(self.why, e), terms=(), names=names)
+                named = {"equation": self.written(e), "unknown": self.unknown(e)}
+                frame = make("equation", f.plan, reason=self.why(e), terms=(), **named)
                 frames_with_equations.append(replace(frame, equation=f.equation))
             frames_with_equations.append(f)
         return frames_with_equations
@@ -60,7 +59,7 @@ class Stating:
         sides = [names for names in chains if names and not (along and e.total in names)]
         return " = ".join([f"⟨{e.total}⟩", *(" + ".join(f"⟨{n}⟩" for n in names if n != e.total) for names in sides)])
 
-    def unknown(self, e: Equation, lang: Lang) -> str:
+    def unknown(self, e: Equation) -> Phrase:
         """What is sought, in words."""
         parts: dict[str, dict[str, None]] = {}
         for name, part in e.unknowns:
@@ -68,27 +67,28 @@ class Stating:
         said = (
             Phrase(f"lesson_unknown_{part}{'s' * (len(names) > 1)}", names=(*names,)) for part, names in parts.items()
         )
-        return say("lesson_unknowns", lang, parts=(*said,))
+        return Phrase("lesson_unknowns", parts=(*said,))
 
-    def why(self, e: Equation, lang: Lang) -> str:
+    def why(self, e: Equation) -> Phrase:
         """For forces, the bodies in equilibrium; for velocities and accelerations, the two motions of a point."""
         if kind_of(e.plan) in LETTERS:
-            return " ".join(dict.fromkeys(self.parted(e, lang))) or say("why_equation_circle", lang)
+            parts = once(self.parted(e))
+            return Phrase("why_equation_parts", parts=parts) if parts else Phrase("why_equation_circle")
         links = tuple(links_of(e.plan))
         inner = {force_name(a, b): a for a, b in permutations(links, 2)}
         links = next(((inner[t.name],) for t in e.terms if t.name in inner), links)
-        return say("why_equation_links" if len(links) > 1 else "why_equation_link", lang, links="–".join(links))
+        return Phrase("why_equation_links" if len(links) > 1 else "why_equation_link", links="–".join(links))
 
-    def parted(self, e: Equation, lang: Lang) -> Iterator[str]:
+    def parted(self, e: Equation) -> Iterator[Phrase]:
         """The motion of each relative vector."""
         for term in e.terms:
             _, index, _ = parts_of(term.name)
             if link := self.carrying.get(index):
-                yield say("why_equation_turns", lang, one=link[1], two=link[2], link=link[0])
+                yield Phrase("why_equation_turns", one=link[1], two=link[2], link=link[0])
             elif under := self.sliding(term):
                 key = "why_equation_slides" if under.other else "why_equation_guide"
                 key = key if under.guide else "why_equation_driven"
-                yield say(key, lang, **vars(under))
+                yield Phrase(key, **vars(under))
 
     @cached_property
     def under(self) -> dict[str, Under]:
@@ -121,9 +121,8 @@ class Stating:
         if index in self.under or line is None or line.quantity != "along":
             return self.under.get(index)
         frame = self.plans.mechanism.frame
-        point = next(
-            (x.first_point for x in self.plans.mechanism.links.values() if x.slides and x.slides.guide == line.line), ""
-        )
+        links = self.plans.mechanism.links.values()
+        point = next((x.first_point for x in links if x.slides and x.slides.guide == line.line), "")
         return Under(point, "", frame.name, line.line) if point and line.line in frame.guides else None
 
     @cached_property
@@ -139,20 +138,13 @@ class Stating:
         point."""
         places = {under.other: under.point for under in self.under.values()}
         for rate in rates:
-            factors = rate.terms[0].factors if len(rate.terms) == 1 else ()
-            vector = factors[0][0].strip("|‖") if [power for _, power in factors] == [1, -1] else ""
+            vector = plain((quotient(rate) or ("",))[0])
             letter, index, _ = parts_of(vector)
             link = self.carrying.get(index)
             if link and letter in LETTERS.values():
                 name, point, about = link
-                said: Names = {
-                    "vector": vector,
-                    "point": point,
-                    "about": about,
-                    "link": name,
-                    "rate": rate.makes,
-                    "sense": slot(rate.makes, "s"),
-                }
-                frame = make("sense", plan, terms=(vector,), names=said)
-                spots = {k: at("position", places.get(p, p)) for k, p in (("point", point), ("about", about))}
-                yield replace(frame, turns={**spots, "vector": vector, "rate": rate.makes})
+                ends, vectors = {"point": point, "about": about}, {"vector": vector, "rate": rate.makes}
+                sense = slot(rate.makes, "s")
+                frame = make("sense", plan, terms=(vector,), link=name, sense=sense, **ends, **vectors)
+                spots = {k: at("position", places.get(p, p)) for k, p in ends.items()}
+                yield replace(frame, turns={**spots, **vectors})

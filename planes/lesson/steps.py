@@ -1,8 +1,9 @@
 """The words of one drafting step, and of a moment equation: the action, its numbers, and the reason."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
@@ -12,18 +13,17 @@ from planes.drafting.steps.reckoning import Calculate, Choose, Measure
 from planes.drafting.steps.tracks import CutTrack
 from planes.lesson.false_plans import false_words
 from planes.lesson.formulas import slot, unit
-from planes.lesson.rows import Row, reckoned
+from planes.lesson.rows import reckoned
 from planes.plans import Plans
 from planes.plans.apart import LinkApart
 from planes.plans.law_words import law_said
 from planes.plans.position.bodies import SCHEME
-from planes.words import Lang, say
+from planes.words import Phrase, Told, Written
 from planes.words.names import Meaning, kind_of, label_of, lettered, plan_of
 from planes.words.units import number
 
-Said = str | Callable[[Lang], str]  # a text, or a callable for each language
-Names = Mapping[str, Said | tuple[Row, ...]]  # the contents of a sentence; all its numbers are in its texts and rows
-Words = tuple[str, Said, Names]  # the key of the sentence, of the reason (or the reason itself), names
+Names = Mapping[str, Any]  # the contents of a sentence; all its numbers are in its texts and in its ``rows``
+Words = tuple[str, Told, Names]  # the key of the sentence, of the reason (or the reason itself), names
 
 
 @dataclass
@@ -48,7 +48,7 @@ class StepWords:
                 key = "touch" if step.offset else "touch_through"
                 return key, "touch", {"action": self.action(step.makes), "end": lettered(step.end)}
             case Cross():
-                lines: Names = {"action": self.action(step.along), "across": self.action(step.across)}
+                lines = {"action": self.action(step.along), "across": self.action(step.across)}
                 if step.quantity == "special":
                     return "special", "special", lines
                 return "cross", self.crossing(step.makes), lines
@@ -82,28 +82,28 @@ class StepWords:
         leads = [h for h in step.holds if h.kind != "hinge" and (first or h.local == step.local)]
         hold = next((h for h in leads if h.local == step.local), leads[-1] if leads else None)
         if hold is None:
-            return key, key, {"kept": lambda lang: say("lesson_kept_hinge", lang)}
-        kept: Names = {"start": lettered(hold.place)}
-        if hold.kind == "arc":
-            kept = {**kept, "mm": slot(hold.reach, "mm", step.mu)}
-        elif hold.kind == "line":
-            kept = {**kept, "action": self.action(hold.turn)}
-        return key, key, {**kept, "kept": lambda lang: say(f"lesson_kept_{hold.kind}", lang, **kept)}
+            return key, key, {"kept": Phrase("lesson_kept_hinge")}
+        kept: Names = {
+            "start": lettered(hold.place),
+            "mm": slot(hold.reach, "mm", step.mu) if hold.kind == "arc" else "",
+            "action": self.action(hold.turn) if hold.kind == "line" else "",
+        }
+        return key, key, {**kept, "kept": Phrase(f"lesson_kept_{hold.kind}", **kept)}
 
-    def action(self, direction: str) -> Said:
+    def action(self, direction: str) -> Told | Written:
         """A line of action as written."""
         return self.plans.means[direction].action
 
     def similar(self, step: Similar) -> Words:
         """Proportional division, or a similar figure."""
         ratio = complex(self.drawing[step.ratio])
-        names: Names = {"first": lettered(step.start), "second": lettered(step.end)}
+        names = {"first": lettered(step.start), "second": lettered(step.end)}
         if kind_of(step.makes) == "position":
             return "point", "along", names
         if abs(ratio.imag) > 1e-9 * abs(ratio):
             corners = dict(zip(("one", "two", "own"), self.corners(step), strict=True))
             return "image", "similar", {**names, **corners}
-        return "similar", "similar", {**names, "ratio": lambda lang: number(ratio.real, lang)}
+        return "similar", "similar", {**names, "ratio": Written(partial(number, ratio.real))}
 
     def image(self, step: Image) -> Words:
         """A figure on the segment of two points; or, from a mark that is neither, a vector in the same ratio to the
@@ -111,80 +111,72 @@ class StepWords:
         key = "image" if step.start == step.image[0] else "carried_image"
         marks = (step.start, *step.image, *step.like, *step.of)
         said = "start", "first", "second", "one", "two", "from", "own"
-        names: Names = dict(zip(said, map(lettered, marks), strict=True))
-        reason = "similar" if key == "image" else lambda lang: say(f"why_{key}", lang, **names)
-        return key, reason, names
+        names = dict(zip(said, map(lettered, marks), strict=True))
+        return key, "similar" if key == "image" else Phrase(f"why_{key}", **names), names
 
     def corners(self, step: Similar) -> Iterator[str]:
         """The points of the link on the scheme, in the order of a similar figure's marks."""
-        links = self.plans.mechanism.links.values()
+        links, named = self.plans.mechanism.links.values(), self.plans.points
         own = next(x.points for x in links for p in x.points if step.ratio == f"ratio_{p}_{x.name}")
         for mark in (step.start, step.end, step.makes):
-            named = self.plans.points
             yield next(p for p in own if mark in (named[p].velocity, named[p].acceleration))
 
-    def crossing(self, mark: str) -> Said:
+    def crossing(self, mark: str) -> Told:
         """Why the lines that cross at a mark have their directions."""
         plan, label = plan_of(mark), label_of(mark)
         kind = kind_of(plan)
-        equations = (e for e in self.plans.equations if e.plan == plan)
-        for e in equations:  # the line drawn first finds the mark
+        for e in (e for e in self.plans.equations if e.plan == plan and kind != "position"):
             sought = [t for t in e.terms if t.direction and not t.length and not t.drawn]
             terms = [t for t in sought if label in (t.start, t.end)]
-            if any(t.end == label for t in terms):
-                break
-        else:
-            terms = []
-        if kind == "position" or not terms:
-            return "cross_position"
-        named = {t.name: whole(e, t.name) for t in e.terms}
-        return lambda lang: "; ".join(dict.fromkeys(self.reason(t, named[t.name], kind, lang) for t in terms)) + "."
+            if any(t.end == label for t in terms):  # the line drawn first finds the mark
+                return Phrase("why_cross", reasons=once(self.reason(t, whole(e, t.name), kind) for t in terms))
+        return "cross_position"
 
-    def reason(self, term: Term, name: str, kind: str, lang: Lang) -> str:
+    def reason(self, term: Term, name: str, kind: str) -> Phrase:
         """Why a vector of unknown length has its direction."""
         line = self.plans.means[term.direction or ""]
-        return say(f"why_{line.quantity}_{kind}", lang, name=name, line=line.line)
+        return Phrase(f"why_{line.quantity}_{kind}", name=name, line=line.line)
 
     def lay_off(self, step: LayOff) -> Words:
         """A known vector: with the formula of its length if that was calculated."""
         kind = kind_of(step.makes)
         mm = slot(step.length, "mm", step.mu)
-        named: Names = {"mm": mm, "way": lambda lang: way(self.plans.means[step.along], lang)}
+        named = {"mm": mm, "way": way(self.plans.means[step.along])}
         source = self.made.get(step.length)
         name = self.vector(step)
-        shown: Names = {**named, "name": name, "value": slot(step.length), "unit": lambda lang: unit(name, lang)}
+        shown = {**named, "name": name, "value": slot(step.length), "unit": unit(name)}
         if kind == "position":
             along = self.made[step.along]
             drive = self.plans.drive
             driven = isinstance(along, Turn) and drive.rotates and along.of == f"x_{drive.link}"
             key = "driver" if driven else "along"
             reason = "moved" if step.quantity == "moved" else "driver" if driven or step.length == "s" else "along"
-            return key, reason, {**shown, "length": step.length, "unit": lambda lang: unit("l", lang)}
+            return key, reason, {**shown, "length": step.length, "unit": unit("l")}
         if any(m.unknown == step.length for m in self.plans.moments):
             return "found", "found", {**shown, "value": slot(step.length, "a")}
         if step.quantity == "load":
             return "load", self.why_load(step.length), shown
         if isinstance(source, Calculate):
-            return "lay_off", _kind_of_vector(step, kind, source), {**named, "formula": (reckoned(source),)}
+            return "lay_off", _kind_of_vector(step, kind, source), {**named, "rows": (reckoned(source),)}
         if isinstance(source, Measure):
             return "carried", "carried", shown
         return "given", "slide_v", shown
 
-    def why_load(self, value: str) -> Said:
+    def why_load(self, value: str) -> Told:
         """That a force is given; with its law, if it has one."""
         law = self.plans.acting.laws.get(f"{value}_given")
         if law is None:
             return "load"
-        read = partial(law_said, law, self.plans.drive, "⟨{}⟩".format)
-        return lambda lang: say("why_load_law", lang, name=value, law=read(lang))
+        written = Written(partial(law_said, law, self.plans.drive, "⟨{}⟩".format))
+        return Phrase("why_load_law", name=value, law=written)
 
     def vector(self, step: LayOff) -> str:
         """The name of the vector a step lays off."""
         plan, label = plan_of(step.makes), label_of(step.makes)
-        ends = [t for e in self.plans.equations if e.plan == plan for t in e.terms if t.end == label]
-        terms = [t.name for t in sorted(ends, key=lambda t: t.start != label_of(step.start))]
-        segments = [x.name for x in self.plans.segments if x.plan == plan and x.end == label]
-        return (terms or segments or [label])[0]
+        terms = [t for e in self.plans.equations if e.plan == plan for t in e.terms]
+        own = sorted(terms, key=lambda t: t.start != label_of(step.start))
+        named = (x.name for x in (*own, *self.plans.segments_of.get(plan, ())) if x.end == label)
+        return next(named, label)
 
 
 def apart_words(one: LinkApart, key: str) -> Names:
@@ -193,11 +185,9 @@ def apart_words(one: LinkApart, key: str) -> Names:
     return {"link": one.link, "force": force, "sum": " + ".join(f"⟨{name}⟩" for name in (*one.known, one.force))}
 
 
-def worded(said: Said | tuple[Row, ...], lang: Lang, rows: tuple[Row, ...]) -> str:
-    """A name of a sentence in words; a line of calculation by its number among the ``rows``."""
-    if isinstance(said, tuple):
-        return "; ".join(f"⟪{rows.index(row)}⟫" for row in said)
-    return said(lang) if callable(said) else said
+def once(phrases: Iterable[Phrase]) -> tuple[Phrase, ...]:
+    """The phrases without those that say the same again."""
+    return tuple({p.told(): p for p in phrases}.values())
 
 
 def shown_on(step: Step) -> str:
@@ -213,17 +203,16 @@ def whole(equation: Equation, name: str) -> str:
     return name
 
 
-def way(direction: Meaning, lang: Lang) -> str:
+def way(direction: Meaning) -> Phrase:
     """The direction in which a vector is laid off, in words."""
     line, key = direction.line, f"lesson_way_{direction.quantity}"
-    return say(key, lang, line=line, vector=line, one=direction.of, other=direction.about)
+    return Phrase(key, line=line, vector=line, one=direction.of, other=direction.about)
 
 
 def _kind_of_vector(step: LayOff, kind: str, source: Calculate) -> str:
     """The reason for a calculated vector."""
     if kind == "force":
-        reasons = {"tangential": "projected", "weight": "weight", "inertia": "inertia"}
-        return reasons.get(step.quantity or "", "load")
+        return {"tangential": "projected", "weight": "weight", "inertia": "inertia"}.get(step.quantity, "load")
     if kind == "velocity":
         return "driver_v"
     if step.quantity == "normal":

@@ -9,7 +9,6 @@ from planes.drafting.instruments import InLists
 from planes.drafting.tools import Thing
 from planes.geometry.listed import Listed
 from planes.lesson import Teller, value_of
-from planes.lesson.choices import Choices
 from planes.lesson.formulas import in_both
 from planes.lesson.frame import Frame, needed
 from planes.lesson.knobs import Knobs
@@ -90,9 +89,8 @@ class Told:
     def practice(self) -> Practice:
         """The questions to a reader."""
         values = {n: float(value_of(n, self.teller, self.drawing)) for n in needed(self.frames)}
-        own = self.plans, self.drawing, self.frames, self.equations
-        choices = Choices(*own, fits_on(self.scene.sheet, self.plans))
-        return Practice(self.plans, self.given, *own[1:], values, self.teller.spans, choices)
+        own = self.plans, self.drawing, self.frames, self.equations, fits_on(self.scene.sheet, self.plans)
+        return Practice(*own, self.given, values, self.teller.spans)
 
 
 def _cycle(knobs: Knobs, leaning: bool = False) -> Drawing:
@@ -123,23 +121,23 @@ def drive_of(plans: Plans) -> Json:
 def equation_written(plans: Plans, e: Equation) -> Json:
     """An equation as written: without zero vectors, with a vector along the frame's guide as itself."""
     if not e.total:
-        sides = [[{**_term(plans, e.plan, t), "minus": sign < 0} for sign, t in side] for side in e.written]
+        sides = [[_term(plans, e.plan, t, sign) for sign, t in side] for side in e.written]
         return {"plan": e.plan, "total": None, "closed": e.closed, "sides": sides}
-    total: Json | None = {"name": e.total, "action": "", "known": 0}
+    total: Json = {"name": e.total, "action": "", "known": 0}
     sides = []
     for chain in e.chains:
-        alone = [t for t in chain if total and whole(e, t.name) == e.total and t.name != e.total]
-        if alone and total:
+        alone = [t for t in chain if whole(e, t.name) == e.total and t.name != e.total]
+        if alone:
             total.update(action=_acted(plans, alone[0]), known=alone[0].known)
         elif chain:
-            sides.append([{**_term(plans, e.plan, t), "minus": t.sign < 0} for t in chain])
+            sides.append([_term(plans, e.plan, t, t.sign) for t in chain])
     return {"plan": e.plan, "total": total, "closed": False, "sides": sides}
 
 
-def _term(plans: Plans, plan: str, t: Term) -> Json:
+def _term(plans: Plans, plan: str, t: Term, sign: int) -> Json:
     start, end = (at(plan, label) for label in t.ends)
     own = {"name": t.name, "start": start, "end": end, "at": at(plan, t.end)}
-    return {**own, "action": _acted(plans, t), "known": t.known}
+    return {**own, "action": _acted(plans, t), "known": t.known, "minus": sign < 0}
 
 
 def _acted(plans: Plans, t: Term) -> str:

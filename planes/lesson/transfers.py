@@ -1,10 +1,10 @@
 """Transfer functions in the form of the manuals: analogues of velocities and ratios, by segments of the velocity
 plan."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 
 from planes.drafting.steps.reckoning import Measure
-from planes.lesson.reckoning import products
+from planes.lesson.reckoning import quotients
 from planes.plans.quantities import Measured
 from planes.plans.transfers import PLAN, driver_vector
 from planes.solving import Position
@@ -31,35 +31,33 @@ class TransferFunctions:
 
     def rows(self) -> Iterator[list[str]]:
         """Name, relation of segments, value and unit of each."""
-        drive, transfers = driver_vector(self.position.plans), self.position.of("transfers")
+        plans, transfers = self.position.plans, self.position.of("transfers")
+        drive = driver_vector(plans)
         if drive is None:
             return
         segment, times = self.ends(drive.start, drive.end), f"·{greek(drive.length)}" if drive.length else ""
         for alike, ends, arm in self.turning(transfers.values()):
             yield self.row(alike, f"{ends}{times}/({segment}·{greek(arm)})")
         noise = NOISE * (abs(self.position.drawing[drive.length]) if drive.length else 1.0)
-        plans = self.position.plans
         still = {marks.velocity for p, marks in plans.points.items() if p in plans.standing}
         for one in transfers.values():
-            if one.quantity.columns[0].part:
-                if (column := one.quantity.columns[0]).end in still:
-                    continue
-                ends = self.ends(*column.needs[:2])
-                yield self.row([one], f"{ends}{times}/{segment}", noise)
+            column = one.quantity.columns[0]
+            if column.part and column.end not in still:
+                yield self.row([one], f"{self.ends(*column.needs[:2])}{times}/{segment}", noise)
 
     def row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:
         """A row of the table, for equal quantities; one below ``noise`` is zero."""
         name = " = ".join(self.naming.curve(f.quantity.name) for f in alike)
-        unit, value = alike[0].quantity.columns[0].unit, alike[0].number
+        unit, value = alike[0].unit, alike[0].number
         shown = measured(value if abs(value) > noise else 0.0, self.naming.lang)
         return [name, relation, shown, "" if unit == "1" else say(unit, self.naming.lang)]
 
-    def turning(self, transfers: Iterable[Measured]) -> Iterator[tuple[list[Measured], str, str]]:
+    def turning(self, transfers: Collection[Measured]) -> Iterator[tuple[list[Measured], str, str]]:
         """Ratios of links whose angular velocity is measured on the plan, equal ones together, with the segment and the
         length for each."""
-        known, program = list(transfers), self.position.drawing.program
-        for rate, (vector, length) in products(program, -1).items():
-            alike = [f for f in known if f.quantity.columns[0].value == rate]
+        program = self.position.drawing.program
+        for rate, (vector, length) in quotients(program).items():
+            alike = [f for f in transfers if f.quantity.columns[0].value == rate]
             if alike and isinstance(step := program.makers.get(vector), Measure):
                 yield alike, self.ends(step.start, step.end), length
 

@@ -51,7 +51,7 @@ class DrawingReader:
         """
         segments: dict[str, Segment] = {}
         for s in self.stated.segments_of.get(plan, ()):
-            there = at(s.plan, s.start) in self.drawing and at(s.plan, s.end) in self.drawing
+            there = all(end in self.drawing for end in s.ends)
             if s.start != s.end and there and (names is None or s.name in names):
                 key = s.start + s.end
                 if key not in segments or (s.name in self.own and segments[key].name not in self.own):

@@ -64,7 +64,7 @@ def _may_go(mechanism: Mechanism, link: Link) -> bool:
 
 def _hinges(mechanism: Mechanism, link: Link) -> Iterator[str]:
     """The points of a link shared with other links."""
-    others = [x for x in (mechanism.frame, *mechanism.links.values()) if x is not link]
+    others = [x for x in mechanism.bodies if x is not link]
     return (p for p in link.points if any(p in x.points for x in others))
 
 

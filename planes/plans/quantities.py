@@ -65,6 +65,11 @@ class Measured(NamedTuple):
         return f"<{', '.join(said)}>"
 
     @property
+    def unit(self) -> str:
+        """The key of its unit, of its first number."""
+        return self.quantity.columns[0].unit
+
+    @property
     def number(self) -> float:
         """A plain number; of a slider's reaction or another vector, its x component."""
         return self.numbers[0]  # type: ignore[return-value]  # only an arm may be empty
@@ -224,7 +229,7 @@ def _plain(values: Iterable[Derived]) -> Quantities:
 def _segments(plans: Plans) -> Quantities:
     for s in plans.segments:
         if s.plan != "motion" and s.start != s.end and not {"°", "⊥"} & set(s.name):
-            size = Column(s.name, UNIT[kind_of(s.plan)], "", at(s.plan, s.start), at(s.plan, s.end), "size")
+            size = Column(s.name, UNIT[kind_of(s.plan)], "", *s.ends, "size")
             yield Quantity(s.name, (size,), "plans", s.plan, s.name)
 
 

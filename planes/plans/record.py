@@ -158,8 +158,7 @@ class Plans:
 
     def on(self, links: tuple[str, ...]) -> list[Moments]:
         """The moment equations for forces on some links, or on more where these have no plan."""
-        fewer = [set(links_of(p)) for p in self.drawn if kind_of(p) == "force"]
-        fewer = [f for f in fewer if f < set(links)]
+        fewer = [f for f in map(set, map(links_of, self.forces)) if f < set(links)]
         return [m for m in self.moments if set(m.links) <= set(links) and not any(set(m.links) <= f for f in fewer)]
 
     @property
@@ -183,9 +182,9 @@ class Plans:
         return tuple(self.program.marks)
 
     @property
-    def forces(self) -> bool:
-        """Whether any forces are drawn."""
-        return any(kind_of(plan) == "force" for plan in self.drawn)
+    def forces(self) -> tuple[str, ...]:
+        """The force plans in drawing order."""
+        return tuple(plan for plan in self.drawn if kind_of(plan) == "force")
 
 
 def with_passive(plans: Plans) -> Plans:
@@ -205,5 +204,5 @@ def sliced(plans: Plans, wanted: list[str]) -> Plans:
     terms = ((e.plan, t) for e in plans.equations for t in e.terms)
     lying = [t.direction for plan, t in terms if t.direction and {at(plan, t.start), at(plan, t.end)} <= made]
     program = plans.program.sliced([*wanted, *lying])
-    segments = tuple(s for s in plans.segments if {at(s.plan, s.start), at(s.plan, s.end)} <= program.made)
+    segments = tuple(s for s in plans.segments if {*s.ends} <= program.made)
     return replace(plans, program=program, segments=segments)

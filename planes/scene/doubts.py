@@ -71,8 +71,7 @@ def _home(table: SourceTable, parameters: Parameters, phrase: Phrase, path: Keys
 
 def check_lengths(reader: Reader, mechanism: Mechanism) -> None:
     """Refuse a negative length: the second hinge of a rod with all points on its axis must not lie behind the first."""
-    links = [mechanism.frame, *mechanism.links.values()]
-    shared = Counter(point for link in links for point in link.points)
+    shared = Counter(point for link in mechanism.bodies for point in link.points)
     for link in mechanism.links.values():
         hinges = [point for point in link.points if shared[point] > 1]
         rod = len(hinges) == 2 and not (link.guides or link.slides or any(z.imag for z in link.points.values()))

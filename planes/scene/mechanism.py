@@ -232,17 +232,28 @@ class Mechanism:
         """The link of that name, the frame included."""
         return self.frame if name == FRAME else self.links[name]
 
+    @property
+    def bodies(self) -> tuple[Link, ...]:
+        """The frame and the moving links."""
+        return (self.frame, *self.links.values())
+
+    @property
+    def loaded(self) -> bool:
+        """Whether any load, mass or moment of inertia is given."""
+        return bool(self.loads) or any(link.mass or link.inertia for link in self.links.values())
+
     @cached_property
-    def _owners(self) -> dict[str, Link]:
-        return {guide: link for link in (self.frame, *self.links.values()) for guide in link.guides}
+    def owners(self) -> dict[str, Link]:
+        """The link that carries each guide, the frame's guides first."""
+        return {guide: link for link in self.bodies for guide in link.guides}
 
     def owner(self, guide: str) -> str:
         """Name of the link that carries the guide."""
-        return self._owners[guide].name
+        return self.owners[guide].name
 
     def guide(self, name: str) -> Guide:
         """The guide of that name, on any link."""
-        return self._owners[name].guides[name]
+        return self.owners[name].guides[name]
 
     def rank(self, link: Link) -> tuple[bool, int]:
         """Of two sliders in one place the one of higher rank holds the other: the frame's, or the later one."""
@@ -251,8 +262,7 @@ class Mechanism:
     def round_guide(self, link: Link) -> tuple[RoundGuide, str] | None:
         """The circular guide that a link slides on, and the link that carries it."""
         name = link.slides_round.guide if link.slides_round else ""
-        owners = (self.frame, *self.links.values())
-        return next(((x.round_guides[name], x.name) for x in owners if name in x.round_guides), None)
+        return next(((x.round_guides[name], x.name) for x in self.bodies if name in x.round_guides), None)
 
     def joined(self, link: Link) -> list[str]:
         """The points of a link, without the centre of the circle it slides on."""
@@ -268,4 +278,4 @@ class Mechanism:
     @cached_property
     def names(self) -> tuple[str, ...]:
         """Names of all points, each once, those of the frame first."""
-        return tuple(dict.fromkeys(p for link in (self.frame, *self.links.values()) for p in link.points))
+        return tuple(dict.fromkeys(p for link in self.bodies for p in link.points))

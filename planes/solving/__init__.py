@@ -24,7 +24,7 @@ from planes.solving.warned import warnings
 from planes.words import Lang, Phrase, Written
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import frozen
-from planes.words.names import POLE, at, label_of, parts_of
+from planes.words.names import POLE, label_of, parts_of
 from planes.words.records import Json, Pictured, Tabulated
 
 _VECTOR, _NUMBER = attrgetter("vector"), attrgetter("number")
@@ -103,7 +103,7 @@ class Position(Pictured, Tabulated):
         for s in self.plans.segments_of.get(plan, ()):
             segment = self.results["plans"][plan]["segments"].get(s.start + s.end)
             if segment and segment["name"] == s.name:
-                is_total = points and s.start == POLE and at(plan, s.end) not in self.drawing.program.corners
+                is_total = points and s.start == POLE and s.ends[1] not in self.drawing.program.corners
                 letter, false, _ = parts_of(s.end.rstrip("'"))
                 point = points.get(s.end) or letter.upper() + (f"^{false}" if false else "")
                 if not is_total or point not in self.plans.standing:
@@ -270,7 +270,7 @@ def position(
     errors = None
     if isinstance(instrument, Pencil):
         parts = [(plan, key, s) for plan in plans.drawn for key, s in reader.plan_segments(plan).items()]
-        spans = {f"{plan}:{key}": (at(plan, s.start), at(plan, s.end)) for plan, key, s in parts}
+        spans = {f"{plan}:{key}": s.ends for plan, key, s in parts}
         errors = scatter_mm(plans.program, given, plans.drive_given, instrument, spans)
     drawn = reader.plans(names, errors)
     if drawn or wanted is None:

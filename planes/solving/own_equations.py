@@ -109,10 +109,9 @@ def vectors_of(plans: Plans, drawing: Drawing, scales: Mapping[str, float]) -> I
         yield from ((f"{letter}_{p}", between(at(plan_of(mark), POLE), mark)) for p, mark in there.items())
     for plan in (p for p in plans.drawn if kind_of(p) in ("velocity", "acceleration", "force")):
         for s in plans.segments_of.get(plan, ()):
-            ends = at(plan, s.start), at(plan, s.end)
-            if all(e in drawing for e in ends):
-                yield s.name, between(*ends)
-    for f in (f for forces in plans.acting.forces.values() for f in forces):
+            if all(e in drawing for e in s.ends):
+                yield s.name, between(*s.ends)
+    for f in plans.acting.every:
         if f.size in drawing and f.along in drawing:
             yield f.name, float(drawing[f.size]) * complex(drawing[f.along])
     for r in (r for r in plans.reactions.values() if r.start in drawing and r.end in drawing):

@@ -221,14 +221,13 @@ def stated_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
         )
     rows, beside = [], largest(p)
     for f in p.of("values").values():
-        unit = f.quantity.columns[0].unit
         error = error_of(e, "values", f.quantity.name)
         rows.append(
             [
                 spelt(naming.vector(f.quantity.name)),
                 number_cell(f.number, beside),
                 *error,
-                say(unit, lang) if unit else "",
+                say(f.unit, lang) if f.unit else "",
             ]
         )
     lines += table(say("values_found", lang), ["", say("value", lang), *pm(e), ""], rows)

@@ -19,7 +19,7 @@ def warnings(
     """The sentences, grouped by kind."""
     blunt, passive = _blunt(reader, lang).items(), reader.stated.structure.passive
     said = [say("passive", lang, links=", ".join(passive))] if passive else []
-    if passive and (m := reader.stated.mechanism) and (m.loads or any(x.mass or x.inertia for x in m.links.values())):
+    if passive and reader.stated.mechanism.loaded:
         said.append(say("passive_forces", lang, links=", ".join(passive)))
     said += [say("blunt", lang, makes=", ".join(marks), angle_deg=Written(angle)) for angle, marks in blunt]
     for reason, step, _ in reader.drawing.tool.notes:

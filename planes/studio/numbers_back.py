@@ -47,7 +47,7 @@ def home_of(text: str) -> dict[str, float]:
     given = {**plans.given, **plans.at(plans.drive.position)}
     knobs = Knobs(plans, given)
     names = {plans.drive_given, *(knob["given"] for knob in knobs.all)}
-    return {name: value for name, value in knobs.free.home.items() if name in names}
+    return {name: value for name, value in knobs.home.items() if name in names}
 
 
 def with_numbers(text: str, wanted: Mapping[str, float], said: Mapping[str, str] = MappingProxyType({})) -> Edited:

@@ -31,11 +31,7 @@ def sketch_of(scene: Scene) -> Json:
     marks, program = marks_of(plans)
     drawn = run(program, {**plans.given, **plans.at(m.drive.position, program), "mu_position": 1.0})
     places = {p: complex(drawn[mark]) for p, mark in marks.items()} | dict(m.frame.points)
-    guides = {
-        g.name: _guide(g, x, _axis(x, m, places), places)
-        for x in (m.frame, *m.links.values())
-        for g in x.guides.values()
-    }
+    guides = {g.name: _guide(g, x, _axis(x, m, places), places) for x in m.bodies for g in x.guides.values()}
     return {
         "title": text_in("en", scene.title),
         "points": {p: [z.real, z.imag] for p, z in places.items()},

@@ -69,20 +69,14 @@ def _drawing(data: Json, words: Mapping[str, str]) -> str:
     """The figure, its layers and its controls."""
     e = html.escape
     under = data["page"]["picture"] or data["page"]["strokes"]
-    how = words["drag_class" if data.get("of_class") else "drag"]
-    layers = "".join(
+    shown = {**words, **data, "how": words["drag_class" if data.get("of_class") else "drag"]}
+    parts = {k: e(str(shown[k])) for k in ("title", "moved", "reset", "how", "command", "saved", "look", "save")}
+    parts["layers"] = "".join(
         f'<label><input type="checkbox" data-layer="{n}" checked><i class="{n}"></i>{e(words[n])}</label>'
         for n in LAYERS
         if n != "picture" or under
     )
-    return (
-        f'<div class="layers">{layers}</div>\n'
-        f'<figure><svg id="sheet" role="group" aria-label="{e(data["title"])}"></svg></figure>\n'
-        f'<p id="moved" hidden>{e(words["moved"])} <button id="reset" type="button">{e(words["reset"])}</button></p>\n'
-        f'<p class="hint">{e(how)} <code>{e(data["command"])}</code> '
-        f'<button id="save" type="button" data-name="{e(data["saved"])}" data-look="{data["look"]}">'
-        f"{e(words['save'])}</button></p>"
-    )
+    return web_page.filled("check_drawing.html", parts).rstrip()
 
 
 def _table(

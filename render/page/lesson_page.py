@@ -25,13 +25,13 @@ def page(data: Json, lang: str, given: str = "") -> str:
 
     ``data`` is the result of :func:`planes.lesson.data.lesson_data`.
     """
-    parts = {"given": given and f'<section id="given">{given}</section>\n'}
-    return _whole(data, lang, "lesson", ("lesson", *["scorm"] * bool(given)), parts)
+    section = given and f'<section id="given">{given}</section>\n'
+    return _whole(data, lang, "lesson", ("lesson", *["scorm"] * bool(given)), section)
 
 
 def living_page(lang: str) -> str:
     """The page without a lesson: it shows the lesson of its host page, ``planes.lesson``."""
-    return _whole(None, lang, "lesson", ("lesson",), {"given": ""})
+    return _whole(None, lang, "lesson", ("lesson",))
 
 
 def letters_of(data: Json) -> Json:
@@ -41,10 +41,10 @@ def letters_of(data: Json) -> Json:
 
 def essay_page(data: Json, lang: str) -> str:
     """A page of the essay, from the data of :func:`planes.lesson.essay.essay_data`."""
-    return _whole(data, lang, "essay", ("essay",), {})
+    return _whole(data, lang, "essay", ("essay",))
 
 
-def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], parts: dict[str, str]) -> str:
+def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], given: str = "") -> str:
     """A page with the template of its name, its data and its modules."""
     modules += ("centres",) * bool((data or {}).get("centres"))
     page_words = in_both(
@@ -52,7 +52,7 @@ def _whole(data: Json | None, lang: str, name: str, modules: tuple[str, ...], pa
     )
     lang = next(one for one in stand_ins(lang) if one in langs("lesson"))
     title = data["title"].get(lang, "") if data else ""
-    parts = {**parts, "title": html.escape(title), "noscript": NOSCRIPT}
+    parts = {"given": given, "title": html.escape(title), "noscript": NOSCRIPT}
     body = web_page.filled(f"{name}.html", parts)
     sheets = {"lesson": ("practice.css", "lesson.css"), "essay": ("lesson.css", "essay.css")}
     held = {"brought": [page_words, data], "letters": data and letters_of(data)}

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from planes.plans.assur.alignment import aligned
 from planes.solving.document import Chart, DrawnViews, Figure, ShaftSketch
-from planes.words import Lang
 from planes.words.names import CREMONA, links_of
+from planes.words.naming import Naming
 from render import charts
 from render.charts.strokes import Picture
 from render.files import Page, svg
 from render.files.pdf import POINTS_PER_MM, draw_marks, png_of
+from render.paper.letters import tagged
 from render.report.shaft import shaft_view
 from render.sheet.composer import Composer
 from render.sheet.force_sheet import ForceSheet
@@ -73,18 +74,22 @@ def raster(picture: Shown) -> bytes:
     return png_of(canvas.getpdfdata(), DPI)
 
 
-@dataclass
-class Studio:
-    """Draws the figures of one document."""
+class DocumentSetter:
+    """Sets the blocks of one document: names in its lettering, and its figures."""
 
-    lang: Lang
-    composers: dict[int, Composer] = field(default_factory=dict)  # by the scene
+    def __init__(self, naming: Naming) -> None:
+        self.naming = naming
+        self.composers: dict[int, Composer] = {}  # by the scene
+
+    def text(self, text: str, plan: str = "") -> str:
+        """Running text in tags."""
+        return tagged(text, self.naming, plan)
 
     def shown(self, figure: Figure) -> tuple[list[Shown], str]:
         """The pictures of a figure, none where there is nothing to see, and its caption."""
         match figure.of:
             case Chart() as chart:
-                return [charts.chart(chart, WIDTH_MM, self.lang)], figure.caption
+                return [charts.chart(chart, WIDTH_MM, self.naming.lang)], figure.caption
             case ShaftSketch() as shaft:
                 return [_row([shaft_view(shaft)])], figure.caption
             case DrawnViews() as drawn:
@@ -92,7 +97,9 @@ class Studio:
 
     def drawn(self, block: DrawnViews, caption: str) -> tuple[list[Shown], str]:
         """The views of one position, side by side where they fit; a caption with every μ if requested."""
-        composer = self.composers.setdefault(id(block.scene), Composer(block.scene, self.lang, block.position.plans))
+        composer = self.composers.setdefault(
+            id(block.scene), Composer(block.scene, self.naming.lang, block.position.plans)
+        )
         plotted, _ = with_links_apart(block.position)
         views = []
         for names in block.views:

@@ -7,8 +7,7 @@ from html import escape
 from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
 from render.page import web_page
-from render.paper.letters import tagged
-from render.report.figures import Studio
+from render.report.figures import DocumentSetter
 from render.report.mathml import mathml
 
 
@@ -19,14 +18,10 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     return web_page.page(title, naming.lang, ("report.css",), body).encode()
 
 
-class _HtmlPage:
+class _HtmlPage(DocumentSetter):
     def __init__(self, blocks: Sequence[Block], naming: Naming) -> None:
-        self.naming, self.studio = naming, Studio(naming.lang)
+        super().__init__(naming)
         self.chapters = [b for b in blocks if isinstance(b, Heading) and b.level == 1]
-
-    def text(self, text: str, plan: str = "") -> str:
-        """Running text in tags."""
-        return tagged(text, self.naming, plan)
 
     def block(self, block: Block) -> str:
         """One block as HTML."""
@@ -46,7 +41,7 @@ class _HtmlPage:
             case DocumentTable(caption, rows):
                 return self.table(caption, rows)
             case Figure():
-                pictures, caption = self.studio.shown(block)
+                pictures, caption = self.shown(block)
                 beneath = f"<figcaption>{self.text(caption)}</figcaption>" if caption else ""
                 shown = "".join(p.svg(caption) for p in pictures)
                 return f"<figure>{shown}{beneath}</figure>" if pictures else ""

@@ -23,9 +23,8 @@ from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula
 from planes.words.naming import Naming
 from planes.words.records import Json
 from render.files.pdf import registered
-from render.paper.letters import tagged
 from render.paper.outlines import dejavu
-from render.report.figures import Shown, Studio
+from render.report.figures import DocumentSetter, Shown
 from render.report.floats import Filled, PagePiece, floated, glued
 from render.report.html import is_number
 from render.report.math_line import MathLine, broken
@@ -102,11 +101,8 @@ class _Paper(SimpleDocTemplate):  # type: ignore[misc]
             self.notify("TOCEntry", (int(style[1]) - 1, text, self.page, key))
 
 
-class _Setter:
+class _Setter(DocumentSetter):
     """Turns blocks into reportlab flowables."""
-
-    def __init__(self, naming: Naming) -> None:
-        self.naming, self.studio = naming, Studio(naming.lang)
 
     def flow(self, block: Block) -> list[Flowable]:
         """The flowables of a block."""
@@ -123,7 +119,7 @@ class _Setter:
             case DocumentTable(caption, rows):
                 return [Words(self.text(caption), styles()["above"]), self.table(rows)]
             case Figure():
-                pictures, caption = self.studio.shown(block)
+                pictures, caption = self.shown(block)
                 beneath = [Words(self.text(caption), styles()["small"])] if caption and pictures else []
                 return [*(_Picture(p, keep=bool(beneath)) for p in pictures), *beneath]
 
@@ -164,10 +160,6 @@ class _Setter:
         cells += [[Words(self.text(c), styles[2 if is_number(c) else 0]) for c in row] for row in rows[1:]]
         widths = [WIDTH * n / max(sum(longest), 60) for n in longest]
         return Grid(cells, widths, style=WRITTEN["grid"], repeatRows=1, hAlign="LEFT", spaceAfter=6)
-
-    def text(self, text: str, plan: str = "") -> str:
-        """Running text in tags."""
-        return tagged(text, self.naming, plan)
 
 
 class _Picture(Flowable):  # type: ignore[misc]

@@ -18,7 +18,7 @@ from docx.text.paragraph import Paragraph as Words
 from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
 from render.paper.letters import pieces
-from render.report.figures import Shown, Studio, raster
+from render.report.figures import DocumentSetter, Shown, raster
 from render.report.html import is_number
 from render.report.omml import equation
 
@@ -60,9 +60,10 @@ def set_type(style: ParagraphStyle, heading: bool) -> None:
     style.font.bold, shape.keep_with_next = heading or style.name == "Title", heading
 
 
-class _Writer:
+class _Writer(DocumentSetter):
     def __init__(self, paper: WordFile, naming: Naming, chapters: Sequence[str]) -> None:
-        self.paper, self.naming, self.studio, self.chapters = paper, naming, Studio(naming.lang), chapters
+        super().__init__(naming)
+        self.paper, self.chapters = paper, chapters
 
     def put(self, block: Block) -> None:
         """One block at the end of the paper."""
@@ -87,7 +88,7 @@ class _Writer:
             case DocumentTable(caption, rows):
                 self.table(caption, rows)
             case Figure():
-                pictures, caption = self.studio.shown(block)
+                pictures, caption = self.shown(block)
                 for picture in pictures:
                     self.picture(picture).alignment = Side.CENTER
                 if pictures and caption:

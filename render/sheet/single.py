@@ -145,8 +145,8 @@ def _plan(drawing: Drawing, plan: str, lang: Lang) -> View | None:
 
 def _places(drawing: Drawing, plan: str) -> Iterator[tuple[str, complex]]:
     """The drawn marks of a plan."""
-    for step in drawing.program.steps:
-        if step.kind == "mark" and plan_of(step.makes) == plan and step.makes not in drawing.program.trials:
+    for step in drawing.program.marks.get(plan, ()):
+        if step.makes not in drawing.program.trials:
             z = drawing.things.get(step.makes)
             if isinstance(z, complex) and cmath.isfinite(z):
                 yield step.makes, z

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from planes.drafting.steps import LayOff, Step, Through, Turn
 from planes.drafting.steps.reckoning import Calculate, Measure
-from planes.lesson.reckoning import products
+from planes.lesson.reckoning import quotients
 from planes.solving import Position
 from planes.words.frozen import frozen, replace
 from planes.words.names import label_of, parts_of
@@ -54,7 +54,7 @@ class Directions:
         """A rod with the vector of its far end, and the resulting sense of ω or ε."""
         links = self.position.plans.links.values()
         rates = {name for x in links for name in (x.omega, x.epsilon)}
-        for rate, (vector, _) in products(self.position.drawing.program, -1).items():
+        for rate, (vector, _) in quotients(self.position.drawing.program).items():
             step = self.steps.get(vector) if rate in rates else None
             if isinstance(step, Measure) and (rod := self.rod(step.along)) and (way := self.way(step.start, step.end)):
                 yield self.turning(rod, way, vector, rate)

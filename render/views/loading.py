@@ -199,7 +199,7 @@ class Loading:
 
     def big(self, size: float) -> bool:
         """Whether a force is more than rounding noise."""
-        names = {f.size for forces in self.plans.acting.forces.values() for f in forces}
+        names = {f.size for f in self.plans.acting.every}
         sizes = (abs(float(self.drawing[name])) for name in names if name in self.drawing)
         return abs(size) > NOTHING * max(sizes, default=0.0)
 

@@ -105,8 +105,7 @@ class ManyPositions:
 
     def axes(self, link: Link, result: PlacedMechanism) -> list[list[complex]]:
         """One stroke through the joints of a link, and the rods of its guides up to their sliders."""
-        links = [self.plans.mechanism.frame, *self.plans.mechanism.links.values()]
-        hinged = {p for x in links if x is not link for p in x.points}
+        hinged = {p for x in self.plans.mechanism.bodies if x is not link for p in x.points}
         own = self.plans.mechanism.joined(link)
         held = [p for p in own if p in hinged]
         loose = [p for p in own if p not in hinged and p != link.centre] if len(held) < 2 else []
@@ -115,7 +114,9 @@ class ManyPositions:
             joints.append(self.foot(link, link.slides.guide, result))
         rods = []
         for guide in link.guides:
-            feet = [self.foot(x, guide, result) for x in links if x.slides and x.slides.guide == guide]
+            feet = [
+                self.foot(x, guide, result) for x in self.plans.mechanism.bodies if x.slides and x.slides.guide == guide
+            ]
             through, along = self.line(guide, result)
             ways = [(z - through) * along.conjugate() for z in joints]
             on = [w.real for w in ways if abs(w.imag) < NEAR_MM] or [w.real for w in ways[:1]]

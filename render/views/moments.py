@@ -153,7 +153,7 @@ class Lever:
         helping = ("false", "relative")  # not part of the loaded figure
         aside = {s.makes for s in plotted.drawing.program.steps if s.quantity in helping}
         for s in plotted.drawn_segments(plan):
-            if {at(plan, s.start), at(plan, s.end)} & aside:
+            if {*s.ends} & aside:
                 continue
             ends = 1j * plotted.mark(plan, s.start), 1j * plotted.mark(plan, s.end)
             if abs(ends[1] - ends[0]) > ZERO_MM:

@@ -19,7 +19,7 @@ from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import Link, Mechanism
 from planes.solving import Position
 from planes.words.frozen import frozen, replace
-from planes.words.names import at, label_of, mu_of, plan_of
+from planes.words.names import at, label_of, mu_of
 
 Ends = tuple[complex, complex]
 Clusters = list[tuple[complex, list[str]]]  # places with the names there
@@ -56,8 +56,7 @@ class Plotted:
 
     def labels(self, plan: str) -> list[str]:
         """Labels of all marks of a plan in drawing order, without auxiliary ones."""
-        made = [s for s in self.drawing.program.steps if s.kind == "mark" and plan_of(s.makes) == plan]
-        return [label_of(s.makes) for s in made if not s.loose]
+        return [label_of(s.makes) for s in self.drawing.program.marks.get(plan, ()) if not s.loose]
 
     def drawn_segments(self, plan: str) -> list[Segment]:
         """The drawn segments of a plan."""

@@ -118,7 +118,7 @@ class Polygon:
         """Every measured segment by its ends."""
         rays = self.plotted.figure.poles if self.plotted.figure else ()
         for s in self.plotted.drawn_segments(self.plan):
-            if at(s.plan, s.start) not in rays and self.plotted.long(self.plan, s) > ZERO_MM:
+            if s.ends[0] not in rays and self.plotted.long(self.plan, s) > ZERO_MM:
                 names = self.arrows.setdefault((s.start, s.end), [])
                 name = self.naming.own(s.name)
                 names += [name] * (name not in names)

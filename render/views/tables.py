@@ -47,21 +47,17 @@ class Tables:
         for f in self.position.of("vectors").values():
             mm = abs(f.vector) * mu(plan_of(f.quantity.needs[0]))
             angle = self.tenths(math.degrees(cmath.phase(f.vector))) if mm > NOISE_MM else "—"
-            unit = self.say(f.quantity.columns[0].unit)
+            unit = self.say(f.unit)
             rows.append([self.naming.vector(f.quantity.name), self.tenths(mm), self.number(abs(f.vector)), unit, angle])
         return self.table("vectors-table", "measured", ["", self.say("mm"), "", "", self.say("angle")], rows)
 
     def values(self) -> View | None:
         """The values computed from the vectors."""
-        values = [
-            (f, f.quantity.columns[0].unit) for n, f in self.position.of("values").items() if n not in self.strains
-        ]
-        most = largest(self.position)
-        rows = []
-        for f, unit in values:
-            tell = self.turning if unit in RATES[False] else self.number
-            value = f.number if abs(f.number) > NOISE * most else 0.0
-            rows.append([self.naming.vector(f.quantity.name), tell(value), unit and self.say(unit)])
+        noise, rows = NOISE * largest(self.position), []
+        for f in (f for n, f in self.position.of("values").items() if n not in self.strains):
+            tell = self.turning if f.unit in RATES[False] else self.number
+            value = f.number if abs(f.number) > noise else 0.0
+            rows.append([self.naming.vector(f.quantity.name), tell(value), f.unit and self.say(f.unit)])
         return self.table("values", "values_found", ["", "", ""], rows)
 
     @cached_property

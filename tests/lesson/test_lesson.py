@@ -29,10 +29,11 @@ from planes.solving import solve
 from planes.solving.document import Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.names import at, label_of
+from planes.words.naming import Naming
 from render.page.lesson_page import page
 from render.paper.marks import Line
 from render.report import rendered
-from render.report.figures import Studio
+from render.report.figures import DocumentSetter
 from render.sheet.composer import Composer
 from render.views.plotted import of_position
 from tests.helpers import ROOT
@@ -447,7 +448,7 @@ def test_the_note_has_every_figure_it_speaks_of() -> None:
     drawn = placed(scene, None, "en")
     blocks, naming = Note(scene, drawn, "en").blocks(), Composer(scene, "en").naming
     keys = [b.of.views[0][0] for b in blocks if isinstance(b, Figure)]
-    assert all(Studio("en").shown(b)[0] for b in blocks if isinstance(b, Figure))
+    assert all(DocumentSetter(Naming("en")).shown(b)[0] for b in blocks if isinstance(b, Figure))
     assert "scheme" in keys and "force:2-3" in keys
     text = rendered(blocks, ".html", naming).decode()
     assert text.count("<svg") == len(keys) and "<i>v</i><i><sub>CB</sub></i>" in text

@@ -19,7 +19,7 @@ from planes.words import Lang
 from planes.words.naming import Naming
 from render.paper.marks import Arrow, Text
 from render.report import rendered
-from render.report.figures import Studio
+from render.report.figures import DocumentSetter
 from render.report.shaft import shaft_view
 from render.views.instant_centre import instant_centre
 from tests.helpers import ROOT
@@ -64,7 +64,7 @@ def test_every_force_on_the_shaft_is_an_arrow_of_its_own() -> None:
 
 def test_the_mechanism_and_each_link_are_drawn_with_their_forces() -> None:
     loaded = next(b for b in document(calculated(SAMPLE), "en") if isinstance(b, Figure) and "its loads" in b.caption)
-    pictures, _ = Studio("en").shown(loaded)
+    pictures, _ = DocumentSetter(Naming("en")).shown(loaded)
     names = {m.name for p in pictures for m in getattr(p, "marks", ()) if isinstance(m, Arrow)}
     assert {"P_3", "I_3", "I_2", "I_1", "F_30", "F_32", "F_23", "F_21", "F_12", "F_10", "G_1"} <= names
 

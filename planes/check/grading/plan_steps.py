@@ -10,7 +10,7 @@ from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.plans import Plans
 from planes.words import Told
-from planes.words.names import POLE, at, guide_of, label_of, plan_of
+from planes.words.names import POLE, at, guide_of, label_of
 
 Words = Mapping[str, Told]  # names for the sentence about a mistake
 
@@ -27,11 +27,11 @@ class PlanSteps:
         self.steps = self.program.makers
         self.order = {s.makes: i for i, s in enumerate(self.program.steps)}
         self.pole = at(self.plan, POLE)
-        self.own = [s for s in self.program.steps if s.kind == "mark" and plan_of(s.makes) == self.plan]
+        self.own = self.program.marks.get(self.plan, [])
 
     def readers(self, name: str) -> list[Step]:
         """The steps that use an element."""
-        return [s for s in self.program.steps if any(n == name for n, _ in s.reads())]
+        return self.program.readers.get(name, [])
 
     def before(self, name: str, step: Step) -> bool:
         """Whether an element exists when the step is drawn."""

@@ -26,7 +26,7 @@ from planes.scene import Scene
 from planes.words import Phrase, Written
 from planes.words.errors import PlanesError, choices
 from planes.words.frozen import frozen
-from planes.words.names import POLE, at, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE, at, kind_of, label_of, mu_of
 from planes.words.naming import Names, Naming
 from planes.words.units import mu_text
 
@@ -174,8 +174,8 @@ def known_plans(plans: Plans) -> list[str]:
 
 def marks_of(plans: Plans, plan: str) -> list[str]:
     """The marks of a plan drawn by a person, in order of drawing."""
-    own = [s.makes for s in plans.program.steps if s.kind == "mark" and plan_of(s.makes) == plan and not s.helper]
-    return [m for m in own if label_of(m) != POLE]
+    own = plans.program.marks.get(plan, [])
+    return [s.makes for s in own if not s.helper and label_of(s.makes) != POLE]
 
 
 def mark_names(plans: Plans, plan: str, naming: Naming) -> Names:

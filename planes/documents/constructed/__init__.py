@@ -58,7 +58,7 @@ class LiveFigure:
     def marks(self) -> list[str]:
         """The marks shown, by their full names."""
         made = [s for s in self.stated.program.steps if s.kind == "mark" and s.makes in self.position.drawing]
-        shown = {at(s.plan, label) for s in self.stated.segments for label in (s.start, s.end)}
+        shown = {end for s in self.stated.segments for end in s.ends}
         own = (s.makes for s in made if s.makes in shown or not (s.loose or s.helper))
         return [name for name in own if plan_of(name) in self.plans and name not in self.stated.program.trials]
 
@@ -97,9 +97,8 @@ class LiveFigure:
         """The vectors of the plans, each once."""
         names: dict[tuple[str, str], str] = {}
         for s in (s for plan in self.plans for s in self.stated.segments_of.get(plan, ())):
-            ends = at(s.plan, s.start), at(s.plan, s.end)
-            if s.start != s.end and {*ends} <= {*self.marks}:
-                names.setdefault(ends, self.naming.vector(s.name))
+            if s.start != s.end and {*s.ends} <= {*self.marks}:
+                names.setdefault(s.ends, self.naming.vector(s.name))
         return [Stretch(*ends, text) for ends, text in names.items()]
 
     @cached_property

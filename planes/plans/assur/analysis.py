@@ -72,7 +72,7 @@ class _Finder:
         self.mechanism, self.file = mechanism, file
         self.links = list(mechanism.links)
         self.holders: dict[str, list[str]] = {}
-        for link in (mechanism.frame, *mechanism.links.values()):
+        for link in mechanism.bodies:
             for point in link.points:
                 self.holders.setdefault(point, []).append(link.name)
         self.slides = [

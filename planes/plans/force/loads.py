@@ -12,6 +12,7 @@ from planes.plans.position.bodies import SCHEME, Bodies, BodyPoint
 from planes.scene.mechanism import FRAME, Link, Load, LoadLaw, Mechanism, StrokeLoad
 from planes.words.frozen import frozen
 from planes.words.names import POLE, Meaning, Quantity, at
+from planes.words.records import Json
 
 
 @frozen
@@ -25,6 +26,11 @@ class Force:
     point: str
     quantity: Quantity
     spot: BodyPoint | None = None
+
+    @property
+    def shown(self) -> Json:
+        """How a page draws it."""
+        return {"name": self.name, "mark": self.point, "along": self.along, "size": self.size}
 
     @property
     def means(self) -> Meaning:
@@ -43,6 +49,11 @@ class Couple:
     sign: int = 1
     handed: bool = False
     inertia: bool = False
+
+    @property
+    def shown(self) -> Json:
+        """How a page draws it."""
+        return {"name": self.name, "link": self.link, "size": self.value, "sign": self.sign}
 
 
 def load_names(mechanism: Mechanism) -> list[str]:
@@ -73,6 +84,11 @@ class Loads:
     couples: Mapping[str, Sequence[Couple]] = field(default_factory=dict)
     laws: Mapping[str, LoadLaw | StrokeLoad] = field(default_factory=dict)
     motion: Rates | None = None
+
+    @property
+    def every(self) -> list[Force]:
+        """The forces on all links."""
+        return [f for forces in self.forces.values() for f in forces]
 
 
 @dataclass
