@@ -2,13 +2,15 @@
 
 from collections.abc import Iterator, Sequence
 
-from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, headed
+from shapely import buffer, union_all
+
+from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, as_lines, headed
 from planes.check.reading.written import Stroke, Strokes
 
 UPON_MM = 0.1  # a vector is drawn on its line
 ASKEW = 0.02  # maximum angle between parallel lines, radians
 MEETING = 0.5  # share of ends that meet others, for lines drawn from end to end
-ALONG_MM = 0.9  # maximum offset of a stroke along a segment
+ALONG_MM, ASLANT = 0.9, 0.06  # maximum offset and slope of a stroke along a segment
 NAMED_MM = 6.0  # maximum distance of a word from the end it names
 MISREAD = 0.05  # share of a drawing's marks that are misread
 CONFUSED = 0.0005  # the same for marks of such lines without heads
@@ -133,20 +135,9 @@ def _met(strokes: Strokes, z: complex, but: Sequence[int], near: float = SNAPPED
 
 def covered(strokes: Strokes, a: complex, b: complex) -> float:
     """The share of the segment from ``a`` to ``b`` with a stroke along it."""
-    length, spans, reach = abs(b - a), [], ALONG_MM
-    if length < 2 * reach:
+    if abs(b - a) < 2 * ALONG_MM:
         return 1.0
-    u = (b - a) / length
-    for c, d in strokes:
-        p, q = (c - a) * u.conjugate(), (d - a) * u.conjugate()
-        if abs(p.imag) > reach and abs(q.imag) > reach and p.imag * q.imag > 0:
-            continue
-        if abs((q - p).imag) > 0.06 * abs(q - p) + reach or max(abs(p.imag), abs(q.imag)) > 4 * reach:
-            continue
-        low, high = sorted((p.real, q.real))
-        spans.append((max(low, 0.0), min(high, length)))
-    total, reached = 0.0, 0.0
-    for low, high in sorted(spans):
-        total += max(high - max(low, reached), 0.0)
-        reached = max(reached, high)
-    return total / length
+    aside = ((b - a).conjugate() / abs(b - a) * (d - c) for c, d in strokes)
+    beside = [s for s, way in zip(strokes, aside, strict=True) if abs(way.imag) < ALONG_MM + ASLANT * abs(way)]
+    line, bands = as_lines([(a, b)])[0], union_all(buffer(as_lines(beside), ALONG_MM, cap_style="flat"))
+    return float(line.intersection(bands).length / line.length)

@@ -45,7 +45,7 @@ UPON = 0.7  # share of a vector within the lines of others at which it need not 
 EXACT_MM = 0.05  # accuracy of a program
 MOST = 120  # arrows
 LEAST, ALIKE, OTHER_SIZE = 0.2, 1.03, 3.0  # sizes of a plan of unknown scale: the smallest; ratio of equal ones
-NEVER = 1e6
+NEVER, TINY = 1e6, 1e-9
 Known = dict[str, complex]
 Rows = Mapping[str, Stroke]
 NamedStrokes = Iterator[tuple[str, Stroke]]
@@ -335,30 +335,22 @@ def _back(s: Stroke, o: Stroke) -> bool:
 
 
 def cheapest(table: Array) -> list[int]:
-    """The column of each row, each used once, with the lowest total cost (Kuhn and Munkres)."""
+    """The column of each row, each used once, with the lowest total cost: by shortest augmenting paths."""
     rows, columns = table.shape
-    u, v, row_of = numpy.zeros(rows + 1), numpy.zeros(columns + 1), numpy.zeros(columns + 1, int)
-    for row in range(1, rows + 1):
-        row_of[0], here = row, 0
-        least, used = numpy.full(columns + 1, math.inf), numpy.zeros(columns + 1, bool)
-        way = numpy.zeros(columns + 1, int)
-        while row_of[here]:
-            used[here] = True
-            cost = numpy.r_[math.inf, table[row_of[here] - 1] - u[row_of[here]] - v[1:]]
-            better = ~used & (cost < least)
-            least[better], way[better] = cost[better], here
-            here = int(numpy.where(used, math.inf, least).argmin())
-            delta = least[here]
-            u[row_of[used]] += delta
-            v[used] -= delta
-            least[~used] -= delta
-        while here:
-            row_of[here], here = row_of[way[here]], int(way[here])
-    columns_of = {int(row_of[j]) - 1: j - 1 for j in range(1, columns + 1) if row_of[j]}
-    return [columns_of[row] for row in range(rows)]
-
-
-def true_vectors(bench: PreparedPlan) -> dict[str, complex]:
-    """Every vector of the right plan by name."""
-    places = {**bench.true_marks, POLE: 0j}
-    return {s.name: places[s.end] - places[s.start] for s in sides_of(bench.plans, bench.asked.plan)}
+    row_of = numpy.full(columns, -1)
+    for row in range(rows):
+        cost, before = table[row].copy(), numpy.full(columns, -1)
+        while True:  # by another column for a row that holds one
+            taken = numpy.flatnonzero(row_of >= 0)
+            held = table[row_of[taken]]
+            ways = cost[taken, None] - held[range(len(taken)), taken, None] + held
+            least = ways.min(axis=0, initial=math.inf)
+            better = least < cost - TINY
+            if not better.any():
+                break
+            cost[better], before[better] = least[better], taken[ways.argmin(axis=0)[better]]
+        here = int(numpy.where(row_of < 0, cost, math.inf).argmin())
+        while before[here] >= 0:
+            row_of[here], here = row_of[before[here]], int(before[here])
+        row_of[here] = row
+    return [int(numpy.flatnonzero(row_of == row)[0]) for row in range(rows)]

@@ -7,10 +7,14 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy
+from shapely import linestrings
 
 from planes.check.reading.opened import too_many
 from planes.check.reading.written import Stroke, Strokes, Words
+from planes.geometry.plane import corners
 
 Round = tuple[complex, float]  # centre and radius of a small circle, a hinge or a point
 LONGEST = 200  # letters of a text
@@ -47,6 +51,11 @@ class ReadDrawing:
     rounds: list[Round] = field(default_factory=list)
     passed: int = 0  # vertices where polylines continue straight on
 
+    @property
+    def box(self) -> tuple[complex, complex]:
+        """The lower left and the upper right corner of its strokes."""
+        return corners(z for stroke in self.strokes for z in stroke)
+
     def way(self, k: int) -> int:
         """The end of a stroke that has a head."""
         return self.ways[k] if self.ways else 0
@@ -74,6 +83,11 @@ class ReadDrawing:
         for count, most in ((len(self.strokes) + self.passed, MOST), (len(self.short), MOST_SHORT)):
             if count > most:
                 raise too_many(self.file, "strokes", most)
+
+
+def as_lines(strokes: Strokes) -> Any:  # shapely has no types for many lines
+    """Strokes as lines."""
+    return linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes]) if strokes else numpy.array([], object)
 
 
 def goes_on(a: complex, b: complex, c: complex, within: float = STRAIGHT) -> bool:
