@@ -23,7 +23,7 @@ LEAST_TURN = 0.1  # sine of the angle between crossing lines
 def exact_marks(seen: Explanation, ink: LineInk, laid: Laid) -> dict[str, ReadMark]:
     """The marks of a settled drawing, each where its lines end; otherwise at their crossing or at a circle."""
     plan, marks = seen.plan, dict[str, ReadMark]()
-    places = numpy.array([laid.places[n] for n in plan.names]) + seen.pole
+    places = plan.row(laid.places) + seen.pole
     for n in (POLE, *plan.labels):
         m = plan.names.index(n)
         own = ink.lines[_drawn_to(seen, ink, places, m)]

@@ -55,8 +55,8 @@ def wholes(plan: PlanLines) -> list[Hypothesis]:
 
 def _of_many_ways(plan: PlanLines) -> bool:
     """Whether the longer lines of a plan have more than one direction."""
-    places = numpy.array([plan.true[n] for n in plan.names])
-    ways = (places[plan.ends] - places[plan.starts])[plan.needed]
+    a, b = plan.ends_of(plan.true)
+    ways = (b - a)[plan.needed]
     ways = ways[abs(ways) > LONG_MM]
     return bool(len(ways)) and bool((abs((ways / ways[0]).imag) > WAYS_DIFFER * abs(ways / ways[0])).any())
 

@@ -136,7 +136,7 @@ class PlanLines:
         a, b = (numpy.stack([w[k] for w in ways], axis=1) if ways else none for k in (0, 1))
         return a, b, numpy.stack([at_[n] for n in shown], axis=1), numpy.array([reach[n] for n in shown])
 
-    def draw(self, hypothesis: Hypothesis, nudges: Mapping[str, Array], count: int) -> Complexes | None:
+    def draw(self, hypothesis: Hypothesis, nudges: Mapping[str, complex | Array], count: int) -> Complexes | None:
         """Positions of the marks (count × names, the pole last), mm from the sheet's pole, with extra displacements.
 
         NaN where they cannot be constructed, None if none can.
@@ -158,6 +158,15 @@ class PlanLines:
         places = numpy.concatenate([places, numpy.stack(rest, axis=1)], axis=1)
         places[:, :-1] += places[:, -1:]  # the pole may be shifted, with the whole drawing
         return places
+
+    def row(self, places: Mapping[str, complex]) -> Complexes:
+        """The positions of marks by label as a row in the order of the names."""
+        return numpy.array([places[n] for n in self.names])
+
+    def ends_of(self, places: Mapping[str, complex], order: Sequence[int] = ()) -> tuple[Complexes, Complexes]:
+        """Starts and ends of the lines of one drawing: see :meth:`laid`."""
+        a, b = self.laid(self.row(places)[None], order)
+        return a[0], b[0]
 
     def each(self, every: Sequence[Hypothesis]) -> Iterator[tuple[Hypothesis, Complexes | None]]:
         """Hypotheses with their drawings; those that only turn, mirror or scale a drawing share it."""

@@ -20,7 +20,8 @@ LARGEST = 12 * MB
 MOST = 60_000  # entities, including blocks
 DEEPEST = 30  # nesting depth of blocks
 FILLINGS = ("SOLID", "TRACE", "HATCH")
-UP = 0.0, 0.0, 0.5, 1.0, 0.5  # height of a text's place on it, by its alignment: on the line, below, middle, above, middle
+# height of a text's place on it, by its alignment: at its foot, its foot, its middle, its top, its middle
+UP = 0.0, 0.0, 0.5, 1.0, 0.5
 MEASURES = ("DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "TOLERANCE", "VIEWPORT")  # no vectors
 
 

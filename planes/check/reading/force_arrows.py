@@ -5,7 +5,6 @@ Every arrow is the vector that it resembles and whose name stands beside it, in 
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -244,10 +243,8 @@ def _turned_round(seen: ForceArrows, best: Reading, own: Collection[str]) -> Nam
 
 def _misnamed(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]]:
     """Pairs of names at each other's arrows; vectors whose names fit another's place better, and vice versa."""
-    left = [k for k, i in enumerate(seen.of) if i in best.left]  # some, as their names stand elsewhere
-    ways = {n: k for k in left for n, v in best.known.items() if abs(seen.v[k] - v) < SAME_MM} | best.taken
-    names, v = [*ways], numpy.array([best.known[n] for n in ways])
-    prices = seen.prices[[*ways.values()]][:, [seen.names.index(n) for n in ways]] / w.LETTERS
+    names, v = [*best.taken], numpy.array([best.known[n] for n in best.taken])
+    prices = seen.prices[[*best.taken.values()]][:, [seen.names.index(n) for n in names]] / w.LETTERS
     other = numpy.where(abs(v[:, None] - v) > MEET_MM, prices, math.inf)
     own, surely = prices.diagonal(), -math.log(w.LIKELY)
     rather = own - other > math.log(w.RATHER)  # by row of an arrow and column of a name
@@ -256,7 +253,7 @@ def _misnamed(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[s
     elsewhere = rather.any(axis=0) & (numpy.maximum(there, theirs) < surely)
     pairs = [(names[k], names[j]) for k, j in numpy.argwhere(numpy.triu(sure))]
     exchanged = [SignFault("names_exchanged", *pair, w.EXCHANGED) for pair in pairs]
-    return exchanged, [n for n in compress(names, elsewhere) if n in best.taken]
+    return exchanged, [*compress(names, elsewhere)]
 
 
 def _headless(seen: ForceArrows, unread: Known, rows: Rows) -> NamedStrokes:
@@ -272,9 +269,8 @@ def _headless(seen: ForceArrows, unread: Known, rows: Rows) -> NamedStrokes:
 def _into_a_head(seen: ForceArrows, v: complex, rows: Rows) -> bool:
     """Whether a vector may end in the head of another in the same direction, so that it has none."""
     headed = [one[0] for one in seen.arrows if len(one) == 1]
-    along = [(a, b) for a, b in headed if abs(cmath.phase((b - a) / v)) < w.NARROW]
     ends = [b for _, b in rows.values()]
-    return any(abs(b - z - v) < _near(v) and covered(along, z, b) > UPON for _, b in along for z in ends)
+    return any(abs(b - z - v) < _near(v) and covered(headed, z, b) > UPON for _, b in headed for z in ends)
 
 
 def _near(v: complex) -> float:

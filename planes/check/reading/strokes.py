@@ -87,7 +87,8 @@ class ReadDrawing:
 
 def as_lines(strokes: Strokes) -> Any:  # shapely has no types for many lines
     """Strokes as lines."""
-    return linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes]) if strokes else numpy.array([], object)
+    ends = [[(z.real, z.imag) for z in stroke] for stroke in strokes]
+    return linestrings(ends) if ends else numpy.array([], object)
 
 
 def goes_on(a: complex, b: complex, c: complex, within: float = STRAIGHT) -> bool:
