@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from itertools import combinations
 
 import numpy
 
@@ -11,6 +12,7 @@ from planes.check.explaining.explained import Explanation
 from planes.check.explaining.scorer import Laid
 from planes.check.grading.paper import ReadMark
 from planes.geometry.arrays import Booleans, Complexes
+from planes.geometry.plane import lines, toward
 from planes.words.names import POLE
 
 NEAR_MM, JOINED_MM = 1.2, 0.15  # from the settled mark; between ends that coincide
@@ -55,10 +57,9 @@ def _drawn_to(seen: Explanation, ink: LineInk, places: Complexes, m: int) -> Boo
     return mine
 
 
-def _crossings(lines: Complexes) -> Iterator[complex]:
+def _crossings(every: Complexes) -> Iterator[complex]:
     """The crossings of lines, extended if needed."""
-    for k, (a, b) in enumerate(lines.tolist()):
-        for c, d in lines[:k].tolist():
-            turn = ((b - a).conjugate() * (d - c)).imag
-            if abs(turn) > LEAST_TURN * abs(b - a) * abs(d - c):
-                yield a + (b - a) * ((c - a).conjugate() * (d - c)).imag / turn
+    for (a, b), (c, d) in combinations(every.tolist(), 2):
+        place, turn, _ = lines(a, toward(a, b), c, toward(c, d))
+        if abs(turn) > LEAST_TURN:
+            yield complex(place)

@@ -13,6 +13,7 @@ from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import breadth, joined, without_letters
 from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing
 from planes.check.reading.written import Words
+from planes.geometry.plane import toward
 from planes.words.errors import guarded
 
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 13: 1e-3, 14: 100.0}
@@ -101,7 +102,7 @@ def _entity(drawing: ReadDrawing, entity: Any, scale: float) -> None:
             tip, *before = places = [_z(v, scale) for v in entity.vertices]
             drawing.add(places)
             if entity.dxf.get("has_arrowhead", 1) and before and tip != before[0]:
-                drawing.heads.append(Arrowhead(tip, (tip - before[0]) / abs(tip - before[0])))
+                drawing.heads.append(Arrowhead(tip, toward(before[0], tip)))
         case "SOLID" | "TRACE":
             drawing.heads += filter(None, [head_of([_z(p, scale) for p in entity.wcs_vertices()])])
         case "HATCH":

@@ -207,7 +207,7 @@ def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     unread = (n for n in true if n in ring and n not in rows and abs(true[n]) > HEADLESS_MM)
     paper.left = [n for n in unread if not _into_a_head(seen, true[n], rows)]
     error = max(sketch.error_mm, LOOSE * _gap(rows))
-    paper.spots = [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE, name), s, strict=True)]
+    paper.spots = _spots(rows, error)
     paper.whole = seen.headed and all(abs(seen.arrows[i][0][1] - seen.arrows[i][0][0]) < HEADLESS_MM for i in best.left)
     room = 2 * max(_gaps(rows), default=0.0)  # where all ends meet, no vector is hidden
     paper.whole &= all(n in rows or not HIDDEN_MM < abs(true[n]) < min(room, HEADLESS_MM) for n in own)
@@ -289,7 +289,7 @@ def _vague(seen: ForceArrows, rows: Rows, bench: PreparedPlan, paper: ReadPaper)
             return True
     if is_right(bench, paper):
         return False
-    back = [replace(s, place=z) for s, z in zip(paper.spots, _turned(paper.spots), strict=True)]
+    back = _spots({n: s[::-1] for n, s in rows.items()}, paper.spots[0].error_mm)
     turned = not seen.headed and worth(bench, replace(paper, spots=back)) >= worth(bench, paper)
     return turned or not (seen.written & seen.own).any()
 
@@ -304,10 +304,9 @@ def _gaps(rows: Rows) -> list[float]:
     return [min(abs(b - a) for a, _ in rows.values()) for _, b in rows.values()]
 
 
-def _turned(spots: Sequence[ReadMark]) -> Iterator[complex]:
-    """The positions of vectors when reversed."""
-    for k in range(0, len(spots), 2):
-        yield from (spots[k + 1].place, spots[k].place)
+def _spots(rows: Rows, error: float) -> list[ReadMark]:
+    """Each vector as its start and its end."""
+    return [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE, name), s, strict=True)]
 
 
 def _between(rows: Rows, known: Known) -> NamedStrokes:

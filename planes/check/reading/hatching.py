@@ -9,6 +9,7 @@ from shapely import STRtree, points
 
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.written import Strokes
+from planes.geometry.plane import toward
 
 FEWEST = 4  # minimum number of rows in hatching
 WIDEST_MM, EVEN_MM = 6.0, 0.15  # maximum distance between rows, and tolerance of their spacing
@@ -67,8 +68,7 @@ def _even_rows(strokes: Strokes, held: Sequence[int], loose: Set[int]) -> Iterat
     """Those of parallel strokes that lie in evenly spaced rows, enough of which begin and end freely."""
     if len(held) < FEWEST:
         return
-    a, b = strokes[held[0]]
-    across = ((b - a) / abs(b - a)).conjugate()
+    across = toward(*strokes[held[0]]).conjugate()
     rows: list[tuple[float, list[int]]] = []
     for off, k in sorted((((strokes[k][0] + strokes[k][1]) / 2 * across).imag, k) for k in held):
         if rows and off - rows[-1][0] < ROW_MM:

@@ -15,6 +15,7 @@ from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing
 from planes.check.reading.svg_css import MM, OWN, Looks, length, looks_of, number, numbers, ruled, transform_of
 from planes.check.reading.svg_shapes import MOST, outlines, tree
 from planes.check.reading.written import Words
+from planes.geometry.plane import toward
 from planes.scene.carried import carried
 from planes.words import Phrase
 from planes.words.errors import PlanesError
@@ -139,7 +140,7 @@ class _Reader:
         for key, tip, before in (("marker-start", places[0], places[1]), ("marker-end", places[-1], places[-2])):
             named = looks.get(key, looks.get("marker", "none")).lower()
             if named != "none" and tip != before and not any(word in named for word in NO_HEADS):
-                self.sketch.heads.append(Arrowhead(tip, (tip - before) / abs(tip - before)))
+                self.sketch.heads.append(Arrowhead(tip, toward(before, tip)))
 
     def _text(self, e: ElementTree.Element, m: Transform, looks: Looks) -> None:
         text = re.sub(r"[ \t\r\n]+", " ", "".join(e.itertext())).strip()

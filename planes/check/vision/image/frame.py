@@ -13,6 +13,7 @@ from planes.check.vision.image.bend import LEFT_MM, OTHER_MM
 from planes.check.vision.image.opencv import cv, sampled, smaller
 from planes.check.vision.image.picture import LARGEST_PX, PX_PER_MM, Flat
 from planes.geometry.arrays import Array, Complexes, Greys
+from planes.geometry.plane import lines
 
 SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # landscape
 LEAST_SHARE = 0.2  # minimum share of the picture inside a frame
@@ -90,8 +91,7 @@ def line_along(places: Complexes) -> Line:
 
 def meetings(sides: Sequence[Line]) -> Array:
     """The intersections of each side of a figure with the one before it."""
-    pairs = zip([sides[-1], *sides[:-1]], sides, strict=True)
-    corners = [p + u * ((q - p).conjugate() * w).imag / (u.conjugate() * w).imag for (p, u), (q, w) in pairs]
+    corners = [lines(*one, *two)[0] for one, two in zip([sides[-1], *sides[:-1]], sides, strict=True)]
     return numpy.array([(z.real, z.imag) for z in corners])
 
 
