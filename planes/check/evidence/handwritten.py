@@ -13,6 +13,7 @@ from planes.check.evidence.ink import Ink
 from planes.check.evidence.letter_net import SHAPES, features, odds
 from planes.check.vision.image.opencv import cv, pieces
 from planes.geometry.arrays import Array, Greys
+from planes.geometry.plane import off_segment
 from planes.words.frozen import frozen
 
 SAME = {"I": "|1Ф", "1": "1|", "F": "FR", "0": "0D", "O": "0D", "p": "P", "τ": "t", "S": "5", "Q": "0", "C": "G"}
@@ -45,10 +46,9 @@ class HandWord:
 
     def off(self, a: complex, b: complex) -> float:
         """The distance of the word's middle line from the segment from a to b."""
-        up, u = 1j * (self.low + self.high).imag / 2, b - a
-        spots = [x + up for x in (self.low.real, (self.low + self.high).real / 2, self.high.real)]
-        along = (((z - a) * u.conjugate()).real / abs(u) ** 2 if u else 0.0 for z in spots)
-        return min(abs(a + min(max(t, 0.0), 1.0) * u - z) for t, z in zip(along, spots, strict=True))
+        middle = (self.low + self.high) / 2
+        spots = (complex(x, middle.imag) for x in (self.low.real, middle.real, self.high.real))
+        return min(off_segment(z, a, b) for z in spots)
 
 
 @dataclass

@@ -151,7 +151,11 @@ class Explanation:
         if self.plan.kind == "force" or not self.best.hypothesis.right:
             return []
         hidden = (n for n in self.plan.labels if self.best.sigmas.get(n, math.inf) >= w.UNSEEN_MM)
-        return [n for n in hidden if self.scorer.words.by(n, self.pole + self.best.places[n]) > w.LIKELY]
+        return [n for n in hidden if self.named_there(n) > w.LIKELY]
+
+    def named_there(self, mark: str) -> float:
+        """The probability that the name of a mark stands beside it."""
+        return self.scorer.words.by(mark, self.pole + self.best.places[mark])
 
     def untold(self) -> list[str]:
         """Marks, or sides of a force polygon, that lie elsewhere in the other drawing where the two are in doubt.

@@ -1,13 +1,14 @@
 """Distinguishes construction lines from the vectors on them, without arrowheads: they run on to where nothing ends."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
-from shapely import buffer, union_all
+from shapely import buffer, dwithin, union_all
 
 from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, as_lines, headed
 from planes.check.reading.written import Stroke, Strokes
+from planes.geometry.plane import toward
 
-UPON_MM = 0.1  # a vector is drawn on its line
+UPON_MM, TOUCH_MM = 0.1, 0.01  # a vector is drawn on its line; a line ends on another
 ASKEW = 0.02  # maximum angle between parallel lines, radians
 MEETING = 0.5  # share of ends that meet others, for lines drawn from end to end
 ALONG_MM, ASLANT = 0.9, 0.06  # maximum offset and slope of a stroke along a segment
@@ -32,28 +33,22 @@ def doubt_of(sketch: ReadDrawing) -> float:
     return CONFUSED if met else MISREAD
 
 
-def meeting(strokes: Strokes, ends: Sequence[tuple[int, complex]], near: float = SNAPPED_MM) -> float:
+def meeting(strokes: Strokes, ends: Sequence[tuple[int, complex]], near: float) -> float:
     """The share of the ends of strokes that meet others."""
     return sum(_met(strokes, z, (k,), near) for k, z in ends if len(ends) < CROSSINGS) / max(len(ends), 1)
 
 
 def past(strokes: Strokes, ends: Sequence[tuple[int, complex]]) -> int:
     """The number of ends slightly beyond a crossing with another stroke, or its end on theirs, that meet none."""
-    free = ((k, z) for k, z in ends if not _met(strokes, z, (k,), SNAPPED_MM))
-    return sum(any(at < PAST_MM for at in crossed(strokes, k, z)) for k, z in free)
+    return sum(_crossed(strokes, k, z) for k, z in ends if not _met(strokes, z, (k,), SNAPPED_MM))
 
 
-def crossed(strokes: Strokes, k: int, z: complex) -> Iterator[float]:
-    """The distances from the end of a stroke at which others cross it or end on it."""
+def _crossed(strokes: Strokes, k: int, z: complex) -> bool:
+    """Whether others cross a stroke, or end on it, not far from one of its ends."""
     other = next(w for w in strokes[k] if w != z)
-    length, u = abs(other - z), (other - z) / abs(other - z)
-    for i, (a, b) in enumerate(strokes):
-        p, q = (a - z) / u, (b - z) / u
-        if i == k or _along((a, b), strokes[k]) or p.imag * q.imag > SNAPPED_MM**2:
-            continue
-        at = (p + (q - p) * p.imag / (p.imag - q.imag)).real if p.imag != q.imag else p.real
-        if SNAPPED_MM < at < length - SNAPPED_MM:
-            yield at
+    u, far = toward(z, other), min(abs(other - z) - SNAPPED_MM, PAST_MM)
+    rest = [s for i, s in enumerate(strokes) if i != k and not _along(s, strokes[k])]
+    return bool(dwithin(as_lines(rest), as_lines([(z + SNAPPED_MM * u, z + far * u)])[0], TOUCH_MM).any())
 
 
 def _in_rows(strokes: Strokes) -> bool:

@@ -112,15 +112,12 @@ def hinged(sketch: ReadDrawing) -> ReadDrawing:
     return replace(sketch, strokes=lines).only(k for k, (a, b) in enumerate(lines) if a != b)
 
 
-def reach_of(strokes: Strokes, vectors: Sequence[int] = ()) -> float:
-    """The distance, mm, within which ends coincide: small if joined by a program, larger if joined by eye.
-
-    If ``vectors`` are known, only their ends count.
-    """
+def reach_of(strokes: Strokes, vectors: Sequence[int]) -> float:
+    """The distance, mm, within which ends of vectors meet others: small if joined by a program, larger if by eye."""
     ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
     if len(ends) > 2 * CROSSINGS:
         return LOOSE_MM
-    asked = [(k, z) for k in vectors for z in strokes[k]] or ends
+    asked = ((k, z) for k in vectors for z in strokes[k])
     gaps = sorted(min((abs(z - w) for j, w in ends if j != k), default=math.inf) for k, z in asked)
     joined = [g for g in gaps if g < FARTHEST_MM]
     if not joined or sum(g < SNAPPED_MM for g in joined) > 0.7 * len(joined):

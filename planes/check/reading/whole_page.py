@@ -44,7 +44,8 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     if elsewhere(sketch.words, bench.asked.plan, plans):
         return ReadPaper(sketch.file, whole=False)
     pieces = parts(sketch)
-    titled, plain = own(pieces), [p for p in own(pieces) if enlarged(sketch.words, p) == 1.0]
+    titled = own(pieces)
+    plain = [p for p in titled if enlarged(sketch.words, p) == 1.0]
     likely = plain or titled or own(parts(sketch, 0.0)) or pieces
     likely = sorted(likely, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
