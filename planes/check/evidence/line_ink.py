@@ -44,16 +44,16 @@ class LineInk(SheetInk):
         self.headed = bool(headed(sketch))
         self.plain = numpy.where((self.way == 0) & self.headed, HEADLESS, 1.0)
         self.points, self.ways, self.mm = self._pieces(length)
-        free = self.lines if self.headed else self.lines.ravel()
-        back, ahead = self.way < 0, self.way > 0
-        self.tips: Complexes = numpy.r_[free[ahead, 1], free[back, 0]] if self.headed else free
-        self.tip_ways: Complexes = (
-            numpy.r_[self.u[ahead], -self.u[back]] if self.headed else numpy.stack([-self.u, self.u], axis=1).ravel()
-        )
+        ways, tips = numpy.stack([-self.u, self.u], axis=1), self.lines
+        if self.headed:
+            pointed = self.way[:, None] == [-1, 1]
+            ways, tips = ways[pointed], tips[pointed]
+        self.tips: Complexes = tips.ravel()
+        self.tip_ways: Complexes = ways.ravel()
         if not self.headed and len(self.lines) < FEW:  # lines may extend beyond the ends of vectors
             k, j = numpy.triu_indices(len(self.lines), 1)
             met, crossed = crossings(self.lines[k], self.lines[j])
-            ways = numpy.stack([self.u[k], -self.u[k], self.u[j], -self.u[j]])[:, crossed]
+            ways = numpy.concatenate([ways[k], ways[j]], axis=1).T[:, crossed]
             self.tips = numpy.r_[self.tips, numpy.tile(met[crossed], 4)]
             self.tip_ways = numpy.r_[self.tip_ways, ways.ravel()]
         self.rounds: Complexes = numpy.array([z for z, _ in sketch.rounds], complex)
@@ -89,10 +89,9 @@ class LineInk(SheetInk):
             for k, on in ((0, -1), (1, 1))
         )
         off = numpy.where(abs(q.imag - p.imag) < 1e-9, 1e-9, q.imag - p.imag)  # where on the line the offset is reached
-        one, two = (-aside - p.imag) / off, (aside - p.imag) / off
-        first, last = numpy.maximum(numpy.minimum(one, two), 0.0), numpy.minimum(numpy.maximum(one, two), 1.0)
-        s, t = (p.real + (q.real - p.real) * share for share in (first, last))
-        low, high = numpy.maximum(numpy.minimum(s, t), 0.0), numpy.minimum(numpy.maximum(s, t), length[asked])
+        one, two = ((side - p.imag) / off for side in (-aside, aside))
+        first, last = shares = numpy.sort([one, two], axis=0).clip(0.0, 1.0)
+        low, high = numpy.sort(p.real + (q.real - p.real) * shares, axis=0).clip(0.0, length[asked])
         kept = (first < last) & (low < high)
         asked, low, high = asked[kept], low[kept], high[kept]
         worth = numpy.where(turned[asked, line[kept]] > FELT[0][0], 1.0, FELT[-1][1]) * self.plain[line[kept]]

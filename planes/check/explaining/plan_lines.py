@@ -1,5 +1,6 @@
 """The lines of a plan on paper under any hypothesis, many drawings in one run of the program."""
 
+import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -114,7 +115,7 @@ class PlanLines:
 
     def signs(self, places: Complexes) -> tuple[Complexes, Complexes, Complexes, Array]:
         """The symbols of a scheme, row by row: guides by their two ends, the others by centre and radius, mm."""
-        none, count = numpy.zeros((len(places), 0), complex), len(places)
+        none = numpy.zeros((len(places), 0), complex)
         if self.kind != "position":
             return none, none, none, numpy.zeros(0)
         mechanism, at_ = self.bench.plans.mechanism, {n: places[:, k] for k, n in enumerate(self.names)}
@@ -125,12 +126,10 @@ class PlanLines:
             if link.slides is None or slider not in at_:
                 continue
             guide, reach[slider] = mechanism.guide(link.slides.guide), SUPPORT_MM
-            if guide.name in mechanism.frame.guides:
-                way = numpy.full(count, numpy.exp(1j * math.radians(guide.angle_deg)))
-                ways.append((at_[slider] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
-            elif (base := str(guide.through_point)) in at_:
+            of_frame = guide.name in mechanism.frame.guides
+            if (base := slider if of_frame else str(guide.through_point)) in at_:
                 off = numpy.nan_to_num(at_[slider] - at_[base])
-                way = off / numpy.maximum(abs(off), 1e-6)
+                way = cmath.rect(1, math.radians(guide.angle_deg)) if of_frame else off / numpy.maximum(abs(off), 1e-6)
                 ways.append((at_[base] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
         shown = [n for n in reach if n in at_]
         a, b = (numpy.stack([w[k] for w in ways], axis=1) if ways else none for k in (0, 1))

@@ -226,9 +226,10 @@ def given_before(misses: Mapping[str, Miss], order: Sequence[str], limit: float)
     names = [m for m in order if m in misses]
     if not names:
         return {}
-    rows = numpy.array([part for m in names for part in (misses[m].change.real, misses[m].change.imag)])
+    changes = numpy.array([misses[m].change for m in names])
+    rows = numpy.stack([changes.real, changes.imag], axis=1).reshape(2 * len(names), -1)
     cov = rows @ rows.T + LEAST_MM**2 * numpy.eye(len(rows))
-    off = numpy.array([part for m in names for part in (misses[m].off.real, misses[m].off.imag)])
+    off = numpy.array([misses[m].off for m in names]).view(float)
     known_before = {}
     for i, name in enumerate(names):
         x, y = 2 * i, 2 * i + 1

@@ -56,7 +56,7 @@ class PageParts:
         right, low = min(int((x + w) * up + rim), width), min(int((y + h) * up + rim), height)
         rows = (numpy.arange(top, low) / up).astype(int).clip(0, self.labels.shape[0] - 1)
         columns = (numpy.arange(left, right) / up).astype(int).clip(0, self.labels.shape[1] - 1)
-        held = self.labels[rows[:, None], columns[None, :]]
+        held = self.labels[rows[:, None], columns]
         place = slice(top, low), slice(left, right)
         grey = numpy.where((held == 0) | (held == k), self.flat.grey[place], self.light[place])
         return Flat(grey, self.flat.scale, self.flat.mm(left, low), "part")

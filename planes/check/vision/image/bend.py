@@ -131,7 +131,7 @@ def _sides(grey: Greys, bend: Bend, scale: float) -> list[tuple[Complexes, Array
         places = a + (b - a) * numpy.linspace(0.03, 0.97, int(abs(b - a) / ALONG_MM))
         across = 1.0 if abs((b - a).real) < 1 else -1j
         t = numpy.arange(-REACH_MM, REACH_MM + 1e-9, ACROSS_MM)
-        off, good = _line(sampled(grey, px(places[:, None] + across * t[None, :])))
+        off, good = _line(sampled(grey, px(places[:, None] + across * t)))
         if good.mean() < SEEN:
             return []
         smooth = numpy.polynomial.Polynomial.fit(places[good].real + places[good].imag, off[good], 5)
@@ -159,7 +159,7 @@ def _line(rows: Array) -> tuple[Array, Booleans]:
     for choice in reversed(back):
         path.append(path[-1] - moves[choice[path[-1]]])
     at = numpy.array(path[::-1])
-    near = numpy.clip(at[:, None] + numpy.arange(-3, 4)[None, :], 0, wide - 1)
+    near = numpy.clip(at[:, None] + numpy.arange(-3, 4), 0, wide - 1)
     mass = numpy.take_along_axis(dark, near, axis=1)
     middle = (mass * near).sum(axis=1) / numpy.maximum(mass.sum(axis=1), 1e-6)
     good = numpy.take_along_axis(dark, at[:, None], axis=1)[:, 0] > CONTRAST

@@ -9,7 +9,7 @@ import numpy
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
 from planes.check.vision.image.bend import Bend, add_paper, bend_of
 from planes.check.vision.image.lens import Lens
-from planes.check.vision.image.opencv import cv, shrunk, smaller
+from planes.check.vision.image.opencv import cv, pairs, shrunk, smaller
 from planes.check.vision.image.several import Found, SheetsSeen, leaves_more, sheets_apart
 from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
@@ -182,7 +182,7 @@ def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, 
     """A distorted picture rectified by its corner marks as seen without lens distortion."""
     cv2 = cv()
     straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
-    bend.view, _ = cv2.findHomography(numpy.stack([straight.real, straight.imag], axis=1), numpy.array(true))
+    bend.view, _ = cv2.findHomography(pairs(straight), numpy.array(true))
     add_paper(bend, grey, PX_PER_MM)
     return remapped(grey, bend, (round(SHEET_MM[0] * PX_PER_MM), round(SHEET_MM[1] * PX_PER_MM)))
 
@@ -192,7 +192,7 @@ def remapped(grey: Greys, bend: Bend, size: tuple[int, int]) -> Greys:
     cv2, (width, height) = cv(), size
     cell = 16  # a map this smooth is interpolated between grid points
     across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in size)
-    source = bend.source(across[None, :] + 1j * down[:, None])
+    source = bend.source(across + 1j * down[:, None])
     map_size = len(across) * cell, len(down) * cell
     maps = (cv2.resize(m.astype(numpy.float32), map_size)[:height, :width] for m in (source.real, source.imag))
     flat: Greys = cv2.remap(grey, *maps, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)

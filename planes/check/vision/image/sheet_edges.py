@@ -74,7 +74,7 @@ def _edge(grey: Greys, a: complex, b: complex) -> Complexes | None:
     reach = REACH * max(grey.shape)
     inwards = toward(a, b) * -1j  # counter-clockwise as seen, y down
     t = numpy.arange(-reach, reach + 0.1, 0.5)
-    places = (a + (b - a) * numpy.linspace(0.03, 0.97, PROFILES))[:, None] + inwards * t[None, :]
+    places = (a + (b - a) * numpy.linspace(0.03, 0.97, PROFILES))[:, None] + inwards * t
     soft = cv().GaussianBlur(sampled(grey, places), (7, 1), 1.5)
     rise = soft[:, 4:] - soft[:, :-4]
     best = rise.argmax(axis=1).clip(1, rise.shape[1] - 2)

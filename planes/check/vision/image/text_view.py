@@ -184,7 +184,7 @@ def _mode(values: Array, wide: float, weights: Array | None = None) -> float:
     """The approximate mode of values."""
     some = slice(None, None, max(1, len(values) // 3000))
     steps = numpy.linspace(values.min(), values.max(), 60)
-    near = numpy.exp(-0.5 * ((values[some][None, :] - steps[:, None]) / wide) ** 2)
+    near = numpy.exp(-0.5 * ((values[some] - steps[:, None]) / wide) ** 2)
     return float(steps[int((near @ (numpy.ones(len(values)) if weights is None else weights)[some]).argmax())])
 
 
