@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import compress
 from statistics import median
 
@@ -55,11 +55,9 @@ class Reading:
     """The assignment of arrows to vectors under a hypothesis, and its cost; the expected vectors, mm."""
 
     cost: float
-    hypothesis: Hypothesis
     known: Known
     taken: dict[str, int]  # index among all directions of arrows, by vector name
     left: list[int]
-    off: list[float] = field(default_factory=list)
 
 
 @dataclass
@@ -93,6 +91,7 @@ class ForceArrows:
         self.flat = [(i, s) for i, one in enumerate(self.arrows) for s in one]
         self.v = numpy.array([b - a for _, (a, b) in self.flat])
         self.of = numpy.array([i for i, _ in self.flat])
+        self.bare = numpy.array([self.headed and len(one) > 1 for one in self.arrows])  # without a head as others have
 
     def known(self, h: Hypothesis) -> Known | None:
         """Every vector that may be drawn, by name."""
@@ -157,28 +156,23 @@ class ForceArrows:
     def read(self, h: Hypothesis, known: Known, size: float, sigma: float) -> Reading:
         """The likeliest reading under a hypothesis."""
         true = numpy.array([known[n] for n in self.names]) * size
-        off = abs(self.v[:, None] - true)
         spread = sigma + (SHARE * abs(true) if sigma == w.HAND_MM else 0.0)
-        unlike = w.HAND * off**2 / (2 * spread**2)
+        unlike = w.HAND * abs(self.v[:, None] - true) ** 2 / (2 * spread**2)
         missed = self.needed & (self.written | (abs(true) > HEADLESS_MM / 2))
         cost = numpy.minimum(unlike, w.COSTS["anywhere"]) + self.prices - w.OMITTED * missed
-        cost = cost + BARE * numpy.array([[self.headed and len(self.arrows[i]) > 1] for i in self.of])
-        count = len(self.arrows)
-        table, ways = numpy.full((count, len(self.names) + count), NEVER), numpy.zeros((count, len(self.names)), int)
-        for i in range(count):
-            held = numpy.flatnonzero(self.of == i)
-            bare = self.headed and len(held) > 1
-            table[i, : len(self.names)] = cost[held].min(axis=0)
-            ways[i] = held[cost[held].argmin(axis=0)]
-            over = HEAD[self.headed] + w.STRANGE * float(abs(self.v[held[0]]))
-            table[i, len(self.names) + i] = 0.0 if bare else min(over, LEFT[self.headed])
+        cost = cost + BARE * self.bare[self.of, None]
+        first, last = (numpy.searchsorted(self.of, range(len(self.arrows)), side) for side in ("left", "right"))
+        last = last - 1  # the other direction of an arrow without a head
+        ways = numpy.where(cost[last] < cost[first], last[:, None], first[:, None])
+        over = numpy.minimum(HEAD[self.headed] + w.STRANGE * abs(self.v[first]), LEFT[self.headed])
+        beside = numpy.where(numpy.eye(len(over), dtype=bool), numpy.where(self.bare, 0.0, over), NEVER)
+        table = numpy.hstack([numpy.minimum(cost[first], cost[last]), beside])
         columns = cheapest(table)
         taken = {self.names[j]: int(ways[i, j]) for i, j in enumerate(columns) if j < len(self.names)}
         left = [i for i, j in enumerate(columns) if j >= len(self.names)]
-        offs = [float(off[ways[i, j], j]) for i, j in enumerate(columns) if j < len(self.names)]
-        total = float(table[range(count), columns].sum()) + h.cost + OTHER_SIZE * (size != 1.0)
-        total += 4 * w.HAND * len(offs) * math.log(sigma / w.HAND_MM)
-        return Reading(total, h, dict(zip(self.names, true.tolist(), strict=True)), taken, left, offs)
+        total = float(table[range(len(table)), columns].sum()) + h.cost + OTHER_SIZE * (size != 1.0)
+        total += 4 * w.HAND * len(taken) * math.log(sigma / w.HAND_MM)
+        return Reading(total, dict(zip(self.names, true.tolist(), strict=True)), taken, left)
 
 
 def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:

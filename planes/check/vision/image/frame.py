@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 import numpy
-from numpy.linalg import det
+from numpy.linalg import det, norm
 
 from planes.check.vision.image.bend import LEFT_MM, OTHER_MM
 from planes.check.vision.image.opencv import cv, pairs, sampled, smaller
@@ -105,8 +105,8 @@ def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
     ll, lr, ur, ul = (numpy.append(c - middle, 1.0) for c in corners)
     k2, k3 = (det([ll, ur, one]) / det([two, ur, one]) for one, two in ((ul, lr), (lr, ul)))
     n2, n3 = k2 * lr - ll, k3 * ul - ll
-    sides = [float(numpy.linalg.norm(a - b)) for a, b in ((ll, lr), (ul, ur), (ll, ul), (lr, ur))]
-    plain = (sides[0] + sides[1]) / (sides[2] + sides[3])
+    lower, upper, left, right = (norm(a - b) for a, b in ((ll, lr), (ul, ur), (ll, ul), (lr, ur)))
+    plain = float((lower + upper) / (left + right))
     if max(abs(k2 - 1), abs(k3 - 1)) < 0.003:
         return plain, False
     lens = -(n2[:2] @ n3[:2]) / (n2[2] * n3[2] or math.nan)
