@@ -51,10 +51,9 @@ class LineInk(SheetInk):
         self.tips: Complexes = tips.ravel()
         self.tip_ways: Complexes = ways.ravel()
         if not self.headed and len(self.lines) < FEW:  # lines may extend beyond the ends of vectors
-            k, j = numpy.triu_indices(len(self.lines), 1)
-            met, crossed = crossings(self.lines[k], self.lines[j])
-            ways = numpy.concatenate([ways[k], ways[j]], axis=1).T[:, crossed]
-            self.tips = numpy.r_[self.tips, numpy.tile(met[crossed], 4)]
+            k, j, met = crossings(self.lines)
+            ways = numpy.concatenate([ways[k], ways[j]], axis=1).T
+            self.tips = numpy.r_[self.tips, numpy.tile(met, 4)]
             self.tip_ways = numpy.r_[self.tip_ways, ways.ravel()]
         self.rounds: Complexes = numpy.array([z for z, _ in sketch.rounds], complex)
         self.exact = self.headed or bool(self.rounds.size)
@@ -64,9 +63,8 @@ class LineInk(SheetInk):
     @property
     def crowded(self) -> int:
         """The number of line ends and crossings, if these are so dense that anything would match."""
-        k, j = numpy.triu_indices(len(self.lines), 1)
-        met, crossed = crossings(self.lines[k], self.lines[j])
-        count = len(numpy.unique(numpy.r_[self.lines.ravel(), met[crossed]].round(0)))
+        _, _, met = crossings(self.lines)
+        count = len(numpy.unique(numpy.r_[self.lines.ravel(), met].round(0)))
         area = float(numpy.ptp(self.lines.real) * numpy.ptp(self.lines.imag))
         return count if count > max(FEWEST_PLACES, CROWD * area) else 0
 
@@ -155,14 +153,16 @@ def _joined(asked: Indices, low: Array, high: Array, held: Booleans, count: int)
     return numpy.asarray(numpy.bincount(asked, (high - numpy.maximum(low, before)).clip(min=0.0), count), float)
 
 
-def crossings(one: Complexes, two: Complexes) -> tuple[Complexes, Booleans]:
-    """The intersections of lines, row by row, and whether they are well inside both lines."""
-    v, u, off = one[:, 1] - one[:, 0], two[:, 1] - two[:, 0], two[:, 0] - one[:, 0]
+def crossings(lines: Complexes) -> tuple[Indices, Indices, Complexes]:
+    """Pairs of lines that meet well inside both of them, and where."""
+    k, j = numpy.triu_indices(len(lines), 1)
+    v, u, off = (lines[:, 1] - lines[:, 0])[k], (lines[:, 1] - lines[:, 0])[j], lines[j, 0] - lines[k, 0]
     turn = (v.conj() * u).imag
     with numpy.errstate(all="ignore"):
         s, t = (off.conj() * u).imag / turn, (off.conj() * v).imag / turn
         crossed = (abs(turn) > LEAST_TURN * abs(v * u)) & (s > 0) & (s < 1) & (t > 0) & (t < 1)
-    return one[:, 0] + numpy.where(crossed, s, 0.0) * v, crossed
+        places = lines[k, 0] + s * v
+    return k[crossed], j[crossed], places[crossed]
 
 
 def _told(off: Array) -> Array:

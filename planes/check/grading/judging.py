@@ -162,7 +162,9 @@ class _Weighing:
             under = given_before({**self.plain, **touched}, self.order, self.limit)
             if any(label_of(m) == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
                 continue  # its mark is nearer to its right position than to the one under the mistake
-            score = self.gain(under) + math.log(variant.weight * _likely(variant, drawn))
+            # a mark missing in the drawing was most likely left out, another was not
+            unlike = (variant.blames in drawn) == variant.mistake.endswith(LEFT_OUT)
+            score = self.gain(under) + math.log(variant.weight * (UNDRAWN if unlike else 1.0))
             scored.append(ScoredHypothesis(score, variant, under))
         return _by_mistake(scored)
 
@@ -186,11 +188,6 @@ def _keep(judgement: Judgement, ranked: Sequence[ScoredHypothesis], unknown: flo
     judgement.cause = logistic(best.score - float(numpy.logaddexp.reduce([unknown, *(one.score for one in rest)])))
     judgement.explained = {m: miss for m, miss in best.under.items() if miss.sigmas <= judgement.limit}
     judgement.score += best.score + math.log(SLIP)
-
-
-def _likely(variant: Variant, drawn: set[str]) -> float:
-    """The weight of a variant: marks missing in the drawing were most likely left out, others were not."""
-    return 1.0 if (variant.blames in drawn) != variant.mistake.endswith(LEFT_OUT) else UNDRAWN
 
 
 def _by_mistake(scored: Sequence[ScoredHypothesis]) -> list[ScoredHypothesis]:

@@ -72,11 +72,6 @@ def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
     return [k for k in range(len(strokes)) if k not in lines] if lines else []
 
 
-def vectors_alone(sketch: ReadDrawing, vectors: Sequence[int]) -> ReadDrawing:
-    """The drawing with its ``vectors`` only, if these are known though no stroke has a head."""
-    return sketch.only(vectors) if vectors and not headed(sketch) else sketch
-
-
 def _named(sketch: ReadDrawing) -> list[complex]:
     """Ends of strokes that are the only ones beside a word."""
     ends_named, ends = list[complex](), [z for stroke in sketch.strokes for z in stroke]

@@ -17,10 +17,10 @@ from planes.check.explaining.sought_pole import sought_pole
 from planes.check.grading.evidence import ASKED
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.construction_lines import vectors_alone, vectors_of
+from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.force_arrows import force_arrows
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import ReadDrawing, hinged
+from planes.check.reading.strokes import ReadDrawing, headed, hinged
 from planes.check.reading.written import Words
 from planes.geometry.arrays import Array, Complexes
 from planes.words import Phrase
@@ -44,7 +44,10 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     if paper.reason:
         return paper
     sketch = replace(sketch, words=[one for text in sketch.words for one in text.listed()])
-    sketch = hinged(sketch) if kind == "position" else vectors_alone(sketch, vectors_of(sketch, kind == "force"))
+    if kind == "position":
+        sketch = hinged(sketch)
+    elif (vectors := vectors_of(sketch, kind == "force")) and not headed(sketch):
+        sketch = sketch.only(vectors)
     return force_arrows(sketch, bench) if kind == "force" else _of_marks(LineInk(sketch, bench.names), bench, paper)
 
 
@@ -61,7 +64,8 @@ def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
         return paper
     exact = exact_marks(seen, ink, seen.best)
     paper.spots = [exact.get(s.name, s) for s in seen.spots()]
-    paper.spots += [exact[n] for n in _upon_others(seen) if n in exact.keys() - {s.name for s in paper.spots}]
+    read = {s.name for s in paper.spots}  # others, whose lines coincide with theirs, may have names beside them
+    paper.spots += [one for n, one in exact.items() if n not in read and seen.named_there(n) > w.LIKELY]
     apart = _otherwise(seen, ink)
     paper.untold = [n for n in plan.labels if n in apart]
     paper.spots = [replace(s, doubt=0.0) for s in paper.spots if s.name not in apart or seen.doubt < 1 - ASKED]
@@ -71,11 +75,6 @@ def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
         paper.signs = paper.signs or seen.exchanged()
     paper.pole_told = plan.kind == "position" or ink.headed or bool(_poles(ink))
     return paper
-
-
-def _upon_others(seen: Explanation) -> list[str]:
-    """Marks identified by the names beside them, such as those whose lines coincide with others."""
-    return [n for n in seen.plan.labels if seen.named_there(n) > w.LIKELY]
 
 
 def _is_there(seen: Explanation, ink: LineInk) -> bool:
