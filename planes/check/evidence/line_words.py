@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from planes.check.evidence.handwritten import HandWords
 from planes.check.reading.strokes import ReadDrawing, headed
 from planes.check.reading.written import Stroke, Words
-from planes.geometry.plane import off_segment
+from planes.geometry.plane import off_segment, toward
 from planes.words.frozen import frozen
 from planes.words.naming import Names
 
@@ -83,7 +83,6 @@ def _leads(sketch: ReadDrawing) -> dict[int, complex]:
 
 def _along(line: Stroke, vector: Stroke) -> bool:
     """Whether a line runs along a vector, as construction lines do."""
-    (a, b), length = line, abs(line[1] - line[0])
-    p, q = ((z - a) / (b - a) * length for z in vector)
+    p, q = ((z - line[0]) / toward(*line) for z in vector)
     near = max(abs(p.imag), abs(q.imag)) < SHY_MM
-    return near and max(p.real, q.real) > 0 and min(p.real, q.real) < length
+    return near and max(p.real, q.real) > 0 and min(p.real, q.real) < abs(line[1] - line[0])

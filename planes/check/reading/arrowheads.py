@@ -11,6 +11,7 @@ from itertools import islice, pairwise
 
 from planes.check.reading.strokes import Arrowhead, ReadDrawing, goes_on
 from planes.check.reading.written import Stroke, Strokes
+from planes.geometry.plane import corners as box_of
 from planes.geometry.plane import spread, toward
 
 LARGEST_MM = 8.0  # maximum size of a closed figure as a head
@@ -51,11 +52,10 @@ def head_of(points: Sequence[complex], filled: bool = False) -> Arrowhead | None
         return None
     way = tip - sum(others) / len(others)
     u = way / abs(way)
-    across = [((z - tip) * u.conjugate()).imag for z in others]
-    long = max(((tip - z) * u.conjugate()).real for z in others)
+    low, high = box_of((tip - z) * u.conjugate() for z in others)
     widest = SLENDER if size > LARGEST_MM else 1.3
-    flat = not 0.02 * size < max(across) - min(across) < widest * size
-    return None if flat else Arrowhead(tip, u, long, even=len(apexes) == 3)
+    flat = not 0.02 * size < (high - low).imag < widest * size
+    return None if flat else Arrowhead(tip, u, high.real, even=len(apexes) == 3)
 
 
 def _apexes(corners: Sequence[complex]) -> list[complex]:

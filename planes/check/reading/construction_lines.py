@@ -6,7 +6,7 @@ from shapely import buffer, dwithin, union_all
 
 from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, as_lines, headed
 from planes.check.reading.written import Stroke, Strokes
-from planes.geometry.plane import toward
+from planes.geometry.plane import sine, toward
 
 UPON_MM, TOUCH_MM = 0.1, 0.01  # a vector is drawn on its line; a line ends on another
 ASKEW = 0.02  # maximum angle between parallel lines, radians
@@ -105,14 +105,13 @@ def _stopped(strokes: Strokes, z: complex, line: Stroke) -> bool:
 
 def _along(one: Stroke, line: Stroke) -> bool:
     """Whether a stroke is parallel to a line, in either direction."""
-    turn = (one[1] - one[0]) / (line[1] - line[0])
-    return abs(turn.imag) < ASKEW * abs(turn)
+    return sine(one[1] - one[0], line[1] - line[0]) < ASKEW
 
 
 def upon(one: Stroke, line: Stroke) -> bool:
     """Whether a stroke lies on a longer one."""
     a, b = line
-    local = [(z - a) / (b - a) * abs(b - a) for z in one]
+    local = [(z - a) / toward(a, b) for z in one]
     return abs(one[1] - one[0]) < abs(b - a) - SNAPPED_MM and all(
         abs(z.imag) < UPON_MM and -SNAPPED_MM < z.real < abs(b - a) + SNAPPED_MM for z in local
     )

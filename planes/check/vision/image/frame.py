@@ -10,9 +10,9 @@ from collections.abc import Iterator, Sequence
 import numpy
 from numpy.linalg import det, norm
 
-from planes.check.vision.image.bend import LEFT_MM, OTHER_MM
+from planes.check.vision.image.bend import LEFT_MM, OTHER_MM, PX_PER_MM
 from planes.check.vision.image.opencv import cv, pairs, sampled, smaller
-from planes.check.vision.image.picture import LARGEST_PX, PX_PER_MM, Flat
+from planes.check.vision.image.picture import LARGEST_PX, Flat
 from planes.geometry.arrays import Array, Complexes, Greys
 from planes.geometry.plane import lines
 

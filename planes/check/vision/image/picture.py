@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 import numpy
 
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
-from planes.check.vision.image.bend import Bend, add_paper, bend_of
+from planes.check.vision.image.bend import PX_PER_MM, Bend, add_paper, bend_of
 from planes.check.vision.image.lens import Lens
 from planes.check.vision.image.opencv import cv, pairs, shrunk, smaller
 from planes.check.vision.image.several import Found, SheetsSeen, leaves_more, sheets_apart
@@ -15,8 +15,8 @@ from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
-PX_PER_MM = 8.0
 LARGEST_PX = 3200  # maximum longer side of a picture in analysis
+SHEET_PX = round(SHEET_MM[0] * PX_PER_MM), round(SHEET_MM[1] * PX_PER_MM)
 RIM_MM = 5.0  # around a sheet cut out of a picture
 MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
 LOOKS_PX = (1100, 700, 2000, 3200)  # longer sides for the search: small ones are quick and hide the grain
@@ -168,12 +168,11 @@ def flatten(grey: Greys) -> Flat | None:
     notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
     notes += [Phrase("check_several_blanks", count=len(blanks.sheets))] if len(blanks.sheets) > 1 else []
     notes += [Phrase("check_blank_in_part", count=blanks.in_part)] if blanks.in_part else []
-    bend = bend_of(small, warp, PX_PER_MM)
+    bend = bend_of(small, warp)
     if bend is not None:
         unbent = _unbent(small, bend, seen, true)
         return Flat(unbent, PX_PER_MM, 0j, "marks", None, notes, replace(bend, shrink=factor))
-    width, height = (round(s * PX_PER_MM) for s in SHEET_MM)
-    flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+    flat = cv2.warpPerspective(small, warp, SHEET_PX, flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
     to_flat = warp @ numpy.diag([factor, factor, 1.0])  # from the original picture
     return Flat(flat, PX_PER_MM, 0j, "marks", to_flat, notes)
 
@@ -183,8 +182,8 @@ def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, 
     cv2 = cv()
     straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
     bend.view, _ = cv2.findHomography(pairs(straight), numpy.array(true))
-    add_paper(bend, grey, PX_PER_MM)
-    return remapped(grey, bend, (round(SHEET_MM[0] * PX_PER_MM), round(SHEET_MM[1] * PX_PER_MM)))
+    add_paper(bend, grey)
+    return remapped(grey, bend, SHEET_PX)
 
 
 def remapped(grey: Greys, bend: Bend, size: tuple[int, int]) -> Greys:
