@@ -98,13 +98,7 @@ class Erased:
 
 def words_beside(ink: Ink, lines: Sequence[Erased], names: Iterable[str]) -> HandWords:
     """The words around some lines of a sheet, with their probabilities for some names."""
-    known = tuple(names)
-    return HandWords(_each_once(_words(ink, lines, known), known))
-
-
-def _words(ink: Ink, lines: Sequence[Erased], known: Sequence[str]) -> list[HandWord]:
-    """The words of a sheet, with their probabilities for each of the names."""
-    flat, hand_words = ink.flat, list[HandWord]()
+    known, flat, hand_words = tuple(names), ink.flat, list[HandWord]()
     for row in _rows(_pieces(ink, lines), flat.scale):
         shapes = _shapes(ink.dark, row, WIDEST_MM * flat.scale)
         scores = numpy.array([_aligned(len(row), shapes, name) for name in (*known, "")])
@@ -112,7 +106,7 @@ def _words(ink: Ink, lines: Sequence[Erased], known: Sequence[str]) -> list[Hand
         odds = numpy.exp((scores - scores.max()) / WARMTH)
         low, high = flat.mm(row[0].left, max(p.bottom for p in row)), flat.mm(row[-1].right, min(p.top for p in row))
         hand_words.append(HandWord(low, high, dict(zip(known, (odds / odds.sum()).tolist(), strict=False))))
-    return hand_words
+    return HandWords(_each_once(hand_words, known))
 
 
 def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord]:

@@ -63,8 +63,7 @@ def _of_many_ways(plan: PlanLines) -> bool:
 
 def free_sizes(plan: PlanLines, base: Hypothesis) -> list[Free]:
     """Every mark of a drawing with a wrong length or angle, or anywhere near."""
-    drawn = plan.draw(base, {}, 1)
-    if drawn is None or not numpy.isfinite(drawn).all():
+    if (drawn := plan.drawn(base)) is None:
         return []
     places = dict(zip(plan.names, drawn[0].tolist(), strict=True))
     fixed = plan.bench.plans.mechanism.frame.points if plan.kind == "position" else ()

@@ -158,6 +158,11 @@ class PlanLines:
         places[:, :-1] += places[:, -1:]  # the pole may be shifted, with the whole drawing
         return places
 
+    def drawn(self, hypothesis: Hypothesis) -> Complexes | None:
+        """One drawing without displacements; None if some of its marks cannot be constructed."""
+        drawn = self.draw(hypothesis, {}, 1)
+        return drawn if drawn is not None and numpy.isfinite(drawn).all() else None
+
     def row(self, places: Mapping[str, complex]) -> Complexes:
         """The positions of marks by label as a row in the order of the names."""
         return numpy.array([places[n] for n in self.names])

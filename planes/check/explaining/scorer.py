@@ -47,6 +47,10 @@ class Laid:
         return self.score + self.hypothesis.cost
 
 
+def _best_first(laid: Iterable[Laid]) -> list[Laid]:
+    return sorted(laid, key=lambda one: -one.score)
+
+
 @dataclass
 class Scorer:
     """Scores the hypotheses of one plan on one sheet, with its pole at a given point."""
@@ -73,11 +77,11 @@ class Scorer:
             laid += [self.settled(h) for h in (likely if any(h.right for h in likely) else [*likely, base])]
         best = max(laid, key=lambda one: one.score)
         if w.AT_ALL < best.cover < w.EXPLAINED:
-            single = [one.hypothesis for one in sorted(laid, key=lambda one: -one.score)]
+            single = [one.hypothesis for one in _best_first(laid)]
             for first in [h for h in single if not h.right and h.turn == 1][: w.FIRSTS]:
                 pairs = [h for h in self.likeliest(first, alone=True) if h != first]
                 laid += [self.settled(h) for h in pairs[: w.SECONDS]]
-        return self._by_signs(sorted(laid, key=lambda one: -one.score))
+        return self._by_signs(_best_first(laid))
 
     def _in_the_order_of_mistakes(self, laid: list[Laid]) -> list[Laid]:
         """The right force polygon in the order in which the likeliest wrong one is laid, if it was not tried."""
@@ -108,7 +112,7 @@ class Scorer:
         laid = [self.settled(rough[0][1])]
         if not self._full(laid[0]):
             laid += [self.settled(h) for _, h, _ in sorted(rough[1:], key=lambda r: -r[0])[: w.FIRSTS]]
-        laid = sorted(laid, key=lambda one: -one.score)
+        laid = _best_first(laid)
         if self._full(laid[0]):
             return laid
         self.box = None
@@ -162,7 +166,7 @@ class Scorer:
             self._weigh_signs(one, right, names)
         for one in (more := self._in_the_order_of_mistakes(laid)):
             self._weigh_signs(one, right, names)
-        return sorted([*laid, *more], key=lambda one: -one.score)
+        return _best_first([*laid, *more])
 
     def _weigh_signs(self, one: Laid, right: Laid, names: Sequence[str]) -> None:
         """Score the heads missing from vectors that the right drawing has not, and the names that stand elsewhere."""

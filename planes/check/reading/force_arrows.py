@@ -84,8 +84,8 @@ class ForceArrows:
         self.own = numpy.array([n in own for n in self.names])
         self.arrows: list[tuple[Stroke, ...]] = []
         for k, s in enumerate(sketch.strokes):
-            if sketch.way(k):
-                self.arrows.append((s if sketch.way(k) > 0 else s[::-1],))
+            if way := sketch.way(k):
+                self.arrows.append((s if way > 0 else s[::-1],))
             elif not self.headed or abs(s[1] - s[0]) < HEADLESS_MM:
                 self.arrows.append((s, s[::-1]))
         self.flat = [(i, s) for i, one in enumerate(self.arrows) for s in one]
@@ -95,22 +95,21 @@ class ForceArrows:
 
     def known(self, h: Hypothesis) -> Known | None:
         """Every vector that may be drawn, by name."""
-        drawn = self.plan.draw(h, {}, 1)
-        if drawn is None or not numpy.isfinite(drawn).all():
+        if (drawn := self.plan.drawn(h)) is None:
             return None
         places = dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
         return {n: places.get(b, 0j) - places.get(a, 0j) for n, (a, b) in self.ends.items()}
 
     def beside(self) -> Array:
         """The cost of each name for each direction of an arrow, by its position."""
-        words = words_of(self.sketch, self.bench.naming.names(self.names), self.names).words
-        words = [one for one in words if min(one.off(*s) for _, s in self.flat) < NEAR_WORD_MM]
-        written = {n for one in words for n in one.likely}
+        every = words_of(self.sketch, self.bench.naming.names(self.names), self.names).words
+        placed = ((one, [one.off(*s) for _, s in self.flat]) for one in every)
+        words = [(one, off) for one, off in placed if min(off) < NEAR_WORD_MM]
+        written = {n for one, _ in words for n in one.likely}
         self.written = numpy.array([n in written for n in self.names])
         cost = numpy.where(self.written, w.LETTERS * 9.0, NAMELESS) + numpy.zeros((len(self.flat), 1))
         back = [next((k for k, (j, o) in enumerate(self.flat) if j != i and _back(s, o)), None) for i, s in self.flat]
-        for one in words:
-            off = [one.off(*s) for _, s in self.flat]
+        for one, off in words:
             for k, (i, s) in enumerate(self.flat):
                 price = w.LETTERS * self._price(one, off, k, i, s, back[k])
                 for n in one.likely:
@@ -140,10 +139,10 @@ class ForceArrows:
             for k, (n, v) in enumerate(zip(self.names, places, strict=True))
         ]
         self.needed = self.own & ~numpy.array(twins)
-        size = min(self._sizes(right), key=lambda k: self.read(Hypothesis(), right, k, w.HAND_MM).cost)
+        size = min(self._sizes(right), key=lambda k: self.read(0.0, right, k, w.HAND_MM).cost)
         for h in (Hypothesis(), *catalogue(self.plan)):
             if (known := self.known(h)) is not None:
-                yield min((self.read(h, known, size, s) for s in (w.HAND_MM, EXACT_MM)), key=lambda r: r.cost)
+                yield min((self.read(h.cost, known, size, s) for s in (w.HAND_MM, EXACT_MM)), key=lambda r: r.cost)
 
     def _sizes(self, known: Known) -> list[float]:
         """Sizes of the plan relative to the stated one: the drawer's choice unless given."""
@@ -153,8 +152,8 @@ class ForceArrows:
                 sizes.append(ratio)
         return sizes
 
-    def read(self, h: Hypothesis, known: Known, size: float, sigma: float) -> Reading:
-        """The likeliest reading under a hypothesis."""
+    def read(self, prior: float, known: Known, size: float, sigma: float) -> Reading:
+        """The likeliest reading under a hypothesis of this prior cost."""
         true = numpy.array([known[n] for n in self.names]) * size
         spread = sigma + (SHARE * abs(true) if sigma == w.HAND_MM else 0.0)
         unlike = w.HAND * abs(self.v[:, None] - true) ** 2 / (2 * spread**2)
@@ -170,7 +169,7 @@ class ForceArrows:
         columns = cheapest(table)
         taken = {self.names[j]: int(ways[i, j]) for i, j in enumerate(columns) if j < len(self.names)}
         left = [i for i, j in enumerate(columns) if j >= len(self.names)]
-        total = float(table[range(len(table)), columns].sum()) + h.cost + OTHER_SIZE * (size != 1.0)
+        total = float(table[range(len(table)), columns].sum()) + prior + OTHER_SIZE * (size != 1.0)
         total += 4 * w.HAND * len(taken) * math.log(sigma / w.HAND_MM)
         return Reading(total, dict(zip(self.names, true.tolist(), strict=True)), taken, left)
 

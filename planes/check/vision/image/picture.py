@@ -1,6 +1,5 @@
 """Rectifies and scales a photograph or scan of a plan on paper by the blank's corner marks or by two points."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
@@ -9,7 +8,7 @@ import numpy
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
 from planes.check.vision.image.bend import PX_PER_MM, Bend, add_paper, bend_of
 from planes.check.vision.image.lens import Lens
-from planes.check.vision.image.opencv import cv, pairs, shrunk, smaller
+from planes.check.vision.image.opencv import cv, pairs, smaller
 from planes.check.vision.image.several import Found, SheetsSeen, leaves_more, sheets_apart
 from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
@@ -63,14 +62,6 @@ class Flat:
         """Millimetres to pixels."""
         local = (z - self.corner) * self.scale
         return local.real, self.grey.shape[0] - local.imag
-
-    def as_if(self, area: float) -> "Flat":
-        """Itself or, if larger, as if drawn at a smaller scale on paper of this area (mm²)."""
-        width, height = self.size_mm
-        share = math.sqrt(area / (width * height))
-        if share >= 1:
-            return self
-        return Flat(shrunk(self.grey, share), self.scale)
 
 
 def dictionary() -> object:
