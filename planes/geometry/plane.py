@@ -54,6 +54,12 @@ def dropped(place: complex, through: complex, along: complex) -> complex:
     return through + ((place - through) * along.conjugate()).real * along
 
 
+def off_segment(z: complex, a: complex, b: complex) -> float:
+    """The distance of a place from the segment between two others."""
+    t = 0.0 if a == b else min(max(((z - a) / (b - a)).real, 0.0), 1.0)
+    return abs(a + t * (b - a) - z)
+
+
 def spread(places: Collection[complex]) -> float:
     """The distance between the two places farthest apart."""
     return max(abs(a - b) for a in places for b in places)

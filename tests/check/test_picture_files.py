@@ -20,9 +20,10 @@ cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
 from planes.check.reading.opened import MB  # noqa: E402
+from planes.check.vision.image.bend import PX_PER_MM  # noqa: E402
 from planes.check.vision.image.decoding import MOST_PAGE, load  # noqa: E402
 from planes.check.vision.image.no_paper import shows_paper, shows_text_only  # noqa: E402
-from planes.check.vision.image.picture import MOST_FLAT, PX_PER_MM, Flat  # noqa: E402
+from planes.check.vision.image.picture import MOST_FLAT, Flat  # noqa: E402
 from planes.check.vision.page_parts import parts_of  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.helpers import photographs  # noqa: E402

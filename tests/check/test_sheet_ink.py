@@ -11,7 +11,8 @@ cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
 from planes.check.evidence.sheet_ink import Box, SheetInk  # noqa: E402
-from planes.check.vision.image.picture import PX_PER_MM, Flat  # noqa: E402
+from planes.check.vision.image.bend import PX_PER_MM  # noqa: E402
+from planes.check.vision.image.picture import Flat  # noqa: E402
 from tests.helpers.line_ink import drawn  # noqa: E402
 from tests.physical.paper import PX_PER_MM as FINE  # noqa: E402
 from tests.physical.paper import Paper  # noqa: E402

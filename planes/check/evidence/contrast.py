@@ -152,8 +152,7 @@ def _fill(dark: Greys, even: Greys, place: Place, of_it: Booleans, k: int, scale
     cv2, up = cv(), scale / PX_PER_MM
     rows, columns = (slice(int(side.start * up), int(side.stop * up)) for side in place)
     part, reach = dark[rows, columns], max(round(FILLED_MM / 2 * scale), 1)
-    y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1]
-    local = (x + 1j * y) * numpy.exp(-1j * math.pi * k / ANGLES)
+    local = _around(reach, k)
     kernel = numpy.clip(1 - numpy.abs(local.imag), 0, 1) * (numpy.abs(local.real) <= reach)
     ahead = numpy.where(local.real > 0, kernel, 0) + 0.5 * numpy.where(local.real == 0, kernel, 0)
     ahead = (ahead / (2 * ahead.sum())).astype(numpy.float32)
@@ -196,12 +195,18 @@ def _disk(reach_mm: float) -> Greys:
     return disk
 
 
+def _around(reach: int, k: int) -> Array:
+    """The pixels around one, along and across an angle."""
+    y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1]
+    around: Array = (x + 1j * y) * numpy.exp(-1j * math.pi * k / ANGLES)
+    return around
+
+
 @cache
 def _kernel(k: int) -> Array:
     """The mean of the ink along a line."""
     reach = math.ceil((ALONG_MM / 2 + ACROSS_MM) * PX_PER_MM)
-    y, x = numpy.mgrid[-reach : reach + 1, -reach : reach + 1] / PX_PER_MM
-    local = (x + 1j * y) * numpy.exp(-1j * math.pi * k / ANGLES)
+    local = _around(reach, k) / PX_PER_MM
     ends = numpy.clip((ALONG_MM / 2 - numpy.abs(local.real)) * PX_PER_MM + 0.5, 0, 1)
     kernel = ends * numpy.exp(-(local.imag**2) / (2 * ACROSS_MM**2))
     mean: Array = (kernel / kernel.sum()).astype(numpy.float32)

@@ -13,6 +13,7 @@ from planes.check.evidence.ink import Ink
 from planes.check.evidence.letter_net import SHAPES, features, odds
 from planes.check.vision.image.opencv import cv, pieces
 from planes.geometry.arrays import Array, Greys
+from planes.geometry.plane import off_segment
 from planes.words.frozen import frozen
 
 SAME = {"I": "|1Ф", "1": "1|", "F": "FR", "0": "0D", "O": "0D", "p": "P", "τ": "t", "S": "5", "Q": "0", "C": "G"}
@@ -45,10 +46,9 @@ class HandWord:
 
     def off(self, a: complex, b: complex) -> float:
         """The distance of the word's middle line from the segment from a to b."""
-        up, u = 1j * (self.low + self.high).imag / 2, b - a
-        spots = [x + up for x in (self.low.real, (self.low + self.high).real / 2, self.high.real)]
-        along = (((z - a) * u.conjugate()).real / abs(u) ** 2 if u else 0.0 for z in spots)
-        return min(abs(a + min(max(t, 0.0), 1.0) * u - z) for t, z in zip(along, spots, strict=True))
+        middle = (self.low + self.high) / 2
+        spots = (complex(x, middle.imag) for x in (self.low.real, middle.real, self.high.real))
+        return min(off_segment(z, a, b) for z in spots)
 
 
 @dataclass
@@ -98,13 +98,7 @@ class Erased:
 
 def words_beside(ink: Ink, lines: Sequence[Erased], names: Iterable[str]) -> HandWords:
     """The words around some lines of a sheet, with their probabilities for some names."""
-    known = tuple(names)
-    return HandWords(_each_once(_words(ink, lines, known), known))
-
-
-def _words(ink: Ink, lines: Sequence[Erased], known: Sequence[str]) -> list[HandWord]:
-    """The words of a sheet, with their probabilities for each of the names."""
-    flat, hand_words = ink.flat, list[HandWord]()
+    known, flat, hand_words = tuple(names), ink.flat, list[HandWord]()
     for row in _rows(_pieces(ink, lines), flat.scale):
         shapes = _shapes(ink.dark, row, WIDEST_MM * flat.scale)
         scores = numpy.array([_aligned(len(row), shapes, name) for name in (*known, "")])
@@ -112,7 +106,7 @@ def _words(ink: Ink, lines: Sequence[Erased], known: Sequence[str]) -> list[Hand
         odds = numpy.exp((scores - scores.max()) / WARMTH)
         low, high = flat.mm(row[0].left, max(p.bottom for p in row)), flat.mm(row[-1].right, min(p.top for p in row))
         hand_words.append(HandWord(low, high, dict(zip(known, (odds / odds.sum()).tolist(), strict=False))))
-    return hand_words
+    return HandWords(_each_once(hand_words, known))
 
 
 def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord]:

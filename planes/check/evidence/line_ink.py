@@ -44,17 +44,16 @@ class LineInk(SheetInk):
         self.headed = bool(headed(sketch))
         self.plain = numpy.where((self.way == 0) & self.headed, HEADLESS, 1.0)
         self.points, self.ways, self.mm = self._pieces(length)
-        free = self.lines if self.headed else self.lines.ravel()
-        back, ahead = self.way < 0, self.way > 0
-        self.tips: Complexes = numpy.r_[free[ahead, 1], free[back, 0]] if self.headed else free
-        self.tip_ways: Complexes = (
-            numpy.r_[self.u[ahead], -self.u[back]] if self.headed else numpy.stack([-self.u, self.u], axis=1).ravel()
-        )
+        ways, tips = numpy.stack([-self.u, self.u], axis=1), self.lines
+        if self.headed:
+            pointed = self.way[:, None] == [-1, 1]
+            ways, tips = ways[pointed], tips[pointed]
+        self.tips: Complexes = tips.ravel()
+        self.tip_ways: Complexes = ways.ravel()
         if not self.headed and len(self.lines) < FEW:  # lines may extend beyond the ends of vectors
-            k, j = numpy.triu_indices(len(self.lines), 1)
-            met, crossed = crossings(self.lines[k], self.lines[j])
-            ways = numpy.stack([self.u[k], -self.u[k], self.u[j], -self.u[j]])[:, crossed]
-            self.tips = numpy.r_[self.tips, numpy.tile(met[crossed], 4)]
+            k, j, met = crossings(self.lines)
+            ways = numpy.concatenate([ways[k], ways[j]], axis=1).T
+            self.tips = numpy.r_[self.tips, numpy.tile(met, 4)]
             self.tip_ways = numpy.r_[self.tip_ways, ways.ravel()]
         self.rounds: Complexes = numpy.array([z for z, _ in sketch.rounds], complex)
         self.exact = self.headed or bool(self.rounds.size)
@@ -64,9 +63,8 @@ class LineInk(SheetInk):
     @property
     def crowded(self) -> int:
         """The number of line ends and crossings, if these are so dense that anything would match."""
-        k, j = numpy.triu_indices(len(self.lines), 1)
-        met, crossed = crossings(self.lines[k], self.lines[j])
-        count = len(numpy.unique(numpy.r_[self.lines.ravel(), met[crossed]].round(0)))
+        _, _, met = crossings(self.lines)
+        count = len(numpy.unique(numpy.r_[self.lines.ravel(), met].round(0)))
         area = float(numpy.ptp(self.lines.real) * numpy.ptp(self.lines.imag))
         return count if count > max(FEWEST_PLACES, CROWD * area) else 0
 
@@ -89,10 +87,9 @@ class LineInk(SheetInk):
             for k, on in ((0, -1), (1, 1))
         )
         off = numpy.where(abs(q.imag - p.imag) < 1e-9, 1e-9, q.imag - p.imag)  # where on the line the offset is reached
-        one, two = (-aside - p.imag) / off, (aside - p.imag) / off
-        first, last = numpy.maximum(numpy.minimum(one, two), 0.0), numpy.minimum(numpy.maximum(one, two), 1.0)
-        s, t = (p.real + (q.real - p.real) * share for share in (first, last))
-        low, high = numpy.maximum(numpy.minimum(s, t), 0.0), numpy.minimum(numpy.maximum(s, t), length[asked])
+        one, two = ((side - p.imag) / off for side in (-aside, aside))
+        first, last = shares = numpy.sort([one, two], axis=0).clip(0.0, 1.0)
+        low, high = numpy.sort(p.real + (q.real - p.real) * shares, axis=0).clip(0.0, length[asked])
         kept = (first < last) & (low < high)
         asked, low, high = asked[kept], low[kept], high[kept]
         worth = numpy.where(turned[asked, line[kept]] > FELT[0][0], 1.0, FELT[-1][1]) * self.plain[line[kept]]
@@ -156,14 +153,16 @@ def _joined(asked: Indices, low: Array, high: Array, held: Booleans, count: int)
     return numpy.asarray(numpy.bincount(asked, (high - numpy.maximum(low, before)).clip(min=0.0), count), float)
 
 
-def crossings(one: Complexes, two: Complexes) -> tuple[Complexes, Booleans]:
-    """The intersections of lines, row by row, and whether they are well inside both lines."""
-    v, u, off = one[:, 1] - one[:, 0], two[:, 1] - two[:, 0], two[:, 0] - one[:, 0]
+def crossings(lines: Complexes) -> tuple[Indices, Indices, Complexes]:
+    """Pairs of lines that meet well inside both of them, and where."""
+    k, j = numpy.triu_indices(len(lines), 1)
+    v, u, off = (lines[:, 1] - lines[:, 0])[k], (lines[:, 1] - lines[:, 0])[j], lines[j, 0] - lines[k, 0]
     turn = (v.conj() * u).imag
     with numpy.errstate(all="ignore"):
         s, t = (off.conj() * u).imag / turn, (off.conj() * v).imag / turn
         crossed = (abs(turn) > LEAST_TURN * abs(v * u)) & (s > 0) & (s < 1) & (t > 0) & (t < 1)
-    return one[:, 0] + numpy.where(crossed, s, 0.0) * v, crossed
+        places = lines[k, 0] + s * v
+    return k[crossed], j[crossed], places[crossed]
 
 
 def _told(off: Array) -> Array:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from planes.check.evidence.handwritten import HandWords
 from planes.check.reading.strokes import ReadDrawing, headed
 from planes.check.reading.written import Stroke, Words
+from planes.geometry.plane import off_segment, toward
 from planes.words.frozen import frozen
 from planes.words.naming import Names
 
@@ -29,7 +30,7 @@ class LineWord:
     def off(self, a: complex, b: complex) -> float:
         """The distance from the segment from a to b, or from the point a."""
         if self.led is not None:
-            return _off(self.led, a, b)
+            return off_segment(self.led, a, b)
         return self.word.distance(a) if a == b else self.word.beside((a, b))
 
     def nearest(self, own: float, others: Iterable[float], soft_mm: float = SOFT_MM) -> float:
@@ -70,7 +71,8 @@ def _leads(sketch: ReadDrawing) -> dict[int, complex]:
     leads, vectors = dict[int, complex](), [s for k, s in enumerate(sketch.strokes) if sketch.way(k)]
     for k, s in enumerate(sketch.strokes if headed(sketch) else ()):
         for a, b in (s, s[::-1]) if not sketch.way(k) else ():
-            free = all(abs(a - z) > SHY_MM for i, z in ends if i != k) and all(_off(a, *v) > SHY_MM for v in vectors)
+            free = all(abs(a - z) > SHY_MM for i, z in ends if i != k)
+            free = free and all(off_segment(a, *v) > SHY_MM for v in vectors)
             if abs(b - a) < LEADER_MM or not free or any(_along((a, b), v) for v in vectors):
                 continue
             far = [w.distance(a, below=INDEX * w.height) for w in sketch.words]
@@ -81,13 +83,6 @@ def _leads(sketch: ReadDrawing) -> dict[int, complex]:
 
 def _along(line: Stroke, vector: Stroke) -> bool:
     """Whether a line runs along a vector, as construction lines do."""
-    (a, b), length = line, abs(line[1] - line[0])
-    p, q = ((z - a) / (b - a) * length for z in vector)
+    p, q = ((z - line[0]) / toward(*line) for z in vector)
     near = max(abs(p.imag), abs(q.imag)) < SHY_MM
-    return near and max(p.real, q.real) > 0 and min(p.real, q.real) < length
-
-
-def _off(z: complex, a: complex, b: complex) -> float:
-    """The distance of a point from the segment from a to b."""
-    t = 0.0 if a == b else min(max(((z - a) / (b - a)).real, 0.0), 1.0)
-    return abs(a + t * (b - a) - z)
+    return near and max(p.real, q.real) > 0 and min(p.real, q.real) < abs(line[1] - line[0])

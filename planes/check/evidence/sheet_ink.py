@@ -32,11 +32,11 @@ SLOPE = 0.004  # angular tolerance of a drawn line, radians
 BEFORE_MM, BEYOND_MM, LESS = 10.0, 22.0, 0.55  # extension of construction lines; weight of it as unexplained ink
 CROSS_MM = 3.2  # around the pole's printed cross, ink needs no explanation
 HEAD_MM, BEHIND_MM = (1.6, 4.0), (5.5, 7.5)  # from a line's end, where a head is wider than its line; behind it
-ASIDE_MM, BESIDE_STEP_MM = (-0.85, -0.6, 0.6, 0.85), 0.4  # where beside a line its head is felt
+ASIDE_MM, STEP_MM = (-0.85, -0.6, 0.6, 0.85), 0.4  # where beside a line its head is felt
 SHORTEST_MM = 9.0  # of a line whose head is felt
 LEAST_HEAD, HEAD_GAIN, HEAD_RANGE = 0.12, 6.0, (-1.2, 1.8)  # darkness beside a headless line; factor to evidence
 LINE_MM, USUAL_HEAD_MM = 0.8, 4.0  # of a drawn line, as opposed to a letter
-WINGS_MM, NARROW_MM, WING_STEP_MM = (0.55, 0.7, 0.85, 1.0), (0.35, 0.45), 0.4  # off a line, and near it; along it
+WINGS_MM, NARROW_MM = (0.55, 0.7, 0.85, 1.0), (0.35, 0.45)  # off a line, and near it
 OWN_MM, LONG_HEAD_MM, WIDE_HEAD_MM = 0.6, 5.0, 1.5  # of another line's ink, and of its head
 # Beside an end without a head: the most darkness, that over the line behind it, also near the line, and by how much the
 # other end is darker. Points that tell, for both ends and for one. Of 419 heads none on a sheet called right is so.
@@ -159,8 +159,8 @@ class SheetInk:
     def head(self, a: Complexes, b: Complexes) -> Array:
         """The evidence for a head at b of each line from a, in :data:`HEAD_RANGE`; 0 for short ones."""
         length = abs(b - a)
-        way = (b - a) / numpy.maximum(length, 1e-9)
-        there, behind = (self._beside(b, way, mm) for mm in (HEAD_MM, BEHIND_MM))
+        back = (a - b) / numpy.maximum(length, 1e-9)
+        there, behind = (self._beside(b, back, mm, ASIDE_MM)[1].mean(axis=-1) for mm in (HEAD_MM, BEHIND_MM))
         felt = numpy.clip((there - behind - LEAST_HEAD) * HEAD_GAIN, *HEAD_RANGE)
         return numpy.where(length > SHORTEST_MM, felt, 0.0)
 
@@ -188,16 +188,12 @@ class SheetInk:
         ends = numpy.stack([a, b]), numpy.stack([b, a])
         upon = numpy.minimum(*(abs(z[..., None] - ends[0][:, None]).sum(axis=0) for z in ends)) < 2 * OWN_MM
         for mm in (HEAD_MM, BEHIND_MM):
-            far, off = (
-                z.ravel() for z in numpy.meshgrid(numpy.arange(*mm, WING_STEP_MM), numpy.outer((1, -1), off_mm))
-            )
-            z = tip[:, None] + inward[:, None] * (far + 1j * off)
+            z, dark = self._beside(tip, inward, mm, numpy.outer((-1, 1), off_mm))
             q = (z[..., None] - a) * way.conj()  # by line, point and other line
             line = (abs(q.real - length / 2) < length / 2 + SHORT_MM) & (abs(q.imag) < OWN_MM) & ~upon[:, None]
             head = (abs(q.real - length + LONG_HEAD_MM / 2) < LONG_HEAD_MM / 2) & (abs(q.imag) < WIDE_HEAD_MM)
             free = ~((line | head) & (length > SHORT_MM) & ~numpy.eye(len(a), dtype=bool)[:, None]).any(axis=2)
-            at, inside = self._at(z)
-            zones.append((numpy.where(inside & free, self.even[at], 0.0).sum(axis=1), free.sum(axis=1)))
+            zones.append(((dark * free).sum(axis=1), free.sum(axis=1)))
         (ink, points), (behind, others) = zones
         ink = ink / numpy.maximum(points, 1)
         return ink, ink - behind / numpy.maximum(others, 1), points
@@ -206,12 +202,14 @@ class SheetInk:
         """The evidence for a point at positions: none on a picture."""
         return numpy.zeros(z.shape)
 
-    def _beside(self, b: Complexes, way: Complexes, mm: tuple[float, float]) -> Array:
-        """The darkness beside lines, at distances back from their ends."""
-        back, off = numpy.meshgrid(numpy.arange(*mm, BESIDE_STEP_MM), ASIDE_MM)
-        at, inside = self._at(b[..., None] + way[..., None] * (1j * off - back).ravel())
-        dark: Array = numpy.where(inside, self.even[at], 0.0).mean(axis=-1)
-        return dark
+    def _beside(
+        self, tip: Complexes, inward: Complexes, mm: tuple[float, float], off_mm: Sequence[float] | Array
+    ) -> tuple[Complexes, Array]:
+        """Points beside lines, at distances back from their ends, and their darkness."""
+        back, off = (z.ravel() for z in numpy.meshgrid(numpy.arange(*mm, STEP_MM), off_mm))
+        z = tip[..., None] + inward[..., None] * (back - 1j * off)
+        at, inside = self._at(z)
+        return z, numpy.where(inside, self.even[at], 0.0)
 
     def words(self, a: Complexes, b: Complexes, headed: bool, names: Iterable[str]) -> HandWords:
         """The words around some lines, with their probabilities for some names; none without letters."""

@@ -71,8 +71,7 @@ def orders(plan: PlanLines, ink: SheetInk, pole: complex, words: HandWords | Non
     """
     scored: list[tuple[float, Hypothesis]] = []
     for h in (Hypothesis(), *catalogue(plan)) if plan.sides else ():
-        drawn = plan.draw(h, {}, 1)
-        if drawn is not None and numpy.isfinite(drawn).all():
+        if (drawn := plan.drawn(h)) is not None:
             score, order = _likeliest_order(plan, ink, pole, drawn, words)
             usual = order == tuple(range(len(order)))
             likely = h if usual else replace(h, order=order, cost=h.cost + w.ORDER)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from itertools import combinations
 
 import numpy
 
@@ -11,6 +12,7 @@ from planes.check.explaining.explained import Explanation
 from planes.check.explaining.scorer import Laid
 from planes.check.grading.paper import ReadMark
 from planes.geometry.arrays import Booleans, Complexes
+from planes.geometry.plane import lines, toward
 from planes.words.names import POLE
 
 NEAR_MM, JOINED_MM = 1.2, 0.15  # from the settled mark; between ends that coincide
@@ -23,7 +25,7 @@ LEAST_TURN = 0.1  # sine of the angle between crossing lines
 def exact_marks(seen: Explanation, ink: LineInk, laid: Laid) -> dict[str, ReadMark]:
     """The marks of a settled drawing, each where its lines end; otherwise at their crossing or at a circle."""
     plan, marks = seen.plan, dict[str, ReadMark]()
-    places = numpy.array([laid.places[n] for n in plan.names]) + seen.pole
+    places = plan.row(laid.places) + seen.pole
     for n in (POLE, *plan.labels):
         m = plan.names.index(n)
         own = ink.lines[_drawn_to(seen, ink, places, m)]
@@ -55,10 +57,9 @@ def _drawn_to(seen: Explanation, ink: LineInk, places: Complexes, m: int) -> Boo
     return mine
 
 
-def _crossings(lines: Complexes) -> Iterator[complex]:
+def _crossings(every: Complexes) -> Iterator[complex]:
     """The crossings of lines, extended if needed."""
-    for k, (a, b) in enumerate(lines.tolist()):
-        for c, d in lines[:k].tolist():
-            turn = ((b - a).conjugate() * (d - c)).imag
-            if abs(turn) > LEAST_TURN * abs(b - a) * abs(d - c):
-                yield a + (b - a) * ((c - a).conjugate() * (d - c)).imag / turn
+    for (a, b), (c, d) in combinations(every.tolist(), 2):
+        place, turn, _ = lines(a, toward(a, b), c, toward(c, d))
+        if abs(turn) > LEAST_TURN:
+            yield complex(place)

@@ -34,10 +34,9 @@ class Explanation:
         self.scorer = Scorer(self.plan, self.ink, self.pole)
         self.laid = self.scorer.weighed()
         if self.plan.kind != "force":
-            names, best = self.plan.names, self.best
-            places = numpy.array([best.places[n] for n in names])
-            fitted = fitted_marks(self.plan, self.ink, self.pole, places, best.sigmas)
-            best.places = dict(zip(names, fitted.tolist(), strict=True))
+            best = self.best
+            fitted = fitted_marks(self.plan, self.ink, self.pole, self.plan.row(best.places), best.sigmas)
+            best.places = dict(zip(self.plan.names, fitted.tolist(), strict=True))
 
     @cached_property
     def right(self) -> Laid:
@@ -135,13 +134,12 @@ class Explanation:
         return hypothesis.mark if hypothesis.kind.endswith(LEFT_OUT) else None
 
     def _sides(self, best: Laid, doubt: float) -> Iterator[ReadMark]:
-        places = numpy.array([[best.places[n] for n in self.plan.names]])
-        a, b = (z[0] for z in self.plan.laid(places, best.hypothesis.order))
+        a, b = self.scorer.ends(best)
         for k in best.hypothesis.order or range(len(self.plan.sides)):
             side = self.plan.sides[k]
             if side.end != self._left_out and abs(b[k] - a[k]) > w.POINT_MM:
                 end = END if self.plan.lines[k][1] == END else side.end
-                yield ReadMark(side.name, self.undone(self.pole + complex(b[k])), self._error_mm(best, end), doubt)
+                yield ReadMark(side.name, self.undone(complex(b[k])), self._error_mm(best, end), doubt)
 
     def _error_mm(self, best: Laid, name: str) -> float:
         """σ of a mark's position."""
@@ -153,7 +151,11 @@ class Explanation:
         if self.plan.kind == "force" or not self.best.hypothesis.right:
             return []
         hidden = (n for n in self.plan.labels if self.best.sigmas.get(n, math.inf) >= w.UNSEEN_MM)
-        return [n for n in hidden if self.scorer.words.by(n, self.pole + self.best.places[n]) > w.LIKELY]
+        return [n for n in hidden if self.named_there(n) > w.LIKELY]
+
+    def named_there(self, mark: str) -> float:
+        """The probability that the name of a mark stands beside it."""
+        return self.scorer.words.by(mark, self.pole + self.best.places[mark])
 
     def untold(self) -> list[str]:
         """Marks, or sides of a force polygon, that lie elsewhere in the other drawing where the two are in doubt.
@@ -186,7 +188,7 @@ class Explanation:
 
     def _drawn(self, one: Laid) -> Complexes:
         """The marks of a drawing from the pole; for a force polygon its sides, in any order."""
-        places, count = numpy.array([one.places[n] for n in self.plan.names]), len(self.plan.sides)
+        places, count = self.plan.row(one.places), len(self.plan.sides)
         sides = places[self.plan.ends[:count]] - places[self.plan.starts[:count]]
         return sides if count else places[: len(self.plan.labels)]
 
@@ -201,16 +203,9 @@ class Explanation:
         return [n for n, own in every if n in plan.labels and own.any() and self._gone[own].all()]
 
     @cached_property
-    def _ends(self) -> tuple[Complexes, Complexes]:
-        """Starts and ends of the lines of the likeliest drawing, on the sheet."""
-        places = numpy.array([[self.best.places[n] for n in self.plan.names]])
-        a, b = self.plan.laid(places, self.best.hypothesis.order)
-        return a[0] + self.pole, b[0] + self.pole
-
-    @cached_property
     def _gone(self) -> Booleans:
         """Lines with long gaps."""
-        a, b = self._ends
+        a, b = self.scorer.ends(self.best)
         gaps = [self.ink.longest_gap(p, q) if abs(q - p) > w.LONG_MM else 0.0 for p, q in zip(a, b, strict=True)]
         return numpy.asarray(self.plan.needed & (numpy.array(gaps) > w.TORN_MM))
 

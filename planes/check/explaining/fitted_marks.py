@@ -19,9 +19,8 @@ def fitted_marks(
     """
     a, b = (z[0] + pole for z in plan.laid(places[None]))
     weight = numpy.array([1 / max(own_mm.get(n, 1.0), w.READ_MM) ** 2 for n in plan.names])
-    rows = numpy.zeros((len(plan.names), 3))  # normal matrix of each mark: xx, xy, yy
-    right = numpy.zeros(len(plan.names), complex)  # right-hand side: displacements
-    rows[:, 0] = rows[:, 2] = weight
+    rows = weight[:, None, None] * numpy.eye(2)  # normal matrix of each mark
+    right = numpy.zeros((len(plan.names), 2))  # right-hand side: displacements
     for k in numpy.flatnonzero(to_be_seen(a[None], b[None])[0]).tolist():
         length = abs(b[k] - a[k])
         u = (b[k] - a[k]) / length
@@ -31,13 +30,9 @@ def fitted_marks(
         if near.sum() < w.FEW or numpy.ptp(q.real[near]) < length / 2:
             continue
         slope, offset = numpy.polyfit(q.real[near], q.imag[near], 1)
-        normal, sure = 1j * u, near.sum() / w.PIXEL_MM**2
+        normal, sure = numpy.array([-u.imag, u.real]), near.sum() / w.PIXEL_MM**2
         for name, along in ((plan.starts[k], 0.0), (plan.ends[k], length)):
-            across = float(offset + slope * along)
-            rows[name] += sure * numpy.array([normal.real**2, normal.real * normal.imag, normal.imag**2])
-            right[name] += sure * across * normal
-    determinant = rows[:, 0] * rows[:, 2] - rows[:, 1] ** 2
-    x = (rows[:, 2] * right.real - rows[:, 1] * right.imag) / determinant
-    y = (rows[:, 0] * right.imag - rows[:, 1] * right.real) / determinant
-    moved = x + 1j * y
+            rows[name] += sure * numpy.outer(normal, normal)
+            right[name] += sure * (offset + slope * along) * normal
+    moved = numpy.linalg.solve(rows, right[..., None])[..., 0] @ [1, 1j]
     return places + numpy.where(abs(moved) < w.NEAR_MM * 2, moved, 0j)

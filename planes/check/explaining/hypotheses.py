@@ -55,16 +55,15 @@ def wholes(plan: PlanLines) -> list[Hypothesis]:
 
 def _of_many_ways(plan: PlanLines) -> bool:
     """Whether the longer lines of a plan have more than one direction."""
-    places = numpy.array([plan.true[n] for n in plan.names])
-    ways = (places[plan.ends] - places[plan.starts])[plan.needed]
+    a, b = plan.ends_of(plan.true)
+    ways = (b - a)[plan.needed]
     ways = ways[abs(ways) > LONG_MM]
     return bool(len(ways)) and bool((abs((ways / ways[0]).imag) > WAYS_DIFFER * abs(ways / ways[0])).any())
 
 
 def free_sizes(plan: PlanLines, base: Hypothesis) -> list[Free]:
     """Every mark of a drawing with a wrong length or angle, or anywhere near."""
-    drawn = plan.draw(base, {}, 1)
-    if drawn is None or not numpy.isfinite(drawn).all():
+    if (drawn := plan.drawn(base)) is None:
         return []
     places = dict(zip(plan.names, drawn[0].tolist(), strict=True))
     fixed = plan.bench.plans.mechanism.frame.points if plan.kind == "position" else ()

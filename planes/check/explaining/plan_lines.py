@@ -1,5 +1,6 @@
 """The lines of a plan on paper under any hypothesis, many drawings in one run of the program."""
 
+import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -115,7 +116,7 @@ class PlanLines:
     def signs(self, places: Complexes) -> tuple[Complexes, Complexes, Complexes, Array]:
         """What else may be drawn, row by row: the guides of a scheme by their two ends, its other symbols by centre and
         radius, mm; of a force polygon, the normal force and the friction of each leaning reaction."""
-        none, count = numpy.zeros((len(places), 0), complex), len(places)
+        none = numpy.zeros((len(places), 0), complex)
         at_ = {n: places[:, k] for k, n in enumerate(self.names)}
         if self.kind != "position":
             leant = [(at_[a], at_[b], u) for a, b, u in self.bench.leaning if {a, b} <= at_.keys()]
@@ -131,18 +132,16 @@ class PlanLines:
             if link.slides is None or slider not in at_:
                 continue
             guide, reach[slider] = mechanism.guide(link.slides.guide), SUPPORT_MM
-            if guide.name in mechanism.frame.guides:
-                way = numpy.full(count, numpy.exp(1j * math.radians(guide.angle_deg)))
-                ways.append((at_[slider] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
-            elif (base := str(guide.through_point)) in at_:
+            of_frame = guide.name in mechanism.frame.guides
+            if (base := slider if of_frame else str(guide.through_point)) in at_:
                 off = numpy.nan_to_num(at_[slider] - at_[base])
-                way = off / numpy.maximum(abs(off), 1e-6)
+                way = cmath.rect(1, math.radians(guide.angle_deg)) if of_frame else off / numpy.maximum(abs(off), 1e-6)
                 ways.append((at_[base] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
         shown = [n for n in reach if n in at_]
         a, b = (numpy.stack([w[k] for w in ways], axis=1) if ways else none for k in (0, 1))
         return a, b, numpy.stack([at_[n] for n in shown], axis=1), numpy.array([reach[n] for n in shown])
 
-    def draw(self, hypothesis: Hypothesis, nudges: Mapping[str, Array], count: int) -> Complexes | None:
+    def draw(self, hypothesis: Hypothesis, nudges: Mapping[str, complex | Array], count: int) -> Complexes | None:
         """Positions of the marks (count × names, the pole last), mm from the sheet's pole, with extra displacements.
 
         NaN where they cannot be constructed, None if none can.
@@ -164,6 +163,20 @@ class PlanLines:
         places = numpy.concatenate([places, numpy.stack(rest, axis=1)], axis=1)
         places[:, :-1] += places[:, -1:]  # the pole may be shifted, with the whole drawing
         return places
+
+    def drawn(self, hypothesis: Hypothesis) -> Complexes | None:
+        """One drawing without displacements; None if some of its marks cannot be constructed."""
+        drawn = self.draw(hypothesis, {}, 1)
+        return drawn if drawn is not None and numpy.isfinite(drawn).all() else None
+
+    def row(self, places: Mapping[str, complex]) -> Complexes:
+        """The positions of marks by label as a row in the order of the names."""
+        return numpy.array([places[n] for n in self.names])
+
+    def ends_of(self, places: Mapping[str, complex], order: Sequence[int] = ()) -> tuple[Complexes, Complexes]:
+        """Starts and ends of the lines of one drawing: see :meth:`laid`."""
+        a, b = self.laid(self.row(places)[None], order)
+        return a[0], b[0]
 
     def each(self, every: Sequence[Hypothesis]) -> Iterator[tuple[Hypothesis, Complexes | None]]:
         """Hypotheses with their drawings; those that only turn, mirror or scale a drawing share it."""

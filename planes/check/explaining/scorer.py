@@ -47,6 +47,10 @@ class Laid:
         return self.score + self.hypothesis.cost
 
 
+def _best_first(laid: Iterable[Laid]) -> list[Laid]:
+    return sorted(laid, key=lambda one: -one.score)
+
+
 @dataclass
 class Scorer:
     """Scores the hypotheses of one plan on one sheet, with its pole at a given point."""
@@ -73,11 +77,11 @@ class Scorer:
             laid += [self.settled(h) for h in (likely if any(h.right for h in likely) else [*likely, base])]
         best = max(laid, key=lambda one: one.score)
         if w.AT_ALL < best.cover < w.EXPLAINED:
-            single = [one.hypothesis for one in sorted(laid, key=lambda one: -one.score)]
+            single = [one.hypothesis for one in _best_first(laid)]
             for first in [h for h in single if not h.right and h.turn == 1][: w.FIRSTS]:
                 pairs = [h for h in self.likeliest(first, alone=True) if h != first]
                 laid += [self.settled(h) for h in pairs[: w.SECONDS]]
-        return self._by_signs(sorted(laid, key=lambda one: -one.score))
+        return self._by_signs(_best_first(laid))
 
     def _in_the_order_of_mistakes(self, laid: list[Laid]) -> list[Laid]:
         """The right force polygon in the order in which the likeliest wrong one is laid, if it was not tried."""
@@ -91,7 +95,7 @@ class Scorer:
         """The heads of the vectors needed in a drawing: see :meth:`SheetInk.heads_seen`. Of one not drawn, nothing."""
         if not one.places or self.plan.kind == "position":
             return numpy.zeros(len(self.plan.lines))
-        a, b = (z[0] for z in self._lines(one.hypothesis, self._row(one)))
+        a, b = self.ends(one)
         return self.ink.heads_seen(a, b) * (self.plan.needed & (self.ink.along(a, b, w.COARSE, 2) > w.DRAWN))
 
     def headless(self, one: Laid) -> Booleans:
@@ -108,7 +112,7 @@ class Scorer:
         laid = [self.settled(rough[0][1])]
         if not self._full(laid[0]):
             laid += [self.settled(h) for _, h, _ in sorted(rough[1:], key=lambda r: -r[0])[: w.FIRSTS]]
-        laid = sorted(laid, key=lambda one: -one.score)
+        laid = _best_first(laid)
         if self._full(laid[0]):
             return laid
         self.box = None
@@ -121,8 +125,8 @@ class Scorer:
         """
         if not one.places:
             return False
-        ends, scheme = self._lines(one.hypothesis, self._row(one)), self.plan.kind == "position"
-        signs = len(self.plan.labels) if scheme else (to_be_seen(*ends) & self.plan.needed).sum()
+        (a, b), scheme = self.ends(one), self.plan.kind == "position"
+        signs = len(self.plan.labels) if scheme else (to_be_seen(a[None], b[None]) & self.plan.needed).sum()
         beside = w.STRANGE * min(one.strange, self._most_strange) if scheme else 0.0
         short = w.HEAD * self.ink.most_head * signs - one.evidence - beside
         return bool(short - one.erred < w.TELLING and not (one.hypothesis.right and short > w.COSTS["length"]))
@@ -149,7 +153,7 @@ class Scorer:
         """The same drawings scored with their heads and the names beside their lines; right force polygons in more
         orders, too."""
         best = laid[0]
-        a, b = (z[0] for z in self._lines(best.hypothesis, self._row(best)))
+        a, b = self.ends(best)
         seen, force = abs(b - a) > w.SHORT_MM, self.plan.kind == "force"
         names = [s.name for s in self.plan.sides] if force else self.plan.labels
         self.words = self.ink.words(a[seen], b[seen], self.plan.kind != "position", names)
@@ -162,7 +166,7 @@ class Scorer:
             self._weigh_signs(one, right, names)
         for one in (more := self._in_the_order_of_mistakes(laid)):
             self._weigh_signs(one, right, names)
-        return sorted([*laid, *more], key=lambda one: -one.score)
+        return _best_first([*laid, *more])
 
     def _weigh_signs(self, one: Laid, right: Laid, names: Sequence[str]) -> None:
         """Score the heads missing from vectors that the right drawing has not, and the names that stand elsewhere."""
@@ -170,16 +174,18 @@ class Scorer:
             return
         bare = self.headless(one)
         if right.places and bare.any():
-            here, there = (z[self.plan.ends] - z[self.plan.starts] for z in (self._row(one)[0], self._row(right)[0]))
+            rows = map(self.plan.row, (one.places, right.places))
+            here, there = (z[self.plan.ends] - z[self.plan.starts] for z in rows)
             one.score -= w.HEADLESS * float((bare & (abs(here - there) > w.MOVED_MM)).sum())
         if self.words.words:
-            ends = (z[0].tolist() for z in self._lines(one.hypothesis, self._row(one)))
-            places = [self.pole + one.places[n] for n in self.plan.labels]
-            ways = zip(names, *(ends if self.plan.kind == "force" else (places, places)), strict=False)
+            marks = self.plan.row(one.places) + self.pole
+            ways = zip(names, *(self.ends(one) if self.plan.kind == "force" else (marks, marks)), strict=False)
             one.score -= w.LETTERS * self.words.told((n, rounded(a), rounded(b)) for n, a, b in ways)
 
-    def _row(self, one: Laid) -> Complexes:
-        return numpy.array([[one.places[n] for n in self.plan.names]])
+    def ends(self, one: Laid) -> tuple[Complexes, Complexes]:
+        """Starts and ends of the lines of a drawing, on the sheet."""
+        a, b = self.plan.ends_of(one.places, one.hypothesis.order)
+        return a + self.pole, b + self.pole
 
     def likeliest(self, base: Hypothesis, alone: bool = False) -> list[Hypothesis]:
         """The best hypotheses of each kind and mark added to one; with ``alone``, only its free sizes."""
@@ -286,7 +292,7 @@ class Scorer:
     def _to_ends(self, h: Hypothesis, held: dict[str, complex]) -> None:
         """Moves each mark to a nearby end of a line; the steps after it continue from there."""
         for m, n in enumerate(self.plan.labels):
-            drawn = self.plan.draw(h, {n: numpy.array([v]) for n, v in held.items()}, 1)
+            drawn = self.plan.draw(h, held, 1)
             if drawn is not None and self.ink.ends.size:
                 off = self.ink.ends - (drawn[0, m] + self.pole)
                 nearest = complex(off[abs(off).argmin()])
@@ -312,15 +318,14 @@ class Scorer:
         return scores
 
     def _result(self, h: Hypothesis, held: Mapping[str, complex], scores: Array) -> Laid:
-        drawn = self.plan.draw(h, {n: numpy.array([v]) for n, v in held.items()}, 1)
+        drawn = self.plan.draw(h, held, 1)
         if drawn is None:
             return Laid(h, LOST)
-        a, b = self._lines(h, drawn)
         score, cover, strange = (float(row[0]) for row in self.scored(h, drawn))
-        erred = float(self.erred(held))
-        score += omitted(self.plan, self.ink, a[0], b[0]) - erred - h.cost
-        places, moved = dict(zip(self.plan.names, drawn[0].tolist(), strict=True)), {n: abs(z) for n, z in held.items()}
-        return Laid(h, score, cover, places, self._sigmas(scores), strange, moved, erred)
+        erred, places = float(self.erred(held)), dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
+        laid = Laid(h, score, cover, places, self._sigmas(scores), strange, {n: abs(z) for n, z in held.items()}, erred)
+        laid.score += omitted(self.plan, self.ink, *self.ends(laid)) - erred - h.cost
+        return laid
 
     def _sigmas(self, scores: Array) -> dict[str, float]:
         """How well the ink locates each settled mark, by the drop of the score around it: σ of a parabola."""

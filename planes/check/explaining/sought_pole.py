@@ -23,8 +23,7 @@ def sought_pole(plan: PlanLines, ink: SheetInk, cells: Complexes | None = None, 
     cells = numpy.unique(numpy.round(ink.points / CELL_MM)) * CELL_MM if cells is None else cells
     best, most = complex(cells[0]), -numpy.inf
     for h in (Hypothesis(), *catalogue(plan)):
-        drawn = plan.draw(h, {}, 1)
-        if drawn is None or not numpy.isfinite(drawn).all():
+        if (drawn := plan.drawn(h)) is None:
             continue
         scores, shares = _laid_from(plan, ink, drawn, cells)
         scores, place = scores - price, cells

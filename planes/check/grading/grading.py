@@ -23,7 +23,6 @@ from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
 
 OWN_SCALE = -3.0  # logarithm of the prior odds of a scale other than the stated one
 LONG_MM = 3.0  # a shorter vector shows no scale, and may be invisible
-NAMELESS = "?"  # prefix of the names of unnamed lines
 FAR_MM = 3.0  # an error this large is no misreading
 FITTING = 0.9  # share of the other marks that must be seen and right before a single one is blamed
 
@@ -211,11 +210,9 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
         if grading.said_mu and not _rescaled(grading):
             break
     best = max(tried, key=lambda one: one[0])[1]
-    best.unknown = [name for name in unknown if not name.startswith(NAMELESS)]
-    if best.unknown:
-        best.notes.append(Phrase("check_unknown", names=", ".join(best.unknown)))
-    if len(best.unknown) < len(unknown):
-        best.notes.append(Phrase("check_nameless", count=len(unknown) - len(best.unknown)))
+    best.unknown = unknown
+    if unknown:
+        best.notes.append(Phrase("check_unknown", names=", ".join(unknown)))
     return best
 
 

@@ -40,9 +40,14 @@ class Miss:
     def sigmas(self) -> float:
         """Mahalanobis distance: the miss in standard deviations, in its direction."""
         xx, xy, yy = self.cov
-        det = xx * yy - xy * xy
         x, y = self.off.real, self.off.imag
-        return math.sqrt(max((yy * x * x - 2 * xy * x * y + xx * y * y) / det, 0.0))
+        return math.sqrt(max((yy * x * x - 2 * xy * x * y + xx * y * y) / self._area, 0.0))
+
+    @property
+    def _area(self) -> float:
+        """The determinant of the covariance."""
+        xx, xy, yy = self.cov
+        return xx * yy - xy * xy
 
     def reach(self, limit: float) -> float:
         """The tolerance in mm in the direction of the miss (if zero: the largest)."""
@@ -63,14 +68,12 @@ class Miss:
     @property
     def mean(self) -> float:
         """The standard deviation of a circular error of the same area, mm."""
-        xx, xy, yy = self.cov
-        return math.sqrt(math.sqrt(max(xx * yy - xy * xy, 0.0)))
+        return math.sqrt(math.sqrt(max(self._area, 0.0)))
 
     @property
     def log_density(self) -> float:
         """Logarithm of the normal density per mm²."""
-        xx, xy, yy = self.cov
-        return -0.5 * self.sigmas**2 - math.log(2 * math.pi) - 0.5 * math.log(xx * yy - xy * xy)
+        return -0.5 * self.sigmas**2 - math.log(2 * math.pi) - 0.5 * math.log(self._area)
 
 
 def by_protractor(step: Step, given: Mapping[str, Point]) -> bool:

@@ -162,7 +162,9 @@ class _Weighing:
             under = given_before({**self.plain, **touched}, self.order, self.limit)
             if any(label_of(m) == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
                 continue  # its mark is nearer to its right position than to the one under the mistake
-            score = self.gain(under) + math.log(variant.weight * _likely(variant, drawn))
+            # a mark missing in the drawing was most likely left out, another was not
+            unlike = (variant.blames in drawn) == variant.mistake.endswith(LEFT_OUT)
+            score = self.gain(under) + math.log(variant.weight * (UNDRAWN if unlike else 1.0))
             scored.append(ScoredHypothesis(score, variant, under))
         return _by_mistake(scored)
 
@@ -186,11 +188,6 @@ def _keep(judgement: Judgement, ranked: Sequence[ScoredHypothesis], unknown: flo
     judgement.cause = logistic(best.score - float(numpy.logaddexp.reduce([unknown, *(one.score for one in rest)])))
     judgement.explained = {m: miss for m, miss in best.under.items() if miss.sigmas <= judgement.limit}
     judgement.score += best.score + math.log(SLIP)
-
-
-def _likely(variant: Variant, drawn: set[str]) -> float:
-    """The weight of a variant: marks missing in the drawing were most likely left out, others were not."""
-    return 1.0 if (variant.blames in drawn) != variant.mistake.endswith(LEFT_OUT) else UNDRAWN
 
 
 def _by_mistake(scored: Sequence[ScoredHypothesis]) -> list[ScoredHypothesis]:
@@ -226,9 +223,10 @@ def given_before(misses: Mapping[str, Miss], order: Sequence[str], limit: float)
     names = [m for m in order if m in misses]
     if not names:
         return {}
-    rows = numpy.array([part for m in names for part in (misses[m].change.real, misses[m].change.imag)])
+    changes = numpy.array([misses[m].change for m in names])
+    rows = numpy.stack([changes.real, changes.imag], axis=1).reshape(2 * len(names), -1)
     cov = rows @ rows.T + LEAST_MM**2 * numpy.eye(len(rows))
-    off = numpy.array([part for m in names for part in (misses[m].off.real, misses[m].off.imag)])
+    off = numpy.array([misses[m].off for m in names]).view(float)
     known_before = {}
     for i, name in enumerate(names):
         x, y = 2 * i, 2 * i + 1

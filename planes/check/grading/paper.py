@@ -85,7 +85,6 @@ class ReadPaper:
     left: list[str] = field(default_factory=list)  # ignored columns of a table, vectors not drawn
     untold: list[str] = field(default_factory=list)  # vectors that, with a mistake, may be others
     named: list[str] = field(default_factory=list)  # marks not read, but with names at their expected positions
-    apart: bool = False  # whether a mistake explains its force polygon, and no right one nearly as well
     notes: list[Phrase] = field(default_factory=list)
     reason: Phrase | None = None  # why none of its marks could be read
 

@@ -47,14 +47,13 @@ class Rebuilt:
     closers: set[str] = field(default_factory=set)  # those of free length
     left: list[Side] = field(default_factory=list)  # not read, though they may be there
     polygons: list[Collection[str]] = field(default_factory=list)  # the vectors of each
-    apart: bool = False  # whether no right drawing explains the readings nearly as well
 
     def confused(self, missing: complex | None) -> bool:
         """Whether vectors identified by likeness, as in a picture, may as well be others.
 
         That is so where no mistake explains them, or the ``missing`` one may be invisible or hidden in one as long.
         """
-        if not any(v.doubt for v in self.vectors) or (missing is not None and self.apart):
+        if not any(v.doubt for v in self.vectors):
             return False
         if missing is not None and abs(missing) <= SEEN_MM:
             return True
@@ -164,7 +163,7 @@ def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, R
     if kind_of(plan) == "force":
         if pole is None:
             raise PlanesError(Phrase("check_no_pole"))
-        rebuilt = replace(rebuild(bench.plans, plan, paper.spots, bench.naming, paper.whole), apart=paper.apart)
+        rebuilt = rebuild(bench.plans, plan, paper.spots, bench.naming, paper.whole)
         if not rebuilt.vectors:
             wanted = ", ".join(s.name for s in sides_of(bench.plans, plan))
             raise PlanesError(told_to("table", asking("check_nothing_read", names=wanted)))

@@ -11,6 +11,8 @@ from itertools import islice, pairwise
 
 from planes.check.reading.strokes import Arrowhead, ReadDrawing, goes_on
 from planes.check.reading.written import Stroke, Strokes
+from planes.geometry.plane import corners as box_of
+from planes.geometry.plane import spread, toward
 
 LARGEST_MM = 8.0  # maximum size of a closed figure as a head
 LARGEST_FILLED_MM, SLENDER = 24.0, 0.7  # the same if filled and no polygon, when this narrow between equal sides
@@ -41,7 +43,7 @@ def head_of(points: Sequence[complex], filled: bool = False) -> Arrowhead | None
     middle = sum(corners) / len(corners)
     apexes = _apexes(corners)
     tip = apexes[0] if apexes else max(corners, key=lambda z: abs(z - middle))
-    size = max(abs(a - b) for a in corners for b in corners)
+    size = spread(corners)
     if len(corners) == 4 and abs(corners[0] - corners[1] + corners[2] - corners[3]) < EVEN * size:
         return None  # a dash of a line
     others = [z for z in corners if abs(z - tip) > 0.05 * size]
@@ -50,11 +52,10 @@ def head_of(points: Sequence[complex], filled: bool = False) -> Arrowhead | None
         return None
     way = tip - sum(others) / len(others)
     u = way / abs(way)
-    across = [((z - tip) * u.conjugate()).imag for z in others]
-    long = max(((tip - z) * u.conjugate()).real for z in others)
+    low, high = box_of((tip - z) * u.conjugate() for z in others)
     widest = SLENDER if size > LARGEST_MM else 1.3
-    flat = not 0.02 * size < max(across) - min(across) < widest * size
-    return None if flat else Arrowhead(tip, u, long, even=len(apexes) == 3)
+    flat = not 0.02 * size < (high - low).imag < widest * size
+    return None if flat else Arrowhead(tip, u, high.real, even=len(apexes) == 3)
 
 
 def _apexes(corners: Sequence[complex]) -> list[complex]:
@@ -77,15 +78,14 @@ def _arrow_of(points: Sequence[complex]) -> tuple[Stroke, Arrowhead] | None:
     """The vector and the head of a whole arrow drawn as one closed figure: its tip, two wings, its neck and its end."""
     ring = [*points][: -1 if len(points) > 7 and abs(points[0] - points[-1]) < SAME_MM else None]
     for k in range(7) if len(ring) == 7 else ():
-        tip, one, neck, end, last, hollow, two = (*ring[k:], *ring[:k])
-        start, wings = (end + last) / 2, abs(one - two)
-        along, across = tip - start, [abs(end - last), abs(neck - hollow)]
-        if wings < SAME_MM or max(across) > min(NARROW_MM, wings / 2) or abs(along) < wings:
+        tip, *others = (*ring[k:], *ring[:k])
+        start, sides = (others[2] + others[3]) / 2, [*zip(others[:3], others[:2:-1], strict=True)]
+        along, (wings, neck, end) = tip - start, (abs(a - b) for a, b in sides)
+        if wings < SAME_MM or max(neck, end) > min(NARROW_MM, wings / 2) or abs(along) < wings:
             continue
-        local = [(z - start) / along for z in (one, two, neck, hollow)]
-        even = all(abs(z - w.conjugate()) < EVEN for z, w in (local[:2], local[2:]))
-        if even and min(z.real for z in local) > 0 and abs(((end - last) / along).real) < EVEN:
-            return (start, tip), Arrowhead(tip, along / abs(along), abs(along) * (1 - local[0].real))
+        local = [((a - start) / along, (b - start) / along) for a, b in sides]
+        if all(abs(a - b.conjugate()) < EVEN for a, b in local) and min(a.real for a, _ in local[:2]) > 0:
+            return (start, tip), Arrowhead(tip, toward(start, tip), abs(along) * (1 - local[0][0].real))
     return None
 
 
@@ -235,10 +235,10 @@ def tapered(points: Sequence[complex], widths: Sequence[tuple[float, float]]) ->
     for (a, b), (wide, narrow) in zip(pairwise(points), widths, strict=False):
         small = 0 < abs(b - a) <= LARGEST_MM
         if small and wide == 0 < narrow:
-            heads.append(Arrowhead(a, (a - b) / abs(a - b)))
+            heads.append(Arrowhead(a, toward(b, a)))
             continue  # the shaft continues from the tip
         if small and narrow == 0 < wide:
-            heads.append(Arrowhead(b, (b - a) / abs(b - a)))
+            heads.append(Arrowhead(b, toward(a, b)))
             if len(kept) > 1 and (kept[-2] == kept[-1] or goes_on(kept[-2], kept[-1], b, ASKEW)):
                 kept.pop()  # the shaft reaches the tip
         kept.append(b)

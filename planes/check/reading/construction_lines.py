@@ -1,14 +1,17 @@
 """Distinguishes construction lines from the vectors on them, without arrowheads: they run on to where nothing ends."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
-from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, headed
+from shapely import buffer, dwithin, union_all
+
+from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, as_lines, headed
 from planes.check.reading.written import Stroke, Strokes
+from planes.geometry.plane import sine, toward
 
-UPON_MM = 0.1  # a vector is drawn on its line
+UPON_MM, TOUCH_MM = 0.1, 0.01  # a vector is drawn on its line; a line ends on another
 ASKEW = 0.02  # maximum angle between parallel lines, radians
 MEETING = 0.5  # share of ends that meet others, for lines drawn from end to end
-ALONG_MM = 0.9  # maximum offset of a stroke along a segment
+ALONG_MM, ASLANT = 0.9, 0.06  # maximum offset and slope of a stroke along a segment
 NAMED_MM = 6.0  # maximum distance of a word from the end it names
 MISREAD = 0.05  # share of a drawing's marks that are misread
 CONFUSED = 0.0005  # the same for marks of such lines without heads
@@ -30,28 +33,22 @@ def doubt_of(sketch: ReadDrawing) -> float:
     return CONFUSED if met else MISREAD
 
 
-def meeting(strokes: Strokes, ends: Sequence[tuple[int, complex]], near: float = SNAPPED_MM) -> float:
+def meeting(strokes: Strokes, ends: Sequence[tuple[int, complex]], near: float) -> float:
     """The share of the ends of strokes that meet others."""
     return sum(_met(strokes, z, (k,), near) for k, z in ends if len(ends) < CROSSINGS) / max(len(ends), 1)
 
 
 def past(strokes: Strokes, ends: Sequence[tuple[int, complex]]) -> int:
     """The number of ends slightly beyond a crossing with another stroke, or its end on theirs, that meet none."""
-    free = ((k, z) for k, z in ends if not _met(strokes, z, (k,), SNAPPED_MM))
-    return sum(any(at < PAST_MM for at in crossed(strokes, k, z)) for k, z in free)
+    return sum(_crossed(strokes, k, z) for k, z in ends if not _met(strokes, z, (k,), SNAPPED_MM))
 
 
-def crossed(strokes: Strokes, k: int, z: complex) -> Iterator[float]:
-    """The distances from the end of a stroke at which others cross it or end on it."""
+def _crossed(strokes: Strokes, k: int, z: complex) -> bool:
+    """Whether others cross a stroke, or end on it, not far from one of its ends."""
     other = next(w for w in strokes[k] if w != z)
-    length, u = abs(other - z), (other - z) / abs(other - z)
-    for i, (a, b) in enumerate(strokes):
-        p, q = (a - z) / u, (b - z) / u
-        if i == k or _along((a, b), strokes[k]) or p.imag * q.imag > SNAPPED_MM**2:
-            continue
-        at = (p + (q - p) * p.imag / (p.imag - q.imag)).real if p.imag != q.imag else p.real
-        if SNAPPED_MM < at < length - SNAPPED_MM:
-            yield at
+    u, far = toward(z, other), min(abs(other - z) - SNAPPED_MM, PAST_MM)
+    rest = [s for i, s in enumerate(strokes) if i != k and not _along(s, strokes[k])]
+    return bool(dwithin(as_lines(rest), as_lines([(z + SNAPPED_MM * u, z + far * u)])[0], TOUCH_MM).any())
 
 
 def _in_rows(strokes: Strokes) -> bool:
@@ -73,11 +70,6 @@ def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
     named = [] if closed else _named(sketch)
     lines = {k for k in range(len(strokes)) if _is_line(strokes, k, closed, named)}
     return [k for k in range(len(strokes)) if k not in lines] if lines else []
-
-
-def vectors_alone(sketch: ReadDrawing, vectors: Sequence[int]) -> ReadDrawing:
-    """The drawing with its ``vectors`` only, if these are known though no stroke has a head."""
-    return sketch.only(vectors) if vectors and not headed(sketch) else sketch
 
 
 def _named(sketch: ReadDrawing) -> list[complex]:
@@ -113,14 +105,13 @@ def _stopped(strokes: Strokes, z: complex, line: Stroke) -> bool:
 
 def _along(one: Stroke, line: Stroke) -> bool:
     """Whether a stroke is parallel to a line, in either direction."""
-    turn = (one[1] - one[0]) / (line[1] - line[0])
-    return abs(turn.imag) < ASKEW * abs(turn)
+    return sine(one[1] - one[0], line[1] - line[0]) < ASKEW
 
 
 def upon(one: Stroke, line: Stroke) -> bool:
     """Whether a stroke lies on a longer one."""
     a, b = line
-    local = [(z - a) / (b - a) * abs(b - a) for z in one]
+    local = [(z - a) / toward(a, b) for z in one]
     return abs(one[1] - one[0]) < abs(b - a) - SNAPPED_MM and all(
         abs(z.imag) < UPON_MM and -SNAPPED_MM < z.real < abs(b - a) + SNAPPED_MM for z in local
     )
@@ -133,20 +124,9 @@ def _met(strokes: Strokes, z: complex, but: Sequence[int], near: float = SNAPPED
 
 def covered(strokes: Strokes, a: complex, b: complex) -> float:
     """The share of the segment from ``a`` to ``b`` with a stroke along it."""
-    length, spans, reach = abs(b - a), [], ALONG_MM
-    if length < 2 * reach:
+    if abs(b - a) < 2 * ALONG_MM:
         return 1.0
-    u = (b - a) / length
-    for c, d in strokes:
-        p, q = (c - a) * u.conjugate(), (d - a) * u.conjugate()
-        if abs(p.imag) > reach and abs(q.imag) > reach and p.imag * q.imag > 0:
-            continue
-        if abs((q - p).imag) > 0.06 * abs(q - p) + reach or max(abs(p.imag), abs(q.imag)) > 4 * reach:
-            continue
-        low, high = sorted((p.real, q.real))
-        spans.append((max(low, 0.0), min(high, length)))
-    total, reached = 0.0, 0.0
-    for low, high in sorted(spans):
-        total += max(high - max(low, reached), 0.0)
-        reached = max(reached, high)
-    return total / length
+    aside = ((b - a).conjugate() / abs(b - a) * (d - c) for c, d in strokes)
+    beside = [s for s, way in zip(strokes, aside, strict=True) if abs(way.imag) < ALONG_MM + ASLANT * abs(way)]
+    line, bands = as_lines([(a, b)])[0], union_all(buffer(as_lines(beside), ALONG_MM, cap_style="flat"))
+    return float(line.intersection(bands).length / line.length)

@@ -34,7 +34,7 @@ def vectors_drawn(sketch: ReadDrawing, paper: ReadPaper, bench: PreparedPlan) ->
         drawn = {v: covered(sketch.strokes, a, b) >= ALONG for v, (a, b) in vectors.items()}
         return {v: DrawnVector("none" if there else "missing") for v, there in drawn.items()}
     near = SIGMAS * math.sqrt(2) * bench.asked.skill.point_mm + reach_of(sketch.strokes, heads)
-    lines = [(s[::-1] if sketch.way(k) < 0 else s, bool(sketch.way(k))) for k, s in enumerate(sketch.strokes)]
+    lines = [(s[::-1] if way < 0 else s, bool(way)) for s, way in zip(sketch.strokes, sketch.ways, strict=True)]
     arrows = [line for line, headed in lines if headed]
 
     def at_mark(z: complex) -> bool:

@@ -13,6 +13,7 @@ from planes.check.reading.opened import MB, contents, too_many
 from planes.check.reading.parts import breadth, joined, without_letters
 from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing
 from planes.check.reading.written import Words
+from planes.geometry.plane import toward
 from planes.words.errors import guarded
 
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 8: 25.4e-6, 13: 1e-3, 14: 100.0}
@@ -20,6 +21,8 @@ LARGEST = 12 * MB
 MOST = 60_000  # entities, including blocks
 DEEPEST = 30  # nesting depth of blocks
 FILLINGS = ("SOLID", "TRACE", "HATCH")
+# height of a text's place on it, by its alignment: at its foot, its foot, its middle, its top, its middle
+UP = 0.0, 0.0, 0.5, 1.0, 0.5
 MEASURES = ("DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "TOLERANCE", "VIEWPORT")  # no vectors
 
 
@@ -99,20 +102,16 @@ def _entity(drawing: ReadDrawing, entity: Any, scale: float) -> None:
             tip, *before = places = [_z(v, scale) for v in entity.vertices]
             drawing.add(places)
             if entity.dxf.get("has_arrowhead", 1) and before and tip != before[0]:
-                drawing.heads.append(Arrowhead(tip, (tip - before[0]) / abs(tip - before[0])))
+                drawing.heads.append(Arrowhead(tip, toward(before[0], tip)))
         case "SOLID" | "TRACE":
             drawing.heads += filter(None, [head_of([_z(p, scale) for p in entity.wcs_vertices()])])
         case "HATCH":
-            drawing.heads += filter(None, [head_of(_boundary(entity, path, scale)) for path in entity.paths])
-        case "TEXT" | "ATTRIB":
+            from ezdxf.path import from_hatch
+
+            straight = (path.control_vertices() for path in from_hatch(entity) if not path.has_curves)
+            drawing.heads += filter(None, (head_of([_z(p, scale) for p in corners]) for corners in straight))
+        case "TEXT" | "ATTRIB" | "MTEXT":
             _text(drawing, entity, scale)
-        case "MTEXT":
-            along = cmath.rect(1, math.radians(entity.get_rotation()))
-            below, across = divmod(entity.dxf.get("attachment_point", 1) - 1, 3)
-            height, text = entity.dxf.char_height * scale, _told(entity.text)
-            width = entity.dxf.get("rect_width", 0.0) * scale or height * breadth(text)
-            corner = complex(width * across, height * (2 - below)) / 2
-            drawing.write(Words(text, _z(entity.dxf.insert, scale) - along * corner, height, width, along))
 
 
 def _told(text: str) -> str:
@@ -156,30 +155,25 @@ def _polyline(drawing: ReadDrawing, entity: Any, scale: float) -> None:
     drawing.add(points, closed)
 
 
-def _boundary(entity: Any, path: Any, scale: float) -> list[complex]:
-    """Corners of a hatched figure."""
-    if hasattr(path, "vertices"):
-        corners = [(v[0], v[1]) for v in path.vertices]
-    else:
-        corners = [edge.start for edge in path.edges if hasattr(edge, "start")]
-    return [_z(entity.ocs().to_wcs((x, y, 0)), scale) for x, y, *_ in corners]
-
-
 def _text(drawing: ReadDrawing, entity: Any, scale: float) -> None:
-    """A line of text: the position of its lower left corner depends on its alignment."""
-    along = cmath.rect(1, math.radians(entity.dxf.get("rotation", 0.0)))
-    across, up = entity.dxf.get("halign", 0), entity.dxf.get("valign", 0)
-    fitted = entity.dxf.get("align_point") if across in (3, 5) else None
-    placed = entity.dxf.get("align_point") if (across or up) and across not in (3, 5) else None
-    at = entity.ocs().to_wcs(placed if placed is not None else entity.dxf.insert)
-    height, text = entity.dxf.height * scale, entity.plain_text()
-    width = height * breadth(text)
-    if fitted is not None:  # between two points
-        span = _z(fitted, scale) - _z(entity.dxf.insert, scale)
-        width, along = abs(span) or width, span / abs(span) if span else along
-    back = {1: 0.5, 2: 1.0, 4: 0.5}.get(across, 0.0) if placed is not None else 0.0
-    down = {2: 0.5, 3: 1.0}.get(up, 0.5 if across == 4 else 0.0) if placed is not None else 0.0
-    drawing.write(Words(text, _z(at, scale) - along * complex(width * back, height * down), height, width, along))
+    """A text: the position of its lower left corner depends on its alignment."""
+    from ezdxf.tools.text import unified_alignment
+
+    across, up = unified_alignment(entity)
+    back = complex(across / 2, UP[up])
+    if entity.dxftype() == "MTEXT":
+        at, turn, height, text = entity.dxf.insert, entity.get_rotation(), entity.dxf.char_height, _told(entity.text)
+        width, span = entity.dxf.get("rect_width", 0.0) * scale, 0j
+    else:
+        _, at, end = entity.get_placement()
+        at, turn, height, text = entity.ocs().to_wcs(at), entity.dxf.rotation, entity.dxf.height, entity.plain_text()
+        span = 0j if end is None else _z(end - at, scale)  # between two points
+        width, back = abs(span), back if end is None else 0j
+    height *= scale
+    width = width or height * breadth(text)
+    along = span / abs(span) if span else cmath.rect(1, math.radians(turn))
+    corner = along * complex(width * back.real, height * back.imag)
+    drawing.write(Words(text, _z(at, scale) - corner, height, width, along))
 
 
 def _z(p: Any, scale: float) -> complex:

@@ -5,10 +5,9 @@ Every arrow is the vector that it resembles and whose name stands beside it, in 
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import compress
 from statistics import median
 
@@ -45,7 +44,7 @@ UPON = 0.7  # share of a vector within the lines of others at which it need not 
 EXACT_MM = 0.05  # accuracy of a program
 MOST = 120  # arrows
 LEAST, ALIKE, OTHER_SIZE = 0.2, 1.03, 3.0  # sizes of a plan of unknown scale: the smallest; ratio of equal ones
-NEVER = 1e6
+NEVER, TINY = 1e6, 1e-9
 Known = dict[str, complex]
 Rows = Mapping[str, Stroke]
 NamedStrokes = Iterator[tuple[str, Stroke]]
@@ -56,11 +55,9 @@ class Reading:
     """The assignment of arrows to vectors under a hypothesis, and its cost; the expected vectors, mm."""
 
     cost: float
-    hypothesis: Hypothesis
     known: Known
     taken: dict[str, int]  # index among all directions of arrows, by vector name
     left: list[int]
-    off: list[float] = field(default_factory=list)
 
 
 @dataclass
@@ -87,32 +84,32 @@ class ForceArrows:
         self.own = numpy.array([n in own for n in self.names])
         self.arrows: list[tuple[Stroke, ...]] = []
         for k, s in enumerate(sketch.strokes):
-            if sketch.way(k):
-                self.arrows.append((s if sketch.way(k) > 0 else s[::-1],))
+            if way := sketch.way(k):
+                self.arrows.append((s if way > 0 else s[::-1],))
             elif not self.headed or abs(s[1] - s[0]) < HEADLESS_MM:
                 self.arrows.append((s, s[::-1]))
         self.flat = [(i, s) for i, one in enumerate(self.arrows) for s in one]
         self.v = numpy.array([b - a for _, (a, b) in self.flat])
         self.of = numpy.array([i for i, _ in self.flat])
+        self.bare = numpy.array([self.headed and len(one) > 1 for one in self.arrows])  # without a head as others have
 
     def known(self, h: Hypothesis) -> Known | None:
         """Every vector that may be drawn, by name."""
-        drawn = self.plan.draw(h, {}, 1)
-        if drawn is None or not numpy.isfinite(drawn).all():
+        if (drawn := self.plan.drawn(h)) is None:
             return None
         places = dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
         return {n: places.get(b, 0j) - places.get(a, 0j) for n, (a, b) in self.ends.items()}
 
     def beside(self) -> Array:
         """The cost of each name for each direction of an arrow, by its position."""
-        words = words_of(self.sketch, self.bench.naming.names(self.names), self.names).words
-        words = [one for one in words if min(one.off(*s) for _, s in self.flat) < NEAR_WORD_MM]
-        written = {n for one in words for n in one.likely}
+        every = words_of(self.sketch, self.bench.naming.names(self.names), self.names).words
+        placed = ((one, [one.off(*s) for _, s in self.flat]) for one in every)
+        words = [(one, off) for one, off in placed if min(off) < NEAR_WORD_MM]
+        written = {n for one, _ in words for n in one.likely}
         self.written = numpy.array([n in written for n in self.names])
         cost = numpy.where(self.written, w.LETTERS * 9.0, NAMELESS) + numpy.zeros((len(self.flat), 1))
         back = [next((k for k, (j, o) in enumerate(self.flat) if j != i and _back(s, o)), None) for i, s in self.flat]
-        for one in words:
-            off = [one.off(*s) for _, s in self.flat]
+        for one, off in words:
             for k, (i, s) in enumerate(self.flat):
                 price = w.LETTERS * self._price(one, off, k, i, s, back[k])
                 for n in one.likely:
@@ -142,10 +139,10 @@ class ForceArrows:
             for k, (n, v) in enumerate(zip(self.names, places, strict=True))
         ]
         self.needed = self.own & ~numpy.array(twins)
-        size = min(self._sizes(right), key=lambda k: self.read(Hypothesis(), right, k, w.HAND_MM).cost)
+        size = min(self._sizes(right), key=lambda k: self.read(0.0, right, k, w.HAND_MM).cost)
         for h in (Hypothesis(), *catalogue(self.plan)):
             if (known := self.known(h)) is not None:
-                yield min((self.read(h, known, size, s) for s in (w.HAND_MM, EXACT_MM)), key=lambda r: r.cost)
+                yield min((self.read(h.cost, known, size, s) for s in (w.HAND_MM, EXACT_MM)), key=lambda r: r.cost)
 
     def _sizes(self, known: Known) -> list[float]:
         """Sizes of the plan relative to the stated one: the drawer's choice unless given."""
@@ -155,31 +152,26 @@ class ForceArrows:
                 sizes.append(ratio)
         return sizes
 
-    def read(self, h: Hypothesis, known: Known, size: float, sigma: float) -> Reading:
-        """The likeliest reading under a hypothesis."""
+    def read(self, prior: float, known: Known, size: float, sigma: float) -> Reading:
+        """The likeliest reading under a hypothesis of this prior cost."""
         true = numpy.array([known[n] for n in self.names]) * size
-        off = abs(self.v[:, None] - true)
         spread = sigma + (SHARE * abs(true) if sigma == w.HAND_MM else 0.0)
-        unlike = w.HAND * off**2 / (2 * spread**2)
+        unlike = w.HAND * abs(self.v[:, None] - true) ** 2 / (2 * spread**2)
         missed = self.needed & (self.written | (abs(true) > HEADLESS_MM / 2))
         cost = numpy.minimum(unlike, w.COSTS["anywhere"]) + self.prices - w.OMITTED * missed
-        cost = cost + BARE * numpy.array([[self.headed and len(self.arrows[i]) > 1] for i in self.of])
-        count = len(self.arrows)
-        table, ways = numpy.full((count, len(self.names) + count), NEVER), numpy.zeros((count, len(self.names)), int)
-        for i in range(count):
-            held = numpy.flatnonzero(self.of == i)
-            bare = self.headed and len(held) > 1
-            table[i, : len(self.names)] = cost[held].min(axis=0)
-            ways[i] = held[cost[held].argmin(axis=0)]
-            over = HEAD[self.headed] + w.STRANGE * float(abs(self.v[held[0]]))
-            table[i, len(self.names) + i] = 0.0 if bare else min(over, LEFT[self.headed])
+        cost = cost + BARE * self.bare[self.of, None]
+        first, last = (numpy.searchsorted(self.of, range(len(self.arrows)), side) for side in ("left", "right"))
+        last = last - 1  # the other direction of an arrow without a head
+        ways = numpy.where(cost[last] < cost[first], last[:, None], first[:, None])
+        over = numpy.minimum(HEAD[self.headed] + w.STRANGE * abs(self.v[first]), LEFT[self.headed])
+        beside = numpy.where(numpy.eye(len(over), dtype=bool), numpy.where(self.bare, 0.0, over), NEVER)
+        table = numpy.hstack([numpy.minimum(cost[first], cost[last]), beside])
         columns = cheapest(table)
         taken = {self.names[j]: int(ways[i, j]) for i, j in enumerate(columns) if j < len(self.names)}
         left = [i for i, j in enumerate(columns) if j >= len(self.names)]
-        offs = [float(off[ways[i, j], j]) for i, j in enumerate(columns) if j < len(self.names)]
-        total = float(table[range(count), columns].sum()) + h.cost + OTHER_SIZE * (size != 1.0)
-        total += 4 * w.HAND * len(offs) * math.log(sigma / w.HAND_MM)
-        return Reading(total, h, dict(zip(self.names, true.tolist(), strict=True)), taken, left, offs)
+        total = float(table[range(len(table)), columns].sum()) + prior + OTHER_SIZE * (size != 1.0)
+        total += 4 * w.HAND * len(taken) * math.log(sigma / w.HAND_MM)
+        return Reading(total, dict(zip(self.names, true.tolist(), strict=True)), taken, left)
 
 
 def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
@@ -208,7 +200,7 @@ def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     unread = (n for n in true if n in ring and n not in rows and abs(true[n]) > HEADLESS_MM)
     paper.left = [n for n in unread if not _into_a_head(seen, true[n], rows)]
     error = max(sketch.error_mm, LOOSE * _gap(rows))
-    paper.spots = [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE, name), s, strict=True)]
+    paper.spots = _spots(rows, error)
     paper.whole = seen.headed and all(abs(seen.arrows[i][0][1] - seen.arrows[i][0][0]) < HEADLESS_MM for i in best.left)
     room = 2 * max(_gaps(rows), default=0.0)  # where all ends meet, no vector is hidden
     paper.whole &= all(n in rows or not HIDDEN_MM < abs(true[n]) < min(room, HEADLESS_MM) for n in own)
@@ -244,10 +236,8 @@ def _turned_round(seen: ForceArrows, best: Reading, own: Collection[str]) -> Nam
 
 def _misnamed(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]]:
     """Pairs of names at each other's arrows; vectors whose names fit another's place better, and vice versa."""
-    left = [k for k, i in enumerate(seen.of) if i in best.left]  # some, as their names stand elsewhere
-    ways = {n: k for k in left for n, v in best.known.items() if abs(seen.v[k] - v) < SAME_MM} | best.taken
-    names, v = [*ways], numpy.array([best.known[n] for n in ways])
-    prices = seen.prices[[*ways.values()]][:, [seen.names.index(n) for n in ways]] / w.LETTERS
+    names, v = [*best.taken], numpy.array([best.known[n] for n in best.taken])
+    prices = seen.prices[[*best.taken.values()]][:, [seen.names.index(n) for n in names]] / w.LETTERS
     other = numpy.where(abs(v[:, None] - v) > MEET_MM, prices, math.inf)
     own, surely = prices.diagonal(), -math.log(w.LIKELY)
     rather = own - other > math.log(w.RATHER)  # by row of an arrow and column of a name
@@ -256,7 +246,7 @@ def _misnamed(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[s
     elsewhere = rather.any(axis=0) & (numpy.maximum(there, theirs) < surely)
     pairs = [(names[k], names[j]) for k, j in numpy.argwhere(numpy.triu(sure))]
     exchanged = [SignFault("names_exchanged", *pair, w.EXCHANGED) for pair in pairs]
-    return exchanged, [n for n in compress(names, elsewhere) if n in best.taken]
+    return exchanged, [*compress(names, elsewhere)]
 
 
 def _headless(seen: ForceArrows, unread: Known, rows: Rows) -> NamedStrokes:
@@ -272,9 +262,8 @@ def _headless(seen: ForceArrows, unread: Known, rows: Rows) -> NamedStrokes:
 def _into_a_head(seen: ForceArrows, v: complex, rows: Rows) -> bool:
     """Whether a vector may end in the head of another in the same direction, so that it has none."""
     headed = [one[0] for one in seen.arrows if len(one) == 1]
-    along = [(a, b) for a, b in headed if abs(cmath.phase((b - a) / v)) < w.NARROW]
     ends = [b for _, b in rows.values()]
-    return any(abs(b - z - v) < _near(v) and covered(along, z, b) > UPON for _, b in along for z in ends)
+    return any(abs(b - z - v) < _near(v) and covered(headed, z, b) > UPON for _, b in headed for z in ends)
 
 
 def _near(v: complex) -> float:
@@ -293,7 +282,7 @@ def _vague(seen: ForceArrows, rows: Rows, bench: PreparedPlan, paper: ReadPaper)
             return True
     if is_right(bench, paper):
         return False
-    back = [replace(s, place=z) for s, z in zip(paper.spots, _turned(paper.spots), strict=True)]
+    back = _spots({n: s[::-1] for n, s in rows.items()}, paper.spots[0].error_mm)
     turned = not seen.headed and worth(bench, replace(paper, spots=back)) >= worth(bench, paper)
     return turned or not (seen.written & seen.own).any()
 
@@ -308,10 +297,9 @@ def _gaps(rows: Rows) -> list[float]:
     return [min(abs(b - a) for a, _ in rows.values()) for _, b in rows.values()]
 
 
-def _turned(spots: Sequence[ReadMark]) -> Iterator[complex]:
-    """The positions of vectors when reversed."""
-    for k in range(0, len(spots), 2):
-        yield from (spots[k + 1].place, spots[k].place)
+def _spots(rows: Rows, error: float) -> list[ReadMark]:
+    """Each vector as its start and its end."""
+    return [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE, name), s, strict=True)]
 
 
 def _between(rows: Rows, known: Known) -> NamedStrokes:
@@ -335,30 +323,22 @@ def _back(s: Stroke, o: Stroke) -> bool:
 
 
 def cheapest(table: Array) -> list[int]:
-    """The column of each row, each used once, with the lowest total cost (Kuhn and Munkres)."""
+    """The column of each row, each used once, with the lowest total cost: by shortest augmenting paths."""
     rows, columns = table.shape
-    u, v, row_of = numpy.zeros(rows + 1), numpy.zeros(columns + 1), numpy.zeros(columns + 1, int)
-    for row in range(1, rows + 1):
-        row_of[0], here = row, 0
-        least, used = numpy.full(columns + 1, math.inf), numpy.zeros(columns + 1, bool)
-        way = numpy.zeros(columns + 1, int)
-        while row_of[here]:
-            used[here] = True
-            cost = numpy.r_[math.inf, table[row_of[here] - 1] - u[row_of[here]] - v[1:]]
-            better = ~used & (cost < least)
-            least[better], way[better] = cost[better], here
-            here = int(numpy.where(used, math.inf, least).argmin())
-            delta = least[here]
-            u[row_of[used]] += delta
-            v[used] -= delta
-            least[~used] -= delta
-        while here:
-            row_of[here], here = row_of[way[here]], int(way[here])
-    columns_of = {int(row_of[j]) - 1: j - 1 for j in range(1, columns + 1) if row_of[j]}
-    return [columns_of[row] for row in range(rows)]
-
-
-def true_vectors(bench: PreparedPlan) -> dict[str, complex]:
-    """Every vector of the right plan by name."""
-    places = {**bench.true_marks, POLE: 0j}
-    return {s.name: places[s.end] - places[s.start] for s in sides_of(bench.plans, bench.asked.plan)}
+    row_of = numpy.full(columns, -1)
+    for row in range(rows):
+        cost, before = table[row].copy(), numpy.full(columns, -1)
+        while True:  # by another column for a row that holds one
+            taken = numpy.flatnonzero(row_of >= 0)
+            held = table[row_of[taken]]
+            ways = cost[taken, None] - held[range(len(taken)), taken, None] + held
+            least = ways.min(axis=0, initial=math.inf)
+            better = least < cost - TINY
+            if not better.any():
+                break
+            cost[better], before[better] = least[better], taken[ways.argmin(axis=0)[better]]
+        here = int(numpy.where(row_of < 0, cost, math.inf).argmin())
+        while before[here] >= 0:
+            row_of[here], here = row_of[before[here]], int(before[here])
+        row_of[here] = row
+    return [int(numpy.flatnonzero(row_of == row)[0]) for row in range(rows)]

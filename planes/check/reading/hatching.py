@@ -2,13 +2,15 @@
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
+from itertools import pairwise
 
 import numpy
 from shapely import STRtree, points
 
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.written import Strokes
+from planes.geometry.plane import toward
 
 FEWEST = 4  # minimum number of rows in hatching
 WIDEST_MM, EVEN_MM = 6.0, 0.15  # maximum distance between rows, and tolerance of their spacing
@@ -52,36 +54,32 @@ def _free(strokes: Strokes) -> list[int]:
 def _parallel(strokes: Strokes, held: Sequence[int]) -> list[list[int]]:
     """Groups of parallel strokes."""
     angles = {k: math.degrees(cmath.phase(strokes[k][1] - strokes[k][0])) % 180 for k in held}
-    groups: list[list[int]] = []
-    for k in sorted(held, key=lambda k: angles[k]):
-        if groups and angles[k] - angles[groups[-1][-1]] <= PARALLEL_DEG:
-            groups[-1].append(k)
-        else:
-            groups.append([k])
+    groups = _together(angles, PARALLEL_DEG)
     if len(groups) > 1 and angles[groups[0][0]] + 180 - angles[groups[-1][-1]] <= PARALLEL_DEG:
         groups[0] += groups.pop()  # horizontal strokes, some of them slightly below 180°
     return groups
+
+
+def _together(values: Mapping[int, float], gap: float) -> list[list[int]]:
+    """Keys in the order of their values, apart where these leave a gap."""
+    order = sorted(values, key=lambda k: values[k])
+    cuts = [i for i, (j, k) in enumerate(pairwise(order), 1) if values[k] - values[j] > gap]
+    return [order[i:j] for i, j in pairwise([0, *cuts, len(order)])]
 
 
 def _even_rows(strokes: Strokes, held: Sequence[int], loose: Set[int]) -> Iterator[int]:
     """Those of parallel strokes that lie in evenly spaced rows, enough of which begin and end freely."""
     if len(held) < FEWEST:
         return
-    a, b = strokes[held[0]]
-    across = ((b - a) / abs(b - a)).conjugate()
-    rows: list[tuple[float, list[int]]] = []
-    for off, k in sorted((((strokes[k][0] + strokes[k][1]) / 2 * across).imag, k) for k in held):
-        if rows and off - rows[-1][0] < ROW_MM:
-            rows[-1][1].append(k)
-        else:
-            rows.append((off, [k]))
-    start = 0
+    across = toward(*strokes[held[0]]).conjugate()
+    off = {k: (sum(strokes[k]) / 2 * across).imag for k in held}
+    rows = _together(off, ROW_MM)
+    gaps, start = [off[below[0]] - off[row[0]] for row, below in pairwise(rows)], 0
     for i in range(1, len(rows) + 1):
-        gap = rows[start + 1][0] - rows[start][0] if start + 1 < len(rows) else 0.0
-        if i < len(rows) and gap < WIDEST_MM and abs(rows[i][0] - rows[i - 1][0] - gap) < EVEN_MM:
+        if i < len(rows) and gaps[start] < WIDEST_MM and abs(gaps[i - 1] - gaps[start]) < EVEN_MM:
             continue
-        if sum(not loose.isdisjoint(row) for _, row in rows[start:i]) >= FEWEST:
-            own = [k for _, row in rows[start:i] for k in row]
+        if sum(not loose.isdisjoint(row) for row in rows[start:i]) >= FEWEST:
+            own = [k for row in rows[start:i] for k in row]
             along = {k: sorted((z * across).real for z in strokes[k]) for k in own}
             beside = [along[k] for k in own if k in loose]
             yield from (k for k in own if k in loose or any(_beside(along[k], other) for other in beside))

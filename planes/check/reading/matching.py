@@ -17,10 +17,10 @@ from planes.check.explaining.sought_pole import sought_pole
 from planes.check.grading.evidence import ASKED
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.reading.construction_lines import vectors_alone, vectors_of
+from planes.check.reading.construction_lines import vectors_of
 from planes.check.reading.force_arrows import force_arrows
 from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import ReadDrawing, hinged
+from planes.check.reading.strokes import ReadDrawing, headed, hinged
 from planes.check.reading.written import Words
 from planes.geometry.arrays import Array, Complexes
 from planes.words import Phrase
@@ -44,7 +44,10 @@ def paper_of(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     if paper.reason:
         return paper
     sketch = replace(sketch, words=[one for text in sketch.words for one in text.listed()])
-    sketch = hinged(sketch) if kind == "position" else vectors_alone(sketch, vectors_of(sketch, kind == "force"))
+    if kind == "position":
+        sketch = hinged(sketch)
+    elif (vectors := vectors_of(sketch, kind == "force")) and not headed(sketch):
+        sketch = sketch.only(vectors)
     return force_arrows(sketch, bench) if kind == "force" else _of_marks(LineInk(sketch, bench.names), bench, paper)
 
 
@@ -61,7 +64,8 @@ def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
         return paper
     exact = exact_marks(seen, ink, seen.best)
     paper.spots = [exact.get(s.name, s) for s in seen.spots()]
-    paper.spots += [exact[n] for n in _upon_others(seen) if n in exact.keys() - {s.name for s in paper.spots}]
+    read = {s.name for s in paper.spots}  # others, whose lines coincide with theirs, may have names beside them
+    paper.spots += [one for n, one in exact.items() if n not in read and seen.named_there(n) > w.LIKELY]
     apart = _otherwise(seen, ink)
     paper.untold = [n for n in plan.labels if n in apart]
     paper.spots = [replace(s, doubt=0.0) for s in paper.spots if s.name not in apart or seen.doubt < 1 - ASKED]
@@ -69,14 +73,8 @@ def _of_marks(ink: LineInk, bench: PreparedPlan, paper: ReadPaper) -> ReadPaper:
     paper.named = [n for n in seen.named() if n not in {s.name for s in paper.spots}]
     if plan.kind != "position":
         paper.signs = paper.signs or seen.exchanged()
-    paper.pole_told = plan.kind == "position" or ink.headed or any(_is_pole(ink, one) for one in ink.sketch.words)
+    paper.pole_told = plan.kind == "position" or ink.headed or bool(_poles(ink))
     return paper
-
-
-def _upon_others(seen: Explanation) -> list[str]:
-    """Marks identified by the names beside them, such as those whose lines coincide with others."""
-    by = seen.scorer.words.by
-    return [n for n in seen.plan.labels if by(n, seen.pole + seen.best.places[n]) > w.LIKELY]
 
 
 def _is_there(seen: Explanation, ink: LineInk) -> bool:
@@ -84,13 +82,13 @@ def _is_there(seen: Explanation, ink: LineInk) -> bool:
     if seen.plan.kind != "position":
         return seen.best.cover * seen.explained > LEAST_EXPLAINED
     places = {n: seen.pole + seen.best.places[n] for n in seen.plan.labels}
-    shown = [n for n, z in places.items() if seen.scorer.words.by(n, z) or (abs(ink.rounds - z) < NEAR_MM).any()]
+    shown = [n for n, z in places.items() if seen.named_there(n) or (abs(ink.rounds - z) < NEAR_MM).any()]
     return len(shown) >= LEAST_SHOWN * len(places)
 
 
-def _is_pole(ink: LineInk, word: Words) -> bool:
-    """Whether a text names the pole."""
-    return ink.names.meant(word.text) == [POLE]
+def _poles(ink: LineInk) -> list[Words]:
+    """The texts that name the pole."""
+    return [one for one in ink.sketch.words if ink.names.meant(one.text) == [POLE]]
 
 
 def _begun(plan: PlanLines, ink: LineInk) -> tuple[Complexes, Array]:
@@ -104,7 +102,7 @@ def _begun(plan: PlanLines, ink: LineInk) -> tuple[Complexes, Array]:
         cells = numpy.unique((ends[:, None] - numpy.array(fixed or [0j])).round(1).ravel())
         return cells, numpy.zeros(len(cells))
     _, first = numpy.unique(ends.round(1), return_index=True)
-    cells, names = ends[first], [one for one in ink.sketch.words if _is_pole(ink, one)]
+    cells, names = ends[first], _poles(ink)
     off = numpy.array([min((one.distance(z) for one in names), default=0.0) for z in cells.tolist()])
     return cells, numpy.minimum((off - off.min()) / w.SOFT_MM, FAR_POLE)
 
@@ -172,10 +170,10 @@ def scaled(
     if pole is None or place is None or name is None or place == pole:
         return sketch, None
     factor = abs(bench.true_marks[name]) / abs(place - pole)
+    words = [*sketch.words, *(Words(n, z, 0.1 / factor, 0.1 / factor) for n, z in {POLE: pole, **marks}.items())]
     words = [
-        Words(one.text, (one.place - pole) * factor, one.height * factor, one.width * factor, one.along)
-        for one in sketch.words
+        replace(one, place=(one.place - pole) * factor, height=one.height * factor, width=one.width * factor)
+        for one in words
     ]
-    words += [Words(n, (z - pole) * factor, 0.1, 0.1) for n, z in {POLE: pole, **marks}.items()]
     strokes = [((a - pole) * factor, (b - pole) * factor) for a, b in sketch.strokes]
     return ReadDrawing(sketch.file, strokes, words, sketch.error_mm, sketch.ways), name

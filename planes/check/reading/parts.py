@@ -5,13 +5,12 @@ from dataclasses import replace
 from typing import Any
 
 import numpy
-from shapely import STRtree, distance, linestrings, multilinestrings, points
+from shapely import STRtree, buffer, distance, get_parts, length, multilinestrings, points, polygons, union_all
 
 from planes.check.reading.hatching import without_hatching
-from planes.check.reading.strokes import ReadDrawing
+from planes.check.reading.strokes import ReadDrawing, as_lines
 from planes.check.reading.written import Strokes, Words
 from planes.geometry.arrays import Booleans, Complexes
-from planes.geometry.plane import corners
 
 TOGETHER_MM = 2.3  # closer strokes belong together: a force is drawn this far beside another one
 NEAR_WORD_MM = 12.0  # a word farther off names another part
@@ -19,7 +18,7 @@ NEAR_ROUND_MM = 7.0  # a point beside its link
 MOST = 4000  # a page with more strokes is not split
 LEAST_MM = 6.0  # a smaller unnamed part is a sign or a letter
 LETTER = 1.4  # maximum length of a letter's stroke, in heights of its word
-AROUND = 0.35  # margin of a word's box that its letters may reach, in heights
+AROUND, BELOW = 0.35, 0.35  # margin of a word's box that its letters may reach, in heights; more of it below
 TOUCH_MM = 0.05
 INDEX = 0.95  # maximum height of an index, in heights of the letter before it
 RISE = (-0.8, 1.2)  # range of the foot of an index, in heights of its letter
@@ -62,19 +61,17 @@ def without_letters(sketch: ReadDrawing) -> None:
     """Removes strokes within the box of a word that touch nothing outside: the letters of that word."""
     if not sketch.strokes or not sketch.words:
         return
-    every = numpy.array(sketch.strokes + sketch.short)
-    begins = STRtree(_dots(every[:, 0]))
-    letter = numpy.zeros(len(every), bool)
+    every = sketch.strokes + sketch.short
+    strokes = as_lines(every)
+    tree, long, letter = STRtree(strokes), length(strokes), numpy.zeros(len(every), bool)
     for word in sketch.words:
-        high = word.height
-        over = AROUND * high
-        near = begins.query(_dots(numpy.array([word.middle]))[0].buffer(max(word.width, high) + 2 * high))
-        ends = every[near]
-        local = (ends - word.place) * word.along.conjugate()
-        held = (local.real > -over) & (local.real < word.width + over) & (local.imag > -over - 0.35 * high)
-        small = abs(ends[:, 1] - ends[:, 0]) < LETTER * high
-        letter[near] |= (held & (local.imag < high + 2 * over)).all(axis=1) & small
-    kept = _touched(every, letter, [(h.tip, h.tip - h.way * h.length) for h in sketch.heads]) | ~letter
+        high, over = word.height, AROUND * word.height
+        low, top = complex(-over, -over - BELOW * high), complex(word.width + over, high + 2 * over)
+        ring = (low, complex(top.real, low.imag), top, complex(low.real, top.imag))
+        around = (word.place + word.along * z for z in ring)
+        inside = tree.query(polygons([(z.real, z.imag) for z in around]), predicate="covers")
+        letter[inside[long[inside] < LETTER * high]] = True
+    kept = _touched(numpy.array(every), letter, [(h.tip, h.tip - h.way * h.length) for h in sketch.heads]) | ~letter
     count = len(sketch.strokes)
     sketch.strokes = [s for s, good in zip(sketch.strokes, kept[:count], strict=True) if good]
     sketch.short = [s for s, good in zip(sketch.short, kept[count:], strict=True) if good]
@@ -82,7 +79,7 @@ def without_letters(sketch: ReadDrawing) -> None:
 
 def _touched(ends: Complexes, inside: Booleans, heads: Strokes) -> Booleans:
     """Which strokes meet one that is no letter, or end within an arrowhead."""
-    others = numpy.concatenate([_dots(ends[~inside].ravel()), _lines(heads)])
+    others = numpy.concatenate([_dots(ends[~inside].ravel()), as_lines(heads)])
     touched = numpy.zeros(len(ends), bool)
     near = STRtree(others).query(_dots(ends[inside].ravel()), predicate="dwithin", distance=TOUCH_MM)[0]
     touched[numpy.flatnonzero(inside)[near // 2]] = True
@@ -98,30 +95,19 @@ def parts(sketch: ReadDrawing, least_mm: float = LEAST_MM) -> list[ReadDrawing]:
     """The sketch in connected pieces, those with most strokes first; pieces smaller than a plan are dropped."""
     if len(sketch.strokes) > MOST or not (sketch := without_hatching(sketch)).strokes:
         return []
-    shapes = [*_lines(sketch.strokes), *(points(z.real, z.imag).buffer(r) for z, r in sketch.rounds)]
-    group = numpy.arange(len(shapes))
-    pairs = STRtree(shapes).query(shapes, predicate="dwithin", distance=TOGETHER_MM)
-    while True:
-        lower = group.copy()
-        numpy.minimum.at(lower, pairs[0], group[pairs[1]])
-        lower = lower[lower]
-        if (lower == group).all():
-            break
-        group = lower
-    groups = [numpy.flatnonzero(group[: len(sketch.strokes)] == k) for k in numpy.unique(group)]
+    shapes = [*as_lines(sketch.strokes), *(points(z.real, z.imag).buffer(r) for z, r in sketch.rounds)]
+    islands = get_parts(union_all(buffer(shapes, TOGETHER_MM / 2)))
+    group = STRtree(islands).nearest(shapes)
+    group = group[: len(sketch.strokes)]
+    groups = [numpy.flatnonzero(group == k) for k in dict.fromkeys(group.tolist())]
     pieces = [_part(sketch, held.tolist(), least_mm) for held in groups if len(held) > 1]
     return sorted((p for p in pieces if p is not None), key=lambda p: -len(p.strokes))
-
-
-def _lines(strokes: Strokes) -> Any:  # shapely has no types for many lines
-    """Strokes as lines."""
-    return linestrings([[(z.real, z.imag) for z in stroke] for stroke in strokes]) if strokes else numpy.array([])
 
 
 def _part(sketch: ReadDrawing, held: list[int], least_mm: float) -> ReadDrawing | None:
     """Some of the strokes, each once, with the words and circles near them."""
     part = sketch.only({(sketch.strokes[k], sketch.way(k)): k for k in held}.values())
-    strokes, (low, high) = part.strokes, corners(z for s in part.strokes for z in s)
+    strokes, (low, high) = part.strokes, part.box
     if max((high - low).real, (high - low).imag) < least_mm or _is_table(strokes, high - low):
         return None
     far = _distances(strokes, [z for z, _ in sketch.rounds], among=True)
@@ -141,5 +127,6 @@ def _is_table(strokes: Strokes, size: complex) -> bool:
 
 def _distances(strokes: Strokes, places: Sequence[complex], among: bool = False) -> Sequence[float]:
     """The distances of points from the nearest stroke; zero for those ``among`` them, such as a point of a plate."""
-    spots, lines = [(z.real, z.imag) for z in places], multilinestrings(_lines(strokes))
-    return distance(points(spots), lines.convex_hull if among else lines).tolist() if spots else []
+    lines = multilinestrings(as_lines(strokes))
+    far: list[float] = distance(_dots(numpy.array(places, complex)), lines.convex_hull if among else lines).tolist()
+    return far

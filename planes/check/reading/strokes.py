@@ -7,10 +7,14 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy
+from shapely import linestrings
 
 from planes.check.reading.opened import too_many
 from planes.check.reading.written import Stroke, Strokes, Words
+from planes.geometry.plane import corners
 
 Round = tuple[complex, float]  # centre and radius of a small circle, a hinge or a point
 LONGEST = 200  # letters of a text
@@ -47,6 +51,11 @@ class ReadDrawing:
     rounds: list[Round] = field(default_factory=list)
     passed: int = 0  # vertices where polylines continue straight on
 
+    @property
+    def box(self) -> tuple[complex, complex]:
+        """The lower left and the upper right corner of its strokes."""
+        return corners(z for stroke in self.strokes for z in stroke)
+
     def way(self, k: int) -> int:
         """The end of a stroke that has a head."""
         return self.ways[k] if self.ways else 0
@@ -76,6 +85,12 @@ class ReadDrawing:
                 raise too_many(self.file, "strokes", most)
 
 
+def as_lines(strokes: Strokes) -> Any:  # shapely has no types for many lines
+    """Strokes as lines."""
+    ends = [[(z.real, z.imag) for z in stroke] for stroke in strokes]
+    return linestrings(ends) if ends else numpy.array([], object)
+
+
 def goes_on(a: complex, b: complex, c: complex, within: float = STRAIGHT) -> bool:
     """Whether the path from a to b continues to c, turning by at most ``within``, radians."""
     return a != b != c and abs(cmath.phase((c - b) / (b - a))) < within
@@ -97,15 +112,12 @@ def hinged(sketch: ReadDrawing) -> ReadDrawing:
     return replace(sketch, strokes=lines).only(k for k, (a, b) in enumerate(lines) if a != b)
 
 
-def reach_of(strokes: Strokes, vectors: Sequence[int] = ()) -> float:
-    """The distance, mm, within which ends coincide: small if joined by a program, larger if joined by eye.
-
-    If ``vectors`` are known, only their ends count.
-    """
+def reach_of(strokes: Strokes, vectors: Sequence[int]) -> float:
+    """The distance, mm, within which ends of vectors meet others: small if joined by a program, larger if by eye."""
     ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
     if len(ends) > 2 * CROSSINGS:
         return LOOSE_MM
-    asked = [(k, z) for k in vectors for z in strokes[k]] or ends
+    asked = ((k, z) for k in vectors for z in strokes[k])
     gaps = sorted(min((abs(z - w) for j, w in ends if j != k), default=math.inf) for k, z in asked)
     joined = [g for g in gaps if g < FARTHEST_MM]
     if not joined or sum(g < SNAPPED_MM for g in joined) > 0.7 * len(joined):

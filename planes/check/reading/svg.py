@@ -15,6 +15,7 @@ from planes.check.reading.strokes import ROUND_MM, Arrowhead, ReadDrawing
 from planes.check.reading.svg_css import MM, OWN, Looks, length, looks_of, number, numbers, ruled, transform_of
 from planes.check.reading.svg_shapes import MOST, outlines, tree
 from planes.check.reading.written import Words
+from planes.geometry.plane import toward
 from planes.scene.carried import carried
 from planes.words import Phrase
 from planes.words.errors import PlanesError
@@ -139,17 +140,16 @@ class _Reader:
         for key, tip, before in (("marker-start", places[0], places[1]), ("marker-end", places[-1], places[-2])):
             named = looks.get(key, looks.get("marker", "none")).lower()
             if named != "none" and tip != before and not any(word in named for word in NO_HEADS):
-                self.sketch.heads.append(Arrowhead(tip, (tip - before) / abs(tip - before)))
+                self.sketch.heads.append(Arrowhead(tip, toward(before, tip)))
 
     def _text(self, e: ElementTree.Element, m: Transform, looks: Looks) -> None:
         text = re.sub(r"[ \t\r\n]+", " ", "".join(e.itertext())).strip()
         first = next((c for c in e.iter() if c.get("x")), e)
         m = m.transform(transform_of(first.get("transform") or "")) if first is not e else m
-        pieces = [c for c in e.iter() if c.get("x") and (c.text or "").strip()] or [first]
-        if pieces != [first] and "".join("".join(c.text or "" for c in pieces).split()) == text.replace(" ", ""):
-            boxes = [_box(c, c.text or "", _size(looks_of(c, self.rules), looks)) for c in pieces]
-        else:
-            boxes = [_box(first, text, _size(looks_of(first, self.rules), looks))]
+        pieces = [(c, c.text or "") for c in e.iter() if c.get("x") and (c.text or "").strip()]
+        if "".join("".join(t for _, t in pieces).split()) != text.replace(" ", ""):
+            pieces = [(first, text)]
+        boxes = [_box(c, t, _size(looks_of(c, self.rules), looks)) for c, t in pieces]
         right, down = complex(m.xx, m.xy), complex(m.yx, m.yy)
         height, along = boxes[0][2] * abs(down), right / abs(right) if abs(right) else 1 + 0j
         width = max(z.real + w - boxes[0][0].real for z, w, _ in boxes) * abs(right)

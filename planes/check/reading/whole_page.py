@@ -8,14 +8,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from planes.check.grading.paper import ReadPaper
+from planes.check.grading.polygons import sides_of
 from planes.check.grading.prepared_plan import PreparedPlan, known_plans
-from planes.check.reading.force_arrows import true_vectors
 from planes.check.reading.matching import paper_of
 from planes.check.reading.parts import parts
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.weighed import worth
 from planes.check.reading.written import Words
-from planes.geometry.plane import corners
 from planes.words.names import kind_of
 from planes.words.units import UnitError, read_mu
 
@@ -31,8 +30,8 @@ _MU = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 
 def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of the plan on a page that may show other contents, too."""
-    force = kind_of(bench.asked.plan) == "force"
-    known = bench.naming.names(true_vectors(bench)) if force else bench.names
+    sides = [side.name for side in sides_of(bench.plans, bench.asked.plan)]
+    known = bench.naming.names(sides) if kind_of(bench.asked.plan) == "force" else bench.names
 
     def named(part: ReadDrawing) -> int:
         return len({known.exactly(one.text) for w in part.words for one in w.listed()} - {None})
@@ -45,7 +44,8 @@ def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     if elsewhere(sketch.words, bench.asked.plan, plans):
         return ReadPaper(sketch.file, whole=False)
     pieces = parts(sketch)
-    titled, plain = own(pieces), [p for p in own(pieces) if enlarged(sketch.words, p) == 1.0]
+    titled = own(pieces)
+    plain = [p for p in titled if enlarged(sketch.words, p) == 1.0]
     likely = plain or titled or own(parts(sketch, 0.0)) or pieces
     likely = sorted(likely, key=named, reverse=True)[:MOST]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
@@ -64,7 +64,7 @@ def _paper_of(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) ->
 
 def enlarged(words: Sequence[Words], part: ReadDrawing) -> float:
     """The enlargement of a detail of a plan, from the sign over its circle: "А (10:1)"; 1 for no detail."""
-    low, high = corners(z for stroke in part.strokes for z in stroke)
+    low, high = part.box
     signs = ((w.middle, float(said[1])) for w in words if (said := _DETAIL.search(w.text)))
     over = [(abs(z - (low + high) / 2), times) for z, times in signs if z.imag > high.imag]
     near, times = min(over, default=(OVER_DETAIL_MM, 1.0))
@@ -75,7 +75,7 @@ def mu_over(words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequenc
     """μ in the nearest title of this plan of ``plans`` over a part of a page, and whether none is nearer."""
     if not part.strokes:
         return None, False
-    low, high = corners(z for stroke in part.strokes for z in stroke)
+    low, high = part.box
     titles = []
     for title in _titles(words):
         aside = max(low.real - title.place.real - title.width, title.place.real - high.real, 0.0)

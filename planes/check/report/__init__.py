@@ -34,25 +34,25 @@ def mark_rows(out: Outcome) -> list[Json]:
         return [_segment_row(s) for s in (out.segments.scored if out.segments else [])]
     rows, unseen = [], [] if out.wrong else out.unseen
     for mark, verdict in g.verdicts.items():
-        own, miss = g.hand.taken.get(mark), g.judgement.missed(mark, verdict)
-        row: Json = {"mark": label_of(mark), **dict.fromkeys(SIZES), "verdict": verdict}
-        absent = g.rebuilt is not None and label_of(mark) in g.rebuilt.absent
-        if label_of(mark) in unseen or (absent and (verdict == "right" or not (own and miss))):
+        own, miss, label = g.hand.taken.get(mark), g.judgement.missed(mark, verdict), label_of(mark)
+        row: Json = {"mark": label, **dict.fromkeys(SIZES), "verdict": verdict}
+        absent = g.rebuilt is not None and label in g.rebuilt.absent
+        if label in unseen or (absent and (verdict == "right" or not (own and miss))):
             row["verdict"] = "unread"
-        if own and miss and not (absent and row["verdict"] == "unread") and label_of(mark) not in out.paper.untold:
+        if own and miss and not (absent and row["verdict"] == "unread") and label not in out.paper.untold:
             free, limit = g.free[mark], g.judgement.limit
             sizes = own.error_mm, abs(free.off), free.reach(limit), abs(miss.off), miss.reach(limit)
             row["read_mm"] = [round(own.place.real, 3), round(own.place.imag, 3)]
             keys = (*SIZES[1:], "own_deviation_mm", "own_tolerance_mm")
             row |= {k: round(mm, 3) if math.isfinite(mm) else None for k, mm in zip(keys, sizes, strict=True)}
             row |= _warned(verdict == "right" and WARN < miss.sigmas <= limit)
-        for sign in (one for one in out.paper.signs if label_of(mark) in one.marks):
+        for sign in (one for one in out.paper.signs if label in one.marks):
             row["verdict"] = "wrong"
             if sign.mistake == "vector_astray":  # the vector is wrong, not its mark: that has no tolerance here
                 row |= dict.fromkeys(("deviation_mm", "own_deviation_mm"), round(sign.off, 3)) | {
                     "own_tolerance_mm": None
                 }
-        if label_of(mark) == out.paper.scale_mark:
+        if label == out.paper.scale_mark:
             row["unjudged"] = "length"  # the scale was taken from it
         rows.append(row)
     return rows

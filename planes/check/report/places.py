@@ -26,11 +26,10 @@ def wrong_places(outcome: Outcome) -> list[Json]:
 
 
 def _windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
-    shown, paper = shown_plans(outcome), outcome.paper
-    free = (
-        kind_of(outcome.bench.asked.plan) == "force"
-    )  # there its order is free, and a step leads to the right position
-    truth = {n: b for n, z in shown.marks.items() for a, b in shown.next if a == z} if free else true_marks(outcome)
+    shown, paper, kind = shown_plans(outcome), outcome.paper, kind_of(outcome.bench.asked.plan)
+    truth = true_marks(outcome)
+    if kind == "force":  # there its order is free, and a step leads to the right position
+        truth = {n: b for n, z in shown.marks.items() for a, b in shown.next if a == z}
     verdicts = grading.verdicts
     wrong = [label_of(m) for m, verdict in verdicts.items() if verdict == "wrong"]
     for name in dict.fromkeys([outcome.first_wrong or "", *wrong]):
@@ -49,7 +48,7 @@ def _windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
             "own": _vectors(shown.own),
             "true": _vectors(shown.true),
             "next": _vectors(shown.next),
-            "lines": kind_of(outcome.bench.asked.plan) == "position",
+            "lines": kind == "position",
         }
 
 

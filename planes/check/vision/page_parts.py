@@ -8,7 +8,7 @@ import numpy
 from planes.check.evidence.ink import ink_of, light_of
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.reading.parts import TOGETHER_MM
-from planes.check.vision.image.opencv import cv, pieces
+from planes.check.vision.image.opencv import cv, pieces, shrunk
 from planes.check.vision.image.picture import Flat
 from planes.geometry.arrays import Greys, Indices
 from planes.words.frozen import frozen
@@ -56,7 +56,7 @@ class PageParts:
         right, low = min(int((x + w) * up + rim), width), min(int((y + h) * up + rim), height)
         rows = (numpy.arange(top, low) / up).astype(int).clip(0, self.labels.shape[0] - 1)
         columns = (numpy.arange(left, right) / up).astype(int).clip(0, self.labels.shape[1] - 1)
-        held = self.labels[rows[:, None], columns[None, :]]
+        held = self.labels[rows[:, None], columns]
         place = slice(top, low), slice(left, right)
         grey = numpy.where((held == 0) | (held == k), self.flat.grey[place], self.light[place])
         return Flat(grey, self.flat.scale, self.flat.mm(left, low), "part")
@@ -75,7 +75,9 @@ def _scales(bench: PreparedPlan, true_mm: float, seen_mm: float) -> Iterator[flo
 def parts_of(flat: Flat) -> PageParts:
     """The parts of a page."""
     cv2, size = cv(), tuple(round(mm * PX_PER_MM) for mm in flat.size_mm)
-    small = cv2.resize(ink_of(flat.as_if(A3_MM2)).mask * 255, size, interpolation=cv2.INTER_AREA)
+    share = math.sqrt(A3_MM2 / math.prod(flat.size_mm))
+    surveyed = Flat(shrunk(flat.grey, share), flat.scale) if share < 1 else flat
+    small = cv2.resize(ink_of(surveyed).mask * 255, size, interpolation=cv2.INTER_AREA)
     near = round(TOGETHER_MM / 2 * PX_PER_MM) * 2 + 1
     spread = cv2.dilate((small > INK).astype(numpy.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (near, near)))
     labels, stats = pieces(spread)

@@ -14,6 +14,7 @@ from planes.check.fiducials import SHEET_MM
 from planes.check.vision.image.opencv import sampled
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
+PX_PER_MM = 8.0  # of a rectified picture
 LEFT_MM, OTHER_MM = 20.0, 5.0  # from the sheet's edges to the frame
 REACH_MM, ACROSS_MM, ALONG_MM = 6.0, 0.125, 2.0  # search distance of a side from its position, and sampling steps
 BENT_MM = 0.3  # of a side: less is not worth correcting
@@ -86,26 +87,26 @@ def through(view: Array, z: Place) -> Place:
     return place
 
 
-def bend_of(grey: Greys, view: Array, scale: float) -> Bend | None:
-    """The distortion of a picture seen by ``view`` (its pixels to ``scale`` per mm); None if negligible."""
-    size = SHEET_MM[0] * scale, SHEET_MM[1] * scale
+def bend_of(grey: Greys, view: Array) -> Bend | None:
+    """The distortion of a picture seen by ``view`` (from its pixels to those of the sheet); None if negligible."""
+    size = SHEET_MM[0] * PX_PER_MM, SHEET_MM[1] * PX_PER_MM
     bend = replace(Bend.about(grey.shape), view=view, size_px=size)
-    seen = _sides(grey, bend, scale)
+    seen = _sides(grey, bend)
     if seen:
         bend.lens = _lens(bend, [z for z, _ in seen])
     return bend if seen else None
 
 
-def add_paper(bend: Bend, grey: Greys, scale: float) -> None:
+def add_paper(bend: Bend, grey: Greys) -> None:
     """Adds to a lens the remaining distortion by the paper."""
-    seen = _sides(grey, bend, scale)
+    seen = _sides(grey, bend)
     steps, rows = numpy.linspace(0, 1, 41), []
     for (_, off), (a, b) in zip(seen, _ends(), strict=True) if seen else ():
         upright = abs((b - a).real) < 1
         along = numpy.linspace(a, b, len(off))
         share = 1 - along.imag / SHEET_MM[1] if upright else along.real / SHEET_MM[0]
         smooth = numpy.polynomial.Polynomial.fit(share, off, 4)
-        rows.append(smooth(numpy.clip(steps, share.min(), share.max())) * scale)
+        rows.append(smooth(numpy.clip(steps, share.min(), share.max())) * PX_PER_MM)
     bend.sides = numpy.array(rows) if rows else None
 
 
@@ -117,21 +118,21 @@ def _ends() -> list[tuple[complex, complex]]:
     return [(low, upper), (lower, high), (upper, high), (low, lower)]
 
 
-def _sides(grey: Greys, bend: Bend, scale: float) -> list[tuple[Complexes, Array]]:
+def _sides(grey: Greys, bend: Bend) -> list[tuple[Complexes, Array]]:
     """The frame's sides as seen: pixels, and their displacements (mm, in x or down).
 
     None if some are not visible or if they are straight.
     """
 
     def px(z: Complexes) -> Complexes:
-        return bend.source((z.conjugate() + 1j * SHEET_MM[1]) * scale)
+        return bend.source((z.conjugate() + 1j * SHEET_MM[1]) * PX_PER_MM)
 
     out = []
     for a, b in _ends():
         places = a + (b - a) * numpy.linspace(0.03, 0.97, int(abs(b - a) / ALONG_MM))
         across = 1.0 if abs((b - a).real) < 1 else -1j
         t = numpy.arange(-REACH_MM, REACH_MM + 1e-9, ACROSS_MM)
-        off, good = _line(sampled(grey, px(places[:, None] + across * t[None, :])))
+        off, good = _line(sampled(grey, px(places[:, None] + across * t)))
         if good.mean() < SEEN:
             return []
         smooth = numpy.polynomial.Polynomial.fit(places[good].real + places[good].imag, off[good], 5)
@@ -159,7 +160,7 @@ def _line(rows: Array) -> tuple[Array, Booleans]:
     for choice in reversed(back):
         path.append(path[-1] - moves[choice[path[-1]]])
     at = numpy.array(path[::-1])
-    near = numpy.clip(at[:, None] + numpy.arange(-3, 4)[None, :], 0, wide - 1)
+    near = numpy.clip(at[:, None] + numpy.arange(-3, 4), 0, wide - 1)
     mass = numpy.take_along_axis(dark, near, axis=1)
     middle = (mass * near).sum(axis=1) / numpy.maximum(mass.sum(axis=1), 1e-6)
     good = numpy.take_along_axis(dark, at[:, None], axis=1)[:, 0] > CONTRAST

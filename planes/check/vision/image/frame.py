@@ -8,11 +8,13 @@ import math
 from collections.abc import Iterator, Sequence
 
 import numpy
+from numpy.linalg import det, norm
 
-from planes.check.vision.image.bend import LEFT_MM, OTHER_MM
-from planes.check.vision.image.opencv import cv, sampled, smaller
-from planes.check.vision.image.picture import LARGEST_PX, PX_PER_MM, Flat
+from planes.check.vision.image.bend import LEFT_MM, OTHER_MM, PX_PER_MM
+from planes.check.vision.image.opencv import cv, pairs, sampled, smaller
+from planes.check.vision.image.picture import LARGEST_PX, Flat
 from planes.geometry.arrays import Array, Complexes, Greys
+from planes.geometry.plane import lines
 
 SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # landscape
 LEAST_SHARE = 0.2  # minimum share of the picture inside a frame
@@ -83,16 +85,14 @@ def _refined(grey: Greys, quad: Array, reach: float) -> Array | None:
 
 def line_along(places: Complexes) -> Line:
     """The line along most of some points: one of the points, and its direction."""
-    points = numpy.stack([places.real, places.imag], axis=1).astype(numpy.float32)
-    vx, vy, x, y = cv().fitLine(points, cv().DIST_HUBER, 0, 0.01, 0.001).ravel().tolist()
+    vx, vy, x, y = cv().fitLine(pairs(places).astype(numpy.float32), cv().DIST_HUBER, 0, 0.01, 0.001).ravel().tolist()
     return complex(x, y), complex(vx, vy)
 
 
 def meetings(sides: Sequence[Line]) -> Array:
     """The intersections of each side of a figure with the one before it."""
-    pairs = zip([sides[-1], *sides[:-1]], sides, strict=True)
-    corners = [p + u * ((q - p).conjugate() * w).imag / (u.conjugate() * w).imag for (p, u), (q, w) in pairs]
-    return numpy.array([(z.real, z.imag) for z in corners])
+    before = zip([sides[-1], *sides[:-1]], sides, strict=True)
+    return pairs(numpy.array([lines(*one, *two)[0] for one, two in before]))
 
 
 def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
@@ -103,17 +103,16 @@ def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
     """
     middle = numpy.array([size_px[1] / 2, size_px[0] / 2])
     ll, lr, ur, ul = (numpy.append(c - middle, 1.0) for c in corners)
-    k2 = numpy.dot(numpy.cross(ll, ur), ul) / numpy.dot(numpy.cross(lr, ur), ul)
-    k3 = numpy.dot(numpy.cross(ll, ur), lr) / numpy.dot(numpy.cross(ul, ur), lr)
+    k2, k3 = (det([ll, ur, one]) / det([two, ur, one]) for one, two in ((ul, lr), (lr, ul)))
     n2, n3 = k2 * lr - ll, k3 * ul - ll
-    sides = [float(numpy.linalg.norm(a - b)) for a, b in ((ll, lr), (ul, ur), (ll, ul), (lr, ur))]
-    plain = (sides[0] + sides[1]) / (sides[2] + sides[3])
+    lower, upper, left, right = (norm(a - b) for a, b in ((ll, lr), (ul, ur), (ll, ul), (lr, ur)))
+    plain = float((lower + upper) / (left + right))
     if max(abs(k2 - 1), abs(k3 - 1)) < 0.003:
         return plain, False
-    lens = -(n2[0] * n3[0] + n2[1] * n3[1]) / (n2[2] * n3[2] or math.nan)
+    lens = -(n2[:2] @ n3[:2]) / (n2[2] * n3[2] or math.nan)
     if not 0.3 < lens / max(size_px) ** 2 < 9:
         return plain, True
-    across, up = (n[0] ** 2 / lens + n[1] ** 2 / lens + n[2] ** 2 for n in (n2, n3))
+    across, up = (n[:2] @ n[:2] / lens + n[2] ** 2 for n in (n2, n3))
     return math.sqrt(across / up), True
 
 

@@ -30,6 +30,11 @@ def smaller(grey: Greys, longest: float) -> tuple[Greys, float]:
     return shrunk(grey, factor) if factor < 1 else grey, factor
 
 
+def pairs(z: Complexes) -> Array:
+    """Places as rows of x and y."""
+    return numpy.stack([z.real, z.imag], axis=1)
+
+
 def sampled(grey: Greys, places: Complexes) -> Array:
     """Grey levels between pixels; beyond a picture's border, those of the border."""
     maps = (numpy.ascontiguousarray(part, numpy.float32) for part in (places.real, places.imag))

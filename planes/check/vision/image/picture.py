@@ -1,22 +1,21 @@
 """Rectifies and scales a photograph or scan of a plan on paper by the blank's corner marks or by two points."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy
 
 from planes.check.fiducials import CELLS, PATTERNS, SHEET_MM, SIDE_MM, cells, centres
-from planes.check.vision.image.bend import Bend, add_paper, bend_of
+from planes.check.vision.image.bend import PX_PER_MM, Bend, add_paper, bend_of
 from planes.check.vision.image.lens import Lens
-from planes.check.vision.image.opencv import cv, shrunk, smaller
+from planes.check.vision.image.opencv import cv, pairs, smaller
 from planes.check.vision.image.several import Found, SheetsSeen, leaves_more, sheets_apart
 from planes.geometry.arrays import Array, Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
-PX_PER_MM = 8.0
 LARGEST_PX = 3200  # maximum longer side of a picture in analysis
+SHEET_PX = round(SHEET_MM[0] * PX_PER_MM), round(SHEET_MM[1] * PX_PER_MM)
 RIM_MM = 5.0  # around a sheet cut out of a picture
 MOST_FLAT = 34_000_000  # pixels of the largest sheet, A1
 LOOKS_PX = (1100, 700, 2000, 3200)  # longer sides for the search: small ones are quick and hide the grain
@@ -63,14 +62,6 @@ class Flat:
         """Millimetres to pixels."""
         local = (z - self.corner) * self.scale
         return local.real, self.grey.shape[0] - local.imag
-
-    def as_if(self, area: float) -> "Flat":
-        """Itself or, if larger, as if drawn at a smaller scale on paper of this area (mm²)."""
-        width, height = self.size_mm
-        share = math.sqrt(area / (width * height))
-        if share >= 1:
-            return self
-        return Flat(shrunk(self.grey, share), self.scale)
 
 
 def dictionary() -> object:
@@ -168,12 +159,11 @@ def flatten(grey: Greys) -> Flat | None:
     notes = [] if len(marks) == 4 else [Phrase("check_three_marks")]
     notes += [Phrase("check_several_blanks", count=len(blanks.sheets))] if len(blanks.sheets) > 1 else []
     notes += [Phrase("check_blank_in_part", count=blanks.in_part)] if blanks.in_part else []
-    bend = bend_of(small, warp, PX_PER_MM)
+    bend = bend_of(small, warp)
     if bend is not None:
         unbent = _unbent(small, bend, seen, true)
         return Flat(unbent, PX_PER_MM, 0j, "marks", None, notes, replace(bend, shrink=factor))
-    width, height = (round(s * PX_PER_MM) for s in SHEET_MM)
-    flat = cv2.warpPerspective(small, warp, (width, height), flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+    flat = cv2.warpPerspective(small, warp, SHEET_PX, flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
     to_flat = warp @ numpy.diag([factor, factor, 1.0])  # from the original picture
     return Flat(flat, PX_PER_MM, 0j, "marks", to_flat, notes)
 
@@ -182,9 +172,9 @@ def _unbent(grey: Greys, bend: Bend, seen: list[Array], true: list[tuple[float, 
     """A distorted picture rectified by its corner marks as seen without lens distortion."""
     cv2 = cv()
     straight = bend.straight(numpy.array(seen, float) @ numpy.array([1, 1j]))
-    bend.view, _ = cv2.findHomography(numpy.stack([straight.real, straight.imag], axis=1), numpy.array(true))
-    add_paper(bend, grey, PX_PER_MM)
-    return remapped(grey, bend, (round(SHEET_MM[0] * PX_PER_MM), round(SHEET_MM[1] * PX_PER_MM)))
+    bend.view, _ = cv2.findHomography(pairs(straight), numpy.array(true))
+    add_paper(bend, grey)
+    return remapped(grey, bend, SHEET_PX)
 
 
 def remapped(grey: Greys, bend: Bend, size: tuple[int, int]) -> Greys:
@@ -192,7 +182,7 @@ def remapped(grey: Greys, bend: Bend, size: tuple[int, int]) -> Greys:
     cv2, (width, height) = cv(), size
     cell = 16  # a map this smooth is interpolated between grid points
     across, down = (numpy.arange(n // cell + 1) * cell + (cell - 1) / 2 for n in size)
-    source = bend.source(across[None, :] + 1j * down[:, None])
+    source = bend.source(across + 1j * down[:, None])
     map_size = len(across) * cell, len(down) * cell
     maps = (cv2.resize(m.astype(numpy.float32), map_size)[:height, :width] for m in (source.real, source.imag))
     flat: Greys = cv2.remap(grey, *maps, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)

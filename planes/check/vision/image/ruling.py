@@ -48,7 +48,7 @@ def waves_of(grey: Greys, period_px: float) -> tuple[Wave | None, Wave | None]:
         return None, None
     cuts = numpy.array([dark[y : y + WINDOW_PX, x : x + WINDOW_PX] for y, x in at])
     rim = numpy.hanning(WINDOW_PX + 2)[1:-1].astype(numpy.float32)
-    cuts = (cuts - cuts.mean(axis=(1, 2), keepdims=True)) * rim[:, None] * rim[None, :]
+    cuts = (cuts - cuts.mean(axis=(1, 2), keepdims=True)) * rim[:, None] * rim
     middles = numpy.array([complex(x, y) + (WINDOW_PX - 1) / 2 * (1 + 1j) for y, x in at])
     places = (middles + (0.5 + 0.5j)) / factor - (0.5 + 0.5j)
     mirrored = middles.imag + 1j * middles.real
@@ -75,7 +75,7 @@ def _strongest(dark: Array, near: Complexes | None) -> tuple[Complexes, Array, A
     t = numpy.arange(WINDOW_PX) - (WINDOW_PX - 1) / 2
     across = numpy.linspace(NARROW, WIDE, RATES) / PERIOD_PX
     aslant = numpy.linspace(-SLANT, SLANT, RATES) / PERIOD_PX
-    ex, ey = (numpy.exp(-2j * math.pi * t[:, None] * f[None, :]).astype(numpy.complex64) for f in (across, aslant))
+    ex, ey = (numpy.exp(-2j * math.pi * t[:, None] * f).astype(numpy.complex64) for f in (across, aslant))
     power = numpy.abs(ey.T @ (dark @ ex))
     usual = numpy.median(power, axis=(1, 2)) + 1e-6
     if near is not None:
@@ -85,7 +85,7 @@ def _strongest(dark: Array, near: Complexes | None) -> tuple[Complexes, Array, A
     i, j = best // RATES, best % RATES
     fx = across[j] + _between(power, i, j, (0, 1)) * (across[1] - across[0])
     fy = aslant[i] + _between(power, i, j, (1, 0)) * (aslant[1] - aslant[0])
-    wx, wy = (numpy.exp(-2j * math.pi * f[:, None] * t[None, :]).astype(numpy.complex64) for f in (fx, fy))
+    wx, wy = (numpy.exp(-2j * math.pi * f[:, None] * t).astype(numpy.complex64) for f in (fx, fy))
     phase = numpy.angle(numpy.einsum("ny,nyx,nx->n", wy, dark, wx, optimize=True)) / (2 * math.pi)
     return fx + 1j * fy, power[n, i, j] / usual, phase
 

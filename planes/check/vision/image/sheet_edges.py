@@ -6,6 +6,7 @@ from planes.check.vision.image.bend import Bend
 from planes.check.vision.image.frame import line_along, meetings, ordered
 from planes.check.vision.image.opencv import cv, sampled, smaller
 from planes.geometry.arrays import Array, Complexes, Greys
+from planes.geometry.plane import toward
 
 LOOK_PX = 1000
 LEAST_SHARE = 0.25  # minimum share of a picture inside a sheet
@@ -71,9 +72,9 @@ def _quad(inside: Greys) -> Array | None:
 def _edge(grey: Greys, a: complex, b: complex) -> Complexes | None:
     """Points of an edge between two corners, where the picture gets lighter inwards; None if too few are visible."""
     reach = REACH * max(grey.shape)
-    inwards = (b - a) / abs(b - a) * -1j  # counter-clockwise as seen, y down
+    inwards = toward(a, b) * -1j  # counter-clockwise as seen, y down
     t = numpy.arange(-reach, reach + 0.1, 0.5)
-    places = (a + (b - a) * numpy.linspace(0.03, 0.97, PROFILES))[:, None] + inwards * t[None, :]
+    places = (a + (b - a) * numpy.linspace(0.03, 0.97, PROFILES))[:, None] + inwards * t
     soft = cv().GaussianBlur(sampled(grey, places), (7, 1), 1.5)
     rise = soft[:, 4:] - soft[:, :-4]
     best = rise.argmax(axis=1).clip(1, rise.shape[1] - 2)

@@ -13,7 +13,7 @@ import numpy
 from planes.check.vision.image.bend import Bend, through
 from planes.check.vision.image.frame import shape_of
 from planes.check.vision.image.lens import FOCAL, MOST_TILT_DEG, UNTOLD, CameraTilt, level
-from planes.check.vision.image.opencv import cv
+from planes.check.vision.image.opencv import cv, pairs
 from planes.check.vision.image.ruling import CLEAR, LEAST, Wave, waves_of
 from planes.check.vision.image.sheet_edges import edges_of
 from planes.check.vision.image.text_view import tilt_by_text
@@ -59,14 +59,14 @@ def _by_squares(grey: Greys, across: Wave, down: Wave) -> SheetView | None:
         return None
     seen, true = across.places[clear], numpy.empty(int(clear.sum()), numpy.complex128)
     true.real, true.imag = SQUARE_MM * across.counts[clear], SQUARE_MM * down.counts[clear]
-    warp, agree = cv().findHomography(_pairs(seen), _pairs(true), cv().RANSAC, OFF * SQUARE_MM)
+    warp, agree = cv().findHomography(pairs(seen), pairs(true), cv().RANSAC, OFF * SQUARE_MM)
     good = agree.ravel() > 0
     if warp is None or good.sum() < max(LEAST, AGREEING * len(good)):
         return None
 
     def fitted(lens: float) -> tuple[float, Bend]:
         bend = Bend.about(grey.shape, lens)
-        bend.view, _ = cv().findHomography(_pairs(bend.straight(seen[good])), _pairs(true[good]))
+        bend.view, _ = cv().findHomography(pairs(bend.straight(seen[good])), pairs(true[good]))
         return float((abs(bend.flat(seen[good]) - true[good]) ** 2).mean()), bend
 
     return _viewed(min((fitted(k) for k in LENSES.tolist()), key=lambda one: one[0])[1], "squares")
@@ -129,10 +129,6 @@ def _by_edges(grey: Greys) -> SheetView | None:
 def similar(turn: complex, move: complex = 0j) -> Array:
     """Points multiplied by a complex number, then moved, as a homography."""
     return numpy.array([[turn.real, -turn.imag, move.real], [turn.imag, turn.real, move.imag], [0, 0, 1.0]])
-
-
-def _pairs(z: Complexes) -> Array:
-    return numpy.stack([z.real, z.imag], axis=1)
 
 
 def _by_text(grey: Greys, focal: float) -> SheetView | None:

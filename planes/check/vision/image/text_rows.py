@@ -107,9 +107,9 @@ def _way(boxes: Indices) -> float | None:
     """The direction from most letters to their neighbours, in radians; None if there is none."""
     z = boxes[:, 0] + boxes[:, 2] / 2 + 1j * (boxes[:, 1] + boxes[:, 3] / 2)
     tall = numpy.maximum(boxes[:, 2], boxes[:, 3]).astype(float)
-    apart = z[None, :] - z[:, None]
+    apart = z - z[:, None]
     near = abs(apart) + 1e9 * (abs(apart) < 1)
-    near[(tall[None, :] > ALIKE * tall[:, None]) | (tall[:, None] > ALIKE * tall[None, :])] = 1e9
+    near[(tall > ALIKE * tall[:, None]) | (tall[:, None] > ALIKE * tall)] = 1e9
     two = numpy.argsort(near, axis=1)[:, :2]
     rows = numpy.arange(len(z))[:, None]
     good = near[rows, two] < 1.8 * tall[:, None]
@@ -130,14 +130,14 @@ def _rows(left: Array, right: Array, low: Array, high: Array, way: float) -> lis
     """Letters chained from neighbour to neighbour, and their baselines."""
     tall, t = high - low + 1, (low + high) / 2
     usual = numpy.maximum(tall, numpy.median(tall))
-    gap = left[None, :] - right[:, None]
-    down = t[None, :] - t[:, None]
+    gap = left - right[:, None]
+    down = t - t[:, None]
     s = (left + right) / 2
-    fits = (s[None, :] > s[:, None]) & (gap > -0.5 * usual[:, None]) & (gap < NEXT * usual[:, None])
+    fits = (s > s[:, None]) & (gap > -0.5 * usual[:, None]) & (gap < NEXT * usual[:, None])
     fits &= abs(down) < 0.55 * usual[:, None] + ASLANT * numpy.maximum(gap, 0)
     letter = right - left < LONG * tall
-    fits &= letter[None, :] & letter[:, None]
-    fits &= (tall[None, :] < ALIKE * tall[:, None]) & (tall[:, None] < ALIKE * tall[None, :])
+    fits &= letter & letter[:, None]
+    fits &= (tall < ALIKE * tall[:, None]) & (tall[:, None] < ALIKE * tall)
     cost = numpy.where(fits, numpy.maximum(gap, 0) + 2 * abs(down), numpy.inf)
     after, before = cost.argmin(axis=1), cost.argmin(axis=0)
     n = numpy.arange(len(s))
@@ -162,7 +162,7 @@ def _fitted(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> T
     slopes = (y[j] - y[i]) / (x[j] - x[i])
     if len(i) > 400:
         slopes, i = slopes[:: len(i) // 400], i[:: len(i) // 400]
-    rest = y[None, :] - slopes[:, None] * (x[None, :] - x[i][:, None]) - y[i][:, None]
+    rest = y - slopes[:, None] * (x - x[i][:, None]) - y[i][:, None]
     best = int((abs(rest) < OFF * height).sum(axis=1).argmax())
     near = abs(rest[best]) < OFF * height
     if near.sum() < max(FEW - 2, 0.4 * len(x)):

@@ -161,18 +161,21 @@ def _means(values: Array, weights: Array, groups: Indices) -> Array:
     return numpy.bincount(groups, weights * values) / (numpy.bincount(groups, weights) + 1e-12)
 
 
+def _moved(view: Array, z: Complexes, angle: Array) -> Complexes:
+    """Steps of two pixels at points, along directions, after a view."""
+    step = numpy.exp(1j * angle)
+    moved: Complexes = through(view, z + step) - through(view, z - step)
+    return moved
+
+
 def _angles(view: Array, z: Complexes, angle: Array) -> Array:
     """Directions at points after a view."""
-    step = numpy.exp(1j * angle)
-    out: Array = numpy.angle(through(view, z + step) - through(view, z - step))
-    return out
+    return numpy.angle(_moved(view, z, angle))
 
 
 def _lengths(view: Array, z: Complexes, angle: Array) -> Array:
     """The logarithm of the local magnification of a view along directions."""
-    step = numpy.exp(1j * angle)
-    out: Array = numpy.log(abs(through(view, z + step) - through(view, z - step)) / 2)
-    return out
+    return numpy.log(abs(_moved(view, z, angle)) / 2)
 
 
 def _slant(text: LetterRows, mine: Array) -> float:
@@ -184,7 +187,7 @@ def _mode(values: Array, wide: float, weights: Array | None = None) -> float:
     """The approximate mode of values."""
     some = slice(None, None, max(1, len(values) // 3000))
     steps = numpy.linspace(values.min(), values.max(), 60)
-    near = numpy.exp(-0.5 * ((values[some][None, :] - steps[:, None]) / wide) ** 2)
+    near = numpy.exp(-0.5 * ((values[some] - steps[:, None]) / wide) ** 2)
     return float(steps[int((near @ (numpy.ones(len(values)) if weights is None else weights)[some]).argmax())])
 
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy
 
-from planes.check.vision.image.bend import Bend
+from planes.check.vision.image.bend import PX_PER_MM, Bend
 from planes.check.vision.image.lens import FOCAL, UNTOLD, CameraTilt, Lens
-from planes.check.vision.image.picture import MOST_FLAT, PX_PER_MM, Flat, by_scale, remapped
+from planes.check.vision.image.picture import MOST_FLAT, Flat, by_scale, remapped
 from planes.check.vision.image.sheet_view import SheetView, by_tilt, sheet_view, similar
 from planes.geometry.arrays import Greys
 from planes.words import Phrase, Written
