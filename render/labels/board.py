@@ -22,6 +22,7 @@ from render.labels.candidates import (
     nowhere,
     own_distance,
     placed,
+    sampled,
     union,
 )
 from render.labels.nearness import over
@@ -92,13 +93,13 @@ class Board:
             self._take(k, option)
 
     def _strays(self, k: int) -> Booleans:
-        """Which candidates of label k are nearer to the point of another label than to their own."""
-        others = [z.at for j, z in enumerate(self.labels) if j != k and not isinstance(z.at, tuple)]
-        points = np.array([z for z in others if z != self.labels[k].at], dtype=complex)
-        if not len(points):
-            return np.zeros(len(self.options[k].wish), dtype=bool)
-        away = distances(self.options[k].boxes, points).min(axis=1)
-        stray: Booleans = away < own_distance(self.options[k], self.labels[k].at, self.labels[k].also)
+        """Which candidates of label k are nearer to what another label names than to their own."""
+        own, box = self.labels[k], self.options[k].boxes
+        others = [z for j, label in enumerate(self.labels) if j != k and label.at != own.at for z in sampled(label.at)]
+        if not others:
+            return np.zeros(len(box), dtype=bool)
+        away = distances(box, np.array(others)).min(axis=1)
+        stray: Booleans = away < own_distance(self.options[k], own.at, own.also)
         return stray
 
     def choose(self) -> None:

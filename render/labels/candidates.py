@@ -31,6 +31,7 @@ APART_MM = 4.0  # closer neighbours on a line cost extra
 UNDER_MM, BESIDE_MM = 0.9, 0.5  # of an underline: beneath its label, and beyond both its ends
 _GROWN = np.array([-1, -1, 1, 1]) * 0.3  # mm between a leader and letters
 _ALONG = np.array([0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8])
+_SAMPLES = np.linspace(0.0, 1.0, 25)
 _DIRECTIONS = np.array([cmath.rect(1, math.radians(22.5 * k)) for k in range(16)])
 _ROUND = np.array([cmath.rect(1, math.radians(15.0 * k)) for k in range(24)])
 _LESS = 1.5  # cost of a place around another point
@@ -158,17 +159,15 @@ def distances(boxes: Array, points: Complexes) -> Array:
     return away
 
 
+def sampled(at: complex | Ends) -> list[complex]:
+    """A point, or points along a segment, from end to end."""
+    return [at] if not isinstance(at, tuple) else (at[0] + _SAMPLES * (at[1] - at[0])).tolist()
+
+
 def own_distance(candidates: Candidates, at: complex | Ends, also: Sequence[complex]) -> Array:
-    """Distance in mm of each box from the nearest of its own points, or from the line of its segment."""
-    if not isinstance(at, tuple):
-        nearest: Array = distances(candidates.boxes, np.array([at, *also])).min(axis=1)
-        return nearest
-    x0, y0, x1, y1 = candidates.boxes.T
-    along = _direction(at)
-    across = (((x0 + x1) + 1j * (y0 + y1)) / 2 - at[0]) * along.conjugate()
-    reach = (abs(along.imag) * (x1 - x0) + abs(along.real) * (y1 - y0)) / 2
-    away: Array = np.maximum(np.abs(across.imag) - reach, 0)
-    return away
+    """Distance in mm of each box from the nearest of its own points, or from its segment."""
+    nearest: Array = distances(candidates.boxes, np.array([*sampled(at), *also])).min(axis=1)
+    return nearest
 
 
 def _direction(ends: Ends) -> complex:

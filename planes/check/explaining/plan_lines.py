@@ -119,7 +119,7 @@ class PlanLines:
         none = numpy.zeros((len(places), 0), complex)
         at_ = {n: places[:, k] for k, n in enumerate(self.names)}
         if self.kind != "position":
-            leant = [(at_[a], at_[b], u) for a, b, u in self.bench.leaning if {a, b} <= at_.keys()]
+            leant = [(at_[a], at_[b], u) for a, b, u, _ in self.bench.leaning if {a, b} <= at_.keys()]
             corners = [b + ((a - b) * u.conjugate()).real * u for a, b, u in leant]
             starts, ends = [*(a for a, _, _ in leant), *corners], [*corners, *(b for _, b, _ in leant)]
             sides = [numpy.stack(z, axis=1) if z else none for z in (starts, ends)]

@@ -18,6 +18,7 @@ from planes.drafting.skill import HAND, Skill
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans import Plans
+from planes.plans.force.loads import pair_index
 from planes.plans.measuring import lettering
 from planes.plans.other_leads import fitting
 from planes.plans.scales import fits_on, scales
@@ -83,10 +84,18 @@ class PreparedPlan:
         return run(self.program, self.given)
 
     @cached_property
-    def leaning(self) -> list[tuple[str, str, complex]]:
-        """The ends of each reaction that leans by friction, by label, with the direction of its guide."""
+    def leaning(self) -> list[tuple[str, str, complex, str]]:
+        """The ends of each reaction that leans by friction, by label, with the direction of its guide and its index."""
         own = (r for r in self.plans.reactions.values() if r.plan == self.asked.plan and r.friction and r.pair.guide)
-        return [(label_of(r.start), label_of(r.end), complex(self.right[f"∥{r.pair.guide}"])) for r in own]
+        return [
+            (
+                label_of(r.start),
+                label_of(r.end),
+                complex(self.right[f"∥{r.pair.guide}"]),
+                pair_index(r.pair.link, r.pair.other),
+            )
+            for r in own
+        ]
 
     @cached_property
     def mistakes(self) -> list[Variant]:

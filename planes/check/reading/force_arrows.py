@@ -80,6 +80,7 @@ class ForceArrows:
         self.ends = {end_of(s.name): (s.start, s.end) for s in segments if end_of(s.name) not in own}
         self.ends |= {s.name: (s.start, s.end) for s in self.sides}
         self.names = sorted(self.ends, key=lambda n: n not in own)
+        self.names += [f"{letter}_{index}" for *_, index in self.bench.leaning for letter in "NT"]  # may be drawn, too
         self.reactions = {s.name for s in self.sides if s.end not in loads}
         self.own = numpy.array([n in own for n in self.names])
         self.arrows: list[tuple[Stroke, ...]] = []
@@ -98,7 +99,12 @@ class ForceArrows:
         if (drawn := self.plan.drawn(h)) is None:
             return None
         places = dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
-        return {n: places.get(b, 0j) - places.get(a, 0j) for n, (a, b) in self.ends.items()}
+        vectors = {n: places.get(b, 0j) - places.get(a, 0j) for n, (a, b) in self.ends.items()}
+        for a, b, along, index in self.bench.leaning:
+            reaction = places.get(b, 0j) - places.get(a, 0j)
+            friction = (reaction * along.conjugate()).real * along
+            vectors |= {f"N_{index}": reaction - friction, f"T_{index}": friction}
+        return vectors
 
     def beside(self) -> Array:
         """The cost of each name for each direction of an arrow, by its position."""
