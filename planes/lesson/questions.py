@@ -10,7 +10,7 @@ from planes.diagrams.summary import Summary, of_cycle
 from planes.diagrams.text import stroke_said
 from planes.lesson.note import Note
 from planes.plans.assur.alignment import pairs_of
-from planes.plans.assur.groups import Pair
+from planes.plans.assur.groups import Group, Pair
 from planes.plans.curves import curves_of, driven, output_curves, transfer_curves
 from planes.plans.force.loads import load_names
 from planes.plans.measuring import counted
@@ -145,7 +145,9 @@ class Questions(Note):
             yield from self.told("reply_join", order=len(outer), pairs=self.pairs(outer))
 
     def of_extremes(self) -> Iterator[Block]:
-        yield from self.told(f"reply_extremes_{getattr(self.s.groups[0], 'kind', 0) * self.m.drive.rotates}")
+        first = self.s.groups[0]
+        kind = first.kind if isinstance(first, Group) and self.m.drive.rotates else 0
+        yield from self.told(f"reply_extremes_{kind}")
         for line in stroke_said(self.cycle, self.lang) or [self.say("reply_extremes_none")]:
             line = re.sub(r"(\w+_\w+)(?= =)", r"⟨\1⟩", line.replace("= -", "= −"))
             yield Paragraph(decimals(line, self.lang))

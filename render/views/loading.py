@@ -226,9 +226,10 @@ class Loading:
     def arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the moment point to the lines of action, which are extended to meet them."""
         drops, drawn = drops_of(self.drawing), Arms()
+        sizes = {f.name: float(self.drawing[f.size]) for f in self.plans.acting.every if f.size in self.drawing}
         for name, arm in (term for equation in equations for term in equation.terms):
             step = drops.get(arm)
-            if step and step.makes in self.drawing:
+            if step and step.makes in self.drawing and self.big(sizes.get(name, math.inf)):
                 point, along, about = (complex(self.drawing[x]) for x in (step.point, step.along, step.about))
                 drawn.add(point, along, about, self.naming.arm(name, arm), name)
         self.marks += drawn.marks

@@ -182,6 +182,8 @@ class Lever:
             if not step or arm not in drawing or abs(complex(drawing[step.point])) < ZERO_MM:
                 continue
             size = float(drawing[name]) if name in drawing else 1.0
+            if size == 0:
+                continue
             point, along = complex(drawing[step.point]), complex(drawing[step.along]) * (1 if size >= 0 else -1)
             start, end = arrows.placed(point, along)
             marks.append(Arrow(start, end, "vector", "force", name))

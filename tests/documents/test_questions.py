@@ -105,6 +105,12 @@ def test_every_number_is_one_of_the_results(name: str) -> None:
     assert told > 60
 
 
+@pytest.mark.parametrize("name", ["class-three/rods", pytest.param("class-three/truss", marks=pytest.mark.slow)])
+def test_a_first_group_of_leads_has_no_kind_to_tell(name: str) -> None:
+    """Its extreme positions are told as of any mechanism."""
+    assert len(dict(answers(asked(name).blocks()))) == len(KEYS)
+
+
 @pytest.mark.few(2)
 @pytest.mark.parametrize("name", SCENES)
 def test_no_question_is_left_without_an_answer(name: str) -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+from planes.documents.sheets import sheet_of
 from planes.plans.measuring import lettering
 from planes.scene import load
 from planes.solving import solve
@@ -73,3 +74,25 @@ def test_the_pole_of_a_force_polygon_has_its_letter(sample: str) -> None:
     for polygon in polygons(f"samples/{sample}.yaml"):
         texts = [m.text for m in polygon.drawn() if isinstance(m, Text)]
         assert any(text.split(", ")[0] in ("p", "π") for text in texts), polygon.plan
+
+
+@pytest.mark.parametrize("path", ["samples/bntu-2.yaml", "samples/class-four/press.yaml"])
+def test_a_reaction_with_friction_leans_on_its_normal_force_and_its_friction(path):
+    """A right triangle head to tail: its legs are N and T of the results, T against the motion along the guide."""
+    polygon = next(p for p in polygons(path) if p.plotted.leaning)
+    (reaction,) = polygon.plotted.leaning
+    arrows = {m.name: m for m in polygon.drawn() if isinstance(m, Arrow)}
+    normal, friction, whole_force = arrows["N_30"], arrows["T_30"], arrows["F_30"]
+    assert abs(normal.end - friction.start) < 1e-9
+    assert abs(normal.start - whole_force.start) < 1e-9 and abs(friction.end - whole_force.end) < 1e-9
+    way = complex(polygon.plotted.drawing[f"∥{reaction.pair.guide}"])
+    assert abs(((normal.end - normal.start) * way.conjugate()).real) < 1e-9
+    mu, made = polygon.plotted.mu(polygon.plan), polygon.plotted.drawing
+    assert abs(normal.end - normal.start) == pytest.approx(mu * abs(float(made[reaction.normal])))
+    assert abs(friction.end - friction.start) == pytest.approx(mu * abs(float(made[reaction.friction])))
+
+
+def test_friction_has_its_table_on_sheet_2():
+    scene = load(ROOT / "samples/friction-circles.yaml")
+    said = [m.text for m in sheet_of(scene, None, "en", 2).marks if isinstance(m, Text)]
+    assert "Friction" in said and {"N_{30}", "T_{30}", "P_{T30}", "M_{T21}", "P_{T21}"} <= {*said}
