@@ -196,6 +196,9 @@ def turned_once(scene: Scene, plans: Plans, composer: Composer, twelve: bool) ->
     dead = dead_points(driven_grid(plans, span.start, span.end)) if span.whole or twelve else []
     if span.whole and dead:
         span = WorkingRange(dead[0], dead[0] + FULL, True)
+    if plans.drive.velocity < 0:  # positions are numbered in the order in which they are passed
+        start, end = (span.start, span.start - FULL) if span.whole else (span.end, span.start)
+        span = replace(span, start=start, end=end)
     values = span.values(FINE)
     rows = motion.rows(values)
     turn = motion.places(rows)
@@ -243,6 +246,7 @@ class TurningMechanism:
         section, every = (span.end - span.start) / SECTIONS, FINE // SECTIONS
         last = SECTIONS - 1 if span.whole else SECTIONS
         places = [(v, (v - span.start) / section) for v in extreme]
+        places = [(v, p % SECTIONS) for v, p in places] if span.whole else places
         between = [(v, p) for v, p in places if abs(p - round(p)) >= CLOSE]
         near = {round(p) % (last + 1) for v, p in places if (v, p) not in between} | {0, 0 if span.whole else SECTIONS}
         numbered = [Numbered(str(k), turn[k * every], k in near) for k in range(last + 1)]

@@ -239,7 +239,7 @@ class Diagrams:
         (letter, key), lang = self.driver, self.naming.lang
         turning = key == "°"
         drive = flat(self.naming.vector(self.plans.drive.letters[0]))
-        text = f"μ_{{{drive}}} = {scale(self.wide / (self.angles[-1] - self.angles[0]), key, self.naming)}"
+        text = f"μ_{{{drive}}} = {scale(self.wide / abs(self.angles[-1] - self.angles[0]), key, self.naming)}"
         if self.to_read:
             places_told = [round(a, 1 if turning else 3) for a in self.angles]
             places_told = [a % FULL for a in places_told] if turning and self.whole else places_told

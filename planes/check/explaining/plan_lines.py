@@ -151,16 +151,15 @@ class PlanLines:
         things = self.bench.drawn(hypothesis.variant, _Nudging(moved, count))
         if things is None:
             return None
-        own = [numpy.broadcast_to(numpy.asarray(things[m], complex), (count,)) for m in self.bench.marks]
-        rest = [numpy.broadcast_to(numpy.asarray(both.get(n, 0j)), (count,)) for n in self.names[len(own) :]]
-        places = numpy.stack(own, axis=1)
-        places = (places.conj() if hypothesis.mirrored else places) * (hypothesis.turn / self.share)
+        every = [*(things[m] for m in self.bench.marks), *(both.get(n, 0j) for n in self.names[len(self.labels) :])]
+        places = numpy.stack([numpy.broadcast_to(numpy.asarray(z, complex), (count,)) for z in every], axis=1)
+        own = places[:, : len(self.labels)]
+        own = (own.conj() if hypothesis.mirrored else own) * (hypothesis.turn / self.share)
         if self.held:
             mark, where = self.held
             with numpy.errstate(all="ignore"):
-                places *= (where / places[:, self.labels.index(mark)])[:, None]
-        places = numpy.where(numpy.isfinite(places), places, complex(numpy.nan, numpy.nan))
-        places = numpy.concatenate([places, numpy.stack(rest, axis=1)], axis=1)
+                own *= (where / own[:, self.labels.index(mark)])[:, None]
+        places[:, : len(self.labels)] = numpy.where(numpy.isfinite(own), own, complex(numpy.nan, numpy.nan))
         places[:, :-1] += places[:, -1:]  # the pole may be shifted, with the whole drawing
         return places
 

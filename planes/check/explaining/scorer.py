@@ -108,7 +108,7 @@ class Scorer:
         rough = self._rough([Hypothesis(), *catalogue(self.plan)])
         if not rough or not rough[0][1].right:
             return []
-        self.box = self._room(numpy.concatenate([z.ravel() for *_, d in rough for z in self._lines(Hypothesis(), d)]))
+        self.box = self._room(Hypothesis(), numpy.concatenate([drawn for *_, drawn in rough]))
         laid = [self.settled(rough[0][1])]
         if not self._full(laid[0]):
             laid += [self.settled(h) for _, h, _ in sorted(rough[1:], key=lambda r: -r[0])[: w.FIRSTS]]
@@ -195,7 +195,7 @@ class Scorer:
         if not rough:
             return []
         drawn = numpy.concatenate([drawn for *_, drawn in rough])
-        self.box = self.box or self._room(numpy.concatenate([z.ravel() for z in self._lines(base, drawn)]))
+        self.box = self.box or self._room(base, drawn)
         scores = self.scored(base, drawn, True)[0] - numpy.array([h.cost for _, h, _ in rough])
         best: dict[tuple[str, str], Hypothesis] = {}
         for k in numpy.argsort(-scores, kind="stable").tolist():
@@ -343,8 +343,9 @@ class Scorer:
         a, b = self.plan.laid(places, h.order)
         return a + self.pole, b + self.pole
 
-    def _room(self, z: Complexes) -> Box:
+    def _room(self, h: Hypothesis, drawn: Complexes) -> Box:
         """The box around all that may have been drawn."""
+        z = numpy.concatenate(self._lines(h, drawn))
         z = z[numpy.isfinite(z) & (abs(z - self.pole) < max(w.ROOM_MM, self.ink.reach_mm))]
         rim = w.MARGIN_MM * (1 + 1j)
         return Box(complex(z.real.min(), z.imag.min()) - rim, complex(z.real.max(), z.imag.max()) + rim)

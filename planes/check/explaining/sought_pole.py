@@ -52,10 +52,8 @@ def _laid_from(plan: PlanLines, ink: SheetInk, drawn: Complexes, poles: Complexe
     parts = numpy.array_split(poles[:, None], len(poles) // AT_ONCE + 1)
     shares = numpy.concatenate([ink.along(a + p, b + p, w.COARSE, 2) for p in parts])
     if plan.kind == "force":
-        half = len(a) // 2
-        ahead, back = shares[:, :half], shares[:, half:]
-        worth = (ahead * length[:half]).max(axis=1) + (back * length[half:]).max(axis=1)
-        return worth, numpy.minimum(ahead.max(axis=1), back.max(axis=1))
+        best, surest = (z.reshape(len(poles), 2, -1).max(axis=2) for z in (shares * length, shares))
+        return best.sum(axis=1), surest.min(axis=1)  # of the sides from the pole, and of those back to it
     value = length * (w.GAINED * shares - w.MISSING * (1 - shares))
     signs = ink.point(drawn[0] + poles[:, None]) if plan.kind == "position" else numpy.zeros((len(poles), 1))
     worth = value.sum(axis=1) + w.HEAD * signs.sum(axis=1)

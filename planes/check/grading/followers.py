@@ -51,7 +51,7 @@ def _moves(truth: Drawing, mark: str, others: Collection[str]) -> dict[str, Arra
             return {}
     shown = [m for m in others if all(m in made for made in columns)]
     rates = {m: [(made[m] - truth.things[m]) / MOVED_MM for made in columns] for m in shown}
-    moves = {m: numpy.array([[z.real for z in row], [z.imag for z in row]]) for m, row in rates.items()}
+    moves = {m: numpy.stack([numpy.real(row), numpy.imag(row)]) for m, row in rates.items()}
     return {m: jacobian for m, jacobian in moves.items() if numpy.isfinite(jacobian).all() and jacobian.any()}
 
 

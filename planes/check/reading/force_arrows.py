@@ -288,7 +288,8 @@ def _vague(seen: ForceArrows, rows: Rows, bench: PreparedPlan, paper: ReadPaper)
             return True
     if is_right(bench, paper):
         return False
-    back = _spots({n: s[::-1] for n, s in rows.items()}, paper.spots[0].error_mm)
+    error = next((s.error_mm for s in paper.spots), 0.0)
+    back = _spots({n: s[::-1] for n, s in rows.items()}, error)
     turned = not seen.headed and worth(bench, replace(paper, spots=back)) >= worth(bench, paper)
     return turned or not (seen.written & seen.own).any()
 

@@ -147,7 +147,7 @@ class _Reader:
         first = next((c for c in e.iter() if c.get("x")), e)
         m = m.transform(transform_of(first.get("transform") or "")) if first is not e else m
         pieces = [(c, c.text or "") for c in e.iter() if c.get("x") and (c.text or "").strip()]
-        if "".join("".join(t for _, t in pieces).split()) != text.replace(" ", ""):
+        if not pieces or "".join("".join(t for _, t in pieces).split()) != text.replace(" ", ""):
             pieces = [(first, text)]
         boxes = [_box(c, t, _size(looks_of(c, self.rules), looks)) for c, t in pieces]
         right, down = complex(m.xx, m.xy), complex(m.yx, m.yy)

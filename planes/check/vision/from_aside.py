@@ -80,8 +80,7 @@ def _fitted(lens: Lens, seen: Complexes, right: Complexes, free: float) -> Array
         off = _off(lens, seen, right, k)
         slopes = [(_off(lens, seen, right, k + d) - off) / 1e-5 for d in 1e-5 * numpy.eye(4)]
         weight = 1 / numpy.sqrt(HAND_MM**2 * (1 + (abs(off) / wide) ** 2 / 2))
-        rows = numpy.stack([numpy.concatenate([(s * weight).real, (s * weight).imag]) for s in slopes], axis=1)
-        left = numpy.concatenate([(off * weight).real, (off * weight).imag])
+        rows, left = numpy.stack([(s * weight).view(float) for s in slopes], axis=1), (off * weight).view(float)
         rows, left = numpy.vstack([rows, numpy.diag(1 / sigma)]), numpy.concatenate([left, k / sigma])
         k = k - numpy.linalg.lstsq(rows, left, rcond=None)[0]
     return k

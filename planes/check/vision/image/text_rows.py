@@ -66,9 +66,9 @@ def text_on(grey: Greys) -> LetterRows | None:
     way = _way(boxes)
     if way is None:
         return None
-    ink = numpy.flatnonzero(labels)
-    label = labels.ravel()[ink] - 1
-    z = (ink % labels.shape[1] + 1j * (ink // labels.shape[1])) * numpy.exp(-1j * way)
+    rows_of_ink, columns = numpy.nonzero(labels)
+    label = labels[rows_of_ink, columns] - 1
+    z = (columns + 1j * rows_of_ink) * numpy.exp(-1j * way)
     order = numpy.argsort(label, kind="stable")
     starts = numpy.searchsorted(label[order], numpy.arange(len(boxes)))
     s, t = z.real[order], z.imag[order]
@@ -183,9 +183,9 @@ def _edges(small: Greys, labels: Indices, new: Indices, way: float) -> tuple[Ind
     soft = cv2.GaussianBlur(small, (0, 0), 1.0)
     dx, dy = (cv2.Scharr(soft, cv2.CV_32F, *d) for d in ((1, 0), (0, 1)))
     wide = cv2.dilate(labels.astype(numpy.float32), None)
-    there = numpy.flatnonzero(wide)
-    letter_of_edge = new[wide.ravel()[there].astype(int) - 1]
-    gradient = dx.ravel()[there] + 1j * dy.ravel()[there]
+    there = wide > 0
+    letter_of_edge = new[wide[there].astype(int) - 1]
+    gradient = dx[there] + 1j * dy[there]
     upright = (numpy.angle(gradient * numpy.exp(-1j * way)) + math.pi / 2) % math.pi - math.pi / 2
     good: Booleans = (letter_of_edge >= 0) & (abs(upright) < STEEP)
     return letter_of_edge[good], upright[good] + way + math.pi / 2, abs(gradient[good]) ** 2
