@@ -26,7 +26,7 @@ def test_frames_are_the_positions_of_one_turn(tmp_path: Path) -> None:
     planes.animate(planes.load(FOUR_BAR), file, frames=4, seconds=2, lang="en")
     with Image.open(file) as film:
         assert film.n_frames == 4 and film.info["loop"] == 0  # type: ignore[attr-defined]
-        assert film.info["duration"] == 500 and film.size[0] == 900
+        assert film.info["duration"] == 500 and abs(film.size[0] - 900) <= 1
 
 
 def test_one_scale_for_all_frames_and_poles_at_rest() -> None:
