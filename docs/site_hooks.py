@@ -36,11 +36,11 @@ from pathlib import Path
 from typing import Any
 
 from planes.cli import main
-from planes.documents.schema import schema
+from planes.documents.schema import json_schema
 from planes.documents.studio import write_studio
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, load
-from render.sheet.single import name_of_view
+from render.sheet.single import plan_view_name
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
@@ -106,7 +106,7 @@ def gallery(folder: str) -> list[tuple[str, Path]]:
 
 def first_view(scene: Scene) -> str:
     """The view by which a scene is known: its scheme, or the first plan of stated vectors."""
-    return "position" if scene.mechanism else name_of_view(scene_plans(scene).drawn[0])
+    return "position" if scene.mechanism else plan_view_name(scene_plans(scene).drawn[0])
 
 
 def figure(caption: str, body: str, lang: str) -> str:
@@ -123,7 +123,7 @@ def shown(_: str, body: str, lang: str) -> str:
 
 def with_keys(text: str, lang: str) -> str:
     """A page with its tables of keys as the schema has them; they stand in the page, so that it is read anywhere."""
-    told = found(schema("scene", lang), schema("course", lang))
+    told = found(json_schema("scene", lang), json_schema("course", lang))
 
     def table(match: re.Match[str]) -> str:
         rows = [f"| `{key}` | {said} |" for name in match[1].split() for key, said in told[name].items()]

@@ -17,7 +17,7 @@ from functools import cache, partial
 from planes.check.grading.grading import grade
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare
-from planes.check.grading.readable import readable
+from planes.check.grading.readable import unreadable_reason
 from planes.scene import load
 from tests import sample_oracle
 from tests.helpers import ROOT, drawings, drawings_force
@@ -233,9 +233,9 @@ def try_one(
     paper = hand_in(easel, mistake, care, rng)
     graded = grade(bench(easel.sample, easel.plan, told), paper)
     assert graded is not None
-    judged, why = graded.judgement, readable(graded)
-    gap = graded.gap_wrong
-    out = graded.left_out
+    judged, why = graded.judgement, unreadable_reason(graded)
+    gap = graded.wrong_closing_error_mm
+    out = graded.missing_force
     blamed = judged.first_wrong or out or (graded.rebuilt.closing if gap and graded.rebuilt else None)
     name = judged.named.mistake if judged.named else ("not_closed" if gap and not judged.wrong else None)
     name = name or (("weight_missing" if out.startswith("G") else "force_missing") if out else None)

@@ -23,13 +23,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from planes.drafting.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, draw_program
 from planes.lesson.data import lesson_data
 from planes.lesson.dimensions import FreeNumbers
 from planes.plans import Plans
-from planes.plans.scales import fits_on, scales
+from planes.plans.scales import plan_scales, plan_sizes_on_format
 from planes.scene import load
-from planes.solving import plans_of
+from planes.solving import plans_for_requested_results
 from planes.words.errors import PlanFailure
 from planes.words.names import plan_of
 from tests.helpers import ROOT
@@ -85,15 +85,15 @@ class DrawnByEngine:
 
     def __init__(self, file: Path) -> None:
         scene = load(str(file))
-        self.plans: Plans = plans_of(scene, shown=True)[0]
+        self.plans: Plans = plans_for_requested_results(scene, shown=True)[0]
         drive = self.plans.mechanism.drive.position
-        mus = scales(self.plans, scene.mu, fit_mm=fits_on(scene.sheet, self.plans))
-        self.free = FreeNumbers(self.plans, {**self.plans.given, **self.plans.at(drive), **mus})
+        mus = plan_scales(self.plans, scene.mu, fit_mm=plan_sizes_on_format(scene.sheet, self.plans))
+        self.free = FreeNumbers(self.plans, {**self.plans.given, **self.plans.drive_givens_at(drive), **mus})
 
     def drawn(self, flat: Mapping[str, float]) -> Drawing | None:
         """The drawing with the numbers a page has, None where it fails."""
         try:
-            return run(self.plans.program, self.free.given_by(flat))
+            return draw_program(self.plans.program, self.free.givens_from_free(flat))
         except PlanFailure:
             return None
 

@@ -48,8 +48,8 @@ from planes.accuracy.digits import Digits
 from planes.batch import compiled
 from planes.batch.cycle import Cycle
 from planes.batch.error_bounds import Claims
-from planes.batch.tracing import given_values
-from planes.drafting.drawing import run
+from planes.batch.tracing import given_values_by_name
+from planes.drafting.drawing import draw_program
 from planes.plans import plans_of
 from planes.scene import load, loads
 from planes.solving import solve
@@ -85,7 +85,7 @@ def mechanism(seed: int, **how: Any) -> Cycle | None:
 
 def truth(c: Cycle, values: Any) -> list[Two]:
     """The columns in long numbers."""
-    return read_long(c, {**given_values(c.given), c.plans.drive_given: values}, values.shape)
+    return read_long(c, {**given_values_by_name(c.given), c.plans.drive_given_name: values}, values.shape)
 
 
 def errors(table: Any, true: list[Two]) -> Any:
@@ -164,10 +164,10 @@ def _claims_of(c: Cycle, seed: int, tally: Tally) -> None:
     if not good.any():
         return
     values, table = values[good], block.table[:, good]
-    true, claimed = truth(c, values), Claims(c).bounds(values)
+    true, claimed = truth(c, values), Claims(c).error_bounds_of_columns(values)
     error = errors(table, true)
     _count(c, seed, tally, (values, table, error, claimed))
-    if compiled.available() and seed % COMPILED == 0:
+    if compiled.is_compiler_available() and seed % COMPILED == 0:
         _compiled(c, seed, tally, (values, true, claimed))
     tally.close.update({KINDS[seed % 5]: len(values)} if len(near) else {})
     tally.count["close"] += len(values) if len(near) else 0
@@ -214,7 +214,9 @@ def beside_text(c: Cycle, values: Any) -> tuple[Any, Any]:
     """Errors against the text of a scene, and what is claimed of them, where the mechanism works."""
     (block,) = c.blocks(values, fast=False, chunk=len(values), bare=True)
     good = block.codes == 0
-    return errors(block.table[:, good], as_written.truth(c, values[good])), c.rough.bounds(values[good])
+    return errors(
+        block.table[:, good], as_written.truth(c, values[good])
+    ), c.decimal_error_claims.error_bounds_of_columns(values[good])
 
 
 def _count(c: Cycle, seed: int, tally: Tally, found: tuple[Any, Any, Any, Any]) -> None:
@@ -259,16 +261,16 @@ def _beside_digits(c: Cycle, value: float, true: list[Any], claimed: Any, count:
     """One position at 50 digits: how many long truths stray from it by more than a hundredth of the claim, and how many
     numbers drawn by themselves are further off than claimed."""
     try:
-        drawing = run(c.program, {**c.given, c.plans.drive_given: value}, Digits(50))
-        single = run(c.program, {**c.given, c.plans.drive_given: value})
+        drawing = draw_program(c.program, {**c.given, c.plans.drive_given_name: value}, Digits(50))
+        single = draw_program(c.program, {**c.given, c.plans.drive_given_name: value})
     except PlanesError:
         return
     ar = drawing.tool.ar
     mpf = ar.mp.mpf  # type: ignore[attr-defined]
     for column, (high, low), bound in zip(c.columns, true, claimed, strict=True):
-        exact = column.take(drawing.things, ar)
+        exact = column.read_from_drawing(drawing.things, ar)
         strays = float(abs(exact - mpf(float(high)) - mpf(float(low))))
-        wrong = float(abs(exact - mpf(float(column.take(single.things, single.tool.ar)))))
+        wrong = float(abs(exact - mpf(float(column.read_from_drawing(single.things, single.tool.ar)))))
         known = math.isfinite(strays) and math.isfinite(bound)
         count.update(sampled=known, strays=known and strays > bound / 100 + FINE * abs(high))
         count.update(single=known, single_wrong=known and wrong > bound)
@@ -286,7 +288,7 @@ def masks(positions: int, end: float, seed: int) -> bool:
         must = np.array([not x.beside for x in c.columns])
         drive = c.plans.mechanism.drive
         values = np.random.default_rng(seed).uniform(-1, 1, 20_000) * (720 if drive.kind == "phi" else 2)
-        ways = (False, True) if compiled.available() and seed % COMPILED == 0 else (False,)
+        ways = (False, True) if compiled.is_compiler_available() and seed % COMPILED == 0 else (False,)
         found = []
         for fast in ways:
             blocks = list(c.blocks(values, fast=fast))

@@ -25,11 +25,11 @@ import cv2
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from planes.check.blank import blank_pole, roomy
+from planes.check.blank import blank_pole, plan_fitting_blank
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import Known
-from planes.check.grading.polygons import sides_of
-from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
+from planes.check.grading.polygons import polygon_sides
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, mistake_variants, prepare
 from planes.check.grading.variants import Variant
 from planes.check.handed_in import read_paper
 from planes.check.outcome import check
@@ -40,7 +40,7 @@ from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic, Point
 from planes.scene import load
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, kind_of, label_of
+from planes.words.names import POLE_LABEL, label_of, plan_kind
 from render.files import pdf
 from tests.helpers import ROOT
 
@@ -71,8 +71,8 @@ class Nudging(Tool):
         super().__init__(Arithmetic())
         self.by, self.rng = by, rng
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
-        made = super().make(step, way, things)
+    def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Point:
+        made = super().draw_by_other_steps(step, way, things)
         if step.makes in self.by:
             made = made + self.by[step.makes]
             if self.rng:
@@ -102,11 +102,11 @@ def benches() -> list[PreparedPlan]:
     out = []
     for name in SCENES:
         scene = load(ROOT / "samples" / f"{name}.yaml")
-        for plan in prepare(Asked(scene, "velocity")).plans.drawn:
+        for plan in prepare(Asked(scene, "velocity")).plans.plan_names:
             if plan in ("lever", "motion"):
                 continue
-            bench = roomy(prepare(Asked(scene, plan)))
-            at = {POLE: 0j, **bench.true_marks}
+            bench = plan_fitting_blank(prepare(Asked(scene, plan)))
+            at = {POLE_LABEL: 0j, **bench.true_marks}
             ends = [at[n] for line in lines_of(bench) for n in line]
             if len(bench.marks) > 1 and max(abs(z - w) for z in ends for w in ends) > 25:
                 out.append(bench)
@@ -115,25 +115,25 @@ def benches() -> list[PreparedPlan]:
 
 def lines_of(bench: PreparedPlan) -> list[tuple[str, str]]:
     """What is drawn, by the ends; heads at the second ones, but of links."""
-    known, plan = {POLE, *(label_of(m) for m in bench.marks)}, bench.asked.plan
-    if kind_of(plan) == "position":
+    known, plan = {POLE_LABEL, *(label_of(m) for m in bench.marks)}, bench.asked.plan
+    if plan_kind(plan) == "position":
         out = []
         for link in bench.plans.mechanism.links.values():
             points = [n for n in link.points if n in known and n != link.centre]
             out += list(pairwise(points))
         return out
-    if kind_of(plan) == "force":
+    if plan_kind(plan) == "force":
         equations = [e for e in bench.plans.equations if e.plan == plan]
-        polygon = max(equations, key=lambda e: len(e.terms))
-        sides = [(t.start, t.end) if t.sign > 0 else (t.end, t.start) for t in polygon.terms]
-        return [s for s in sides if {*s} <= known] or [(s.start, s.end) for s in sides_of(bench.plans, plan)]
-    return [v for v in bench.vectors if {*v} <= known]
+        polygon = max(equations, key=lambda e: len(e.all_terms))
+        sides = [(t.start, t.end) if t.sign > 0 else (t.end, t.start) for t in polygon.all_terms]
+        return [s for s in sides if {*s} <= known] or [(s.start, s.end) for s in polygon_sides(bench.plans, plan)]
+    return [v for v in bench.vector_names if {*v} <= known]
 
 
 def spoiled(bench: PreparedPlan, kind: str, rng: random.Random) -> Spoilt | None:
     """A mistake of a kind that shows; None where none was hit upon."""
     true = places(bench, Spoilt(), None) or {}
-    fixed = bench.plans.mechanism.frame.points if kind_of(bench.asked.plan) == "position" else ()
+    fixed = bench.plans.mechanism.frame.points if plan_kind(bench.asked.plan) == "position" else ()
     free = [n for n, z in true.items() if n not in fixed and abs(z) > 8]
     before = {b: a for a, b in reversed(lines_of(bench))}
     for _ in range(30):
@@ -154,17 +154,17 @@ def _spoiled(
     before: dict[str, str],
 ) -> Spoilt | None:
     if kind == "catalogue":
-        variants = variants_of(bench, {}, bench.said_mu)
+        variants = mistake_variants(bench, {}, bench.said_mu)
         return Spoilt(kind, (), (), v) if variants and (v := rng.choice(variants)) else None
     if kind in ("mirrored", "scale"):
-        if kind_of(bench.asked.plan) == "position":
+        if plan_kind(bench.asked.plan) == "position":
             return None
         k = rng.choice((0.5, 0.7, 0.8, 1.25, 1.4)) if kind == "scale" else rng.choice((1, -1))
         return Spoilt(kind, (), (), None, (complex(k), kind == "mirrored"))
     marks = rng.sample(free, min(2 if kind == "two" else 1, len(free)))
     nudges = []
     for mark in marks:
-        v = true[mark] - true.get(before.get(mark, POLE), 0j)
+        v = true[mark] - true.get(before.get(mark, POLE_LABEL), 0j)
         v = v if abs(v) > 3 else 20 * cmath.rect(1, rng.uniform(0, 6.28))
         how = rng.choice(("length", "angle", "offset")) if kind == "two" else kind
         if how == "length":
@@ -183,7 +183,9 @@ class Sheet:
     """A blank that is drawn upon by Pillow."""
 
     def __init__(self, bench: PreparedPlan, rng: random.Random, fonts: Sequence[Path]) -> None:
-        marks, title = blank_marks(bench.asked if bench.asked.mu else bench.at(bench.said_mu, fixed=True).asked, "en")
+        marks, title = blank_marks(
+            bench.asked if bench.asked.mu else bench.at_scale(bench.said_mu, fixed=True).asked, "en"
+        )
         data = np.frombuffer(pdf.write_png(marks, SHEET_MM, title, dpi=PX * 25.4), np.uint8)
         grey = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
         size = round(SHEET_MM[0] * PX), round(SHEET_MM[1] * PX)
@@ -255,8 +257,8 @@ class Sheet:
 
 def sheet(bench: PreparedPlan, drawn: dict[str, complex], spoil: str, rng: random.Random, fonts: Sequence[Path]) -> Any:
     """The sheet, BGR."""
-    page, pole, at = Sheet(bench, rng, fonts), blank_pole(bench), {POLE: 0j, **drawn}
-    kind, width = kind_of(bench.asked.plan), SHEET_MM[0]
+    page, pole, at = Sheet(bench, rng, fonts), blank_pole(bench), {POLE_LABEL: 0j, **drawn}
+    kind, width = plan_kind(bench.asked.plan), SHEET_MM[0]
     if spoil in ("squared", "lined"):
         pen = ImageDraw.Draw(page.paper)
         step = 5 if spoil == "squared" else 8
@@ -384,7 +386,7 @@ def made(k: int, seed: str, folder: Path, fonts: Sequence[Path]) -> dict[str, An
             spoilt
             and drawn
             and all(abs(z) < 100 for z in drawn.values())
-            and _mm({POLE: 0j, **drawn}, bench) > SHOWN_MM
+            and _mm({POLE_LABEL: 0j, **drawn}, bench) > SHOWN_MM
         ):
             break
     spoil = rng.choice(SPOILS)
@@ -417,7 +419,7 @@ def main(words: list[str]) -> None:
         except PlanesError as error:
             verdict, first = f"unreadable {error}"[:10], None
         step = verdict == "wrong" and (first in row["marks"] or row["kind"] in ("mirrored", "scale"))
-        group = kind_of(row["plan"]) if kind_of(row["plan"]) in ("position", "force") else "motion"
+        group = plan_kind(row["plan"]) if plan_kind(row["plan"]) in ("position", "force") else "motion"
         truth = "right" if row["kind"] == "right" else "wrong"
         for name in (truth, f"{truth} {group}", f"{row['kind']}", f"{truth} {row['spoil']}"):
             table[name, verdict] += 1

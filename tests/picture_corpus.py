@@ -19,7 +19,7 @@ from pathlib import Path
 
 from planes.check.blank import blank_pole
 from planes.check.outcome import Outcome, check
-from planes.check.vision.photograph import paper_of_picture
+from planes.check.vision.photograph import read_picture
 from planes.words.names import label_of
 from tests import confusion
 from tests.confusion import Easel, easels, motion, possible, size
@@ -85,7 +85,7 @@ def looked_at(easel: Easel, file: Path) -> tuple[Outcome, float]:
     """What the checker finds, and how long it took."""
     start = time.perf_counter()
     b = confusion.bench(easel.sample, easel.plan)
-    found = check(b.asked, paper_of_picture(str(file), b))
+    found = check(b.asked, read_picture(str(file), b))
     return found, time.perf_counter() - start
 
 

@@ -27,15 +27,15 @@ from tempfile import TemporaryDirectory
 import shapely
 
 from planes.documents.sheets import sheet_of
-from planes.plans.measuring import lettering
+from planes.plans.measuring import scene_lettering
 from planes.scene import Scene, load
 from planes.solving import Position, solve
 from planes.words import Lang, say
 from planes.words.errors import PlanesError
 from planes.words.naming import Naming
 from render.paper.marks import Arrow, Line, Mark, Text
-from render.paper.typeset import plain
-from render.sheet import Sheet, stacking_of
+from render.paper.typeset import plain_text
+from render.sheet import Sheet, stacking_for_paper
 from render.views.moments import MomentLines
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts, described
@@ -145,13 +145,13 @@ def clashes(sheet: Sheet) -> list[str]:
 
 def off_the_module(sheet: Sheet) -> list[str]:
     """Views that do not begin at the edge of a unit of the sheet."""
-    module = stacking_of([], sheet.paper).module
-    units = [(v.key, (left - module.left(0)) / module.pitch) for v, left, _ in sheet.views]
+    module = stacking_for_paper([], sheet.paper).module
+    units = [(v.key, (left - module.left(0)) / module.unit_pitch) for v, left, _ in sheet.views]
     return [f"view {key} begins between units" for key, unit in units if abs(unit - round(unit)) > 1e-6]
 
 
 def _in_block(sheet: Sheet, text: Text) -> bool:
-    x0, y0, x1, y1 = sheet.paper.block
+    x0, y0, x1, y1 = sheet.paper.title_block
     return x0 <= text.place.real <= x1 and y0 <= text.place.imag <= y1
 
 
@@ -189,7 +189,7 @@ def crossings(marks: Sequence[Mark]) -> list[tuple[str, str]]:
 
 def _views_meet(sheet: Sheet) -> list[str]:
     boxes = [(v.key, (left, top - v.height, left + v.width, top)) for v, left, top in sheet.views]
-    boxes += [("form", box) for box in sheet.paper.taken]
+    boxes += [("form", box) for box in sheet.paper.occupied_areas]
     apart = lambda a, b: max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3])  # noqa: E731
     pairs = [(i, j) for (i, a), (j, b) in combinations(boxes, 2) if apart(a, b) < 1.0 and (i, j) != ("form", "form")]
     return [f"view {i} meets {j}" for i, j in pairs]
@@ -200,7 +200,7 @@ def _views_meet(sheet: Sheet) -> list[str]:
 
 def said(sheet: Sheet) -> set[str]:
     """Every name lettered on a sheet, those that share a label apart."""
-    texts = [plain(m.text) for m in sheet.marks if isinstance(m, Text)]
+    texts = [plain_text(m.text) for m in sheet.marks if isinstance(m, Text)]
     return {part for text in texts for part in (text, *re.split(r", | = |; ", text))}
 
 
@@ -209,7 +209,7 @@ def omissions(scene: Scene, values: list[float] | None, sheet: Sheet, job: Job) 
     if scene.mechanism is None:
         return []
     position = solve(scene, values, None, job.lang).positions[0]
-    naming = Naming(job.lang, **lettering(scene, position.plans))
+    naming = Naming(job.lang, **scene_lettering(scene, position.plans))
     there = said(sheet)
     parts = {None: (kinematics, forces), 1: (kinematics,), 2: (forces,)}[job.number]
     named = [pair for part in parts for pair in part(position, naming)]
@@ -226,30 +226,30 @@ def omissions(scene: Scene, values: list[float] | None, sheet: Sheet, job: Job) 
 def kinematics(p: Position, naming: Naming) -> Iterator[tuple[str, str]]:
     """What sheet 1 must name: points, links, marks of the plans, vectors found, senses."""
     for link in p.plans.mechanism.links.values():
-        yield f"link {link.name}", naming.link(link.name)
-        yield from ((f"point {x}", plain(naming.point(x))) for x in link.points)
+        yield f"link {link.name}", naming.link_number(link.name)
+        yield from ((f"point {x}", plain_text(naming.lettered_point(x))) for x in link.points)
     for plan in ("velocity", "acceleration"):
         found = p.results.get("plans", {}).get(plan, {"segments": {}})["segments"]
         longest = max((s["mm"] for s in found.values()), default=0.0)
         for vector, _, segment in p.measured_on(plan) if longest > 1e-6 else ():
             if segment["mm"] > STILL * longest:
-                yield f"{plan} {segment['name']}", plain(naming.vector(vector))
+                yield f"{plan} {segment['name']}", plain_text(naming.lettered_vector(vector))
 
 
 def forces(p: Position, naming: Naming) -> Iterator[tuple[str, str]]:
     """What sheet 2 must name: reactions, loads, inertia, moment equations, the balancing moment."""
     sizes = {n: abs(complex(*(r["force"] if isinstance(r, dict) else r))) for n, r in p.results["reactions"].items()}
     for name in sizes:
-        yield f"reaction {name}", plain(naming.vector(name))
+        yield f"reaction {name}", plain_text(naming.lettered_vector(name))
     for held in p.plans.acting.forces.values():
         for f in held:
             value = abs(float(p.drawing[f.size])) if f.size in p.drawing else 0.0
             if f.spot and value > STILL * max([1e-9, *sizes.values()]):
-                yield f"load {f.name}", plain(naming.vector(f.name))
+                yield f"load {f.name}", plain_text(naming.lettered_vector(f.name))
     for m in p.plans.moments:
         made = next((s for s in p.drawing.program.steps if s.makes == m.unknown), None)
-        if any(MomentLines(p, naming).value(t) for t in getattr(made, "terms", ())):
-            yield f"moments of {'–'.join(m.links)}", f"…ΣM{plain(naming.point(m.about))}"
+        if any(MomentLines(p, naming).product_value(t) for t in getattr(made, "terms", ())):
+            yield f"moments of {'–'.join(m.links)}", f"…ΣM{plain_text(naming.lettered_point(m.about))}"
 
 
 # how full a sheet is
@@ -259,13 +259,13 @@ def full(sheet: Sheet) -> float:
     """The share of the field under views and title block."""
     x0, y0, x1, y1 = sheet.paper.field
     boxes = [shapely.box(left, top - v.height, left + v.width, top) for v, left, top in sheet.views]
-    return float(shapely.union_all([*boxes, shapely.box(*sheet.paper.block)]).area / ((x1 - x0) * (y1 - y0)))
+    return float(shapely.union_all([*boxes, shapely.box(*sheet.paper.title_block)]).area / ((x1 - x0) * (y1 - y0)))
 
 
 def empty(sheet: Sheet) -> float:
     """The largest rectangle without any view, as a share of the field."""
     x0, y0, x1, y1 = sheet.paper.field
-    boxes = [(left, top - v.height, left + v.width, top) for v, left, top in sheet.views] + [sheet.paper.block]
+    boxes = [(left, top - v.height, left + v.width, top) for v, left, top in sheet.views] + [sheet.paper.title_block]
     xs = sorted({x0, x1, *(b[0] for b in boxes), *(b[2] for b in boxes)})
     best = 0.0
     for a, b in combinations(xs, 2):

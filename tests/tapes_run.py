@@ -21,7 +21,7 @@ from planes.lesson.data import lesson_data
 from planes.scene import load
 from planes.words.names import plan_of
 from render.page import packer
-from render.page.lesson_page import page
+from render.page.lesson_page import whole_lesson_page
 from tests.helpers import ROOT
 from tests.helpers.lessons import brought
 from tests.lessons_run import DrawnByEngine, numbers
@@ -54,7 +54,7 @@ def main(sets: int) -> int:
         for file in sorted(f for folder in FOLDERS for f in (ROOT / "samples" / folder).glob("*.yaml")):
             data = lesson_data(load(str(file)))
             drawn = [*by_engine(file, data, sets, random.Random(f"ten thousand {file.stem}"))]
-            text = json.dumps({"held": brought(page(data, "en")), "drawn": drawn})
+            text = json.dumps({"held": brought(whole_lesson_page(data, "en")), "drawn": drawn})
             Path(room, "drawn.json").write_text(text, encoding="utf-8")
             command = [node, "tapes_run.mjs", "drawn.json"]
             seen = json.loads(subprocess.run(command, cwd=room, check=True, capture_output=True, text=True).stdout)

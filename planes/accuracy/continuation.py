@@ -10,14 +10,16 @@ from planes.words.frozen import frozen
 
 Equations = Callable[[Array], Array]
 """For many points, one per column: the residual of every equation, one per row; NaN where it is undefined."""
-TINY = 1e-6  # step for numerical derivatives
-SETTLED = 1e-11  # largest last step of Newton's method
-NEWTON = 12  # steps, at most
-PLAIN = 1e-7  # derivatives closer to dependent than this give no direction: there may be solutions, but no single curve
-STRAIGHT = 0.97  # cosine of the largest turn in a step
-SHORTEST = 2.0**-12  # of the step: where a curve needs a shorter one, it ends
-LONGEST = 4000  # steps to one side
-ON = 0.12  # of the step: a place this close to a curve is on it
+DERIVATIVE_STEP = 1e-6  # step for numerical derivatives
+MOST_SETTLED_STEP = 1e-11  # largest last step of Newton's method
+MOST_NEWTON_STEPS = 12  # steps, at most
+LEAST_INDEPENDENCE_RATIO = (
+    1e-7  # derivatives closer to dependent than this give no direction: there may be solutions, but no single curve
+)
+LEAST_TURN_COSINE = 0.97  # cosine of the largest turn in a step
+SHORTEST_STEP_RATIO = 2.0**-12  # of the step: where a curve needs a shorter one, it ends
+MOST_STEPS_EACH_SIDE = 4000  # steps to one side
+ON_CURVE_STEP_RATIO = 0.12  # of the step: a place this close to a curve is on it
 
 
 @frozen
@@ -29,12 +31,12 @@ class Room:
     periods: Array
     step: float
 
-    def holds(self, place: Array) -> bool:
+    def contains_place(self, place: Array) -> bool:
         """Whether a place lies in the region."""
         ends = self.periods == 0
         return bool(np.all((place >= self.low)[ends]) and np.all((place <= self.high)[ends]))
 
-    def apart(self, one: Array, two: Array) -> Array:
+    def shortest_vector(self, one: Array, two: Array) -> Array:
         """The vector from one place to another, or to many, the shorter way round."""
         gap = two - one
         round_about = np.where(self.periods > 0, self.periods, 1.0)
@@ -49,77 +51,81 @@ class Curves:
     room: Room
     found: list[Array] = field(default_factory=list)
 
-    def add(self, near: Array, reach: float) -> None:
+    def add_curve_near(self, near: Array, reach: float) -> None:
         """Follow the curve near a place, at most ``reach`` away, if it is a new one."""
-        start = self.settled(near)
-        if start is None or np.linalg.norm(self.room.apart(near, start)) > reach or not self.room.holds(start):
+        start = self.settle_on_curve(near)
+        if (
+            start is None
+            or np.linalg.norm(self.room.shortest_vector(near, start)) > reach
+            or not self.room.contains_place(start)
+        ):
             return
-        if any(self._on(curve, start) for curve in self.found):
+        if any(self._is_on_curve(curve, start) for curve in self.found):
             return
-        way = self.way(start)
-        ahead = [start, *self._side(start, way)]
-        closed = len(ahead) > 3 and np.linalg.norm(self.room.apart(start, ahead[-1])) < 1e-9
-        behind = [] if closed else list(self._side(start, -way))
+        way = self.curve_direction(start)
+        ahead = [start, *self._places_on_one_side(start, way)]
+        closed = len(ahead) > 3 and np.linalg.norm(self.room.shortest_vector(start, ahead[-1])) < 1e-9
+        behind = [] if closed else list(self._places_on_one_side(start, -way))
         self.found.append(np.array([*behind[::-1], *ahead]))
 
-    def settled(self, near: Array) -> Array | None:
+    def settle_on_curve(self, near: Array) -> Array | None:
         """The place on a curve by Newton's steps, each of minimum length."""
         place = near
-        for _ in range(NEWTON):
-            left, slopes = self._slopes(place)
+        for _ in range(MOST_NEWTON_STEPS):
+            left, slopes = self._residuals_and_derivatives(place)
             if not (np.isfinite(left).all() and np.isfinite(slopes).all()):
                 return None
             step = np.linalg.lstsq(slopes, left, rcond=None)[0]
             place = place - step
-            if np.linalg.norm(step) < SETTLED:
+            if np.linalg.norm(step) < MOST_SETTLED_STEP:
                 sizes = np.linalg.svd(slopes, compute_uv=False)
-                return place if sizes[-1] > PLAIN * sizes[0] else None
+                return place if sizes[-1] > LEAST_INDEPENDENCE_RATIO * sizes[0] else None
         return None
 
-    def way(self, place: Array) -> Array:
+    def curve_direction(self, place: Array) -> Array:
         """The direction in which no equation changes."""
-        return np.asarray(np.linalg.svd(self._slopes(place)[1])[2][-1])
+        return np.asarray(np.linalg.svd(self._residuals_and_derivatives(place)[1])[2][-1])
 
-    def _slopes(self, place: Array) -> tuple[Array, Array]:
+    def _residuals_and_derivatives(self, place: Array) -> tuple[Array, Array]:
         """The residuals at a place, and their derivatives."""
-        by = TINY * np.eye(len(place))
+        by = DERIVATIVE_STEP * np.eye(len(place))
         left = self.equations(place[:, None] + np.hstack([np.zeros((len(place), 1)), by, -by]))
         ahead, behind = left[:, 1 : len(place) + 1], left[:, len(place) + 1 :]
-        return left[:, 0], (ahead - behind) / (2 * TINY)
+        return left[:, 0], (ahead - behind) / (2 * DERIVATIVE_STEP)
 
-    def _side(self, start: Array, way: Array) -> Iterator[Array]:
+    def _places_on_one_side(self, start: Array, way: Array) -> Iterator[Array]:
         """Places to one side: to the end of the region or of the curve, or back to the start."""
         place, step = start, self.room.step / 4
-        for gone in range(LONGEST):
-            while step > self.room.step * SHORTEST:
-                advance = self._next(place, way, step)
+        for gone in range(MOST_STEPS_EACH_SIDE):
+            while step > self.room.step * SHORTEST_STEP_RATIO:
+                advance = self._next_place_on_curve(place, way, step)
                 if advance:
                     break
                 step /= 2
             else:
                 return
-            back = self.room.apart(place, start)
+            back = self.room.shortest_vector(place, start)
             if gone > 2 and np.linalg.norm(back) < 1.5 * step and back @ way > 0:
                 yield place + back  # back at the start
                 return
             place, way = advance
             yield place
-            if not self.room.holds(place):
+            if not self.room.contains_place(place):
                 return
             step = min(2 * step, self.room.step)
 
-    def _next(self, place: Array, way: Array, step: float) -> tuple[Array, Array] | None:
+    def _next_place_on_curve(self, place: Array, way: Array, step: float) -> tuple[Array, Array] | None:
         """The next place and direction, if the curve turns little on the way."""
-        ahead = self.settled(place + step * way)
+        ahead = self.settle_on_curve(place + step * way)
         if ahead is None or abs(np.linalg.norm(ahead - place) / step - 1) > 0.1:
             return None
-        on = self.way(ahead)
+        on = self.curve_direction(ahead)
         on = on if on @ way > 0 else -on
-        return (ahead, on) if on @ way > STRAIGHT else None
+        return (ahead, on) if on @ way > LEAST_TURN_COSINE else None
 
-    def _on(self, curve: Array, place: Array) -> bool:
+    def _is_on_curve(self, curve: Array, place: Array) -> bool:
         """Whether a place is on a curve."""
-        one = self.room.apart(place, curve[:-1])
-        along = self.room.apart(curve[:-1], curve[1:])
+        one = self.room.shortest_vector(place, curve[:-1])
+        along = self.room.shortest_vector(curve[:-1], curve[1:])
         part = np.clip(-(one * along).sum(axis=1) / np.maximum((along * along).sum(axis=1), 1e-300), 0.0, 1.0)
-        return bool((np.linalg.norm(one + part[:, None] * along, axis=1) < ON * self.room.step).any())
+        return bool((np.linalg.norm(one + part[:, None] * along, axis=1) < ON_CURVE_STEP_RATIO * self.room.step).any())

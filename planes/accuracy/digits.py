@@ -22,7 +22,7 @@ class Long(Arithmetic):
         self.mp.dps = digits
         self.eps: Real = self.mp.mpf(10) ** -digits
 
-    def long(self, x: Point) -> Point:
+    def exact_in_long_digits(self, x: Point) -> Point:
         """A given number in this arithmetic, without loss of digits."""
         if isinstance(x, complex):
             return self.mp.mpc(x)
@@ -33,7 +33,7 @@ class Long(Arithmetic):
 
     def cis_deg(self, angle: Real) -> Point:
         """cos + i sin of an angle in degrees, exact at quarter turns."""
-        angle = self.long(angle)
+        angle = self.exact_in_long_digits(angle)
         quarter = int(self.mp.floor(angle / 90 + self.mp.mpf(1) / 2))
         rest = (angle - 90 * quarter) * self.mp.pi / 180
         return self.mp.mpc(self.mp.cos(rest), self.mp.sin(rest)) * (1, 1j, -1, -1j)[quarter % 4]
@@ -62,10 +62,10 @@ _arithmetic = lru_cache(maxsize=8)(Long)
 class _LongTool(Tool):
     """Draws with long numbers: givens are converted exactly."""
 
-    def given(self, value: Point) -> Point:
+    def given_in_tool_type(self, value: Point) -> Point:
         ar = self.ar
         assert isinstance(ar, Long)
-        return ar.long(value)
+        return ar.exact_in_long_digits(value)
 
 
 @frozen

@@ -14,21 +14,21 @@ import numpy as np
 from planes.accuracy.comparison import Comparison, OtherProgram, Work
 from planes.accuracy.digits import Digits
 from planes.batch import compiled
-from planes.drafting.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, draw_program
 from planes.drafting.instruments import Pencil
 from planes.geometry.arithmetic import Point
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.columns import Column
-from planes.plans.scales import FIT_MM, scales
-from planes.words import Lang, say, table
+from planes.plans.scales import PLAN_FIT_MM, plan_scales
+from planes.words import Lang, say, sentence_table
 from planes.words.errors import PlanFailure
 from planes.words.frozen import frozen
 from planes.words.names import plan_of
 
-MANY = 100_000
-SHEETS = {"A4": 0.5**0.5, "A3": 1.0, "A2": 2.0**0.5, "A1": 2.0, "A0": 2.0**1.5}
-RULERS = (0.5, 0.1)
+TIMED_POSITIONS = 100_000
+SCALE_FACTOR_BY_FORMAT = {"A4": 0.5**0.5, "A3": 1.0, "A2": 2.0**0.5, "A1": 2.0, "A0": 2.0**1.5}
+RULER_RESOLUTIONS_MM = (0.5, 0.1)
 
 
 @frozen
@@ -41,17 +41,17 @@ class Method:
     seconds: float
     error: float
 
-    def name(self, lang: Lang) -> str:
+    def name_in_language(self, lang: Lang) -> str:
         """The name of the method."""
-        return method_name(self.key, self.number, lang)
+        return method_in_words(self.key, self.number, lang)
 
 
-def method_name(key: str, number: str, lang: Lang) -> str:
+def method_in_words(key: str, number: str, lang: Lang) -> str:
     """A method in words; other programs have proper names."""
-    return say(key, lang, number=number) if key in table(lang) else key
+    return say(key, lang, number=number) if key in sentence_table(lang) else key
 
 
-def machine() -> tuple[str, int]:
+def processor_and_core_count() -> tuple[str, int]:
     """The processor that times are measured on, and the number of its cores."""
     name = platform.processor() or platform.machine()
     cpuinfo = Path("/proc/cpuinfo")
@@ -61,69 +61,81 @@ def machine() -> tuple[str, int]:
     return name, os.cpu_count() or 1
 
 
-def clock(work: Callable[[], object], times: int = 3) -> float:
+def fastest_run_seconds(work: Callable[[], object], times: int = 3) -> float:
     """Seconds of the fastest of several runs, without the first one (which compiles); CPU time, so that other processes
     do not matter."""
     work()
     return min(repeat(work, timer=process_time, repeat=times, number=1))
 
 
-def measure(plans: Plans, others: Sequence[OtherProgram] = ()) -> list[Method]:
+def measure_methods(plans: Plans, others: Sequence[OtherProgram] = ()) -> list[Method]:
     """All methods on one mechanism, with programs by ``others``. :class:`PlanFailure` where no position of it can be
     drawn."""
     bench = Comparison(plans)
-    values = bench.working
+    values = bench.working_positions
     if not len(values):
         raise PlanFailure("no_working")
-    truth = bench.truth(values)
-    long = np.resize(values, MANY)
+    truth = bench.true_columns(values)
+    long = np.resize(values, TIMED_POSITIONS)
     methods = []
 
     def add(key: str, number: str, work: Work, timed: Array, again: Callable[[Array], object] | None = None) -> None:
         error = float(np.nanmax(bench.error(work(values), truth)))
-        seconds = clock(lambda: (again or work)(timed)) / len(timed)
+        seconds = fastest_run_seconds(lambda: (again or work)(timed)) / len(timed)
         methods.append(Method(key, number, seconds, max(error, 2.0**-54)))
 
-    add("method_scalar", "", bench.scalar, values)
-    add("method_batch", "", lambda v: bench.many(v, False), long, lambda v: bench.through(v, False))
-    if compiled.available():
-        add("method_compiled", "", lambda v: bench.many(v, True), long, lambda v: bench.through(v, True))
-    add("method_single", "", bench.single, long)
+    add("method_scalar", "", bench.columns_one_by_one, values)
+    add(
+        "method_batch",
+        "",
+        lambda v: bench.columns_by_loop(v, False),
+        long,
+        lambda v: bench.count_blocks_by_loop(v, False),
+    )
+    if compiled.is_compiler_available():
+        add(
+            "method_compiled",
+            "",
+            lambda v: bench.columns_by_loop(v, True),
+            long,
+            lambda v: bench.count_blocks_by_loop(v, True),
+        )
+    add("method_single", "", bench.columns_in_single_precision, long)
     for digits in (30, 50):
-        add("method_digits", str(digits), partial(bench.scalar, instrument=Digits(digits)), values[:12])
-    add("method_differences", "", bench.differences, long)
-    add("method_newton", "", bench.newton, values)
+        add("method_digits", str(digits), partial(bench.columns_one_by_one, instrument=Digits(digits)), values[:12])
+    add("method_differences", "", bench.columns_by_differences, long)
+    add("method_newton", "", bench.columns_by_newton, values)
     for o in (o for o in others if o.can(plans)):
         add(o.name, "", partial(o.work, bench), long[: o.most], o.quickest(bench, values))
-    return methods + _pencils(bench, values, truth)
+    return methods + _pencil_methods(bench, values, truth)
 
 
-def _pencils(bench: Comparison, values: Array, truth: Array) -> list[Method]:
+def _pencil_methods(bench: Comparison, values: Array, truth: Array) -> list[Method]:
     """Pencils on sheets of every format, with a good ruler and a better one."""
     methods = []
-    for sheet, factor in SHEETS.items():
-        fit = {plan: size * factor for plan, size in FIT_MM.items()}
-        mus = scales(bench.plans, {}, {bench.plans.drive_given: float(values[len(values) // 2])}, fit)
-        for ruler in RULERS:
+    for sheet, factor in SCALE_FACTOR_BY_FORMAT.items():
+        fit = {plan: size * factor for plan, size in PLAN_FIT_MM.items()}
+        mus = plan_scales(bench.plans, {}, {bench.plans.drive_given_name: float(values[len(values) // 2])}, fit)
+        for ruler in RULER_RESOLUTIONS_MM:
             pencil = Pencil(ruler_mm=ruler)
-            given = {**bench.cycle.given, **mus, bench.plans.drive_given: values}
-            drawing = run(bench.cycle.program, given, pencil)
+            given = {**bench.cycle.given, **mus, bench.plans.drive_given_name: values}
+            drawing = draw_program(bench.cycle.program, given, pencil)
             with np.errstate(all="ignore"):
-                ruled = np.array([_ruled(c, drawing, mus, ruler) for c in bench.cycle.columns])
+                ruled = np.array([_column_by_ruler(c, drawing, mus, ruler) for c in bench.cycle.columns])
                 error = np.nanmax(bench.error(ruled, truth))
-            one = {**given, bench.plans.drive_given: float(values[0])}
-            seconds = clock(partial(_try, bench, one, pencil), 20)
+            one = {**given, bench.plans.drive_given_name: float(values[0])}
+            seconds = fastest_run_seconds(partial(_try_pencil_drawing, bench, one, pencil), 20)
             methods.append(Method("method_pencil", f"{sheet}, {ruler:g}", seconds, float(error)))
     return methods
 
 
-def _try(bench: Comparison, given: Mapping[str, Point], pencil: Pencil) -> None:
+def _try_pencil_drawing(bench: Comparison, given: Mapping[str, Point], pencil: Pencil) -> None:
     with suppress(PlanFailure):
-        run(bench.cycle.program, given, pencil)
+        draw_program(bench.cycle.program, given, pencil)
 
 
-def _ruled(column: Column, drawing: Drawing, mus: dict[str, float], ruler: float) -> Array:
+def _column_by_ruler(column: Column, drawing: Drawing, mus: dict[str, float], ruler: float) -> Array:
     """A column as read with the ruler."""
     mu = mus["mu_" + plan_of(column.start)]
-    size = np.broadcast_to(column.take(drawing.things, drawing.tool.ar), drawing.tool.shape) * mu
+    size = np.broadcast_to(column.read_from_drawing(drawing.things, drawing.tool.ar), drawing.tool.shape) * mu
     return np.round(size / ruler) * ruler / mu

@@ -9,19 +9,28 @@ import numpy as np
 
 from planes.accuracy.comparison import Comparison, OtherProgram, Work
 from planes.accuracy.digits import Digits
-from planes.accuracy.limits import Limit, MovedGiven, find, like
-from planes.accuracy.variation import alterable, altered, changed
+from planes.accuracy.limits import Limit, MovedGiven, find_nearest_limit, similar_limit_of_path
+from planes.accuracy.variation import alterable_given_names, names_of_changed_givens, plans_with_changed_given
 from planes.batch import compiled
 from planes.batch.error_bounds import Claims
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.words.frozen import frozen, replace
 
-DECADES, EACH, CROWD = 14, 2, 8  # points of a curve per decade, and positions, the worst of which gives the point
-BINS = range(1 * EACH, DECADES * EACH + 1)  # distances 0.1 … 1e-14
-BEGINS = frozenset(range(0, CROWD * len(BINS), len(BINS)))  # start of a path
-ASIDE, LONGER = 0.37, 0.007  # from one member of a crowd to the next: the held drive (degrees), or a length (relative)
-NEAR = 0.3  # largest difference between the limits of a crowd
+DISTANCE_DECADES, POINTS_PER_DECADE, POSITIONS_PER_POINT = (
+    14,
+    2,
+    8,
+)  # points of a curve per decade, and positions, the worst of which gives the point
+DISTANCE_BINS = range(1 * POINTS_PER_DECADE, DISTANCE_DECADES * POINTS_PER_DECADE + 1)  # distances 0.1 … 1e-14
+PATH_START_INDICES = frozenset(
+    range(0, POSITIONS_PER_POINT * len(DISTANCE_BINS), len(DISTANCE_BINS))
+)  # start of a path
+CROWD_DRIVE_STEP_DEG, CROWD_LENGTH_STEP_RATIO = (
+    0.37,
+    0.007,
+)  # from one member of a crowd to the next: the held drive (degrees), or a length (relative)
+MOST_CROWD_LIMIT_DIFFERENCE = 0.3  # largest difference between the limits of a crowd
 
 
 @frozen
@@ -39,81 +48,95 @@ class Approach:
     errors: dict[str, Array]
 
 
-def approach(plans: Plans, others: Sequence[OtherProgram] = ()) -> Approach | None:
+def approach_nearest_limit(plans: Plans, others: Sequence[OtherProgram] = ()) -> Approach | None:
     """The path to the limit nearest to the scene, with programs by ``others``; None where neither the drive nor any
     length or guide leads to one."""
-    limit = find(Comparison(plans))
-    return None if limit is None else _measured(limit, others, *_path(limit))
+    limit = find_nearest_limit(Comparison(plans))
+    return None if limit is None else _measure_approach(limit, others, *_paths_towards_limit(limit))
 
 
-def _path(limit: Limit) -> tuple[Comparison, Array, Array]:
+def _paths_towards_limit(limit: Limit) -> tuple[Comparison, Array, Array]:
     """A comparison, positions of its drive, and distances: one path after another, each from far to near."""
-    spots = [(x, 10.0 ** (-(b / EACH) + k / (EACH * CROWD))) for k, x in enumerate(_crowd(limit)) for b in BINS]
-    values = [float(x.value + x.side * step * x.unit) for x, step in spots]
+    spots = [
+        (x, 10.0 ** (-(b / POINTS_PER_DECADE) + k / (POINTS_PER_DECADE * POSITIONS_PER_POINT)))
+        for k, x in enumerate(_similar_limits(limit))
+        for b in DISTANCE_BINS
+    ]
+    values = [float(x.value + x.side * step * x.distance_unit_value) for x, step in spots]
     variants, drive, distances = [], [], []
     for (x, _), value in zip(spots, values, strict=True):
         way, plans = x.way, x.way.bench.plans
-        variants.append(plans if way.held is None else altered(plans, way.name, value))
+        variants.append(plans if way.held is None else plans_with_changed_given(plans, way.name, value))
         drive.append(value if way.held is None else way.held)
         moved = value if way.held is None else variants[-1].given[way.name]
-        distances.append(float(abs((moved - x.value) / x.unit)))
+        distances.append(float(abs((moved - x.value) / x.distance_unit_value)))
     plans = limit.way.bench.plans
-    names = dict.fromkeys(name for x in variants for name in changed(plans.given, x.given))
+    names = dict.fromkeys(name for x in variants for name in names_of_changed_givens(plans.given, x.given))
     known = {name: np.array([x.given[name] for x in variants]) for name in names}
-    return Comparison(plans, known, variants, BEGINS), np.array(drive), np.array(distances)
+    return Comparison(plans, known, variants, PATH_START_INDICES), np.array(drive), np.array(distances)
 
 
-def _crowd(limit: Limit) -> list[Limit]:
+def _similar_limits(limit: Limit) -> list[Limit]:
     """Limits of the same sort, as many as a crowd has positions: with the held drive, or a length, slightly changed.
 
     Their roundings differ, while positions close to one limit would all share the same.
     """
-    for ways in _beside(limit.way):
-        limits = [like(limit, way) for way in ways]
-        if all(x and abs((x.value - limit.value) / limit.unit) < NEAR for x in limits):
+    for ways in _neighbouring_ways(limit.way):
+        limits = [similar_limit_of_path(limit, way) for way in ways]
+        if all(
+            x and abs((x.value - limit.value) / limit.distance_unit_value) < MOST_CROWD_LIMIT_DIFFERENCE for x in limits
+        ):
             return [limit, *(x for x in limits if x)]
-    return [limit] * CROWD
+    return [limit] * POSITIONS_PER_POINT
 
 
-def _beside(way: MovedGiven) -> Iterator[Iterator[MovedGiven]]:
+def _neighbouring_ways(way: MovedGiven) -> Iterator[Iterator[MovedGiven]]:
     """Crowds of ways to try."""
     if way.held is not None:
         held = way.held
-        yield (replace(way, held=held + ASIDE * ((k + 1) // 2) * (-1) ** k) for k in range(1, CROWD))
+        yield (
+            replace(way, held=held + CROWD_DRIVE_STEP_DEG * ((k + 1) // 2) * (-1) ** k)
+            for k in range(1, POSITIONS_PER_POINT)
+        )
         return
     plans = way.bench.plans
-    for name in alterable(plans, (n for n in way.bench.cycle.program.givens if n in plans.lengths)):
-        longer = [plans.given[name] * (1 + LONGER * k) for k in range(1, CROWD)]
-        yield (MovedGiven(Comparison(altered(plans, name, length)), way.name) for length in longer)
+    for name in alterable_given_names(
+        plans, (n for n in way.bench.cycle.program.given_names if n in plans.link_lengths)
+    ):
+        longer = [plans.given[name] * (1 + CROWD_LENGTH_STEP_RATIO * k) for k in range(1, POSITIONS_PER_POINT)]
+        yield (MovedGiven(Comparison(plans_with_changed_given(plans, name, length)), way.name) for length in longer)
 
 
-def ways(bench: Comparison, others: Sequence[OtherProgram]) -> dict[str, Work]:
+def methods_to_try(bench: Comparison, others: Sequence[OtherProgram]) -> dict[str, Work]:
     """All methods to be tried, ours before others'."""
-    works: dict[str, Work] = {"method_scalar": bench.scalar, "method_batch": lambda v: bench.many(v, False)}
-    if compiled.available():
-        works["method_compiled"] = lambda v: bench.many(v, True)
-    works["method_digits"] = lambda v: bench.scalar(v, Digits(30))
-    works["method_single"] = bench.single
-    works["method_newton"] = bench.newton
-    works["method_differences"] = bench.differences
+    works: dict[str, Work] = {
+        "method_scalar": bench.columns_one_by_one,
+        "method_batch": lambda v: bench.columns_by_loop(v, False),
+    }
+    if compiled.is_compiler_available():
+        works["method_compiled"] = lambda v: bench.columns_by_loop(v, True)
+    works["method_digits"] = lambda v: bench.columns_one_by_one(v, Digits(30))
+    works["method_single"] = bench.columns_in_single_precision
+    works["method_newton"] = bench.columns_by_newton
+    works["method_differences"] = bench.columns_by_differences
     return works | {o.name: partial(o.work, bench) for o in others if o.can(bench.plans)}
 
 
-def _measured(
+def _measure_approach(
     limit: Limit, others: Sequence[OtherProgram], bench: Comparison, values: Array, distances: Array
 ) -> Approach:
-    drawings = list(bench.drawings(values, Digits(50)))
-    truth = bench.read(drawings)
+    drawings = list(bench.draw_positions(values, Digits(50)))
+    truth = bench.columns_of_drawings(drawings)
     works = np.isfinite(truth).all(axis=0) & (distances > 0)
     with np.errstate(all="ignore"):
-        tables = {key: work(values) for key, work in ways(bench, others).items()}
+        tables = {key: work(values) for key, work in methods_to_try(bench, others).items()}
         known = np.all([~np.isnan(table).all(axis=1) for table in tables.values()], axis=0)
-        size = _sizes(bench, np.where(works, truth, 0.0))[known]
-        claims = np.max(Claims(bench.cycle).bounds(values)[known] / size, axis=0)
+        size = _largest_magnitudes_of_crowd(bench, np.where(works, truth, 0.0))[known]
+        claims = np.max(Claims(bench.cycle).error_bounds_of_columns(values)[known] / size, axis=0)
         errors = {key: np.max(np.abs(table - truth)[known] / size, axis=0) for key, table in tables.items()}
         errors = {key: np.where(np.isfinite(row), row, math.nan) for key, row in errors.items()}
-    sharp = np.array([float(min(d.sharpness.values(), default=1.0)) if d else math.nan for d in drawings])
-    crowds = [k for k in np.arange(len(distances)).reshape(CROWD, -1).T if works[k].any()]
+    sharp = np.array([float(min(d.crossing_sharpness.values(), default=1.0)) if d else math.nan for d in drawings])
+    crowds = [k for k in np.arange(len(distances)).reshape(POSITIONS_PER_POINT, -1).T if works[k].any()]
 
     def worst(row: Array, by: Callable[[Array], Array] = np.max) -> Array:
         return np.array([by(row[k][works[k]]) for k in crowds])  # once refused is refused
@@ -122,7 +145,7 @@ def _measured(
     return Approach(limit, worst(distances, np.min), worst(sharp, np.min), worst(claims), told_errors)
 
 
-def _sizes(bench: Comparison, truth: Array) -> Array:
+def _largest_magnitudes_of_crowd(bench: Comparison, truth: Array) -> Array:
     """For each column and position the largest place, velocity or acceleration of its crowd."""
-    size = bench.sizes(truth).reshape(len(truth), CROWD, -1)
+    size = bench.largest_magnitudes(truth).reshape(len(truth), POSITIONS_PER_POINT, -1)
     return np.broadcast_to(size.max(axis=1, keepdims=True), size.shape).reshape(truth.shape)

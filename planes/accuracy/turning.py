@@ -7,7 +7,10 @@ from planes.geometry.arrays import Array, Indices
 from planes.plans import Plans
 from planes.words.frozen import frozen
 
-TIMES, WIDEST = 2.0, 6.0  # range of factors for the length, and where there is no turning
+LENGTH_RANGE_FACTOR, WIDEST_LENGTH_RANGE_FACTOR = (
+    2.0,
+    6.0,
+)  # range of factors for the length, and where there is no turning
 
 
 @frozen
@@ -35,25 +38,25 @@ class Turning:
     whole: bool
 
 
-def turning(plans: Plans, name: str, times: float = TIMES) -> Turning:
+def length_turning_curves(plans: Plans, name: str, times: float = LENGTH_RANGE_FACTOR) -> Turning:
     """The turning curves of a mechanism as the length ``name`` varies."""
-    return _of(LengthField(plans, name, times))
+    return _turning_from_field(LengthField(plans, name, times))
 
 
-def _of(field: LengthField) -> Turning:
-    places = [curve for step in field.steps for curve in field.curves(step)]
-    curves = [TurningCurve(field.value(at[:, 0]), field.length(at[:, 1])) for at in places]
-    here = field.plans.drive.position, field.plans.lengths[field.name]
-    values, lengths = field.value(field.across), field.length(field.up)
-    return Turning(field.name, here, tuple(curves), values, lengths, field.count, field.whole)
+def _turning_from_field(field: LengthField) -> Turning:
+    places = [curve for step in field.steps_with_several_solutions for curve in field.turning_curves_of_step(step)]
+    curves = [TurningCurve(field.drive_value(at[:, 0]), field.length_value(at[:, 1])) for at in places]
+    here = field.plans.drive.position, field.plans.link_lengths[field.name]
+    values, lengths = field.drive_value(field.across), field.length_value(field.up)
+    return Turning(field.name, here, tuple(curves), values, lengths, field.assembly_counts, field.is_complete)
 
 
-def turned(plans: Plans, names: list[str]) -> Turning | None:
+def turning_of_nearest_length(plans: Plans, names: list[str]) -> Turning | None:
     """The same for the length that needs the least change before a position appears or disappears; None where none does
     within ``WIDEST``."""
-    for times in (TIMES, WIDEST):
+    for times in (LENGTH_RANGE_FACTOR, WIDEST_LENGTH_RANGE_FACTOR):
         fields = [LengthField(plans, name, times) for name in names]
-        soonest = min(fields, key=lambda f: f.gone, default=None)
-        if soonest and soonest.gone < math.inf:
-            return _of(soonest)
+        soonest = min(fields, key=lambda f: f.distance_to_count_change, default=None)
+        if soonest and soonest.distance_to_count_change < math.inf:
+            return _turning_from_field(soonest)
     return None

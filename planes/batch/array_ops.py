@@ -4,11 +4,11 @@ from collections.abc import Callable, Iterable, Mapping
 
 import numpy as np
 
-from planes.batch.tape import Number, Op, Tape, reckoned
-from planes.geometry.arithmetic import gap
+from planes.batch.tape import Number, Op, Tape, compute_places
+from planes.geometry.arithmetic import squared_circle_gap
 from planes.geometry.arrays import Floats
 
-OPS: dict[str, Op] = {  # numpy functions that accept an output array, with three exceptions
+ARRAY_OPERATIONS: dict[str, Op] = {  # numpy functions that accept an output array, with three exceptions
     "add": np.add,
     "sub": np.subtract,
     "mul": np.multiply,
@@ -21,7 +21,7 @@ OPS: dict[str, Op] = {  # numpy functions that accept an output array, with thre
     "cos": np.cos,
     "atan2": np.arctan2,
     "floor": np.floor,
-    "gap": gap,
+    "gap": squared_circle_gap,
     "max": np.maximum,
     "min": np.minimum,
     "sel": np.where,
@@ -34,14 +34,14 @@ OPS: dict[str, Op] = {  # numpy functions that accept an output array, with thre
 }
 
 
-def read(
+def numbers_at_places(
     tape: Tape,
     order: Iterable[int],
     given: Mapping[str, Floats],
     real: Callable[[Floats], Number] = np.float64,
-    ops: Mapping[str, Op] = OPS,
+    ops: Mapping[str, Op] = ARRAY_OPERATIONS,
 ) -> dict[int, Number]:
     """The numbers at the places of ``order``, as :func:`planes.batch.tape.reckoned`; doubles unless another type is
     given."""
     with np.errstate(all="ignore"):
-        return reckoned(tape, order, given, lambda x: np.bool_(x) if isinstance(x, bool) else real(x), ops)
+        return compute_places(tape, order, given, lambda x: np.bool_(x) if isinstance(x, bool) else real(x), ops)

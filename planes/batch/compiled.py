@@ -14,20 +14,20 @@ from typing import Any
 import numpy as np
 
 from planes.batch import kept_code
-from planes.batch.llvm_ir import EXTRA, module, past_caches, row_of
+from planes.batch.llvm_ir import ROW_GAP_POSITIONS, llvm_module_text, module_storing_past_caches, positions_per_row
 from planes.batch.loops import Loop
 from planes.batch.tracing import Trace
 from planes.geometry.arrays import Array, Floats, Indices
 
-LINE = 64
+CACHE_LINE_BYTES = 64
 """Bytes of a cache line: numbers that straddle two lines are an eighth slower."""
-PIECE = 2**14
+POSITIONS_PER_CALL = 2**14
 """Number of positions of a table in one call, so that their codes stay in the cache."""
-CACHES = 2**25
+LEAST_BYTES_PAST_CACHES = 2**25
 """Bytes of a table that no cache holds: stores past the caches take half the time of others, a six-link's at 10⁶."""
 
 
-def available() -> bool:
+def is_compiler_available() -> bool:
     """Whether the compiler is installed."""
     return find_spec("llvmlite") is not None
 
@@ -40,20 +40,22 @@ class CompiledLoop(Loop):
         tape, outputs = trace.tape, list(trace.outputs)
         fixed = [p for p in self.still if tape.ops[p][0] != "const"]
         tested = (place for _, makes, place in trace.requires if makes)  # the others only ask for a closer look
-        rough = frozenset(self.moved).difference(tape.needed([*outputs, *tested]))
-        self.row = row_of(len(self.places) + len(outputs) + 1)
-        self.text = module(tape, self.moved, self.places, fixed, outputs, self.conditions, rough, self.row + EXTRA)
+        rough = frozenset(self.moved).difference(tape.places_needed([*outputs, *tested]))
+        self.row = positions_per_row(len(self.places) + len(outputs) + 1)
+        self.text = llvm_module_text(
+            tape, self.moved, self.places, fixed, outputs, self.conditions, rough, self.row + ROW_GAP_POSITIONS
+        )
         self.fixed = np.array([float(self.still[p]) for p in fixed] or [0.0])
 
     @cached_property
-    def run(self) -> Callable[..., int]:
+    def run_function(self) -> Callable[..., int]:
         """The machine code (``llvm_ir.module``)."""
-        return _compiled(self.text)
+        return _compiled_run_function(self.text)
 
     @cached_property
-    def run_past(self) -> Callable[..., int]:
+    def run_function_past_caches(self) -> Callable[..., int]:
         """The machine code that stores past the caches."""
-        return _compiled(self.text, past=True)
+        return _compiled_run_function(self.text, past=True)
 
     def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
         """One block of positions.
@@ -61,11 +63,11 @@ class CompiledLoop(Loop):
         This code runs for every block, so it is short: rows of inputs, outputs and codes share one piece of memory, and
         its address is taken the short way (``array.ctypes`` takes six times as long).
         """
-        inputs, count, wide = len(rows), len(rows[0]), self.row + EXTRA
+        inputs, count, wide = len(rows), len(rows[0]), self.row + ROW_GAP_POSITIONS
         made = 0 if out is not None else len(self.trace.outputs)
-        memory = np.empty((inputs + 1 + made) * wide + LINE // 8)
-        begin = _address(memory)
-        begin += (skip := -begin % LINE)
+        memory = np.empty((inputs + 1 + made) * wide + CACHE_LINE_BYTES // 8)
+        begin = _memory_address(memory)
+        begin += (skip := -begin % CACHE_LINE_BYTES)
         block = np.ndarray((inputs + 1 + made, wide), float, memory, skip)
         for k, values in enumerate(rows):
             block[k, :count] = values
@@ -73,39 +75,43 @@ class CompiledLoop(Loop):
         if out is None:
             out = block[inputs + 1 :, :count]
         else:
-            filled, wide = _address(out[0]), out.strides[0] >> 3
-        failed = self.run(begin, filled, codes, self._fixed, count, wide)
+            filled, wide = _memory_address(out[0]), out.strides[0] >> 3
+        failed = self.run_function(begin, filled, codes, self._fixed_rows_address, count, wide)
         return out, block[inputs, :count].view(np.int64).astype(np.int16) if failed else None
 
-    def fill(self, values: Array, out: Array) -> bool:
+    def fill_rows(self, values: Array, out: Array) -> bool:
         """All positions for a single input, each output straight into its row of ``out``; returns whether all of them
         hold. Other threads may run at the same time. A few positions are computed before the rest, so that no vector
         store straddles two cache lines: a quarter faster."""
-        begin, into, apart, count = _address(values), _address(out[0]), out.strides[0], len(values)
-        lined = into % 8 == apart % LINE == 0
-        skip = min(-into % LINE >> 3, count) if lined else 0
-        step, run = (1, self.run_past) if lined and apart * len(out) >= CACHES else (LINE, self.run)
-        codes = np.empty(min(PIECE, count), np.int64)
-        places = *range(0, skip, step), *range(skip, count, PIECE), count
+        begin, into, apart, count = _memory_address(values), _memory_address(out[0]), out.strides[0], len(values)
+        lined = into % 8 == apart % CACHE_LINE_BYTES == 0
+        skip = min(-into % CACHE_LINE_BYTES >> 3, count) if lined else 0
+        step, run = (
+            (1, self.run_function_past_caches)
+            if lined and apart * len(out) >= LEAST_BYTES_PAST_CACHES
+            else (CACHE_LINE_BYTES, self.run_function)
+        )
+        codes = np.empty(min(POSITIONS_PER_CALL, count), np.int64)
+        places = *range(0, skip, step), *range(skip, count, POSITIONS_PER_CALL), count
         return not any(
-            run(begin + 8 * a, into + 8 * a, _address(codes), self._fixed, b - a, apart >> 3)
+            run(begin + 8 * a, into + 8 * a, _memory_address(codes), self._fixed_rows_address, b - a, apart >> 3)
             for a, b in pairwise(places)
         )
 
     @cached_property
-    def _fixed(self) -> int:
-        return _address(self.fixed)
+    def _fixed_rows_address(self) -> int:
+        return _memory_address(self.fixed)
 
 
-def _address(array: Array | Indices) -> int:
+def _memory_address(array: Array | Indices) -> int:
     return ctypes.addressof(ctypes.c_char.from_buffer(array.data))
 
 
-_CALL = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 4, ctypes.c_int64, ctypes.c_int64)
+_RUN_FUNCTION_TYPE = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 4, ctypes.c_int64, ctypes.c_int64)
 
 
 @cache
-def _compiled(text: str, past: bool = False) -> Callable[..., int]:
+def _compiled_run_function(text: str, past: bool = False) -> Callable[..., int]:
     """The compiled loop, its stores ``past`` the caches or not; compiled once for each structure, compiler and
     processor."""
     import llvmlite.binding as llvm
@@ -118,16 +124,16 @@ def _compiled(text: str, past: bool = False) -> Callable[..., int]:
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
     identity = (text, str(past), processor, features, target.triple, ".".join(map(str, llvm.llvm_version_info)))
     name = sha256("\0".join(identity).encode()).hexdigest()
-    code = kept_code.kept(name)
+    code = kept_code.kept_object_file(name)
     if code is None:
-        kept_code.keep(name, code := _made(text, machine, past))
+        kept_code.keep_object_file(name, code := _make_object_file(text, machine, past))
     engine.add_object_file(llvm.ObjectFileRef.from_data(code))
     engine.finalize_object()
-    _ENGINES.append(engine)
-    return _CALL(engine.get_function_address("run"))
+    _LIVE_ENGINES.append(engine)
+    return _RUN_FUNCTION_TYPE(engine.get_function_address("run"))
 
 
-def _made(text: str, machine: Any, past: bool) -> bytes:
+def _make_object_file(text: str, machine: Any, past: bool) -> bytes:
     """The object file of a text."""
     import llvmlite.binding as llvm
 
@@ -137,8 +143,8 @@ def _made(text: str, machine: Any, past: bool) -> bytes:
     options.loop_vectorization = True
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(parsed, builder)
-    made: bytes = machine.emit_object(llvm.parse_assembly(past_caches(str(parsed))) if past else parsed)
+    made: bytes = machine.emit_object(llvm.parse_assembly(module_storing_past_caches(str(parsed))) if past else parsed)
     return made
 
 
-_ENGINES: list[object] = []  # kept alive while their code runs
+_LIVE_ENGINES: list[object] = []  # kept alive while their code runs

@@ -2,17 +2,19 @@
 
 from collections.abc import Iterable, Mapping
 
-from planes.batch.symbols import Num, number
+from planes.batch.symbols import Num, record_number
 from planes.batch.tape import Tape
 from planes.drafting.program import Program
 from planes.drafting.proofs import Facts, Proof
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
-from planes.geometry.plane import square
+from planes.geometry.plane import squared_length
 
-SUSPECTED = 1e-12  # relative to the largest value on a plan: a larger gap leads to a drawing, and each proof is checked
+SUSPECTED_GAP_RATIO = (
+    1e-12  # relative to the largest value on a plan: a larger gap leads to a drawing, and each proof is checked
+)
 
 
-def carried(tape: Tape, numbers: Iterable[Real]) -> set[int]:
+def places_carrying_nonfinite(tape: Tape, numbers: Iterable[Real]) -> set[int]:
     """The places of all operations that carry an infinity or NaN into one of these numbers."""
     carriers, stack = set[int](), [x.at for x in numbers if isinstance(x, Num)]
     while stack:
@@ -24,7 +26,7 @@ def carried(tape: Tape, numbers: Iterable[Real]) -> set[int]:
     return carriers
 
 
-def proved_together(
+def prove_plans_together(
     program: Program, things: Mapping[str, Point], ar: Arithmetic
 ) -> tuple[dict[str, Truth], list[Real]]:
     """Whether the proofs of every reason hold, those of a plan together and relative to all its marks, which is fast;
@@ -34,18 +36,18 @@ def proved_together(
         together.setdefault((proof.reason, proof.plan), []).append(proof)
     holds, shown, gaps = dict[str, Truth](), Facts(things, ar), list[Real]()
     for (reason, plan), proofs in together.items():
-        sizes = [shown.mark(step.makes) for step in program.marks.get(plan, ())]
-        size = sum(map(square, sizes or [size for proof in proofs for size in proof.sizes(shown)]))
-        gap = sum(square(z) for proof in proofs for z in proof.nothing(shown))
+        sizes = [shown.mark(step.makes) for step in program.mark_steps_by_plan.get(plan, ())]
+        size = sum(map(squared_length, sizes or [size for proof in proofs for size in proof.term_magnitudes(shown)]))
+        gap = sum(squared_length(z) for proof in proofs for z in proof.residuals(shown))
         gaps.append(gap)
-        holds[reason] = holds.get(reason, True) & (gap <= SUSPECTED**2 * size)
+        holds[reason] = holds.get(reason, True) & (gap <= SUSPECTED_GAP_RATIO**2 * size)
     return holds, gaps
 
 
-def finite(tape: Tape, numbers: list[Real]) -> Truth:
+def are_all_finite(tape: Tape, numbers: list[Real]) -> Truth:
     """Whether all are finite: zero times each is zero."""
     total: Real = 0.0
     for x in numbers:
         if isinstance(x, Num):
-            total = number(tape, "mul", x, 0.0) + total
+            total = record_number(tape, "mul", x, 0.0) + total
     return total == 0.0

@@ -16,30 +16,30 @@ from planes.batch import compiled as compiled_loop
 from planes.batch.error_bounds import Claims
 from planes.batch.loops import ArrayLoop, Loop
 from planes.batch.other_leads import OtherLeads
-from planes.batch.suspected import dependent, drawn
-from planes.batch.table import Block, Ready, Reason, columns_of, sides_of
-from planes.batch.tracing import UNCLEAR, Trace, given_values, trace
-from planes.drafting.clearness import far_apart
-from planes.drafting.drawing import run
+from planes.batch.suspected import columns_by_failing_step, draw_suspected_positions
+from planes.batch.table import Block, Ready, Reason, columns_of_quantities, force_ends_of_columns
+from planes.batch.tracing import UNCLEAR_REASON, Trace, given_values_by_name, trace_program
+from planes.drafting.clearness import has_wide_length_range
+from planes.drafting.drawing import draw_program
 from planes.drafting.link_proofs import Rigid, Slid
 from planes.drafting.program import Program
 from planes.geometry.arrays import Array, Floats, Indices
 from planes.plans import Plans
 from planes.plans.columns import Column
-from planes.plans.quantities import asked
-from planes.plans.scales import unit_scales
+from planes.plans.quantities import quantities_asked_for
+from planes.plans.scales import unit_scales_of_plans
 from planes.scene.ranges import Span
 from planes.words import Phrase
-from planes.words.errors import ProgramError, choices
+from planes.words.errors import ProgramError, list_valid_choices
 
-CHUNK = 4096
-PAYS = 400_000
+BLOCK_POSITIONS = 4096
+LEAST_POSITIONS_TO_COMPILE = 400_000
 """Number of positions from which a compiled loop pays: 350 000 to 420 000 for classes II, III and IV."""
 
 
-def pays(count: int) -> bool:
+def compiling_pays(count: int) -> bool:
     """Whether to compile a loop for so many positions; an existing one is always faster."""
-    return compiled_loop.available() and count >= PAYS
+    return compiled_loop.is_compiler_available() and count >= LEAST_POSITIONS_TO_COMPILE
 
 
 AnyLoop = TypeVar("AnyLoop", bound=Loop)
@@ -60,17 +60,17 @@ class Cycle(Ready):
         known: Mapping[str, Floats] | None = None,
         columns: Iterable[Column] | None = None,
     ) -> None:
-        quantities = None if names is None else asked(plans, names)
-        self.plans, self.columns = plans, columns_of(plans, quantities) if columns is None else list(columns)
-        self.program = plans.program.sliced([n for c in self.columns for n in c.needs])
-        self.mus, self.known = unit_scales(plans), frozenset(known or ())
+        quantities = None if names is None else quantities_asked_for(plans, names)
+        self.plans, self.columns = plans, columns_of_quantities(plans, quantities) if columns is None else list(columns)
+        self.program = plans.program.cut_to_names([n for c in self.columns for n in c.needed_names])
+        self.mus, self.known = unit_scales_of_plans(plans), frozenset(known or ())
         self.given = {**plans.given, **self.mus}
-        if self.known - {*self.mus, plans.drive_given, *plans.drive.rates}:
+        if self.known - {*self.mus, plans.drive_given_name, *plans.drive.rate_names}:
             # an overridden number is no fault of the links it belongs to
             proofs = tuple(p for p in self.program.proofs if not isinstance(p, Rigid | Slid))
             self.program = Program(self.program.steps, proofs)
         for name in self.known - {*self.given}:
-            raise ProgramError(Phrase("no_given", name=name, valid=choices(name, self.given)))
+            raise ProgramError(Phrase("no_given", name=name, valid=list_valid_choices(name, self.given)))
         self.given |= known or {}
         self.moved = {name: np.asarray(v) for name, v in (known or {}).items() if np.ndim(v)}
         self.folded = {mu: 1.0 for mu in self.mus if mu not in (known or {})}
@@ -80,106 +80,119 @@ class Cycle(Ready):
     def trace(self) -> Trace:
         """The program on a tape, drawn in SI, or at the given scales."""
         must = [not c.beside for c in self.columns]  # an arm ends where its force does
-        takes = [c.take for c in self.columns]
-        still = self.given.keys() - self.known - {self.plans.drive_given}
+        takes = [c.read_from_drawing for c in self.columns]
+        still = self.given.keys() - self.known - {self.plans.drive_given_name}
         units = {n: self.given[n] for n in still if np.isin(self.given[n], (0, 1, -1))}  # free once they are folded
-        return trace(self.program, self.given, takes, {**units, **self.folded}, must=must, forces=self.forces)
+        return trace_program(
+            self.program, self.given, takes, {**units, **self.folded}, must=must, forces=self.force_ends
+        )
 
     @cached_property
-    def forces(self) -> list[tuple[str, str]]:
+    def force_ends(self) -> list[tuple[str, str]]:
         """The ends of the forces among the columns, without those that are computed from zeros: no load reaches
         them."""
-        if not (sides := sides_of(self.columns)):
+        if not (sides := force_ends_of_columns(self.columns)):
             return []
         own = np.array([self.plans.drive.position])
-        things = run(self.program, {**self.given, **self.moving(own, slice(0, 1))}).things
+        things = draw_program(self.program, {**self.given, **self.changing_inputs(own, slice(0, 1))}).things
         if not (still := [s for s in sides if (things[s[0]] == things[s[1]]).all()]):
             return sides
-        exact = self.claims.bounds(own)[:, 0] == 0
+        exact = self.error_claims.error_bounds_of_columns(own)[:, 0] == 0
         rough = {(c.start, c.end) for c, sure in zip(self.columns, exact, strict=True) if not sure}
         return [s for s in sides if s not in still or s in rough]
 
     @cached_property
     def reasons(self) -> tuple[Reason, ...]:
         """The reasons for the codes: code k is reason k - 1."""
-        return tuple(Reason(r, makes) for r, makes, _ in self.trace.requires if r != UNCLEAR)
+        return tuple(Reason(r, makes) for r, makes, _ in self.trace.requires if r != UNCLEAR_REASON)
 
     @cached_property
-    def _undecided(self) -> list[int]:
+    def _proof_codes(self) -> list[int]:
         """The codes of proofs: a failure may be only rounding."""
         return [k for k, r in enumerate(self.reasons, 1) if r.key in self.trace.proofs]
 
     @cached_property
-    def _alone(self) -> bool:
+    def _only_drive_moves(self) -> bool:
         """Whether only the drive moves, and everything may move with it."""
         return not self.moved and not self.plans.laws
 
     @cached_property
-    def _dim(self) -> bool:
+    def _is_never_clear(self) -> bool:
         """Whether no position is clear of rounding."""
-        return far_apart(self.plans.given, self.plans.means)
+        return has_wide_length_range(self.plans.given, self.plans.means)
 
     @cached_property
-    def _dependent(self) -> dict[str, list[int]]:
-        return dependent(self, self.trace)
+    def _dependent_columns(self) -> dict[str, list[int]]:
+        return columns_by_failing_step(self, self.trace)
 
     @cached_property
-    def claims(self) -> Claims:
+    def error_claims(self) -> Claims:
         """The error bound of every number."""
         return Claims(self)
 
     @cached_property
-    def rough(self) -> Claims:
+    def decimal_error_claims(self) -> Claims:
         """The same for givens with the uncertainty of decimals."""
-        return Claims(self, {n: lost for n, lost in self.plans.lost.items() if n not in self.known})
+        return Claims(self, {n: lost for n, lost in self.plans.decimal_rounding_errors.items() if n not in self.known})
 
     @cached_property
-    def compiled(self) -> compiled_loop.CompiledLoop:
+    def compiled_loop_of_cycle(self) -> compiled_loop.CompiledLoop:
         """The compiled loop."""
-        return self._loop(compiled_loop.CompiledLoop)
+        return self._make_loop(compiled_loop.CompiledLoop)
 
     @cached_property
-    def arrays(self) -> ArrayLoop:
+    def array_loop(self) -> ArrayLoop:
         """The loop by arrays."""
-        return self._loop(ArrayLoop)
+        return self._make_loop(ArrayLoop)
 
-    def _loop(self, kind: type[AnyLoop]) -> AnyLoop:
-        return kind(self.trace, (self.plans.drive_given, *given_values(self.moved)), given_values(self.given))
+    def _make_loop(self, kind: type[AnyLoop]) -> AnyLoop:
+        return kind(
+            self.trace,
+            (self.plans.drive_given_name, *given_values_by_name(self.moved)),
+            given_values_by_name(self.given),
+        )
 
-    def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
+    def changing_inputs(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
         """The inputs that change, at the positions numbered ``at``: the drive with ``values``, and its companions."""
         beside = {name: v[at] for name, v in self.moved.items()}
-        return {**self.plans.at(values, self.program, self.known), **beside}
+        return {**self.plans.drive_givens_at(values, self.program, self.known), **beside}
 
     def blocks(
-        self, values: Places, chunk: int = CHUNK, fast: bool | None = None, bare: bool = False, out: Array | None = None
+        self,
+        values: Places,
+        chunk: int = BLOCK_POSITIONS,
+        fast: bool | None = None,
+        bare: bool = False,
+        out: Array | None = None,
     ) -> Iterator[Block]:
         """Blocks of at most ``chunk`` positions. ``fast`` says whether to compile; by default, where that pays.
 
         Numbers without a correct digit are NaN, unless the ``bare`` ones are requested.
         """
-        fast = self._pays(len(values)) if fast is None else fast
-        size = min(chunk, self.loop(fast).row)
+        fast = self._is_compiling_worthwhile(len(values)) if fast is None else fast
+        size = min(chunk, self.choose_loop(fast).row)
         for start in range(0, len(values), size):
             part = np.asarray(values[start : start + size], float)
             into = None if out is None else out[:, start : start + size]
-            yield self.block(part, slice(start, start + len(part)), fast, bare, into)
+            yield self.block_of_positions(part, slice(start, start + len(part)), fast, bare, into)
 
-    def _pays(self, count: int) -> bool:
-        return "compiled" in self.__dict__ or pays(count)
+    def _is_compiling_worthwhile(self, count: int) -> bool:
+        return "compiled" in self.__dict__ or compiling_pays(count)
 
-    def loop(self, fast: bool) -> Loop:
+    def choose_loop(self, fast: bool) -> Loop:
         """The loop, compiled or by arrays."""
-        return self.compiled if fast else self.arrays
+        return self.compiled_loop_of_cycle if fast else self.array_loop
 
-    def block(self, part: Array, at: Indices | slice, fast: bool, bare: bool, out: Array | None = None) -> Block:
+    def block_of_positions(
+        self, part: Array, at: Indices | slice, fast: bool, bare: bool, out: Array | None = None
+    ) -> Block:
         """The block of the positions numbered ``at``; where leads cross too bluntly, by plans with other leads."""
-        table, codes = self._run(self.loop(fast), part, at, out)
-        block = self._whole(part, table, codes)
-        if codes is None and not self._dim:
+        table, codes = self._run_loop(self.choose_loop(fast), part, at, out)
+        block = self._mask_failed_results(part, table, codes)
+        if codes is None and not self._is_never_clear:
             return block
         at = np.arange(at.start, at.stop) if isinstance(at, slice) else at
-        self.others.draw(block := self._looked_at(block, at, bare), at, fast, bare)
+        self.others.fill_block_by_other_cycles(block := self._mask_doubtful_numbers(block, at, bare), at, fast, bare)
         return block
 
     def table(
@@ -187,20 +200,23 @@ class Cycle(Ready):
     ) -> tuple[Array, Indices]:
         """A row of all values for each column (in ``out``, where given), and the codes. ``fast`` and ``bare`` are those
         of :meth:`blocks`. Several ``threads`` share the positions: machine code runs in parallel."""
-        fast, values = self._pays(len(values)) if fast is None else fast, np.ascontiguousarray(values, float)
+        fast, values = (
+            self._is_compiling_worthwhile(len(values)) if fast is None else fast,
+            np.ascontiguousarray(values, float),
+        )
         out = np.empty((len(self.columns), len(values))) if out is None else out
         codes = np.zeros(len(values), np.intp)
-        straight = fast and self._alone and not self._dim and out.strides[1] == values.itemsize
+        straight = fast and self._only_drive_moves and not self._is_never_clear and out.strides[1] == values.itemsize
 
         def fill(part: slice) -> None:
             some, rows, start = values[part], out[:, part], part.start
-            if straight and len(some) and self.compiled.fill(some, rows):
+            if straight and len(some) and self.compiled_loop_of_cycle.fill_rows(some, rows):
                 return
             for block in self.blocks(some, fast=fast, bare=bare, out=rows):
                 codes[start : start + len(block.codes)] = block.codes
                 start += len(block.codes)
 
-        if threads == 1 or not self._alone:
+        if threads == 1 or not self._only_drive_moves:
             fill(slice(0, None))
             return out, codes
         from concurrent.futures import ThreadPoolExecutor
@@ -213,46 +229,52 @@ class Cycle(Ready):
             list(rest)
         return out, codes
 
-    def _run(
+    def _run_loop(
         self, loop: Loop, part: Array, at: Indices | slice, out: Array | None = None
     ) -> tuple[Array, Indices | None]:
         """The table by a loop, and the codes (None: nothing failed); suspected positions are drawn."""
-        moving = {self.plans.drive_given: part} if self._alone else self.moving(part, at)
-        table, codes = loop([np.asarray(x) for x in map(given_values(moving).__getitem__, loop.inputs)], out)
-        if codes is None or not (suspect := np.isin(codes, self._undecided)).any():
+        moving = {self.plans.drive_given_name: part} if self._only_drive_moves else self.changing_inputs(part, at)
+        table, codes = loop([np.asarray(x) for x in map(given_values_by_name(moving).__getitem__, loop.inputs)], out)
+        if codes is None or not (suspect := np.isin(codes, self._proof_codes)).any():
             return table, codes
         some = {name: np.asarray(v)[suspect] for name, v in moving.items()}
-        table[:, suspect], drawn_codes = drawn(self, self.trace, self.forces, some, int(suspect.sum()))
+        table[:, suspect], drawn_codes = draw_suspected_positions(
+            self, self.trace, self.force_ends, some, int(suspect.sum())
+        )
         codes[suspect] = 0 if drawn_codes is None else drawn_codes
         return table, codes if codes.any() else None
 
-    def _whole(self, part: Array, table: Array, codes: Indices | None) -> Block:
+    def _mask_failed_results(self, part: Array, table: Array, codes: Indices | None) -> Block:
         """The block with NaN in all results that depend on a failure; and where it is not clear, that code."""
         if codes is None:
             return Block(part, table, np.zeros(len(part), np.int16))
         for code in np.unique(codes[(codes != 0) & (codes <= len(self.reasons))]):
-            table[np.ix_(self._dependent[self.reasons[code - 1].makes], codes == code)] = np.nan
+            table[np.ix_(self._dependent_columns[self.reasons[code - 1].makes], codes == code)] = np.nan
         return Block(part, table, codes)
 
-    def _looked_at(self, block: Block, at: Indices, bare: bool) -> Block:
+    def _mask_doubtful_numbers(self, block: Block, at: Indices, bare: bool) -> Block:
         """The block with NaN for numbers without a correct digit, where it is not clear."""
-        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & self._dim)
+        where = np.flatnonzero((block.codes == len(self.reasons) + 1) | (block.codes == 0) & self._is_never_clear)
         block.codes[where] = 0
         if len(where) and not bare:
-            bounds = self.claims.bounds(block.values[where], at[where])
+            bounds = self.error_claims.error_bounds_of_columns(block.values[where], at[where])
             table = block.table[:, where]
-            doubtful = self.claims.doubtful(table, bounds) | self.claims.faint(table, bounds)
+            doubtful = self.error_claims.doubtful_numbers(table, bounds) | self.error_claims.numbers_on_faint_forces(
+                table, bounds
+            )
             block.table[:, where] = np.where(doubtful, np.nan, table)
             block.codes[where[doubtful.any(axis=0)]] = self.reasons.index(Reason("no_digits", "")) + 1
         return block
 
-    def claimed(self, values: Array, at: Indices) -> Array:
+    def decimal_error_bounds(self, values: Array, at: Indices) -> Array:
         """± of every column for givens with the uncertainty of decimals."""
-        return self.others.claimed(self.rough.bounds(values, at), values, at)
+        return self.others.fill_claimed_bounds(
+            self.decimal_error_claims.error_bounds_of_columns(values, at), values, at
+        )
 
-    def codes(self, values: Array, at: Indices) -> Indices | None:
+    def failure_codes(self, values: Array, at: Indices) -> Indices | None:
         """The reason for which each position fails, by arrays; None: none does."""
-        return self._run(self.arrays, values, at)[1]
+        return self._run_loop(self.array_loop, values, at)[1]
 
 
 __all__ = ["Block", "Column", "Cycle", "Reason"]

@@ -11,24 +11,32 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from planes.batch.array_ops import read
-from planes.batch.rounding import BLIND, LARGEST, USUAL, bent, rounding, unit_parts, whole_numbers
-from planes.batch.slopes import STIFF, Carrying, Parts, Values, times
-from planes.batch.table import Ready, sides_of
+from planes.batch.array_ops import numbers_at_places
+from planes.batch.rounding import (
+    LARGEST_ROUNDING_HALVES,
+    UNKNOWN_ERROR,
+    USUAL_ROUNDING_UNITS,
+    linearisation_remainder,
+    rounding_error_of,
+    unit_vector_parts,
+    whole_number_places,
+)
+from planes.batch.slopes import UNMOVED_OPERATIONS, Carrying, Parts, Values, slope_times_error
+from planes.batch.table import Ready, force_ends_of_columns
 from planes.batch.tape import Tape
-from planes.batch.tracing import Trace, given_values, trace
+from planes.batch.tracing import Trace, given_values_by_name, trace_program
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 from planes.plans.position.decimals import Lost
-from planes.words.names import given_of, is_scale
+from planes.words.names import given_name_of_number, is_scale
 
-SIGMAS = 6.0  # roundings add up statistically: one sum in five hundred million exceeds this
-SMALL = 0.01  # relative to the rounding: a loss this small needs no better bound
-NOTHING = 1e-9  # and one this small can be neglected
-ROUNDED = 1 + 1e-6  # for neglected losses, and for the rounding of the bound itself
-PIECE = 128  # positions per piece
-DOUBT = 1e-3  # of the largest number of its kind: a number with a larger error is no result
-LEFT_OUT = -1  # the place of the rounding errors of givens, before all places of a tape
-TURN = 60.0  # degrees: roughly a radian
+ROUNDING_SIGMAS = 6.0  # roundings add up statistically: one sum in five hundred million exceeds this
+SMALL_LOSS_RATIO = 0.01  # relative to the rounding: a loss this small needs no better bound
+NEGLIGIBLE_LOSS_RATIO = 1e-9  # and one this small can be neglected
+BOUND_ROUNDING_FACTOR = 1 + 1e-6  # for neglected losses, and for the rounding of the bound itself
+POSITIONS_PER_PIECE = 128  # positions per piece
+DOUBTFUL_ERROR_RATIO = 1e-3  # of the largest number of its kind: a number with a larger error is no result
+GIVEN_ERRORS_PLACE = -1  # the place of the rounding errors of givens, before all places of a tape
+ROUGH_RADIAN_DEG = 60.0  # degrees: roughly a radian
 
 
 class _Running:
@@ -43,24 +51,24 @@ class _Running:
         self.better: dict[int, Booleans] = {}
         self.unsure: dict[int, Array] = {}  # places of the motion tests
         if self.claims.written:  # the rounding error of a given is a single error, and is carried as one
-            self.carrying.carry(LEFT_OUT, (), (), own=True)
+            self.carrying.carry_errors_to(GIVEN_ERRORS_PLACE, (), (), own=True)
             self.lost[0], self.losing[0] = 1.0, True
 
     def __call__(self, wanted: frozenset[int]) -> dict[int, Array]:
         """Error bounds of the wanted places."""
         bounds = {}
-        for place, op, args in self.carrying.moving():
+        for place, op, args in self.carrying.moving_operations():
             if place in self.claims.written:
-                self._given(place)
+                self._add_error_of_given(place)
             elif place in self.claims.turns:
-                self.unsure[place] = self._turning(args)
-            elif op not in STIFF or op == "const":
-                self._err(place, op, args)
+                self.unsure[place] = self._error_bound_of_sense(args)
+            elif op not in UNMOVED_OPERATIONS or op == "const":
+                self._add_error_of_operation(place, op, args)
             if place in wanted:
-                bounds[place] = self._bound(place, slice(None))
+                bounds[place] = self._error_bound(place, slice(None))
         return bounds
 
-    def _given(self, place: int) -> None:
+    def _add_error_of_given(self, place: int) -> None:
         """The error of a given: the rounding error of its double, if known, and that of its computation."""
         x, k = self.found[place], self.carrying.made
         lost, off = self.claims.written[place]
@@ -69,48 +77,54 @@ class _Running:
             self.largest[k], self.usual[k] = beside, 1 / 3
         if own or lost:
             self.reach[place] = abs(lost) + beside + np.zeros(self.count)
-        self.carrying.carry(place, (LEFT_OUT,) if lost else (), (lost,) if lost else (), own)
+        self.carrying.carry_errors_to(place, (GIVEN_ERRORS_PLACE,) if lost else (), (lost,) if lost else (), own)
 
-    def _err(self, place: int, op: str, args: tuple[int, ...]) -> None:
-        slip = rounding(self.tape, place, self.found, self.claims.whole)
-        lost, parts = self._bent(place, op, args, slip)
+    def _add_error_of_operation(self, place: int, op: str, args: tuple[int, ...]) -> None:
+        slip = rounding_error_of(self.tape, place, self.found, self.claims.whole)
+        lost, parts = self._linearisation_loss_and_slopes(place, op, args, slip)
         none = ~np.isfinite(self.found[place])
         if op not in ("neg", "const") and np.any(none):
-            slip, lost = (np.where(none, x, 0.0 if y is None else y) for x, y in ((0.0, slip), (BLIND, lost)))
+            slip, lost = (np.where(none, x, 0.0 if y is None else y) for x, y in ((0.0, slip), (UNKNOWN_ERROR, lost)))
             parts = tuple(np.where(none, np.zeros_like(part), part) for part in parts)
-        moved = [np.abs(times(part, self.reach[a])) for a, part in zip(args, parts, strict=True) if a in self.reach]
+        moved = [
+            np.abs(slope_times_error(part, self.reach[a]))
+            for a, part in zip(args, parts, strict=True)
+            if a in self.reach
+        ]
         own = slip is not None or lost is not None
         if own:
             k = self.carrying.made
-            self.largest[k] = LARGEST.get(op, 1.0) * (0.0 if slip is None else slip)
-            self.usual[k] = (USUAL.get(op, 1.0) / LARGEST.get(op, 1.0)) ** 2 / 3
+            self.largest[k] = LARGEST_ROUNDING_HALVES.get(op, 1.0) * (0.0 if slip is None else slip)
+            self.usual[k] = (USUAL_ROUNDING_UNITS.get(op, 1.0) / LARGEST_ROUNDING_HALVES.get(op, 1.0)) ** 2 / 3
             moved.append(self.largest[k])
         if lost is not None:
             self.lost[k], self.losing[k] = lost, True
             moved.append(lost)
         if moved:
-            self.reach[place] = np.minimum(sum(moved), BLIND) + np.zeros(self.count)
-        self.carrying.carry(place, args, parts, own)
+            self.reach[place] = np.minimum(sum(moved), UNKNOWN_ERROR) + np.zeros(self.count)
+        self.carrying.carry_errors_to(place, args, parts, own)
 
-    def _bent(self, place: int, op: str, args: tuple[int, ...], slip: Floats | None) -> tuple[Array | None, Parts]:
+    def _linearisation_loss_and_slopes(
+        self, place: int, op: str, args: tuple[int, ...], slip: Floats | None
+    ) -> tuple[Array | None, Parts]:
         """The loss of the linearisation at a place, and its slopes; with better bounds where it matters."""
         z, given = self.found[place], tuple(self.found[a] for a in args)
         if args and args[0] in self.unsure:
-            return self.unsure[args[0]], bent(op, z, given, ())[1]
+            return self.unsure[args[0]], linearisation_remainder(op, z, given, ())[1]
         if place in self.claims.chosen:  # a direction of a zero vector that may not be quite zero
             length = self.claims.chosen[place]
             some = np.where((self.found[length] == 0) & (self.reach.get(length, 0.0) > 0), 2.0, 0.0)
-            return some, bent(op, z, given, ())[1]
-        lost, parts = bent(op, z, given, self._reaches(args))
+            return some, linearisation_remainder(op, z, given, ())[1]
+        lost, parts = linearisation_remainder(op, z, given, self._argument_reaches(args))
         if lost is None or not np.any(lost):
             return None, parts
         beside = 0.0 if slip is None else slip
-        doubtful = lost > SMALL * beside
-        if not np.any(lost > NOTHING * beside):
+        doubtful = lost > SMALL_LOSS_RATIO * beside
+        if not np.any(lost > NEGLIGIBLE_LOSS_RATIO * beside):
             return None, parts
         if np.any(doubtful):
-            self._look(args, np.broadcast_to(doubtful, (self.count,)))
-            lost, parts = bent(op, z, given, self._reaches(args))
+            self._find_better_bounds(args, np.broadcast_to(doubtful, (self.count,)))
+            lost, parts = linearisation_remainder(op, z, given, self._argument_reaches(args))
             assert lost is not None
         if place in self.claims.units:
             length = self.claims.units[place]
@@ -119,19 +133,19 @@ class _Running:
             lost, parts = np.where(blunt, 2.0, lost), tuple(np.where(blunt, 0.0, part) for part in parts)
         return lost, parts
 
-    def _reaches(self, args: tuple[int, ...]) -> tuple[Floats, ...]:
+    def _argument_reaches(self, args: tuple[int, ...]) -> tuple[Floats, ...]:
         return tuple(self.reach.get(a, 0.0) for a in args)
 
-    def _look(self, places: Iterable[int], where: Booleans) -> None:
+    def _find_better_bounds(self, places: Iterable[int], where: Booleans) -> None:
         """Find better bounds of places, at the positions that need them."""
         for place in set(places) & self.carrying.rows.keys():
             seen = self.better.setdefault(place, np.zeros(self.count, bool))
             new = np.flatnonzero(where & ~seen)
             if len(new):
                 seen[new] = True
-                self.reach[place][new] = np.fmin(self.reach[place][new], self._bound(place, new))
+                self.reach[place][new] = np.fmin(self.reach[place][new], self._error_bound(place, new))
 
-    def _bound(self, place: int, where: Indices | slice) -> Array:
+    def _error_bound(self, place: int, where: Indices | slice) -> Array:
         """The error bound of a place: every loss in the worst case, and the roundings statistically.
 
         The worst-case sum of the roundings is not a bound even where it is smaller: arrays and single positions divide
@@ -145,22 +159,22 @@ class _Running:
         lost = np.einsum("kp,kp->p", size[losing], self.lost[losing][:, where])
         size *= self.largest[: len(rows), where]
         size *= size
-        return np.asarray(SIGMAS * np.sqrt(self.usual[: len(rows)] @ size) + lost)
+        return np.asarray(ROUNDING_SIGMAS * np.sqrt(self.usual[: len(rows)] @ size) + lost)
 
-    def _turning(self, args: tuple[int, ...]) -> Array:
+    def _error_bound_of_sense(self, args: tuple[int, ...]) -> Array:
         """The error bound of a sense: an apparent standstill may be a motion, and a motion within its error has no
         certain sense. Only a link that cannot move at all is certainly at rest."""
-        self._look(args, np.ones(self.count, bool))
+        self._find_better_bounds(args, np.ones(self.count, bool))
         (still, least), (size, error) = ((np.abs(self.found[a]), self.reach.get(a, 0.0)) for a in args)
         sure = (size - error > still + least) | ((size == 0) & (error == 0))
         return np.where(sure, 0.0, 2.0)
 
 
-def _written(tape: Tape, order: list[int], lost: Mapping[str, Lost]) -> dict[int, tuple[float, float | None]]:
+def _written_givens(tape: Tape, order: list[int], lost: Mapping[str, Lost]) -> dict[int, tuple[float, float | None]]:
     """Places of the givens written in a scene, each with the rounding error of its double, and its uncertainty (None:
     that of a decimal); scales belong to the drawing alone."""
     names = {p: str(tape.values[p]) for p in order if tape.ops[p][0] == "given"}
-    known = {p: (n, lost.get(given_of(n), (0.0, None))) for p, n in names.items() if not is_scale(n)}
+    known = {p: (n, lost.get(given_name_of_number(n), (0.0, None))) for p, n in names.items() if not is_scale(n)}
     return {p: (one.imag if n.endswith(".y") else one.real, off) for p, (n, (one, off)) in known.items()}
 
 
@@ -168,22 +182,24 @@ class Margins:
     """± of every column, for any positions of the drive, computed piece by piece."""
 
     def __init__(self, cycle: Ready, drawn: Trace) -> None:
-        self.cycle, self.drawn, self.order = cycle, drawn, drawn.tape.needed(list(drawn.outputs))
+        self.cycle, self.drawn, self.order = cycle, drawn, drawn.tape.places_needed(list(drawn.outputs))
 
-    def bounds(self, values: Sequence[float] | Array, at: Indices | None = None) -> Array:
+    def error_bounds_of_columns(self, values: Sequence[float] | Array, at: Indices | None = None) -> Array:
         """A row for each column. The ``values`` of the drive are those of the positions numbered ``at`` (None: the
         first ones)."""
         values = np.asarray(values, float)
         at = np.arange(len(values)) if at is None else at
         pieces = [np.empty((len(self.cycle.columns), 0))]
-        for i in range(0, len(values), PIECE):
-            part = values[i : i + PIECE]
-            given = given_values({**self.cycle.given, **self.cycle.moving(part, at[i : i + PIECE])})
+        for i in range(0, len(values), POSITIONS_PER_PIECE):
+            part = values[i : i + POSITIONS_PER_PIECE]
+            given = given_values_by_name(
+                {**self.cycle.given, **self.cycle.changing_inputs(part, at[i : i + POSITIONS_PER_PIECE])}
+            )
             with np.errstate(all="ignore"):
-                pieces.append(self.margins(read(self.drawn.tape, self.order, given), len(part)))
+                pieces.append(self.piece_error_bounds(numbers_at_places(self.drawn.tape, self.order, given), len(part)))
         return np.hstack(pieces)
 
-    def margins(self, numbers: Values, count: int) -> Array:
+    def piece_error_bounds(self, numbers: Values, count: int) -> Array:
         """Those of a piece of ``count`` positions, with every number of the tape known."""
         raise NotImplementedError
 
@@ -197,36 +213,36 @@ class Claims(Margins):
     """
 
     def __init__(self, cycle: Ready, lost: Mapping[str, Lost] | None = None) -> None:
-        drawn = trace(cycle.program, cycle.given, [c.take for c in cycle.columns], cycle.folded)
+        drawn = trace_program(cycle.program, cycle.given, [c.read_from_drawing for c in cycle.columns], cycle.folded)
         super().__init__(cycle, drawn)
         tape, order = drawn.tape, self.order
-        self.written = {} if lost is None else _written(tape, order, lost)
-        self.whole, self.turns = whole_numbers(tape, order), frozenset(drawn.turns)
-        self.units, self.chosen = unit_parts(tape, order)
-        made = sum(tape.ops[p][0] not in STIFF or tape.ops[p][0] == "const" for p in order)
+        self.written = {} if lost is None else _written_givens(tape, order, lost)
+        self.whole, self.turns = whole_number_places(tape, order), frozenset(drawn.turns)
+        self.units, self.chosen = unit_vector_parts(tape, order)
+        made = sum(tape.ops[p][0] not in UNMOVED_OPERATIONS or tape.ops[p][0] == "const" for p in order)
         self.most = made + len(self.written) + 1
 
-    def margins(self, numbers: Values, count: int) -> Array:
+    def piece_error_bounds(self, numbers: Values, count: int) -> Array:
         outputs = self.drawn.outputs
         bounds = _Running(self, numbers, count)(frozenset(outputs))
-        bound = np.array([bounds[p] for p in outputs]).reshape(len(outputs), count) * ROUNDED
-        return np.where(bound < BLIND * 1e-50, bound, np.inf)
+        bound = np.array([bounds[p] for p in outputs]).reshape(len(outputs), count) * BOUND_ROUNDING_FACTOR
+        return np.where(bound < UNKNOWN_ERROR * 1e-50, bound, np.inf)
 
-    def doubtful(self, table: Array, bounds: Array) -> Booleans:
+    def doubtful_numbers(self, table: Array, bounds: Array) -> Booleans:
         """Which numbers have less than three correct digits, relative to the largest of their kind."""
-        kinds = np.array([c.kind for c in self.cycle.columns])
+        kinds = np.array([c.comparison_class for c in self.cycle.columns])
         sizes = np.abs(table) - bounds
         doubtful = np.zeros(table.shape, bool)
         for kind in set(kinds.tolist()):
             rows = kinds == kind
-            largest = np.fmax.reduce(sizes[rows], axis=0, initial=TURN if kind == "°" else 0.0)
-            doubtful[rows] = ~(bounds[rows] <= DOUBT * largest) & np.isfinite(table[rows])
+            largest = np.fmax.reduce(sizes[rows], axis=0, initial=ROUGH_RADIAN_DEG if kind == "°" else 0.0)
+            doubtful[rows] = ~(bounds[rows] <= DOUBTFUL_ERROR_RATIO * largest) & np.isfinite(table[rows])
         return doubtful
 
-    def faint(self, table: Array, bounds: Array) -> Booleans:
+    def numbers_on_faint_forces(self, table: Array, bounds: Array) -> Booleans:
         """Which numbers depend on a force without a correct digit."""
         eaten, faint = (np.abs(table) <= bounds) & (bounds > 0), np.zeros(table.shape, bool)
-        for side in sides_of(self.cycle.columns):
+        for side in force_ends_of_columns(self.cycle.columns):
             rows = [k for k, c in enumerate(self.cycle.columns) if (c.start, c.end) == side]
             faint[rows] = eaten[rows].all(axis=0)
         return faint

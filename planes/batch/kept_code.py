@@ -10,13 +10,13 @@ from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 
-from planes.scene.files import save
+from planes.scene.files import save_bytes
 
-MOST = 200  # files; a loop of a six-link is 40 kB
-_DIGEST = sha256().digest_size
+MOST_KEPT_FILES = 200  # files; a loop of a six-link is 40 kB
+_DIGEST_BYTES = sha256().digest_size
 
 
-def folder() -> Path | None:
+def code_folder() -> Path | None:
     """Where code is kept."""
     if setting := os.environ.get("PLANES_CACHE"):
         return None if setting == "off" else Path(setting)
@@ -25,25 +25,25 @@ def folder() -> Path | None:
     return Path(home).expanduser() / "planes" / "code"
 
 
-def kept(name: str) -> bytes | None:
+def kept_object_file(name: str) -> bytes | None:
     """The object file of a name, if it exists and is complete."""
-    where = folder()
+    where = code_folder()
     with suppress(OSError):
         if where:
             file = where / name
             data = file.read_bytes()
             os.utime(file)
-            code = data[_DIGEST:]
-            return code if sha256(code).digest() == data[:_DIGEST] else None
+            code = data[_DIGEST_BYTES:]
+            return code if sha256(code).digest() == data[:_DIGEST_BYTES] else None
     return None
 
 
-def keep(name: str, code: bytes) -> None:
+def keep_object_file(name: str, code: bytes) -> None:
     """Store an object file; those unused for longest are deleted."""
-    where = folder()
+    where = code_folder()
     with suppress(OSError):
         if where:
             where.mkdir(parents=True, exist_ok=True)
-            save(sha256(code).digest() + code, where / name)
-            for old in sorted(where.iterdir(), key=lambda f: f.stat().st_mtime)[:-MOST]:
+            save_bytes(sha256(code).digest() + code, where / name)
+            for old in sorted(where.iterdir(), key=lambda f: f.stat().st_mtime)[:-MOST_KEPT_FILES]:
                 old.unlink(missing_ok=True)

@@ -9,32 +9,32 @@ from functools import cache
 from pathlib import Path
 from string import Template
 
-from planes.batch.tape import TESTS, Tape
+from planes.batch.tape import TEST_OPERATIONS, Tape
 
-LONGEST = 2048
+LONGEST_ROW_POSITIONS = 2048
 """Largest number of positions in a block: a row of every input and output."""
-ROOM = 900_000
+MOST_ROWS_BYTES = 900_000
 """Bytes of all rows together: more than the cache holds is slow, and needs new memory from the system each time."""
-EXTRA = 8
+ROW_GAP_POSITIONS = 8
 """The distance between rows is no power of two, otherwise all rows would compete for the same few cache lines."""
 
 
-def row_of(count: int) -> int:
+def positions_per_row(count: int) -> int:
     """Number of positions in a block with so many rows."""
-    row = LONGEST
-    while row > LONGEST // 8 and 8 * count * (row + EXTRA) > ROOM:
+    row = LONGEST_ROW_POSITIONS
+    while row > LONGEST_ROW_POSITIONS // 8 and 8 * count * (row + ROW_GAP_POSITIONS) > MOST_ROWS_BYTES:
         row //= 2
     return row
 
 
-PAIRED = 500
+MOST_PAIRED_OPERATIONS = 500
 """Up to so many operations, positions are computed two vectors at a time, so that neither waits for a root of the
 other. With more, registers run short and compiling takes twice as long (a whole six-link: 66 ns and 0.33 s; by twos 71
 and 0.63)."""
 
-ALONE = ", !llvm.access.group !2"  # rows do not overlap
+NO_OVERLAP_METADATA = ", !llvm.access.group !2"  # rows do not overlap
 
-OPERATIONS = {
+LLVM_OPERATIONS = {
     "add": "fadd {fused} double {0}, {1}",
     "sub": "fsub {fused} double {0}, {1}",
     "mul": "fmul {fused} double {0}, {1}",
@@ -57,7 +57,7 @@ OPERATIONS = {
 """The operations of a tape; @k… are functions of loop.ll."""
 
 
-def literal(x: float) -> str:
+def llvm_number(x: float) -> str:
     """The bits of a number, as in LLVM's text."""
     return f"0x{struct.unpack('<Q', struct.pack('<d', x))[0]:016X}"
 
@@ -80,34 +80,34 @@ class LoopText:
     def __init__(self, tape: Tape, names: dict[int, str], rough: frozenset[int]) -> None:
         self.tape, self.names, self.rough, self.lines = tape, names, rough, Lines()
 
-    def name(self, place: int) -> str:
+    def value_name(self, place: int) -> str:
         """The name of a place in the loop, or the constant itself."""
         if place in self.names:
             return self.names[place]
         value = self.tape.values[place]
-        return str(value).lower() if isinstance(value, bool) else literal(value)
+        return str(value).lower() if isinstance(value, bool) else llvm_number(value)
 
-    def write(self, place: int) -> None:
+    def write_operation(self, place: int) -> None:
         """One operation."""
         op, args = self.tape.ops[place]
         if op in ("const", "given"):
             return
-        op = "same" if op == "eq" and self.tape.ops[args[0]][0] in TESTS else op
+        op = "same" if op == "eq" and self.tape.ops[args[0]][0] in TEST_OPERATIONS else op
         fused = "reassoc nsz contract" if place in self.rough else "nsz contract"
-        text = OPERATIONS[op].format(*map(self.name, args), op=op, fused=fused)
+        text = LLVM_OPERATIONS[op].format(*map(self.value_name, args), op=op, fused=fused)
         self.names[place] = self.lines(text)
 
-    def at(self, begin: str, kind: str = "double") -> str:
+    def address_in_row(self, begin: str, kind: str = "double") -> str:
         """The address of the position in a row."""
         return self.lines(f"getelementptr inbounds {kind}, ptr {begin}, i64 %i")
 
-    def store(self, name: str, begin: str, kind: str = "double") -> None:
+    def store_in_row(self, name: str, begin: str, kind: str = "double") -> None:
         """Store a number in its row."""
-        pointer = self.at(begin, kind)
-        self.lines.lines.append(f"  store {kind} {name}, ptr {pointer}, align 8{ALONE}")
+        pointer = self.address_in_row(begin, kind)
+        self.lines.lines.append(f"  store {kind} {name}, ptr {pointer}, align 8{NO_OVERLAP_METADATA}")
 
 
-def module(
+def llvm_module_text(
     tape: Tape,
     order: list[int],
     inputs: list[int],
@@ -125,32 +125,34 @@ def module(
     for k, place in enumerate(fixed):
         pointer = head(f"getelementptr inbounds double, ptr %fixed, i64 {k}")
         loaded = head(f"load double, ptr {pointer}, align 8")
-        names[place] = head(f"fcmp une double {loaded}, {literal(0.0)}") if tape.ops[place][0] in TESTS else loaded
-    begins = [_begin(head, "%rows", str(apart), k) for k in range(len(inputs))]
+        names[place] = (
+            head(f"fcmp une double {loaded}, {llvm_number(0.0)}") if tape.ops[place][0] in TEST_OPERATIONS else loaded
+        )
+    begins = [_row_begin(head, "%rows", str(apart), k) for k in range(len(inputs))]
     rows: dict[int, list[str]] = {}
     for k, place in enumerate(outputs):
-        rows.setdefault(place, []).append(_begin(head, "%out", "%stride", k))
+        rows.setdefault(place, []).append(_row_begin(head, "%out", "%stride", k))
     text = LoopText(tape, names, rough)
     for place, begin in zip(inputs, begins, strict=True):
-        text.names[place] = text.lines(f"load double, ptr {text.at(begin)}, align 8{ALONE}")
+        text.names[place] = text.lines(f"load double, ptr {text.address_in_row(begin)}, align 8{NO_OVERLAP_METADATA}")
     for place in order:
         if place not in text.names:
-            text.write(place)
+            text.write_operation(place)
         for begin in rows.pop(place, ()):
-            text.store(text.name(place), begin)
+            text.store_in_row(text.value_name(place), begin)
     for place, still in rows.items():
         for begin in still:
-            text.store(text.name(place), begin)
+            text.store_in_row(text.value_name(place), begin)
     code = "0"
     for k in range(len(codes), 0, -1):
-        code = text.lines(f"select i1 {text.name(codes[k - 1])}, i64 {code}, i64 {k}")
-    text.store(code, "%codes", "i64")
+        code = text.lines(f"select i1 {text.value_name(codes[k - 1])}, i64 {code}, i64 {k}")
+    text.store_in_row(code, "%codes", "i64")
     fixed_text, operations = ("\n".join(part.lines) for part in (head, text.lines))
-    vectors = 2 if len(order) <= PAIRED else 1
-    return _module().substitute(fixed=fixed_text, operations=operations, code=code, vectors=vectors)
+    vectors = 2 if len(order) <= MOST_PAIRED_OPERATIONS else 1
+    return _loop_template().substitute(fixed=fixed_text, operations=operations, code=code, vectors=vectors)
 
 
-def past_caches(optimised: str) -> str:
+def module_storing_past_caches(optimised: str) -> str:
     """A module, optimised, whose full vectors are stored to memory past the caches; its rows must begin on whole cache
     lines."""
     widest = max(map(int, re.findall(r"store <(\d+) x double>", optimised)), default=1)
@@ -158,10 +160,10 @@ def past_caches(optimised: str) -> str:
     return re.sub(stores, rf"\g<1>{8 * widest}, !nontemporal !{{i32 1}}", optimised)
 
 
-def _begin(t: Lines, base: str, stride: str, k: int) -> str:
+def _row_begin(t: Lines, base: str, stride: str, k: int) -> str:
     return t(f"getelementptr inbounds double, ptr {base}, i64 {t(f'mul nuw nsw i64 {stride}, {k}')}")
 
 
 @cache
-def _module() -> Template:
+def _loop_template() -> Template:
     return Template(Path(__file__).with_name("loop.ll").read_text("utf-8"))

@@ -7,13 +7,13 @@ from itertools import count
 
 import numpy as np
 
-from planes.batch.array_ops import OPS, read
-from planes.batch.tape import TESTS
+from planes.batch.array_ops import ARRAY_OPERATIONS, numbers_at_places
+from planes.batch.tape import TEST_OPERATIONS
 from planes.batch.tracing import Trace
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
 
-HELD = 2**22  # numbers in all arrays of a block together
+MOST_HELD_NUMBERS = 2**22  # numbers in all arrays of a block together
 
 
 class Loop:
@@ -23,16 +23,16 @@ class Loop:
     row: int
 
     def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
-        tape, places = trace.tape, trace.givens()
+        tape, places = trace.tape, trace.places_of_givens()
         self.trace, self.inputs = trace, tuple(name for name in moving if name in places)
         self.places = [places[name] for name in self.inputs]  # their places
         self.conditions = [place for _, _, place in trace.requires]
-        moved = tape.moved_by(frozenset(moving))
+        moved = tape.places_moved_by(frozenset(moving))
         still = frozenset(range(len(tape.ops))) - moved
-        order = tape.needed([*trace.outputs, *self.conditions], stop=still)
+        order = tape.places_needed([*trace.outputs, *self.conditions], stop=still)
         self.moved = [p for p in order if p in moved]
         fixed = [p for p in order if p in still]
-        numbers = read(tape, tape.needed(fixed), given)
+        numbers = numbers_at_places(tape, tape.places_needed(fixed), given)
         self.still = {p: numbers[p] for p in fixed}
 
     def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
@@ -46,11 +46,11 @@ class ArrayLoop(Loop):
 
     def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
         super().__init__(trace, moving, given)
-        self.shelf = self._shelved()
-        self.row = max(1, HELD // len({*self.shelf.values(), None}))
+        self.shelf = self._assign_result_arrays()
+        self.row = max(1, MOST_HELD_NUMBERS // len({*self.shelf.values(), None}))
         self.width, self.at, self.work = -1, dict[int, Real](), list[tuple[Callable[..., object], list[Real], Real]]()
 
-    def _shelved(self) -> dict[int, tuple[bool, int]]:
+    def _assign_result_arrays(self) -> dict[int, tuple[bool, int]]:
         """The array for the result at a place, by its type (boolean or number) and its index; those of numbers are used
         again."""
         ops, free, numbers = self.trace.tape.ops, list[int](), count()
@@ -58,22 +58,24 @@ class ArrayLoop(Loop):
         kept, shelves = {*self.trace.outputs, *self.conditions, *self.places}, dict[int, tuple[bool, int]]()
         for place in self.moved:
             op, args = ops[place]
-            shelves[place] = (True, place) if op in TESTS else (False, free.pop() if free else next(numbers))
+            shelves[place] = (True, place) if op in TEST_OPERATIONS else (False, free.pop() if free else next(numbers))
             done = (shelves[a] for a in {*args} - kept if last[a] == place and a in shelves)
             free += [number for test, number in done if not test]
         return shelves
 
-    def _ready(self, width: int) -> None:
+    def _prepare_arrays(self, width: int) -> None:
         """Arrays for so many positions, and the operations on them."""
         arrays = {key: np.empty(width, bool if key[0] else float) for key in set(self.shelf.values())}
         self.at = {**self.still, **{place: arrays[key] for place, key in self.shelf.items()}}
         listed = [(op, args, place) for place in self.moved for op, args in [self.trace.tape.ops[place]] if args]
-        self.work = [(INTO[op], [self.at[a] for a in args], self.at[place]) for op, args, place in listed]
+        self.work = [
+            (IN_PLACE_OPERATIONS[op], [self.at[a] for a in args], self.at[place]) for op, args, place in listed
+        ]
         self.width = width
 
     def __call__(self, rows: Sequence[Array], out: Array | None = None) -> tuple[Array, Indices | None]:
         if len(rows[0]) != self.width:
-            self._ready(len(rows[0]))
+            self._prepare_arrays(len(rows[0]))
         for place, row in zip(self.places, rows, strict=True):
             if place in self.shelf:
                 self.at[place][:] = row
@@ -83,9 +85,9 @@ class ArrayLoop(Loop):
         table = np.empty((len(self.trace.outputs), self.width)) if out is None else out
         for row, place in zip(table, self.trace.outputs, strict=True):
             row[:] = self.at[place]
-        return table, self._codes()
+        return table, self._failure_codes()
 
-    def _codes(self) -> Indices | None:
+    def _failure_codes(self) -> Indices | None:
         holds = [self.at[place] for place in self.conditions]
         holds_all = [bool(np.all(ok)) for ok in holds]
         if all(holds_all):
@@ -96,18 +98,18 @@ class ArrayLoop(Loop):
         return codes.astype(np.int16)
 
 
-def _root(a: Floats, out: Array) -> None:
+def _root_into(a: Floats, out: Array) -> None:
     np.sqrt(np.maximum(a, 0.0, out=out), out=out)
 
 
-def _chosen(ok: Booleans, a: Floats, b: Floats, out: Array) -> None:
+def _choose_into(ok: Booleans, a: Floats, b: Floats, out: Array) -> None:
     np.copyto(out, b)
     np.copyto(out, a, where=ok)
 
 
-INTO: dict[str, Callable[..., object]] = {
-    **OPS,
-    "sqrt": _root,
-    "sel": _chosen,
-    "gap": lambda *numbers, out: np.copyto(out, OPS["gap"](*numbers)),
+IN_PLACE_OPERATIONS: dict[str, Callable[..., object]] = {
+    **ARRAY_OPERATIONS,
+    "sqrt": _root_into,
+    "sel": _choose_into,
+    "gap": lambda *numbers, out: np.copyto(out, ARRAY_OPERATIONS["gap"](*numbers)),
 }

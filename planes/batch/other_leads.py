@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from planes.batch.table import columns_of
-from planes.drafting.steps.by_leads import LEAN
+from planes.batch.table import columns_of_quantities
+from planes.drafting.steps.by_leads import LEANING_LEADS_REASON
 from planes.geometry.arrays import Array, Indices
-from planes.plans.other_leads import with_others
+from planes.plans.other_leads import plans_by_next_leads
 
 Cycle = Any  # of planes.batch: a cycle knows what it passes on
 
@@ -22,45 +22,47 @@ class OtherLeads:
         self.known: dict[str, Cycle] = {}
 
     @cached_property
-    def codes(self) -> dict[int, str]:
+    def special_points_by_code(self) -> dict[int, str]:
         """The special points by the codes of positions where their leads are too nearly parallel."""
-        return {k: r.makes for k, r in enumerate(self.cycle.reasons, 1) if r.key == LEAN}
+        return {k: r.makes for k, r in enumerate(self.cycle.reasons, 1) if r.key == LEANING_LEADS_REASON}
 
-    def draw(self, block: Any, at: Indices, fast: bool, bare: bool) -> None:
+    def fill_block_by_other_cycles(self, block: Any, at: Indices, fast: bool, bare: bool) -> None:
         """Put the results of other cycles into a block of the positions numbered ``at``."""
-        for where, other in self._of(block.codes):
-            row = other.loop(fast).row
+        for where, other in self._positions_by_cycle(block.codes):
+            row = other.choose_loop(fast).row
             for some in np.split(where, range(row, len(where), row)):
-                drawn = other.block(block.values[some], at[some], fast, bare)
+                drawn = other.block_of_positions(block.values[some], at[some], fast, bare)
                 block.table[:, some] = drawn.table
-                block.codes[some] = [self._code(other, code) for code in drawn.codes.tolist()]
+                block.codes[some] = [self._local_code(other, code) for code in drawn.codes.tolist()]
 
-    def claimed(self, claimed: Array, values: Array, at: Indices) -> Array:
+    def fill_claimed_bounds(self, claimed: Array, values: Array, at: Indices) -> Array:
         """The ± of positions, with those of other cycles filled in."""
-        for where, other in self._of(self.cycle.codes(values, at) if self.codes else None):
+        for where, other in self._positions_by_cycle(
+            self.cycle.codes(values, at) if self.special_points_by_code else None
+        ):
             claimed[:, where] = other.claimed(values[where], at[where])
         return claimed
 
-    def _of(self, codes: Indices | None) -> Iterator[tuple[Indices, Cycle]]:
+    def _positions_by_cycle(self, codes: Indices | None) -> Iterator[tuple[Indices, Cycle]]:
         """The positions drawn by another cycle, each with that cycle."""
-        for code, special in self.codes.items() if codes is not None else ():
+        for code, special in self.special_points_by_code.items() if codes is not None else ():
             if (where := np.flatnonzero(codes == code)).size:
-                yield where, self._next(special)
+                yield where, self._cycle_with_next_leads(special)
 
-    def _next(self, special: str) -> Cycle:
+    def _cycle_with_next_leads(self, special: str) -> Cycle:
         """The cycle with the next two leads of a special point: one of three pairs crosses most sharply."""
         if special not in self.known:
             own = self.cycle
-            plans = with_others(own.plans, special)
-            columns = {c.name: c for c in columns_of(plans)}
+            plans = plans_by_next_leads(own.plans, special)
+            columns = {c.name: c for c in columns_of_quantities(plans)}
             asked = [columns[c.name] for c in own.columns]
             self.known[special] = type(own)(plans, known=own.overrides, columns=asked)
         return self.known[special]
 
-    def _code(self, other: Cycle, code: int) -> int:
+    def _local_code(self, other: Cycle, code: int) -> int:
         """The local number of another cycle's reason; an unknown reason counts as the special point's."""
         if not code:
             return 0
         said, own = other.reasons[code - 1], self.cycle.reasons
         same = [k for k, r in enumerate(own, 1) if r.key == said.key]
-        return next((k for k in same if own[k - 1] == said), (same or list(self.codes))[0])
+        return next((k for k in same if own[k - 1] == said), (same or list(self.special_points_by_code))[0])

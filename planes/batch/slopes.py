@@ -7,21 +7,21 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from planes.batch.tape import LEAVES, TESTS, Tape
+from planes.batch.tape import LEAF_OPERATIONS, TEST_OPERATIONS, Tape
 from planes.geometry.arrays import Array, Floats
 
 Values = Mapping[int, Array]
 Parts = Sequence[Floats]
-BOOL = np.dtype(bool)
-STIFF = TESTS | LEAVES | {"floor"}  # operations that do not move with their arguments
+BOOLEAN_TYPE = np.dtype(bool)
+UNMOVED_OPERATIONS = TEST_OPERATIONS | LEAF_OPERATIONS | {"floor"}  # operations that do not move with their arguments
 
 
-def _over(a: Floats, size: Array) -> Array:
+def _divide_or_zero(a: Floats, size: Array) -> Array:
     """a / size; zero where the size is zero."""
     return np.where(size > 0, a / np.where(size > 0, size, 1.0), 0.0)
 
 
-SLOPES: dict[str, Callable[..., Parts]] = {
+SLOPE_FUNCTIONS: dict[str, Callable[..., Parts]] = {
     "const": lambda z: (),
     "add": lambda z, a, b: (1.0, 1.0),
     "sub": lambda z, a, b: (1.0, -1.0),
@@ -29,11 +29,11 @@ SLOPES: dict[str, Callable[..., Parts]] = {
     "inv": lambda z, a: (-z * z,),
     "neg": lambda z, a: (-1.0,),
     "abs": lambda z, a: (np.sign(a),),
-    "sqrt": lambda z, a: (_over(0.5, z),),
-    "hypot": lambda z, a, b: (_over(a, z), _over(b, z)),
+    "sqrt": lambda z, a: (_divide_or_zero(0.5, z),),
+    "hypot": lambda z, a, b: (_divide_or_zero(a, z), _divide_or_zero(b, z)),
     "sin": lambda z, a: (np.cos(a),),
     "cos": lambda z, a: (-np.sin(a),),
-    "atan2": lambda z, a, b: (_over(b, a * a + b * b), _over(-a, a * a + b * b)),
+    "atan2": lambda z, a, b: (_divide_or_zero(b, a * a + b * b), _divide_or_zero(-a, a * a + b * b)),
     "max": lambda z, a, b: (a >= b, a < b),
     "min": lambda z, a, b: (a <= b, a > b),
     "sel": lambda z, t, a, b: (0.0, t, ~np.asarray(t)),
@@ -48,9 +48,9 @@ SLOPES: dict[str, Callable[..., Parts]] = {
 }
 
 
-def times(part: Floats, x: Array) -> Array:
+def slope_times_error(part: Floats, x: Array) -> Array:
     """A slope times the error it carries; a choice passes on the chosen argument, whatever the other is."""
-    return np.where(part, x, 0.0) if getattr(part, "dtype", None) is BOOL else part * x
+    return np.where(part, x, 0.0) if getattr(part, "dtype", None) is BOOLEAN_TYPE else part * x
 
 
 class Carrying:
@@ -62,7 +62,7 @@ class Carrying:
         self.made = 0
         self._last = {a: p for p in order for a in tape.ops[p][1]}
 
-    def moving(self) -> Iterator[tuple[int, str, tuple[int, ...]]]:
+    def moving_operations(self) -> Iterator[tuple[int, str, tuple[int, ...]]]:
         """The places in order, each with its operation; places no longer needed are dropped on the way."""
         for place in self.order:
             op, args = self.tape.ops[place]
@@ -71,7 +71,7 @@ class Carrying:
                 if self._last.get(arg) == place:
                     self.rows.pop(arg, None)
 
-    def carry(self, place: int, args: tuple[int, ...], parts: Parts, own: bool) -> None:
+    def carry_errors_to(self, place: int, args: tuple[int, ...], parts: Parts, own: bool) -> None:
         """Give a place its rows: those of its arguments times their slopes, and one of its ``own`` error."""
         given = [(self.rows[a], part) for a, part in zip(args, parts, strict=True) if a in self.rows]
         given.sort(key=lambda pair: -len(pair[0]))
@@ -81,9 +81,9 @@ class Carrying:
         rows = np.empty((self.made + 1 if own else longest, self.count))
         if given:
             first, part = given[0]
-            rows[:longest] = times(part, first)
+            rows[:longest] = slope_times_error(part, first)
         for more, part in given[1:]:
-            rows[: len(more)] += times(part, more)
+            rows[: len(more)] += slope_times_error(part, more)
         if own:
             rows[longest:-1], rows[-1] = 0.0, 1.0
             self.made += 1

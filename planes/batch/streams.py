@@ -12,11 +12,11 @@ import numpy as np
 
 from planes.batch.cycle import Block, Reason
 from planes.geometry.arrays import Array
-from planes.scene.files import sayable, whole
+from planes.scene.files import draft_replacing_file, writing_errors_in_words
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
-GROUP = 65_536  # rows of one group of Parquet
+ROWS_PER_PARQUET_GROUP = 65_536  # rows of one group of Parquet
 
 
 class TableHead:
@@ -32,15 +32,15 @@ class BlockWriter:
 
     file: IO[Any]
 
-    def write(self, block: Block) -> None:
+    def write_block(self, block: Block) -> None:
         """The next positions."""
         raise NotImplementedError
 
-    def end(self) -> None:
+    def finish_file(self) -> None:
         """Finish the file, or raise the error now."""
         self.file.flush()
 
-    def close(self) -> None:
+    def close_file(self) -> None:
         """Close the file."""
         self.file.close()
 
@@ -53,15 +53,15 @@ class Csv(BlockWriter):
         titles = [*(f"{name} [{unit}]" for name, unit in heading.columns), "failed"]
         self.file.write((",".join(titles) + "\n").encode())
 
-    def write(self, block: Block) -> None:
+    def write_block(self, block: Block) -> None:
         """One line for each position."""
-        lines = _lines(np.vstack([block.values, block.table]).T)
+        lines = _csv_lines(np.vstack([block.values, block.table]).T)
         starts = [0, *(np.flatnonzero(np.diff(block.codes)) + 1).tolist(), len(lines)]
         for start, end in pairwise(starts):
             self.file.write(self.reasons[block.codes[start]].join([*lines[start:end], b""]))
 
 
-def _lines(rows: Array) -> list[bytes]:
+def _csv_lines(rows: Array) -> list[bytes]:
     """The numbers of each row, separated by commas: fifteen times as fast by orjson (the extra ``fast``) as by
     Python."""
     try:
@@ -81,7 +81,7 @@ class Npy(BlockWriter):
         self.file = path.open("rb+")  # not through the memory map: a full disk would kill the program without a message
         self.file.seek(start)
 
-    def write(self, block: Block) -> None:
+    def write_block(self, block: Block) -> None:
         """The next records."""
         part = np.empty(len(block.values), self.kinds)
         for name, row in zip(self.kinds.names or (), [block.values, *block.table, block.codes], strict=True):
@@ -96,28 +96,28 @@ class Npz(BlockWriter):
         self.path, self.heading, self.count, self.at = path, heading, count, 0
         self.file = TemporaryFile(dir=path.parent)  # noqa: SIM115  # columns in turn; it has no name to be left
 
-    def write(self, block: Block) -> None:
+    def write_block(self, block: Block) -> None:
         """The next piece of every column."""
         for number, row in enumerate([block.values, *block.table, block.codes]):
             self.file.seek(8 * (number * self.count + self.at))
-            self.file.write(np.asarray(row, self._kind(number)).tobytes())
+            self.file.write(np.asarray(row, self._number_type(number)).tobytes())
         self.at += len(block.values)
 
-    def _kind(self, number: int) -> str:
+    def _number_type(self, number: int) -> str:
         return "<f8" if number < len(self.heading.columns) else "<i2"
 
-    def end(self) -> None:
+    def finish_file(self) -> None:
         """Finish the archive of whole columns."""
         with zipfile.ZipFile(self.path, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
             for number, name in enumerate([*(n for n, _ in self.heading.columns), "failed"]):
                 with archive.open(f"{name}.npy", "w", force_zip64=True) as file:
-                    self._column(file, number)
+                    self._write_column(file, number)
             for name, words in (("units", [u for _, u in self.heading.columns]), ("reasons", self.heading.reasons)):
                 with archive.open(f"{name}.npy", "w") as file:
                     np.lib.format.write_array(file, np.array(words))
 
-    def _column(self, file: IO[bytes], number: int, piece: int = 1 << 20) -> None:
-        kind = self._kind(number)
+    def _write_column(self, file: IO[bytes], number: int, piece: int = 1 << 20) -> None:
+        kind = self._number_type(number)
         header = {"descr": kind, "fortran_order": False, "shape": (self.count,)}
         np.lib.format.write_array_header_1_0(file, header)
         self.file.seek(8 * number * self.count)
@@ -141,31 +141,31 @@ class Parquet(BlockWriter):
         self.writer = pyarrow.parquet.ParquetWriter(path, self.schema)
         self.waiting: list[Block] = []
 
-    def write(self, block: Block) -> None:
+    def write_block(self, block: Block) -> None:
         """Collect blocks until they make a row group: the metadata of every group stay in memory to the end."""
         self.waiting.append(block)
-        if sum(len(b.values) for b in self.waiting) >= GROUP:
-            self._group()
+        if sum(len(b.values) for b in self.waiting) >= ROWS_PER_PARQUET_GROUP:
+            self._write_row_group()
 
-    def _group(self) -> None:
+    def _write_row_group(self) -> None:
         rows = np.hstack([np.vstack([b.values, b.table]) for b in self.waiting])
         codes = np.hstack([b.codes for b in self.waiting])
         columns = [*rows, self.reasons[codes]]
         self.writer.write_table(self.arrow.table([self.arrow.array(c) for c in columns], schema=self.schema))
         self.waiting.clear()
 
-    def end(self) -> None:
+    def finish_file(self) -> None:
         """Write the last group, and the footer."""
         if self.waiting:
-            self._group()
+            self._write_row_group()
         self.writer.close()
 
-    def close(self) -> None:
+    def close_file(self) -> None:
         """Close the file."""
         self.writer.close()
 
 
-WRITERS: dict[str, Callable[[Path, TableHead, int], BlockWriter]] = {
+WRITERS_BY_SUFFIX: dict[str, Callable[[Path, TableHead, int], BlockWriter]] = {
     ".csv": Csv,
     ".npy": Npy,
     ".npz": Npz,
@@ -174,16 +174,16 @@ WRITERS: dict[str, Callable[[Path, TableHead, int], BlockWriter]] = {
 
 
 @contextmanager
-def opened(path: Path, heading: TableHead, count: int) -> Iterator[BlockWriter]:
+def open_block_writer(path: Path, heading: TableHead, count: int) -> Iterator[BlockWriter]:
     """A writer by the suffix of the file; an unfinished table leaves no file."""
-    make = WRITERS.get(path.suffix.lower())
+    make = WRITERS_BY_SUFFIX.get(path.suffix.lower())
     if make is None:
-        raise PlanesError(Phrase("cycle_suffix", file=str(path), suffixes=", ".join(WRITERS)))
-    with sayable(path), whole(path) as draft:
+        raise PlanesError(Phrase("cycle_suffix", file=str(path), suffixes=", ".join(WRITERS_BY_SUFFIX)))
+    with writing_errors_in_words(path), draft_replacing_file(path) as draft:
         writer = make(draft, heading, count)
         try:
             yield writer
-            writer.end()
+            writer.finish_file()
         finally:
             with suppress(OSError):  # of a full disk: already reported
-                writer.close()
+                writer.close_file()

@@ -7,40 +7,40 @@ from collections.abc import Mapping
 import numpy as np
 
 from planes.batch.table import Ready
-from planes.batch.tracing import UNCLEAR, Trace
-from planes.drafting.clearness import clear
-from planes.drafting.drawing import prove_many, run
+from planes.batch.tracing import UNCLEAR_REASON, Trace
+from planes.drafting.clearness import is_clear_drawing
+from planes.drafting.drawing import draw_program, mask_unproved_drawings
 from planes.geometry.arrays import Array, Floats, Indices
 
 Forces = list[tuple[str, str]]  # columns by their ends
 
 
-def drawn(
+def draw_suspected_positions(
     cycle: Ready, trace: Trace, forces: Forces, moving: Mapping[str, Floats], count: int
 ) -> tuple[Array, Indices | None]:
     """The columns of some positions and their codes (None: nothing failed), drawn step by step and proved."""
     given = {**cycle.given, **moving}
-    drawing = run(cycle.program, given)
-    prove_many(drawing, given)
+    drawing = draw_program(cycle.program, given)
+    mask_unproved_drawings(drawing, given)
     table = np.empty((len(cycle.columns), count))
     with np.errstate(all="ignore"):
         for row, column in zip(table, cycle.columns, strict=True):
-            row[:] = column.take(drawing.things, drawing.tool.ar)
+            row[:] = column.read_from_drawing(drawing.things, drawing.tool.ar)
     numbered = {(r, makes): k for k, (r, makes, _) in enumerate(trace.requires, 1)}
     counted = np.array([not c.beside for c in cycle.columns])
-    plain = clear(cycle.program, drawing.things, drawing.tool, forces)
-    codes = np.where(plain, 0, numbered.get((UNCLEAR, ""), 0))
+    plain = is_clear_drawing(cycle.program, drawing.things, drawing.tool, forces)
+    codes = np.where(plain, 0, numbered.get((UNCLEAR_REASON, ""), 0))
     codes = np.where(np.isfinite(table[counted].sum(axis=0)), codes, numbered.get(("no_digits", ""), 0))
     for reason, step, ok, _ in reversed(drawing.tool.failures):
         codes = np.where(ok, codes, numbered[reason, getattr(step, "makes", "")])
     return table, codes.astype(np.int16) if codes.any() else None
 
 
-def dependent(cycle: Ready, trace: Trace) -> dict[str, list[int]]:
+def columns_by_failing_step(cycle: Ready, trace: Trace) -> dict[str, list[int]]:
     """The columns that depend on each step that may fail."""
     columns: dict[str, list[int]] = {makes: [] for _, makes, _ in trace.requires}
     for k, column in enumerate(cycle.columns):
-        for made in cycle.program.sliced(column.needs).made & columns.keys():
+        for made in cycle.program.cut_to_names(column.needed_names).result_names & columns.keys():
             columns[made].append(k)
     every = list(range(len(cycle.columns)))
     return {**columns, **{s.makes: every for s in cycle.program.steps if s.guards}, "": every}

@@ -9,24 +9,24 @@ from planes.geometry.arithmetic import Point, Real, Truth
 Operand = Point | Truth
 
 
-def place_of(tape: Tape, x: Real | Truth) -> int:
+def place_of_number(tape: Tape, x: Real | Truth) -> int:
     """The place of a number; a constant is recorded on its first use."""
     if isinstance(x, Num | Test):
         return x.at
-    return tape.leaf("const", bool(x) if isinstance(x, bool) else float(x))
+    return tape.record_leaf("const", bool(x) if isinstance(x, bool) else float(x))
 
 
-def number(tape: Tape, op: str, *args: Real | Truth) -> Num:
+def record_number(tape: Tape, op: str, *args: Real | Truth) -> Num:
     """A real number from an operation."""
-    return Num(tape, tape.record(op, *(place_of(tape, a) for a in args)))
+    return Num(tape, tape.record_operation(op, *(place_of_number(tape, a) for a in args)))
 
 
-def truth(tape: Tape, op: str, *args: Real | Truth) -> Test:
+def record_truth(tape: Tape, op: str, *args: Real | Truth) -> Test:
     """A boolean from an operation."""
-    return Test(tape, tape.record(op, *(place_of(tape, a) for a in args)))
+    return Test(tape, tape.record_operation(op, *(place_of_number(tape, a) for a in args)))
 
 
-def _real(x: object) -> bool:
+def _is_real_number(x: object) -> bool:
     return isinstance(x, Num | float | int) and not isinstance(x, bool)
 
 
@@ -41,11 +41,11 @@ class Num:
     __hash__ = None  # type: ignore[assignment]
 
     @property
-    def op(self) -> str:
+    def operation_name(self) -> str:
         """The operation that made the number."""
         return self.tape.ops[self.at][0]
 
-    def arg(self) -> Num:
+    def operation_arguments(self) -> Num:
         """The arguments of that operation."""
         return Num(self.tape, self.tape.ops[self.at][1][0])
 
@@ -58,21 +58,23 @@ class Num:
         return 0.0
 
     def __neg__(self) -> Num:
-        return self.arg() if self.op == "neg" else number(self.tape, "neg", self)
+        return self.operation_arguments() if self.operation_name == "neg" else record_number(self.tape, "neg", self)
 
     def __abs__(self) -> Num:
-        if self.op in ("abs", "hypot", "sqrt"):
+        if self.operation_name in ("abs", "hypot", "sqrt"):
             return self
-        return abs(self.arg()) if self.op == "neg" else number(self.tape, "abs", self)
+        return (
+            abs(self.operation_arguments()) if self.operation_name == "neg" else record_number(self.tape, "abs", self)
+        )
 
     def __add__(self, other: Operand) -> Point:
         if isinstance(other, Test):
-            other = other.number()
-        if not _real(other):
+            other = other.as_zero_or_one()
+        if not _is_real_number(other):
             return Vec(self, 0.0) + other if isinstance(other, Vec | complex) else NotImplemented
         if isinstance(other, Num):
-            return _sum(self, other)
-        return self if other == 0 else number(self.tape, "add", self, other)
+            return _recorded_sum(self, other)
+        return self if other == 0 else record_number(self.tape, "add", self, other)
 
     __radd__ = __add__
 
@@ -85,77 +87,77 @@ class Num:
         return (-self) + other
 
     def __mul__(self, other: Operand) -> Point:
-        if not _real(other):
+        if not _is_real_number(other):
             return Vec(self, 0.0) * other if isinstance(other, Vec | complex) else NotImplemented
         if isinstance(other, Num):
-            return _product(self, other)
+            return _recorded_product(self, other)
         if other in (0, 1, -1):
             return {0: 0.0, 1: self, -1: -self}[int(other)]
-        return -(-self * other) if self.op == "neg" else number(self.tape, "mul", self, other)
+        return -(-self * other) if self.operation_name == "neg" else record_number(self.tape, "mul", self, other)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Operand) -> Point:
-        if not _real(other):
+        if not _is_real_number(other):
             return Vec(self, 0.0) / other if isinstance(other, Vec | complex) else NotImplemented
         if not isinstance(other, Num):
             return self * (1 / other)
-        return 1.0 if other.at == self.at else self * other.inverse()
+        return 1.0 if other.at == self.at else self * other.shared_inverse()
 
     def __rtruediv__(self, other: Operand) -> Point:
-        return other * self.inverse()
+        return other * self.shared_inverse()
 
-    def inverse(self) -> Num:
+    def shared_inverse(self) -> Num:
         """1/x, shared by all quotients with this divisor."""
-        if self.op == "neg":
-            return -self.arg().inverse()
-        return number(self.tape, "inv", self)
+        if self.operation_name == "neg":
+            return -self.operation_arguments().shared_inverse()
+        return record_number(self.tape, "inv", self)
 
     def __pow__(self, n: int) -> Real:
         if n < 0:
-            return (self**-n).inverse() if n != -1 else self.inverse()
+            return (self**-n).inverse() if n != -1 else self.shared_inverse()
         power: Real = 1.0
         for _ in range(n):
             power = power * self
         return power
 
     def __lt__(self, other: Real) -> Test:
-        return truth(self.tape, "lt", self, other)
+        return record_truth(self.tape, "lt", self, other)
 
     def __le__(self, other: Real) -> Test:
-        return truth(self.tape, "le", self, other)
+        return record_truth(self.tape, "le", self, other)
 
     def __gt__(self, other: Real) -> Test:
-        return truth(self.tape, "lt", other, self)
+        return record_truth(self.tape, "lt", other, self)
 
     def __ge__(self, other: Real) -> Test:
-        return truth(self.tape, "le", other, self)
+        return record_truth(self.tape, "le", other, self)
 
     def __eq__(self, other: object) -> Test:  # type: ignore[override]
-        return truth(self.tape, "eq", self, other)
+        return record_truth(self.tape, "eq", self, other)
 
 
-def _sum(a: Num, b: Num) -> Real:
+def _recorded_sum(a: Num, b: Num) -> Real:
     tape = a.tape
-    if b.op == "neg":
+    if b.operation_name == "neg":
         a, b = b, a
-    if a.op != "neg":
-        return number(tape, "add", a, b)
-    if b.op == "neg":
-        return -_sum(a.arg(), b.arg())
-    one = a.arg()
-    return 0.0 if one.at == b.at else number(tape, "sub", b, one)
+    if a.operation_name != "neg":
+        return record_number(tape, "add", a, b)
+    if b.operation_name == "neg":
+        return -_recorded_sum(a.operation_arguments(), b.operation_arguments())
+    one = a.operation_arguments()
+    return 0.0 if one.at == b.at else record_number(tape, "sub", b, one)
 
 
-def _product(a: Num, b: Num) -> Num:
+def _recorded_product(a: Num, b: Num) -> Num:
     tape = a.tape
     for one, two in ((a, b), (b, a)):
-        if one.op == "neg":
-            return -_product(one.arg(), two)
-    return number(tape, "mul", a, b)
+        if one.operation_name == "neg":
+            return -_recorded_product(one.operation_arguments(), two)
+    return record_number(tape, "mul", a, b)
 
 
-def _parts(z: Point) -> tuple[Real, Real]:
+def _real_and_imaginary(z: Point) -> tuple[Real, Real]:
     return z.real, z.imag
 
 
@@ -175,39 +177,39 @@ class Vec:
         return Vec(-self.real, -self.imag)
 
     def __add__(self, other: Point) -> Vec:
-        x, y = _parts(other)
+        x, y = _real_and_imaginary(other)
         return Vec(self.real + x, self.imag + y)
 
     __radd__ = __add__
 
     def __sub__(self, other: Point) -> Vec:
-        x, y = _parts(other)
+        x, y = _real_and_imaginary(other)
         return Vec(self.real - x, self.imag - y)
 
     def __rsub__(self, other: Point) -> Vec:
         return (-self).__add__(other)
 
     def __mul__(self, other: Point) -> Vec:
-        (a, b), (x, y) = _parts(self), _parts(other)
+        (a, b), (x, y) = _real_and_imaginary(self), _real_and_imaginary(other)
         return Vec(a * x - b * y, a * y + b * x)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Point) -> Vec:
-        (a, b), (x, y) = _parts(self), _parts(other)
+        (a, b), (x, y) = _real_and_imaginary(self), _real_and_imaginary(other)
         if isinstance(y, float | int) and y == 0:
             return Vec(a / x, b / x)
         size = x * x + y * y
         return Vec((a * x + b * y) / size, (b * x - a * y) / size)
 
     def __rtruediv__(self, other: Point) -> Vec:
-        return Vec(*_parts(other)) / self
+        return Vec(*_real_and_imaginary(other)) / self
 
     def __abs__(self) -> Real:
         for one, other in ((self.real, self.imag), (self.imag, self.real)):
             if isinstance(one, float | int):
-                return abs(other) if one == 0 else number(other.tape, "hypot", other, one)
-        return number(self.real.tape, "hypot", self.real, self.imag)
+                return abs(other) if one == 0 else record_number(other.tape, "hypot", other, one)
+        return record_number(self.real.tape, "hypot", self.real, self.imag)
 
 
 class Test:
@@ -219,28 +221,28 @@ class Test:
     def __init__(self, tape: Tape, at: int) -> None:
         self.tape, self.at = tape, at
 
-    def number(self) -> Num:
+    def as_zero_or_one(self) -> Num:
         """1 where it is true, otherwise 0."""
-        return number(self.tape, "sel", self, 1.0, 0.0)
+        return record_number(self.tape, "sel", self, 1.0, 0.0)
 
     def __and__(self, other: Operand) -> Point:
         if isinstance(other, bool):
             return self if other else False
-        return truth(self.tape, "and", self, other)
+        return record_truth(self.tape, "and", self, other)
 
     __rand__ = __and__
 
     def __or__(self, other: Operand) -> Point:
         if isinstance(other, bool):
             return True if other else self
-        return truth(self.tape, "or", self, other)
+        return record_truth(self.tape, "or", self, other)
 
     __ror__ = __or__
 
     def __invert__(self) -> Test:
-        return truth(self.tape, "not", self)
+        return record_truth(self.tape, "not", self)
 
     def __add__(self, other: Operand) -> Point:
-        return self.number() + other
+        return self.as_zero_or_one() + other
 
     __radd__ = __add__

@@ -14,7 +14,7 @@ from planes.geometry.arithmetic import Point
 from planes.geometry.arrays import Array, Booleans, Complexes, Floats, Indices, Texts
 from planes.plans import Plans
 from planes.plans.columns import Column
-from planes.plans.quantities import Quantity, once, results_of
+from planes.plans.quantities import Quantity, distinct_quantities, results_wanted
 from planes.words import Phrase
 from planes.words.errors import PlanesError, UnknownName
 from planes.words.frozen import frozen
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from pandas import DataFrame
 
-SWEPT = "SI"  # the unit of a parameter with several values
-PLUS_MINUS = "± "  # before the name of a column: the bound on its errors
-SHOWN = 6  # columns named in the short form
+SWEPT_PARAMETER_UNIT = "SI"  # the unit of a parameter with several values
+ERROR_COLUMN_PREFIX = "± "  # before the name of a column: the bound on its errors
+MOST_SHOWN_COLUMNS = 6  # columns named in the short form
 
 
 class Table(Described, Mapping[str, Array | Complexes]):
@@ -49,7 +49,11 @@ class Table(Described, Mapping[str, Array | Complexes]):
         if f"{name}_x" in self.columns:
             return self.columns[f"{name}_x"] + 1j * self.columns[f"{name}_y"]
         try:
-            return self[self.naming.names((*self.quantities, *self.columns), poles=False).one(str(name), "no_column")]
+            return self[
+                self.naming.name_finder((*self.quantities, *self.columns), poles=False).require_name(
+                    str(name), "no_column"
+                )
+            ]
         except PlanesError as error:
             raise UnknownName(error.phrase) from None
 
@@ -67,11 +71,14 @@ class Table(Described, Mapping[str, Array | Complexes]):
         return len(self.columns)
 
     def __repr__(self) -> str:
-        names = [name if (unit := self.units[name]) == SWEPT else f"{name} [{unit}]" for name in self.columns]
-        more = ", …" if len(names) > SHOWN else ""
+        names = [
+            name if (unit := self.units[name]) == SWEPT_PARAMETER_UNIT else f"{name} [{unit}]" for name in self.columns
+        ]
+        more = ", …" if len(names) > MOST_SHOWN_COLUMNS else ""
         lost = int(np.count_nonzero(self.failed != ""))
         failed = f", {lost} of them failed" if lost else ""
-        return f"<Table of {len(self)} columns, {len(self.failed)} positions{failed}: {', '.join(names[:SHOWN])}{more}>"
+        shown = ", ".join(names[:MOST_SHOWN_COLUMNS])
+        return f"<Table of {len(self)} columns, {len(self.failed)} positions{failed}: {shown}{more}>"
 
     def to_pandas(self) -> DataFrame:
         """The columns as a ``pandas.DataFrame``, the reasons last. Needs pandas: ``pip install pandas``."""
@@ -93,8 +100,10 @@ class Table(Described, Mapping[str, Array | Complexes]):
         from matplotlib.figure import Figure
 
         over = over or next(iter(set(self.columns) & {"phi", "s"}), next(iter(self.columns)))
-        swept = [name for name in self.columns if self.units[name] == SWEPT]
-        drawn = names or [name for name in self.quantities if name not in {over, *swept} and PLUS_MINUS not in name]
+        swept = [name for name in self.columns if self.units[name] == SWEPT_PARAMETER_UNIT]
+        drawn = names or [
+            name for name in self.quantities if name not in {over, *swept} and ERROR_COLUMN_PREFIX not in name
+        ]
         changes = [np.diff(self.columns[name]) != 0 for name in swept]
         ends = (np.flatnonzero(np.any(changes, axis=0)) + 1).tolist() if swept else list[int]()
         panels: dict[str, list[str]] = {}
@@ -129,7 +138,7 @@ class Block(NamedTuple):
     codes: Indices
 
     @property
-    def failed(self) -> Booleans:
+    def failed_mask(self) -> Booleans:
         """Positions that could not be drawn: a mask."""
         return np.asarray(self.codes != 0)
 
@@ -142,7 +151,7 @@ class Reason:
     makes: str
 
     @property
-    def named(self) -> str:
+    def reason_in_short(self) -> str:
         """The reason in short: "C: arcs apart"."""
         return ": ".join(filter(None, (self.makes and label_of(self.makes), self.key.replace("_", " "))))
 
@@ -157,17 +166,17 @@ class Ready:
     columns: list[Column]
     folded: dict[str, float]
 
-    def moving(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
+    def changing_inputs(self, values: Array, at: Indices | slice) -> dict[str, Floats]:
         """The givens that differ in the drawings numbered ``at``: none here."""
         return {}
 
 
-def columns_of(plans: Plans, quantities: Iterable[Quantity] | None = None) -> list[Column]:
+def columns_of_quantities(plans: Plans, quantities: Iterable[Quantity] | None = None) -> list[Column]:
     """The columns of the requested quantities, or of all but the bare segments of plans; each once."""
-    chosen = results_of(plans) if quantities is None else once(quantities)
+    chosen = results_wanted(plans) if quantities is None else distinct_quantities(quantities)
     return list({c.name: c for q in chosen for c in q.columns}.values())
 
 
-def sides_of(columns: Iterable[Column]) -> list[tuple[str, str]]:
+def force_ends_of_columns(columns: Iterable[Column]) -> list[tuple[str, str]]:
     """The ends of the forces among the columns, on their plans; each once."""
     return list(dict.fromkeys((c.start, c.end) for c in columns if c.part and c.unit == "N"))

@@ -9,10 +9,10 @@ from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Floats
 
 Args = tuple[int, ...]
-COMMUTE = frozenset({"add", "mul", "max", "min", "and", "or", "eq", "hypot"})
-TESTS = frozenset({"lt", "le", "eq", "and", "or", "not"})
+COMMUTATIVE_OPERATIONS = frozenset({"add", "mul", "max", "min", "and", "or", "eq", "hypot"})
+TEST_OPERATIONS = frozenset({"lt", "le", "eq", "and", "or", "not"})
 Leaf = Real  # a constant, or the name of a given
-LEAVES = frozenset({"const", "given", "source"})
+LEAF_OPERATIONS = frozenset({"const", "given", "source"})
 
 
 @dataclass
@@ -23,25 +23,25 @@ class Tape:
     values: dict[int, Leaf] = field(default_factory=dict)  # of constants ("const") and names of givens ("given")
     seen: dict[object, int] = field(default_factory=dict)
 
-    def record(self, op: str, *args: int) -> int:
+    def record_operation(self, op: str, *args: int) -> int:
         """The place of an operation, recorded if it is new."""
-        args = tuple(sorted(args)) if op in COMMUTE else args
-        return self._place((op, args), op, args)
+        args = tuple(sorted(args)) if op in COMMUTATIVE_OPERATIONS else args
+        return self._place_of_operation((op, args), op, args)
 
-    def leaf(self, op: str, value: float | str) -> int:
+    def record_leaf(self, op: str, value: float | str) -> int:
         """The place of a constant or of a given by its name."""
-        place = self._place((op, repr(value)), op, ())
+        place = self._place_of_operation((op, repr(value)), op, ())
         self.values[place] = value
         return place
 
-    def _place(self, key: object, op: str, args: Args) -> int:
+    def _place_of_operation(self, key: object, op: str, args: Args) -> int:
         place = self.seen.get(key)
         if place is None:
             place = self.seen[key] = len(self.ops)
             self.ops.append((op, args))
         return place
 
-    def needed(self, wanted: list[int], stop: frozenset[int] = frozenset()) -> list[int]:
+    def places_needed(self, wanted: list[int], stop: frozenset[int] = frozenset()) -> list[int]:
         """The places that the wanted ones need, in order, going no further back than ``stop``."""
         places, stack = set[int](), list(wanted)
         while stack:
@@ -52,7 +52,7 @@ class Tape:
                     stack.extend(self.ops[place][1])
         return sorted(places)
 
-    def moved_by(self, names: frozenset[str]) -> frozenset[int]:
+    def places_moved_by(self, names: frozenset[str]) -> frozenset[int]:
         """The places that change when the named givens change."""
         moved = set[int]()
         for place, (op, args) in enumerate(self.ops):
@@ -65,7 +65,7 @@ Number = Real  # of a tape under evaluation: a float, an array, or a longer numb
 Op = Callable[..., Number]
 
 
-def reckoned(
+def compute_places(
     tape: Tape,
     order: Iterable[int],
     given: Mapping[str, Floats],
@@ -77,7 +77,7 @@ def reckoned(
     numbers = {}
     for place in order:
         op, args = tape.ops[place]
-        if op in LEAVES:
+        if op in LEAF_OPERATIONS:
             leaf = tape.values[place]
             numbers[place] = real(given[leaf] if op == "given" else leaf if op == "const" else 0.0)
         else:

@@ -4,10 +4,10 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from planes.batch.conditions import carried, finite, proved_together
-from planes.batch.symbols import Num, Test, Vec, number, place_of
+from planes.batch.conditions import are_all_finite, places_carrying_nonfinite, prove_plans_together
+from planes.batch.symbols import Num, Test, Vec, place_of_number, record_number
 from planes.batch.tape import Tape
-from planes.drafting.clearness import clear
+from planes.drafting.clearness import is_clear_drawing
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
 from planes.drafting.steps import Step, Through
@@ -17,7 +17,7 @@ from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Truth
 from planes.geometry.arrays import Floats
 from planes.words.frozen import frozen
 
-UNCLEAR = "unclear"
+UNCLEAR_REASON = "unclear"
 
 
 class Recording(Arithmetic):
@@ -29,32 +29,32 @@ class Recording(Arithmetic):
         self.turns: list[int] = []  # places of the motion tests, and of their senses
 
     def sqrt(self, x: Real) -> Real:
-        return number(x.tape, "sqrt", x) if isinstance(x, Num) else super().sqrt(x)
+        return record_number(x.tape, "sqrt", x) if isinstance(x, Num) else super().sqrt(x)
 
     def maximum(self, a: Real, b: Real) -> Real:
-        tape = _tape(a, b)
-        return number(tape, "max", a, b) if tape else super().maximum(a, b)
+        tape = _common_tape(a, b)
+        return record_number(tape, "max", a, b) if tape else super().maximum(a, b)
 
     def minimum(self, a: Real, b: Real) -> Real:
-        tape = _tape(a, b)
-        return number(tape, "min", a, b) if tape else super().minimum(a, b)
+        tape = _common_tape(a, b)
+        return record_number(tape, "min", a, b) if tape else super().minimum(a, b)
 
     def where(self, ok: Truth, a: Point, b: Point) -> Point:
         if not isinstance(ok, Test):
             return a if ok else b
         if isinstance(a, Vec | complex) or isinstance(b, Vec | complex):
             return Vec(self.where(ok, a.real, b.real), self.where(ok, a.imag, b.imag))
-        one, two = place_of(ok.tape, a), place_of(ok.tape, b)
-        return a if one == two else number(ok.tape, "sel", ok, a, b)
+        one, two = place_of_number(ok.tape, a), place_of_number(ok.tape, b)
+        return a if one == two else record_number(ok.tape, "sel", ok, a, b)
 
     def cis_deg(self, angle: Real) -> Point:
         if not isinstance(angle, Num):
             return super().cis_deg(angle)
         tape = angle.tape
-        quarter = number(tape, "floor", angle / 90 + 0.5)
+        quarter = record_number(tape, "floor", angle / 90 + 0.5)
         rest = (angle - 90.0 * quarter) * math.radians(1)
-        cos, sin = number(tape, "cos", rest), number(tape, "sin", rest)
-        turns = quarter - 4.0 * number(tape, "floor", quarter * 0.25)
+        cos, sin = record_number(tape, "cos", rest), record_number(tape, "sin", rest)
+        turns = quarter - 4.0 * record_number(tape, "floor", quarter * 0.25)
         odd, left, below = (turns == 1) | (turns == 3), (turns == 1) | (turns == 2), turns >= 2
         x, y = self.where(odd, sin, cos), self.where(odd, cos, sin)
         return Vec(self.where(left, -x, x), self.where(below, -y, y))
@@ -62,9 +62,9 @@ class Recording(Arithmetic):
     def angle_deg(self, u: Point) -> Real:
         if not isinstance(u, Vec):
             return super().angle_deg(u)
-        tape = _tape(u.real, u.imag)
+        tape = _common_tape(u.real, u.imag)
         assert tape
-        angle = number(tape, "atan2", u.imag, u.real) * math.degrees(1)
+        angle = record_number(tape, "atan2", u.imag, u.real) * math.degrees(1)
         return self.where(angle == -180.0, 180.0, angle)
 
     def sign(self, x: Real) -> Real:
@@ -75,18 +75,18 @@ class Recording(Arithmetic):
         return self.where(ahead, 1.0, self.where(x < 0, -1.0, x))
 
     def guess(self, x: Real) -> Real:
-        return number(x.tape, "floor", x * 2.0**40) * 2.0**-40 if isinstance(x, Num) else x
+        return record_number(x.tape, "floor", x * 2.0**40) * 2.0**-40 if isinstance(x, Num) else x
 
     def power(self, x: Real, n: int) -> Real:
         return x**n if isinstance(x, Num) else super().power(x, n)
 
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         parts = c.real, c.imag, d.real, d.imag, r, s
-        tape = _tape(*parts)
-        return number(tape, "gap", *parts) if tape else super().gap(c, d, r, s)
+        tape = _common_tape(*parts)
+        return record_number(tape, "gap", *parts) if tape else super().gap(c, d, r, s)
 
 
-def _tape(*numbers: Real) -> Tape | None:
+def _common_tape(*numbers: Real) -> Tape | None:
     return next((x.tape for x in numbers if isinstance(x, Num)), None)
 
 
@@ -121,32 +121,32 @@ class TracingTool(Tool):
         return super().draw(step, things)
 
     def mark(self, place: Point) -> Point:
-        return place + Vec(self._error(0), self._error(0)) if self.errors else place
+        return place + Vec(self._instrument_error(0), self._instrument_error(0)) if self.errors else place
 
-    def ray(self, direction: Point) -> Point:
-        return direction * Vec(1.0, self._error(1)) if self.errors else direction
+    def transfer_direction(self, direction: Point) -> Point:
+        return direction * Vec(1.0, self._instrument_error(1)) if self.errors else direction
 
-    def read(self, length_mm: Real) -> Real:
-        return length_mm + self._error(2) if self.errors else length_mm
+    def read_length(self, length_mm: Real) -> Real:
+        return length_mm + self._instrument_error(2) if self.errors else length_mm
 
-    def _error(self, which: int) -> Num:
+    def _instrument_error(self, which: int) -> Num:
         assert self.errors
-        place = self.tape.leaf("source", len(self.sources))
+        place = self.tape.record_leaf("source", len(self.sources))
         self.sources.append(Source(place, self.errors[which]))
         return Num(self.tape, place)
 
-    def calm(self) -> Tool:
+    def tool_without_errors(self) -> Tool:
         return replace(self, errors=None)
 
-    def require(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
+    def fail_unless(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
         if ok is not True:
             self.failures.append((reason, step, ok, numbers))
 
-    def prefer(self, ok: Truth, step: object, reason: str) -> None:
+    def prefer_other_leads_unless(self, ok: Truth, step: object, reason: str) -> None:
         if self.choosy:
-            self.require(ok, step, reason)
+            self.fail_unless(ok, step, reason)
 
-    def note(self, ok: Truth, step: object, reason: str) -> None:
+    def warn_unless(self, ok: Truth, step: object, reason: str) -> None:
         """A warning stops nothing; its motion test is recorded."""
         if isinstance(ok, Test) and isinstance(self.ar, Recording):
             self.ar.turns.append(ok.at)
@@ -163,7 +163,7 @@ class Trace:
     turns: tuple[int, ...]  # places of the motion tests, and of their senses
     proofs: frozenset[str]  # reasons that are only suspicions: a failed proof may be only rounding
 
-    def givens(self) -> dict[str, int]:
+    def places_of_givens(self) -> dict[str, int]:
         """Names of the given numbers (of a place, "name.x" and "name.y") and their places."""
         return {v: k for k, v in self.tape.values.items() if self.tape.ops[k][0] == "given"}
 
@@ -171,7 +171,7 @@ class Trace:
 Take = Callable[[Mapping[str, Point], Arithmetic], Real]
 
 
-def trace(
+def trace_program(
     program: Program,
     given: Mapping[str, Point],
     takes: Sequence[Take],
@@ -192,31 +192,31 @@ def trace(
     tool = TracingTool(ar, True, tape=tape, errors=errors, choosy=bool(must), doubt_mm=errors[0] if errors else 0.0)
     if fine is not None:
         tool.slack, tool.flat, tool.still = fine, fine, 10 * fine
-    things: dict[str, Point] = {n: known[n] if n in known else given_on(tape, n, given[n]) for n in given}
+    things: dict[str, Point] = {n: known[n] if n in known else given_on_tape(tape, n, given[n]) for n in given}
     draw_steps(program.steps, things, tool)
     taken = [take(things, tool.ar) for take in takes]
     if must:
-        proved, gaps = proved_together(program, things, tool.ar)
+        proved, gaps = prove_plans_together(program, things, tool.ar)
         for reason, holds in proved.items():
             tool.failures.append((reason, None, holds, {}))
-        seen = carried(tape, gaps)
-        rest = [x for x, m in zip(taken, must, strict=True) if m and place_of(tape, x) not in seen]
-        tool.require(finite(tape, [*gaps, *rest]), None, "no_digits")
-        tool.require(clear(program, things, tool, forces), None, UNCLEAR)
-    outputs = tuple(place_of(tape, x) for x in taken)
-    requires = tuple((r, str(getattr(s, "makes", "")), place_of(tape, ok)) for r, s, ok, _ in tool.failures)
+        seen = places_carrying_nonfinite(tape, gaps)
+        rest = [x for x, m in zip(taken, must, strict=True) if m and place_of_number(tape, x) not in seen]
+        tool.fail_unless(are_all_finite(tape, [*gaps, *rest]), None, "no_digits")
+        tool.fail_unless(is_clear_drawing(program, things, tool, forces), None, UNCLEAR_REASON)
+    outputs = tuple(place_of_number(tape, x) for x in taken)
+    requires = tuple((r, str(getattr(s, "makes", "")), place_of_number(tape, ok)) for r, s, ok, _ in tool.failures)
     proofs = frozenset(p.reason for p in program.proofs)
     return Trace(tape, outputs, requires, tuple(tool.sources), tuple(ar.turns), proofs)
 
 
-def given_on(tape: Tape, name: str, value: Point) -> Point:
+def given_on_tape(tape: Tape, name: str, value: Point) -> Point:
     """A given number or place on a tape, by its name."""
     if _is_place(value):
-        return Vec(Num(tape, tape.leaf("given", name + ".x")), Num(tape, tape.leaf("given", name + ".y")))
-    return Num(tape, tape.leaf("given", name))
+        return Vec(Num(tape, tape.record_leaf("given", name + ".x")), Num(tape, tape.record_leaf("given", name + ".y")))
+    return Num(tape, tape.record_leaf("given", name))
 
 
-def given_values(given: Mapping[str, Point]) -> dict[str, Floats]:
+def given_values_by_name(given: Mapping[str, Point]) -> dict[str, Floats]:
     """The givens of a tape by their names on it."""
     flat = {}
     for name, value in given.items():

@@ -1,15 +1,15 @@
 """The position of the pole on a blank, and the scale at which its plan has room."""
 
-from planes.check.fiducials import OTHER_MM, SHEET_MM, has_room, pole_place
+from planes.check.fiducials import OTHER_MARGIN_MM, SHEET_MM, has_room, pole_position
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.plans.scales import fitting
-from planes.words.names import kind_of
+from planes.plans.scales import largest_fitting_scale
+from planes.words.names import plan_kind
 
-SMALLER = 0.99  # factor on a scale that forces the next smaller standard scale
-ASIDE_MM = 12.0  # a pole this far from the middle of the blank does not give away the direction of the plan
+NEXT_SMALLER_SCALE_FACTOR = 0.99  # factor on a scale that forces the next smaller standard scale
+MOST_POLE_OFFSET_MM = 12.0  # a pole this far from the middle of the blank does not give away the direction of the plan
 
 
-def roomy(bench: PreparedPlan) -> PreparedPlan:
+def plan_fitting_blank(bench: PreparedPlan) -> PreparedPlan:
     """The plan as on its blank: at the largest standard scale, not above the scene's, that has room on the sheet.
 
     A plan of motion has its pole in the middle of the sheet, so that it leaves room in every direction.
@@ -17,15 +17,19 @@ def roomy(bench: PreparedPlan) -> PreparedPlan:
     plan = bench.asked.plan
     if bench.asked.mu:
         return bench
-    if kind_of(plan) not in ("position", "force"):
-        aside = abs(blank_pole(bench) - pole_place([])) > ASIDE_MM
+    if plan_kind(plan) not in ("position", "force"):
+        aside = abs(blank_pole(bench) - pole_position([])) > MOST_POLE_OFFSET_MM
         reach = max(abs(z) for z in bench.true_marks.values()) / bench.said_mu
-        return bench.at(fitting(plan, reach, SHEET_MM[1] / 2 - OTHER_MM), fixed=True) if aside else bench
+        return (
+            bench.at_scale(largest_fitting_scale(plan, reach, SHEET_MM[1] / 2 - OTHER_MARGIN_MM), fixed=True)
+            if aside
+            else bench
+        )
     while not has_room([*bench.true_marks.values()]):
-        bench = bench.at(fitting(plan, 1.0, SMALLER * bench.said_mu), fixed=True)
+        bench = bench.at_scale(largest_fitting_scale(plan, 1.0, NEXT_SMALLER_SCALE_FACTOR * bench.said_mu), fixed=True)
     return bench
 
 
 def blank_pole(bench: PreparedPlan) -> complex:
     """The position of the pole on the blank of this plan."""
-    return pole_place([*bench.true_marks.values()])
+    return pole_position([*bench.true_marks.values()])

@@ -8,34 +8,44 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planes.check.grading.paper import Known, ReadPaper, read_table, with_told
+from planes.check.grading.paper import Known, ReadPaper, read_table, with_pointed_marks
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.reading.opened import LARGEST, contents, hash_of, hushed, too_many
+from planes.check.reading.opened import (
+    LARGEST_FILE_BYTES,
+    hash_of_content,
+    read_bounded_bytes,
+    silenced_output,
+    too_many_error,
+)
 from planes.check.reading.strokes import ReadDrawing
-from planes.check.saved_marks import corrected, of_another
+from planes.check.saved_marks import combine_with_picture, is_of_another_drawing
 from planes.words import Phrase
-from planes.words.errors import PlanesError, guarded
+from planes.words.errors import PlanesError, reporting_library_errors
 from planes.words.frozen import frozen, replace
 
 if TYPE_CHECKING:
     from planes.check.vision.image.decoding import DecodedPicture
 
-LINES = (".svg", ".dxf", ".pdf")
-PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
-TABLES = (".csv", ".json", ".txt", ".tsv")
-MOST_SHOWN = 2000  # maximum number of lines of a drawing in its report
-MOST_PAGES, MOST_BLANKS = 300, 9  # pages of a file; pages of a picture file whose marks are saved
-NO_DRAWINGS = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
+VECTOR_SUFFIXES = (".svg", ".dxf", ".pdf")
+PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
+TABLE_SUFFIXES = (".csv", ".json", ".txt", ".tsv")
+MOST_LINES_SHOWN = 2000  # maximum number of lines of a drawing in its report
+MOST_PAGES, MOST_PAGES_WITH_MARKS = 300, 9  # pages of a file; pages of a picture file whose marks are saved
+NO_DRAWING_SUFFIXES = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
 """Suffixes of files that may lie next to the submitted drawings."""
-PRACTICE = ".practice"
-OTHERS = {  # camera and phone formats that are not supported: suffixes and first bytes
+EXERCISE_SUFFIX = ".practice"
+UNSUPPORTED_FORMATS = {  # camera and phone formats that are not supported: suffixes and first bytes
     "check_heic": ((".heic", ".heif", ".hif", ".avif"), rb"....ftyp(hei|hev|mif|msf|avi)"),
     "check_gif": ((".gif",), rb"GIF8"),
     "check_raw": ((".dng", ".cr2", ".cr3", ".nef", ".arw", ".orf", ".rw2", ".psd"), rb"8BPS"),
     "check_spreadsheet": ((".xls", ".xlsx", ".ods", ".numbers"), rb"$^"),  # as archives they begin like others
     "check_office": ((".doc", ".docx", ".odt", ".zip", ".rar", ".cdw", ".dwg"), rb"PK\x03\x04|Rar!|AC10"),
 }
-ENDS = {b"\xff\xd8\xff": b"\xff\xd9", b"\x89PNG": b"IEND", b"%PDF-": b"%%EOF"}  # first and last bytes of complete files
+FILE_END_BYTES = {
+    b"\xff\xd8\xff": b"\xff\xd9",
+    b"\x89PNG": b"IEND",
+    b"%PDF-": b"%%EOF",
+}  # first and last bytes of complete files
 
 
 @frozen
@@ -52,21 +62,21 @@ class HandedSheet:
         return plain if self.page is None else f"{Path(plain).stem}-{self.page}{self.file.suffix}"
 
     @property
-    def practised(self) -> bool:
+    def is_exercise(self) -> bool:
         """Whether it is an exercise file rather than a drawing."""
-        return self.file.suffix.lower() == PRACTICE
+        return self.file.suffix.lower() == EXERCISE_SUFFIX
 
     @property
-    def marks(self) -> Path:
+    def corrected_marks_file(self) -> Path:
         """The table of manually corrected marks next to it."""
         return self.file.with_name(f"{Path(self.name).stem}.csv")
 
-    def known(self, known: Known) -> Known:
+    def known_with_page(self, known: Known) -> Known:
         """The known data, with the page of this sheet."""
         if self.page is None:
             return known
         if self.page > MOST_PAGES:
-            raise too_many(str(self.file), "pages", MOST_PAGES)
+            raise too_many_error(str(self.file), "pages", MOST_PAGES)
         return replace(known, page=self.page - 1)
 
 
@@ -74,14 +84,14 @@ def sheets_of(file: Path) -> list[HandedSheet]:
     """The sheets of a file: one for each page of a PDF or a TIFF, one for a file that does not open."""
     count = 1
     if (suffix := file.suffix.lower()) in (".pdf", ".tif", ".tiff") and file.is_file():
-        with suppress(PlanesError), guarded("check_picture", file), hushed():
-            count = _pages(file, suffix)
+        with suppress(PlanesError), reporting_library_errors("check_picture", file), silenced_output():
+            count = _page_count(file, suffix)
     if count > MOST_PAGES:
         return [HandedSheet(file, MOST_PAGES + 1)]  # rejected on reading
     return [HandedSheet(file)] if count < 2 else [HandedSheet(file, k + 1) for k in range(count)]
 
 
-def _pages(file: Path, suffix: str) -> int:
+def _page_count(file: Path, suffix: str) -> int:
     if suffix == ".pdf":
         import pypdfium2
 
@@ -96,7 +106,7 @@ def _pages(file: Path, suffix: str) -> int:
 def drawings_in(folder: Path) -> list[Path]:
     """The files of a folder that may be drawings or exercise files."""
     files = [f for f in sorted(folder.iterdir()) if f.is_file() and not f.name.startswith((".", "~$"))]
-    return [f for f in files if f.suffix.lower() not in NO_DRAWINGS]
+    return [f for f in files if f.suffix.lower() not in NO_DRAWING_SUFFIXES]
 
 
 def sheets_in(place: Path, one_page: bool, but: str = "") -> list[HandedSheet]:
@@ -107,135 +117,144 @@ def sheets_in(place: Path, one_page: bool, but: str = "") -> list[HandedSheet]:
     is_folder = place.is_dir()
     files = [f for f in drawings_in(place) if f.name != but] if is_folder else [place]
     sheets = [s for f in files for s in ([HandedSheet(f)] if one_page else sheets_of(f))]
-    drawn = [s for s in sheets if is_folder and s.file.suffix.lower() not in (*TABLES, PRACTICE)]
-    beside = {s.marks for one in drawn for s in (one, *(replace(one, page=k) for k in range(1, MOST_BLANKS + 1)))}
+    drawn = [s for s in sheets if is_folder and s.file.suffix.lower() not in (*TABLE_SUFFIXES, EXERCISE_SUFFIX)]
+    beside = {
+        s.corrected_marks_file
+        for one in drawn
+        for s in (one, *(replace(one, page=k) for k in range(1, MOST_PAGES_WITH_MARKS + 1)))
+    }
     sheets = [s for s in sheets if s.file not in beside]
     if not sheets:
         raise PlanesError(Phrase("check_empty_folder", file=str(place)))
     return sheets
 
 
-def marks_of(sheet: HandedSheet, asked: Asked, known: Known) -> ReadPaper:
+def read_sheet_marks(sheet: HandedSheet, asked: Asked, known: Known) -> ReadPaper:
     """The marks of a sheet, or their manual corrections if these belong to this drawing; named after the sheet."""
     file, paper = str(sheet.file), None
-    if sheet.marks.is_file() and sheet.marks != sheet.file:
+    if sheet.corrected_marks_file.is_file() and sheet.corrected_marks_file != sheet.file:
         with suppress(PlanesError):
             paper = read_paper(file, asked, known)
-        if not of_another(sheet.marks, paper.look if paper else look_of(file, known)):
-            paper = corrected(read_paper(str(sheet.marks), asked, known), paper)
+        if not is_of_another_drawing(sheet.corrected_marks_file, paper.look if paper else content_hash_of(file, known)):
+            paper = combine_with_picture(read_paper(str(sheet.corrected_marks_file), asked, known), paper)
         elif paper:
-            paper.notes.append(Phrase("check_marks_of_another", file=sheet.marks.name))
+            paper.notes.append(Phrase("check_marks_of_another", file=sheet.corrected_marks_file.name))
     paper = paper or read_paper(file, asked, known)
     paper.file = str(sheet.file.with_name(sheet.name))
     return paper
 
 
-def look_of(file: str, known: Known) -> str:
+def content_hash_of(file: str, known: Known) -> str:
     """The hash of the content of a file or of a page; "" if it does not open."""
     with suppress(PlanesError):
-        picture = opened(file, known.page)
-        return picture.look if picture else hash_of(contents(file, LARGEST))
+        picture = open_picture(file, known.page)
+        return picture.pixel_hash if picture else hash_of_content(read_bounded_bytes(file, LARGEST_FILE_BYTES))
     return ""
 
 
 def read_paper(file: str, asked: Asked, known: Known) -> ReadPaper:
     """The marks of a file. :class:`PlanesError`, with advice, if it cannot be read."""
     suffix = Path(file).suffix.lower()
-    if suffix in TABLES:
+    if suffix in TABLE_SUFFIXES:
         return read_table(file)
-    with telling(file):
-        if sketch := _lines(file, suffix, known):
-            return replace(_from_lines(sketch, asked, known), look=hash_of(contents(file, LARGEST)))
-        if suffix in PICTURES:
-            from planes.check.vision.photograph import paper_of_picture
+    with explain_unopened_file(file):
+        if sketch := _read_lines(file, suffix, known):
+            return replace(
+                _marks_from_lines(sketch, asked, known),
+                look=hash_of_content(read_bounded_bytes(file, LARGEST_FILE_BYTES)),
+            )
+        if suffix in PICTURE_SUFFIXES:
+            from planes.check.vision.photograph import read_picture
 
-            return paper_of_picture(file, prepare(asked), known)
+            return read_picture(file, prepare(asked), known)
         raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
 
 
 @contextmanager
-def telling(file: str) -> Iterator[None]:
+def explain_unopened_file(file: str) -> Iterator[None]:
     """Reports a file that does not open by its kind, where known, not only as unreadable."""
     try:
         yield
     except PlanesError as error:
         key = getattr(error.phrase, "key", "")
-        better = _kind(file, Path(file).suffix.lower()) if key in ("check_picture", "check_suffix") else None
+        better = (
+            _rejection_reason(file, Path(file).suffix.lower()) if key in ("check_picture", "check_suffix") else None
+        )
         raise better or error from None
 
 
-def opened(file: str, page: int | None = None) -> DecodedPicture | None:
+def open_picture(file: str, page: int | None = None) -> DecodedPicture | None:
     """The picture of a file (or of a page, from 0); None for a table or a vector drawing.
 
     :class:`PlanesError` if it does not open.
     """
     suffix = Path(file).suffix.lower()
-    with telling(file):
-        if suffix in PICTURES:
+    with explain_unopened_file(file):
+        if suffix in PICTURE_SUFFIXES:
             from planes.check.vision.image.decoding import load
 
             return load(file, page)
-        if suffix not in (*LINES, *TABLES):
+        if suffix not in (*VECTOR_SUFFIXES, *TABLE_SUFFIXES):
             raise PlanesError(Phrase("check_suffix", file=file, suffix=suffix))
     return None
 
 
-def _kind(file: str, suffix: str) -> PlanesError | None:
+def _rejection_reason(file: str, suffix: str) -> PlanesError | None:
     """The reason to reject a file, where its first or last bytes say more than that it cannot be read."""
-    data = contents(file, LARGEST)
+    data = read_bounded_bytes(file, LARGEST_FILE_BYTES)
     if not data:
         return PlanesError(Phrase("check_empty", file=file))
-    for key, (suffixes, begins) in OTHERS.items():
+    for key, (suffixes, begins) in UNSUPPORTED_FORMATS.items():
         if suffix in suffixes or re.match(begins, data, re.DOTALL):
             return PlanesError(Phrase(key, file=file, suffix=suffix))
     if data.startswith(b"%PDF-") and b"/Encrypt" in data:
         return PlanesError(Phrase("check_locked", file=file))
-    cut = any(data.startswith(head) and end not in data[-1024:] for head, end in ENDS.items())
+    cut = any(data.startswith(head) and end not in data[-1024:] for head, end in FILE_END_BYTES.items())
     return PlanesError(Phrase("check_cut", file=file)) if cut else None
 
 
-def _lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
+def _read_lines(file: str, suffix: str, known: Known) -> ReadDrawing | None:
     """The lines of a vector drawing, or those embedded in a picture.
 
     None for a PDF that shows a picture, or where pixels are given.
     """
     from planes.check.reading.dxf import read_dxf
     from planes.check.reading.pdf import read_pdf
-    from planes.check.reading.svg import read_carried, read_svg
+    from planes.check.reading.svg import read_embedded_svg, read_svg
 
     pixels = known.pole is not None or known.marks or known.format
     match suffix:
         case ".pdf":
             return None if known.pole is not None or known.format else read_pdf(file, known.page or 0)
         case ".png":
-            return None if pixels else read_carried(file)
-    return {".svg": read_svg, ".dxf": read_dxf}[suffix](file) if suffix in LINES else None
+            return None if pixels else read_embedded_svg(file)
+    return {".svg": read_svg, ".dxf": read_dxf}[suffix](file) if suffix in VECTOR_SUFFIXES else None
 
 
-def _from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
+def _marks_from_lines(sketch: ReadDrawing, asked: Asked, known: Known) -> ReadPaper:
     """The marks of a vector drawing."""
     from planes.check.grading.sign_faults import arrow_faults
-    from planes.check.reading.construction_lines import doubt_of
-    from planes.check.reading.drawn_vectors import vectors_drawn
-    from planes.check.reading.matching import scaled
-    from planes.check.reading.whole_page import paper_on
+    from planes.check.reading.construction_lines import misread_mark_share
+    from planes.check.reading.drawn_vectors import drawn_motion_vectors
+    from planes.check.reading.matching import scale_sketch
+    from planes.check.reading.whole_page import read_page
 
     bench = prepare(asked)
     pole = None if known.pole is None else sketch.mm(known.pole)
-    sketch, by = scaled(sketch, bench, pole, {n: sketch.mm(z) for n, z in known.marks.items()})
-    paper = paper_on(sketch, bench)
+    sketch, by = scale_sketch(sketch, bench, pole, {n: sketch.mm(z) for n, z in known.marks.items()})
+    paper = read_page(sketch, bench)
     if paper.spots:
-        pointed = bench.pointed(known.marks, sketch.mm) if pole is None else {}
-        doubt = doubt_of(sketch)
-        paper.spots = with_told([replace(s, doubt=max(doubt, s.doubt)) for s in paper.spots], pointed)
-    drawn = vectors_drawn(sketch, paper, bench)
+        pointed = bench.pointed_positions(known.marks, sketch.mm) if pole is None else {}
+        doubt = misread_mark_share(sketch)
+        paper.spots = with_pointed_marks([replace(s, doubt=max(doubt, s.doubt)) for s in paper.spots], pointed)
+    drawn = drawn_motion_vectors(sketch, paper, bench)
     paper.scale_mark, paper.signs = by, paper.signs or [*arrow_faults(drawn)]
-    missing = [bench.vectors[vector] for vector, one in drawn.items() if one.how == "missing"]
+    missing = [bench.vector_names[vector] for vector, one in drawn.items() if one.how == "missing"]
     paper.left = [*dict.fromkeys([*paper.left, *missing])]
     if paper.left:
         paper.notes.append(Phrase("check_no_vector", names=tuple(paper.left)))
     origin = paper.spots[0].place if paper.spots else 0j  # the pole is read first
-    paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_SHOWN]] if paper.spots else []
+    paper.strokes = [(a - origin, b - origin) for a, b in sketch.strokes[:MOST_LINES_SHOWN]] if paper.spots else []
     if by:
         paper.notes.append(Phrase("check_scale_vector", mark=by))
     return paper

@@ -2,28 +2,32 @@
 
 from dataclasses import dataclass, field, replace
 
-from planes.check.grading.evidence import LIKELY, SURE_LENGTHS, lengths_by_chance
-from planes.check.grading.figures import WrittenNumber, offers, read_results, segment_figures
+from planes.check.grading.evidence import (
+    LEAST_VERDICT_PROBABILITY,
+    MOST_CHANCE_OF_RANDOM_LENGTHS,
+    chance_of_random_lengths,
+)
+from planes.check.grading.figures import WrittenNumber, name_suggestions, read_results, segment_figures
 from planes.check.grading.grading import Grading, grade
 from planes.check.grading.judging import Judgement
 from planes.check.grading.paper import ReadPaper
-from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare, variants_of
-from planes.check.grading.readable import doubts_of, of_another, readable
-from planes.check.grading.remedies import asking, told_to
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, mistake_variants, prepare
+from planes.check.grading.readable import doubtful_marks_question, other_plan_message, unreadable_reason
+from planes.check.grading.remedies import phrase_for_reader, phrase_with_remedy
 from planes.check.grading.sign_faults import SignFault
-from planes.check.grading.signs import NEAR, exchanged, plan_scaled
-from planes.check.grading.ways import free_hand, on_the_way
-from planes.check.grading.written_numbers import Account, account
-from planes.plans.quantities import catalogue
-from planes.words import Phrase, Written, under
+from planes.check.grading.signs import STANDARD_SCALE_DIFFERENCE, grading_with_swapped_letters, plan_scale_fault
+from planes.check.grading.ways import mistakes_before_results, true_plan_with_errors
+from planes.check.grading.written_numbers import Account, judge_figures
+from planes.plans.quantities import quantities_by_name
+from planes.words import Phrase, Written, sentences_with_prefix
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE, kind_of, label_of
+from planes.words.names import POLE_LABEL, label_of, plan_kind
 from planes.words.records import Described
 
 # a mark at this distance, and half its length, from the constructed point is not called right if errors may be as large
-ASTRAY_MM = 4.0
-STATUS = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # best first
+MOST_RIGHT_DEVIATION_MM = 4.0
+EXIT_STATUS_OF_VERDICT = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # best first
 
 
 @dataclass
@@ -54,21 +58,21 @@ class Outcome(Described):
     @property
     def wrong(self) -> Grading | SignFault | Account | None:
         """The part that is wrong: the drawing, its letters and arrows, otherwise the lengths or the results."""
-        drawn = None if self._in_doubt else self.grading
+        drawn = None if self._is_likelier_right else self.grading
         every = (drawn, *self.paper.signs, self.segments, self.results)
         return next((one for one in every if one and one.fault), None)
 
     @property
-    def _in_doubt(self) -> bool:
+    def _is_likelier_right(self) -> bool:
         """Whether the drawing is more likely right than wrong, though part of it would be called wrong."""
-        return bool(self.grading and self.grading.fault and self.grading.chance_wrong < LIKELY)
+        return bool(self.grading and self.grading.fault and self.grading.chance_wrong < LEAST_VERDICT_PROBABILITY)
 
     @property
     def chance(self) -> float | None:
         """The probability that the verdict is true; None without one."""
         if self.unreadable:
             return None
-        every = [t.first.chance_wrong for t in (self.segments, self.results) if t and t.first]
+        every = [t.first_wrong_figure.chance_wrong for t in (self.segments, self.results) if t and t.first_wrong_figure]
         every += [one.chance_wrong for one in self.paper.signs]
         wrong = max(self.grading.chance_wrong if self.grading else 0.0, *every, 0.0)
         return wrong if self.verdict == "wrong" else 1 - wrong
@@ -88,7 +92,7 @@ class Outcome(Described):
     def mistake(self) -> str | None:
         """The named mistake; None if none explains the work best."""
         said = self.sentence.key
-        return next((name for name in under("mistake_", "en") if said == f"mistake_{name}"), None)
+        return next((name for name in sentences_with_prefix("mistake_", "en") if said == f"mistake_{name}"), None)
 
     @property
     def runner_up(self) -> str | None:
@@ -99,12 +103,12 @@ class Outcome(Described):
     def sentence(self) -> Phrase:
         """The error and its correction."""
         wrong = self.wrong.fault if self.wrong else None
-        return self.unreadable or wrong or self.right(self._left())
+        return self.unreadable or wrong or self.right_sentence(self._unjudged_notes())
 
-    def _left(self) -> tuple[Phrase, ...]:
+    def _unjudged_notes(self) -> tuple[Phrase, ...]:
         """Notes on marks not judged, parts missing, and unknown names."""
         known = tuple(name for name in self.unseen if name not in self.unknown and name not in self.missing)
-        left = {"judged": known, "given": tuple(self.missing), "known": offers(self.unknown)}
+        left = {"judged": known, "given": tuple(self.missing), "known": name_suggestions(self.unknown)}
         return tuple(Phrase(f"check_not_{key}", names=names) for key, names in left.items() if names)
 
     @property
@@ -116,100 +120,113 @@ class Outcome(Described):
         if self.unreadable:
             return []
         left = [*self.unread, *self.unknown, *self.missing, *self.paper.left]
-        left[:0] = self.results.unsure if self.results else ()
+        left[:0] = self.results.undecidable_figures if self.results else ()
         if self.grading is None:
             return left
         misses = {} if self.wrong else self.grading.judgement.misses
-        far = (label_of(m) for m, miss in misses.items() if abs(miss.off) > max(ASTRAY_MM, self.grading.laid_mm(m) / 2))
+        far = (
+            label_of(m)
+            for m, miss in misses.items()
+            if abs(miss.off) > max(MOST_RIGHT_DEVIATION_MM, self.grading.laid_off_length_mm(m) / 2)
+        )
         untold, polygon = () if self.wrong else self.paper.untold, self.grading.rebuilt
-        closing = polygon.unread({POLE: 0j, **self.bench.true_marks}) if polygon else ()
-        hidden = (n for n in self.grading.unseen if n not in self.paper.named)
-        doubted = [self.grading.first_wrong] if self._in_doubt and not self.wrong else []
+        closing = polygon.unseen_long_vectors({POLE_LABEL: 0j, **self.bench.true_marks}) if polygon else ()
+        hidden = (n for n in self.grading.unverified_marks if n not in self.paper.named)
+        doubted = [self.grading.first_wrong] if self._is_likelier_right and not self.wrong else []
         return list(dict.fromkeys(filter(None, [*doubted, *hidden, *untold, *closing, *far, *left])))
 
-    def typed(self, text: str) -> str:
+    def text_as_typed(self, text: str) -> str:
         """A text about the work, with names as people type them."""
         scored = (s.figure.name for t in (self.segments, self.results) if t for s in t.scored)
-        return self.bench.naming.retold(text, {*map(label_of, self.bench.marks), *scored})
+        return self.bench.naming.retell_in_typed_names(text, {*map(label_of, self.bench.marks), *scored})
 
     @property
-    def alone(self) -> bool:
+    def has_only_results(self) -> bool:
         """Whether there are results but no drawing."""
         return bool(self.results) and not (self.grading or self.segments)
 
-    def right(self, left: tuple[Phrase, ...]) -> Phrase:
+    def right_sentence(self, left: tuple[Phrase, ...]) -> Phrase:
         """The sentence for a right drawing, or for right results alone; ``left`` lists what is not judged."""
-        key = "check_right_as_seen" if left else "check_right_results" if self.alone else "check_right"
-        what = Phrase("check_results") if self.alone else plan_phrase(self.bench.asked.plan)
+        key = "check_right_as_seen" if left else "check_right_results" if self.has_only_results else "check_right"
+        what = Phrase("check_results") if self.has_only_results else plan_phrase(self.bench.asked.plan)
         return Phrase(key, plan=what, left=left)
 
 
 def check(asked: Asked, paper: ReadPaper) -> Outcome:
     """Checks one paper. :class:`PlanesError` if the scene or the question is wrong."""
     bench = prepare(asked)
-    bench = bench.at(paper.mu, fixed=True) if paper.mu and not asked.mu else bench
+    bench = bench.at_scale(paper.mu, fixed=True) if paper.mu and not asked.mu else bench
     out = Outcome(bench, paper, notes=list(paper.notes))
     try:
-        _look(out)
+        _judge_paper(out)
         if paper.mu and not asked.mu and not (out.mistake or paper.signs):
-            out = _at_its_scale(asked, out) or out
+            out = _outcome_at_common_scale(asked, out) or out
     except PlanesError as error:
-        out.unreadable = error.phrase if isinstance(error.phrase, Phrase) else asking("check_nothing_read", names="")
+        out.unreadable = (
+            error.phrase if isinstance(error.phrase, Phrase) else phrase_with_remedy("check_nothing_read", names="")
+        )
     return out
 
 
-def _at_its_scale(asked: Asked, out: Outcome) -> Outcome | None:
+def _outcome_at_common_scale(asked: Asked, out: Outcome) -> Outcome | None:
     """The outcome at the scale common to all vectors, if the drawing is right at that scale but not at its sheet's."""
     free = grade(prepare(asked), out.paper) if out.paper.spots and out.verdict in ("wrong", "unreadable") else None
-    if free is None or abs(free.mu / out.bench.said_mu - 1) <= NEAR or free.fault or readable(free):
+    if (
+        free is None
+        or abs(free.mu / out.bench.said_mu - 1) <= STANDARD_SCALE_DIFFERENCE
+        or free.fault
+        or unreadable_reason(free)
+    ):
         return None
-    paper = replace(out.paper, signs=[plan_scaled(out.bench, free.mu)])
-    scaled = Outcome(out.bench.at(free.mu, fixed=True), paper, notes=list(paper.notes))
-    _look(scaled)
+    paper = replace(out.paper, signs=[plan_scale_fault(out.bench, free.mu)])
+    scaled = Outcome(out.bench.at_scale(free.mu, fixed=True), paper, notes=list(paper.notes))
+    _judge_paper(scaled)
     return None if scaled.unreadable or (scaled.grading and scaled.grading.fault) else scaled
 
 
-def _look(out: Outcome) -> None:
+def _judge_paper(out: Outcome) -> None:
     bench, paper = out.bench, out.paper
-    if other := of_another(bench, paper):
+    if other := other_plan_message(bench, paper):
         out.unreadable = other
         return
     if paper.scale_mark and all(n.key != "check_scale_vector" for n in out.notes):
         out.notes.append(Phrase("check_scale_vector", mark=paper.scale_mark))
     if paper.spots:
         out.grading = grade(bench, paper)
-    if out.grading and (mended := exchanged(bench, paper, out.grading)):
+    if out.grading and (mended := grading_with_swapped_letters(bench, paper, out.grading)):
         out.grading, paper.signs = mended[0], [mended[1]]
     if out.grading:
-        out.unreadable = readable(out.grading, paper.named)
+        out.unreadable = unreadable_reason(out.grading, paper.named)
         out.notes += out.grading.notes + _scale_notes(out)
     if paper.segments:
-        _segments(out)
+        _judge_segments(out)
     if paper.results:
-        _results(out)
+        _judge_results(out)
     if not (out.grading or (out.segments and out.segments.scored) or (out.results and out.results.scored)):
-        out.unreadable = _nothing(out)
-    elif not paper.pole_told and out.grading and not out.grading.sure_by_itself:
-        out.unreadable = out.unreadable or asking("check_unsure", "pole")
+        out.unreadable = _nothing_read_reason(out)
+    elif not paper.pole_told and out.grading and not out.grading.is_certain_without_pole:
+        out.unreadable = out.unreadable or phrase_with_remedy("check_unsure", "pole")
     elif out.grading:
-        out.unreadable = out.unreadable or doubts_of(out.grading)
+        out.unreadable = out.unreadable or doubtful_marks_question(out.grading)
 
 
-def _nothing(out: Outcome) -> Phrase:
+def _nothing_read_reason(out: Outcome) -> Phrase:
     """Why no mark could be read; a report offers corrections of marks only where it has a picture."""
-    said = out.paper.reason or asking("check_nothing_read", names=", ".join(map(label_of, out.bench.marks)))
-    return said if out.paper.picture else told_to("table", said)
+    said = out.paper.reason or phrase_with_remedy("check_nothing_read", names=", ".join(map(label_of, out.bench.marks)))
+    return said if out.paper.picture else phrase_for_reader("table", said)
 
 
 def _scale_notes(out: Outcome) -> list[Phrase]:
     g, bench = out.grading, out.bench
     if g is None or g.said_mu:
         return []
-    mu_text, said = bench.mu_said(float(f"{g.mu:.3g}")), bench.asked.scene.mu.get(kind_of(bench.asked.plan))
-    return [Phrase("check_mu", mu=mu_text, said=bench.mu_said(said)) if said else Phrase("check_mu_found", mu=mu_text)]
+    mu_text, said = bench.written_scale(float(f"{g.mu:.3g}")), bench.asked.scene.mu.get(plan_kind(bench.asked.plan))
+    return [
+        Phrase("check_mu", mu=mu_text, said=bench.written_scale(said)) if said else Phrase("check_mu_found", mu=mu_text)
+    ]
 
 
-def _segments(out: Outcome) -> None:
+def _judge_segments(out: Outcome) -> None:
     bench, read = out.bench, segment_figures(out.bench, out.paper.segments)
     out.notes += read.notes
     out.unknown |= read.unknown
@@ -217,20 +234,24 @@ def _segments(out: Outcome) -> None:
         return
     tried: list[tuple[int, bool, Account]] = []
     for k, mu in enumerate(_segment_scales(bench, figures)):
-        free = free_hand(bench, [], mu, {})
-        reckoned = account(figures, free, None, variants_of(bench, free.taken, mu), bench.asked.skill.ruler_mm)
-        wrong = sum(s.verdict == "wrong" for s in reckoned.scored) + (reckoned.first is not None and not reckoned.named)
+        free = true_plan_with_errors(bench, [], mu, {})
+        reckoned = judge_figures(
+            figures, free, None, mistake_variants(bench, free.taken, mu), bench.asked.skill.ruler_mm
+        )
+        wrong = sum(s.verdict == "wrong" for s in reckoned.scored) + (
+            reckoned.first_wrong_figure is not None and not reckoned.named
+        )
         tried.append((wrong, k > 0, reckoned))
     _, rescaled, out.segments = min(tried, key=lambda one: one[:2])
-    if out.segments.first is None and not out.grading:
-        out.unreadable = _shown_by(out.segments, rescaled)
+    if out.segments.first_wrong_figure is None and not out.grading:
+        out.unreadable = _too_few_lengths_reason(out.segments, rescaled)
 
 
-def _shown_by(lengths: Account, free: bool) -> Phrase | None:
+def _too_few_lengths_reason(lengths: Account, free: bool) -> Phrase | None:
     """None if right lengths prove the plan right, otherwise a sentence that they are too few or too short."""
     longest = max(s.figure.given for s in lengths.scored)
     shares = (6 * s.sigma / longest if longest else 1.0 for s in lengths.scored)
-    if lengths_by_chance(shares, free) <= SURE_LENGTHS:
+    if chance_of_random_lengths(shares, free) <= MOST_CHANCE_OF_RANDOM_LENGTHS:
         return None
     return Phrase("check_by_chance", count=len(lengths.scored), size=Written(f"{longest:.1f}"))
 
@@ -240,7 +261,7 @@ def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[f
     scales = [bench.said_mu]
     if bench.asked.mu:
         return scales
-    free = free_hand(bench, [], bench.said_mu, {})
+    free = true_plan_with_errors(bench, [], bench.said_mu, {})
     for f in figures:
         true = float(abs(f.read(free.things)[0]))
         if true > 5 and f.given > 0 and all(abs(bench.said_mu * f.given / true / m - 1) > 0.01 for m in scales):
@@ -248,18 +269,20 @@ def _segment_scales(bench: PreparedPlan, figures: list[WrittenNumber]) -> list[f
     return scales[:6]
 
 
-def _results(out: Outcome) -> None:
-    bench, known = out.bench, catalogue(out.bench.plans)
+def _judge_results(out: Outcome) -> None:
+    bench, known = out.bench, quantities_by_name(out.bench.plans)
     asked = () if out.paper.spots or out.paper.segments else bench.asked.answers or bench.asked.scene.find or ()
-    read = read_results(known, bench.naming.names(known, poles=False), out.paper.results, asked)
+    read = read_results(known, bench.naming.name_finder(known, poles=False), out.paper.results, asked)
     out.notes += read.notes
     out.unknown |= read.unknown
     out.missing += [name for name in read.missing if name not in (*out.paper.left, *read.strange)]
     out.unread += read.strange
     if not (figures := read.figures):
         return
-    wanted = [n for q in known.values() for n in q.needs if any(f.name == q.name for f in figures)]
+    wanted = [n for q in known.values() for n in q.needed_names if any(f.name == q.name for f in figures)]
     mu = out.grading.mu if out.grading else bench.said_mu
-    free = free_hand(bench, wanted, mu, {})
-    own = free_hand(bench, wanted, mu, dict(out.grading.hand.taken)) if out.grading else None
-    out.results = account(figures, free, own, [] if own else on_the_way(bench, free, {f.plan for f in figures}))
+    free = true_plan_with_errors(bench, wanted, mu, {})
+    own = true_plan_with_errors(bench, wanted, mu, dict(out.grading.hand.taken)) if out.grading else None
+    out.results = judge_figures(
+        figures, free, own, [] if own else mistakes_before_results(bench, free, {f.plan for f in figures})
+    )

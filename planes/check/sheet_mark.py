@@ -16,7 +16,7 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planes.check.fiducials import CODE_MM, code_centre
+from planes.check.fiducials import CODE_SIDE_MM, code_centre
 from planes.words.frozen import frozen
 
 if TYPE_CHECKING:
@@ -24,12 +24,12 @@ if TYPE_CHECKING:
     from planes.check.vision.image.picture import Flat
     from planes.geometry.arrays import Greys
 
-BEGINS, EARLIER = "planes2", "planes1"
-LONGEST = (24, 12, 28, 16)  # maximum lengths of scene, variant, student and plan
-MOST = 200  # maximum length of the text
-CUT = 5  # length of the hash that replaces the rest of a longer name
-_NUMBER = re.compile(r"(-?\d{1,9}(\.\d{1,9})?(e-?\d{1,2})?)?")
-_PLACE = re.compile(r"\d{1,3}(\.\d)?,\d{1,3}(\.\d)?")
+MARK_PREFIX, EARLIER_MARK_PREFIX = "planes2", "planes1"
+LONGEST_FIELDS = (24, 12, 28, 16)  # maximum lengths of scene, variant, student and plan
+LONGEST_MARK_TEXT = 200  # maximum length of the text
+NAME_HASH_LENGTH = 5  # length of the hash that replaces the rest of a longer name
+_NUMBER_PATTERN = re.compile(r"(-?\d{1,9}(\.\d{1,9})?(e-?\d{1,2})?)?")
+_POLE_PATTERN = re.compile(r"\d{1,3}(\.\d)?,\d{1,3}(\.\d)?")
 
 
 @frozen
@@ -45,51 +45,56 @@ class SheetMark:
     pole: complex | None = None
 
     @classmethod
-    def of(cls, asked: Asked) -> SheetMark:
+    def from_asked(cls, asked: Asked) -> SheetMark:
         """The mark of a blank, from its scene."""
         scene, student = asked.scene, str(asked.scene.sheet.get("student", ""))
         return cls(Path(scene.file).stem, scene.variant or "", student, asked.plan, asked.value, asked.mu)
 
     @property
-    def text(self) -> str:
+    def printed_text(self) -> str:
         """The text as printed."""
-        words = zip((self.scene, self.variant, self.student, self.plan), LONGEST, strict=True)
+        words = zip((self.scene, self.variant, self.student, self.plan), LONGEST_FIELDS, strict=True)
         numbers = ("" if n is None else f"{n:.7g}".replace("e+", "e") for n in (self.value, self.mu))
-        fields = *(short(word, most) for word, most in words), *numbers
+        fields = *(shortened_name(word, most) for word, most in words), *numbers
         if self.pole is None:
-            return "|".join((EARLIER, *fields))
-        return "|".join((BEGINS, *fields, f"{round(self.pole.real, 1):g},{round(self.pole.imag, 1):g}"))
+            return "|".join((EARLIER_MARK_PREFIX, *fields))
+        return "|".join((MARK_PREFIX, *fields, f"{round(self.pole.real, 1):g},{round(self.pole.imag, 1):g}"))
 
-    def fits(self, scene: str, student: str) -> bool:
+    def matches_task_and_student(self, scene: str, student: str) -> bool:
         """Whether it names this scene and this student, as printed; "" matches any."""
-        pairs = ((scene, self.scene, LONGEST[0]), (student, self.student, LONGEST[2]))
-        return all(not own or short(own, most) == short(read, most) for own, read, most in pairs)
+        pairs = ((scene, self.scene, LONGEST_FIELDS[0]), (student, self.student, LONGEST_FIELDS[2]))
+        return all(not own or shortened_name(own, most) == shortened_name(read, most) for own, read, most in pairs)
 
 
-def short(name: str, most: int) -> str:
+def shortened_name(name: str, most: int) -> str:
     """A name shortened for a mark to printable characters; a longer one ends with a hash of the rest."""
     plain = unicodedata.normalize("NFC", name)
     plain = "".join(c if c.isprintable() and c != "|" else "_" for c in plain)
     if len(plain) <= most:
         return plain
-    return f"{plain[: most - CUT]}~{hashlib.sha256(plain.encode()).hexdigest()[: CUT - 1]}"
+    return f"{plain[: most - NAME_HASH_LENGTH]}~{hashlib.sha256(plain.encode()).hexdigest()[: NAME_HASH_LENGTH - 1]}"
 
 
-def parsed(text: str) -> SheetMark | None:
+def parse_mark(text: str) -> SheetMark | None:
     """The mark encoded in a text, if any."""
-    begins, *parts = text[: MOST + 1].split("|")
-    place = parts.pop() if begins == BEGINS else ""
-    begins_well = begins == EARLIER or (begins == BEGINS and _PLACE.fullmatch(place))
-    if len(text) > MOST or not begins_well or len(parts) != 6 or not all(map(_NUMBER.fullmatch, parts[4:])):
+    begins, *parts = text[: LONGEST_MARK_TEXT + 1].split("|")
+    place = parts.pop() if begins == MARK_PREFIX else ""
+    begins_well = begins == EARLIER_MARK_PREFIX or (begins == MARK_PREFIX and _POLE_PATTERN.fullmatch(place))
+    if (
+        len(text) > LONGEST_MARK_TEXT
+        or not begins_well
+        or len(parts) != 6
+        or not all(map(_NUMBER_PATTERN.fullmatch, parts[4:]))
+    ):
         return None
     scene, variant, student, plan, *numbers = parts
     value, mu = (float(n) if n else None for n in numbers)
     pole = complex(*map(float, place.split(","))) if place else None
     is_mark = SheetMark(scene, variant, student, plan, value, mu, pole)
-    return is_mark if is_mark.text == text and (mu is None or mu > 0) else None
+    return is_mark if is_mark.printed_text == text and (mu is None or mu > 0) else None
 
 
-def cells(text: str) -> list[list[bool]]:
+def qr_code_cells(text: str) -> list[list[bool]]:
     """Black cells of the code of a text, top row first."""
     import segno
 
@@ -97,47 +102,51 @@ def cells(text: str) -> list[list[bool]]:
     return [[bool(cell) for cell in row] for row in code.matrix]
 
 
-RIM_MM = 4.0  # white border around the code
-LOOK_PX = 2000
+CODE_BORDER_MM = 4.0  # white border around the code
+REDUCED_SIDE_PX = 2000
 
 
-def mark_on(grey: Greys) -> SheetMark | None:
+def read_mark_on_picture(grey: Greys) -> SheetMark | None:
     """The mark of the sheet on a picture: at the place given by the corner marks, otherwise anywhere."""
-    from planes.check.vision.image.opencv import smaller
+    from planes.check.vision.image.opencv import reduce_to_longest_side
     from planes.check.vision.image.picture import flatten
 
     flat = flatten(grey)
-    return _decoded(smaller(grey, LOOK_PX)[0], close=False) if flat is None else mark_of(flat)
+    return (
+        _decode_mark(reduce_to_longest_side(grey, REDUCED_SIDE_PX)[0], close=False)
+        if flat is None
+        else read_mark_of_sheet(flat)
+    )
 
 
-def mark_of(flat: Flat) -> SheetMark | None:
+def read_mark_of_sheet(flat: Flat) -> SheetMark | None:
     """The mark of a sheet rectified by its corner marks."""
-    reach = (CODE_MM / 2 + RIM_MM) * (1 + 1j)
-    (left, low), (right, top) = (flat.px(code_centre() + by) for by in (-reach, reach))
-    return _decoded(flat.grey[max(0, int(top)) : int(low), int(left) : int(right)])
+    reach = (CODE_SIDE_MM / 2 + CODE_BORDER_MM) * (1 + 1j)
+    (left, low), (right, top) = (flat.mm_to_px(code_centre() + by) for by in (-reach, reach))
+    return _decode_mark(flat.grey[max(0, int(top)) : int(low), int(left) : int(right)])
 
 
-def _decoded(grey: Greys, close: bool = True) -> SheetMark | None:
+def _decode_mark(grey: Greys, close: bool = True) -> SheetMark | None:
     """The mark on a part of a picture, tried with several filters; with more of them on the code alone."""
     from planes.check.vision.image.opencv import cv
 
     cv2 = cv()
     detectors = (cv2.QRCodeDetector(), *([cv2.QRCodeDetectorAruco()] if close else []))
-    for look, detector in product(_looks(grey, close), detectors):
+    for look, detector in product(_filtered_pictures(grey, close), detectors):
         with suppress(cv2.error, UnicodeDecodeError):  # a damaged code may hold any bytes
-            mark = parsed(detector.detectAndDecode(look)[0])
+            mark = parse_mark(detector.detectAndDecode(look)[0])
             if mark:
                 return mark
     return None
 
 
-def _looks(grey: Greys, close: bool) -> Iterator[Greys]:
+def _filtered_pictures(grey: Greys, close: bool) -> Iterator[Greys]:
     """The picture as it is, smaller, sharpened against motion blur and, if ``close``, in black and white."""
-    from planes.check.vision.image.opencv import cv, shrunk
+    from planes.check.vision.image.opencv import cv, resize_by_factor
 
     cv2 = cv()
     yield grey
-    yield shrunk(grey, 0.5)
+    yield resize_by_factor(grey, 0.5)
     for by in (1.5, 3.0):
         yield cv2.addWeighted(grey, 1 + by, cv2.GaussianBlur(grey, (0, 0), 3), -by, 0)
     if close:

@@ -19,19 +19,28 @@ from importlib import import_module
 from itertools import pairwise
 from typing import Any, NoReturn
 
-from planes.cli.options import COMPLETED, EITHER, OF_SCENE, OPTIONS, POSITIONED, POSITIONS, WITHOUT_SCENE, Option
-from planes.words import Lang, Phrase, home_lang, langs, say, table, under
+from planes.cli.options import (
+    COMMANDS_WITH_POSITIONS,
+    COMMANDS_WITHOUT_SCENE,
+    COMPLETIONS_BY_METAVAR,
+    EXCLUSIVE_OPTIONS,
+    OPTIONS_BY_COMMAND,
+    POSITION_OPTIONS,
+    SCENE_OPTIONS,
+    Option,
+)
+from planes.words import Lang, Phrase, available_languages, home_lang, say, sentence_table, sentences_with_prefix
 from planes.words.errors import PlanesError
 
-APART = {
+COMMAND_MODULES = {
     "check": "check",
     "blank": "check",
     "cycle": "cycle",
     **dict.fromkeys(("new", "equations", "studio", "schema", "completion"), "start"),
 }
 """Commands with their own module; the others are together in ``commands``."""
-CLOSE = 0.8  # how like two words are, of 1, one of which is a misspelling of the other
-SHORT = ("crank-slider", "note", "sheet")
+MISSPELLING_LIKENESS = 0.8  # how like two words are, of 1, one of which is a misspelling of the other
+COMMANDS_WITHOUT_COLLECTOR = ("crank-slider", "note", "sheet")
 """Commands that make one document and end, without a search for reference cycles: it took 0.6 of 5 s in the
 crank-slider's report, a twentieth of a note or a sheet; without it the report's peak is 240 MB, not 150."""
 
@@ -42,11 +51,11 @@ def main(argv: Sequence[str] | None = None) -> int:
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # on a terminal without Cyrillic the numbers still print
     argv = sys.argv[1:] if argv is None else argv
-    lang = lang_of(argv)
-    with speaking(lang):
-        args = reader_of(lang, argv).parse_args(command_first(argv))
+    lang = requested_lang(argv)
+    with option_parser_in_language(lang):
+        args = command_line_parser(lang, argv).parse_args(with_command_first(argv))
         try:
-            return _run(args)
+            return _run_command(args)
         except PlanesError as error:
             refused: PlanesError = error
         except BrokenPipeError:
@@ -61,25 +70,25 @@ def main(argv: Sequence[str] | None = None) -> int:
     return 2
 
 
-def _run(args: argparse.Namespace) -> int:
+def _run_command(args: argparse.Namespace) -> int:
     """Run the command; during long work a user at a terminal sees progress."""
-    from planes.words.waiting import waiting
+    from planes.words.waiting import waiting_clock
 
-    module = import_module(f"planes.cli.{APART.get(args.command, 'commands')}")
-    if args.command not in SHORT:
+    module = import_module(f"planes.cli.{COMMAND_MODULES.get(args.command, 'commands')}")
+    if args.command not in COMMANDS_WITHOUT_COLLECTOR:
         gc.enable()  # the program begins with the collector off
-    with waiting():
+    with waiting_clock():
         status = int(getattr(module, args.command.replace("-", "_"))(args))
     if sys.stdout:
         sys.stdout.flush()
-    if args.lang and (borrowed := table(args.lang).borrowed):
-        other = table(table(args.lang).other)["language_name"]
+    if args.lang and (borrowed := sentence_table(args.lang).borrowed):
+        other = sentence_table(sentence_table(args.lang).other)["language_name"]
         print(say("words_borrowed", args.lang, of=args.lang, count=len(borrowed), other=other), file=sys.stderr)
-    _tell_file(args)
+    _report_written_file(args)
     return status
 
 
-def _tell_file(args: argparse.Namespace) -> None:
+def _report_written_file(args: argparse.Namespace) -> None:
     """Which file was written, and how large it is, a sheet with its format; then what must be known of it."""
     output, lang = getattr(args, "output", None), args.lang or home_lang()
     if output and sys.stderr and os.path.isfile(output):
@@ -88,7 +97,7 @@ def _tell_file(args: argparse.Namespace) -> None:
         print(say("file_written", lang, **words), *remarks, sep="\n", file=sys.stderr)
 
 
-def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.ArgumentParser:
+def command_line_parser(lang: Lang, named: Collection[str] = OPTIONS_BY_COMMAND) -> argparse.ArgumentParser:
     """The parser of the command line; commands not ``named`` on it are added without their options."""
 
     def help_of(key: str) -> str:
@@ -97,35 +106,41 @@ def reader_of(lang: Lang, named: Collection[str] = OPTIONS) -> argparse.Argument
     reader = Parser(prog="planes", description=help_of("planes"), lang=lang)
     version = f"planes {sys.modules['planes'].__version__}"
     reader.add_argument("--version", action="version", version=version, help=say("usage_version", lang))
-    reader.add_argument("--lang", choices=langs(), metavar="LANG", help=help_of("lang"))  # `lang_of` has read it
+    reader.add_argument(
+        "--lang", choices=available_languages(), metavar="LANG", help=help_of("lang")
+    )  # `lang_of` has read it
     commands = reader.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
-    for name, own in OPTIONS.items():
+    for name, own in OPTIONS_BY_COMMAND.items():
         text = help_of(name.replace("-", "_"))
         parser = commands.add_parser(name, help=text, description=text, lang=lang)
         parser.set_defaults(command=name, refuse=parser.error)
-        asked: Option = ("--lang", "lang", {"choices": langs(), "default": None if name == "course" else lang})
-        of_scene = (*OF_SCENE, asked, *(POSITIONS if name in POSITIONED else ()))
-        options = (*own, asked) if name in WITHOUT_SCENE else (*of_scene, *own)
+        asked: Option = (
+            "--lang",
+            "lang",
+            {"choices": available_languages(), "default": None if name == "course" else lang},
+        )
+        of_scene = (*SCENE_OPTIONS, asked, *(POSITION_OPTIONS if name in COMMANDS_WITH_POSITIONS else ()))
+        options = (*own, asked) if name in COMMANDS_WITHOUT_SCENE else (*of_scene, *own)
         options = options if name in named else ()
-        one_of = parser.add_mutually_exclusive_group() if name in EITHER else parser
+        one_of = parser.add_mutually_exclusive_group() if name in EXCLUSIVE_OPTIONS else parser
         for flags, key, how in options:
-            holder = one_of if flags in EITHER.get(name, ()) else parser
+            holder = one_of if flags in EXCLUSIVE_OPTIONS.get(name, ()) else parser
             action = holder.add_argument(*flags.split(), help=help_of(key), **how)
-            if action.metavar in COMPLETED:
-                action.complete = COMPLETED[action.metavar]  # type: ignore[attr-defined]  # shtab asks for it
+            if action.metavar in COMPLETIONS_BY_METAVAR:
+                action.complete = COMPLETIONS_BY_METAVAR[action.metavar]  # type: ignore[attr-defined]  # shtab asks for it
     return reader
 
 
-def lang_of(argv: Sequence[str]) -> Lang:
+def requested_lang(argv: Sequence[str]) -> Lang:
     """The language option, anywhere among the arguments; otherwise the home language."""
-    known = "|".join(langs())
+    known = "|".join(available_languages())
     said: list[Lang] = re.findall(rf"(?<=\0)--lang?(?:=|\0)({known})(?=\0)", "\0".join(("", *argv, "")))
     return said[-1] if said else home_lang()
 
 
-def command_first(argv: Sequence[str]) -> Sequence[str]:
+def with_command_first(argv: Sequence[str]) -> Sequence[str]:
     """The line with its command moved before any options written ahead of it."""
-    at = next((k for k, word in enumerate(argv) if word in OPTIONS), 0)
+    at = next((k for k, word in enumerate(argv) if word in OPTIONS_BY_COMMAND), 0)
     ahead = argv[:at] if argv and argv[0].startswith("--") else ()
     return [argv[at], *ahead, *argv[at + 1 :]] if ahead else argv
 
@@ -135,8 +150,8 @@ class UsageWords(NullTranslations):
 
     def __init__(self, lang: Lang) -> None:
         super().__init__()
-        own = under("usage_", lang, "usage")
-        self.known = {text: own[key] for key, text in under("usage_", "en", "usage").items()}
+        own = sentences_with_prefix("usage_", lang, "usage")
+        self.known = {text: own[key] for key, text in sentences_with_prefix("usage_", "en", "usage").items()}
 
     def gettext(self, message: str) -> str:
         """The message, in gettext's role."""
@@ -144,7 +159,7 @@ class UsageWords(NullTranslations):
 
 
 @contextmanager
-def speaking(lang: Lang) -> Iterator[None]:
+def option_parser_in_language(lang: Lang) -> Iterator[None]:
     """The option parser in a language: it calls gettext under the name ``_``."""
     own = vars(argparse)["_"]
     vars(argparse)["_"] = UsageWords(lang).gettext
@@ -161,9 +176,9 @@ class Parser(argparse.ArgumentParser):
         self.lang = lang
         super().__init__(*args, **more)
         for kind, key in ((int, "whole_needed"), (float, "number_needed_here")):
-            self.register("type", kind, partial(self._number, kind, key))
+            self.register("type", kind, partial(self._parse_number, kind, key))
 
-    def _number(self, kind: type[float], key: str, text: str) -> float:
+    def _parse_number(self, kind: type[float], key: str, text: str) -> float:
         try:
             return kind(text)
         except ValueError:
@@ -172,10 +187,12 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """The sentence, and the option or choice of nearly the same spelling, if a word of it is unknown."""
         word = (re.findall(r"(?<=')[\w-]+(?=')|--[\w-]+", message) or [""])[0]
-        options = " ".join(flags for own in (OF_SCENE, POSITIONS, *OPTIONS.values()) for flags, *_ in own)
+        options = " ".join(
+            flags for own in (SCENE_OPTIONS, POSITION_OPTIONS, *OPTIONS_BY_COMMAND.values()) for flags, *_ in own
+        )
         if word and word not in options.split():
             names = re.findall(r"[\w-]+", message.partition(word)[2] + options)
-            for near in get_close_matches(word, names, 1, CLOSE):
+            for near in get_close_matches(word, names, 1, MISSPELLING_LIKENESS):
                 message += say("near_name", self.lang, name=near)
         super().error(message)
 
@@ -187,7 +204,7 @@ class CommandParser(Parser):
 
     def parse_known_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:  # type: ignore[override]
         """Options are removed first, then the rest is read in order; after ``--`` there are only files."""
-        line = self._ended(args or ())
+        line = self._with_default_numbers(args or ())
         if self._mixing or "--" in line:
             return super().parse_known_args(line, namespace)
         self.usage = self.format_usage().removeprefix(say("usage_line", self.lang))  # before it is split
@@ -197,7 +214,7 @@ class CommandParser(Parser):
         finally:
             self._mixing = False
 
-    def _ended(self, args: Sequence[str]) -> list[str]:
+    def _with_default_numbers(self, args: Sequence[str]) -> list[str]:
         """The line with the default number after an option without one; and a value that begins with a minus (``--phi
         -90:270:1``) attached to its option, otherwise it would be taken for an option."""
         valued = {name for one in self._actions if one.nargs is None for name in one.option_strings}

@@ -9,17 +9,17 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planes.check.handed_in import HandedSheet, marks_of
+from planes.check.handed_in import HandedSheet, read_sheet_marks
 from planes.check.outcome import Outcome
 from planes.check.outcome import check as judge
 from planes.check.report import Checked
-from planes.cli.asking import ask, known_of, mu_asked, said
-from planes.cli.options import value_of
+from planes.cli.asking import drawing_data_from_options, question_from_options, report_outcome, requested_scale
+from planes.cli.options import requested_drive_position
 from planes.course.handed_out import HandedOut
 from planes.scene import Scene
 from planes.words import Phrase, home_lang, say
-from planes.words.errors import PlanesError, guarded
-from planes.words.waiting import bar
+from planes.words.errors import PlanesError, reporting_library_errors
+from planes.words.waiting import progress_bar
 
 if TYPE_CHECKING:
     from planes.check.grading.prepared_plan import Asked
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from planes.documents.class_work import ClassWork
 
 
-REPORTS = (".pdf", ".svg", ".png")  # options for one drawing, not for several
+REPORT_SUFFIXES = (".pdf", ".svg", ".png")  # options for one drawing, not for several
 
 
 def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet], alone: bool = False) -> int:
@@ -36,22 +36,22 @@ def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet], a
     of a single file, ``alone``, the only readable one, if there is one."""
     from planes.documents.class_work import ClassWork
 
-    refused = alone and Path(args.output or "").suffix.lower() in REPORTS
+    refused = alone and Path(args.output or "").suffix.lower() in REPORT_SUFFIXES
     work = ClassWork(Path(args.drawing).name, args.lang, "" if refused else args.output or "")
-    work.tasks, work.command = handed.tasks, _command(args)
-    desk = ClassDesk.of(args, handed, work)
-    with bar() as step:
+    work.tasks, work.command = handed.tasks, _repeating_command(args)
+    desk = ClassDesk.from_options(args, handed, work)
+    with progress_bar() as step:
         for number, sheet in enumerate(sheets, 1):
-            desk.look(sheet)
+            desk.judge_sheet(sheet)
             if step:
                 step(number, len(sheets))
-    if alone and (only := desk.only(len(sheets))):
-        return said(args, only)
-    work.close()
-    print(work.json() if args.json else "\n".join(_class_table(work)).lstrip())
+    if alone and (only := desk.only_outcome(len(sheets))):
+        return report_outcome(args, only)
+    work.write_results()
+    print(work.json() if args.json else "\n".join(_class_table_lines(work)).lstrip())
     if refused:
         raise PlanesError(Phrase("check_class_output", file=args.output))
-    return work.status
+    return work.worst_exit_status
 
 
 @dataclass
@@ -65,51 +65,57 @@ class ClassDesk:
     read: dict[int, Outcome] = field(default_factory=dict)  # pages with the requested plan
 
     @classmethod
-    def of(cls, args: Namespace, handed: HandedOut, work: ClassWork) -> ClassDesk:
+    def from_options(cls, args: Namespace, handed: HandedOut, work: ClassWork) -> ClassDesk:
         """A desk with the options of the command line."""
         from planes.documents.class_practices import PracticeSorter
         from planes.documents.class_sorting import Sorter
 
         def asking(scene: Scene, plan: str, value: float | None, mu: float | None) -> Asked:
-            own = value_of(args, scene)
-            return ask(args, scene, plan, value if own is None else own, mu_asked(args, plan) or mu)
+            own = requested_drive_position(args, scene)
+            return question_from_options(
+                args, scene, plan, value if own is None else own, requested_scale(args, plan) or mu
+            )
 
         practices = PracticeSorter(handed, args.lang, args.variant)
         return cls(args, work, Sorter(handed, asking, args.variant, args.plan), practices)
 
-    def look(self, sheet: HandedSheet) -> None:
+    def judge_sheet(self, sheet: HandedSheet) -> None:
         """One sheet, or each blank of a picture of several; an error in one never stops the others."""
-        from planes.documents.class_sorting import glance
-        from planes.documents.class_work import source_of
+        from planes.documents.class_sorting import preview_sheet
+        from planes.documents.class_work import outcome_inputs_hash
 
-        seen, source, task = None, source_of(sheet, _options(self.args)) if self.work.ledger else "", None
-        if self.work.taken_up(sheet.name, source, self.sorter.handed.tasks):
+        seen, source, task = (
+            None,
+            outcome_inputs_hash(sheet, _outcome_options(self.args)) if self.work.ledger else "",
+            None,
+        )
+        if self.work.reuse_earlier_row(sheet.name, source, self.sorter.handed.tasks):
             return
-        if sheet.practised:
-            row, task = self.practices.row(sheet)
+        if sheet.is_exercise:
+            row, task = self.practices.sheet_row(sheet)
             self.work.add_row(row, source, task)
             return
-        one = Checked(sheet.name, report=self.work.link(sheet))
+        one = Checked(sheet.name, report=self.work.drawing_link(sheet))
         try:
-            with guarded("check_broken", sheet.name):
-                known, one.read_from = sheet.known(known_of(self.args)), str(sheet.file)
-                seen = glance(one.read_from, known.page)
+            with reporting_library_errors("check_broken", sheet.name):
+                known, one.read_from = sheet.known_with_page(drawing_data_from_options(self.args)), str(sheet.file)
+                seen = preview_sheet(one.read_from, known.page)
                 if seen.blanks < 2:
-                    task, asked, one.whose = self.sorter.asked(sheet, seen.mark)
-                    one.found = judge(asked, marks_of(sheet, asked, known))
-                    if name := self.sorter.owner(task, asked, one.found):
+                    task, asked, one.whose = self.sorter.identify_question(sheet, seen.mark)
+                    one.found = judge(asked, read_sheet_marks(sheet, asked, known))
+                    if name := self.sorter.actual_owner(task, asked, one.found):
                         one.found.notes.append(Phrase("check_anothers_work", name=name))
         except PlanesError as error:
             one.refused, one.picture = error, seen.picture if seen else b""
         if seen and seen.blanks > 1:
             for number in range(1, seen.blanks + 1):
-                self.look(replace(sheet, page=number))
+                self.judge_sheet(replace(sheet, page=number))
             return
         if one.found and one.found.verdict != "unreadable" and one.found.bench.asked.plan == self.args.plan:
             self.read[sheet.page or 1] = one.found
-        self.work.add(one, source, task)
+        self.work.add_checked_drawing(one, source, task)
 
-    def only(self, count: int) -> Outcome | None:
+    def only_outcome(self, count: int) -> Outcome | None:
         """The outcome of the only page with the requested plan; None if there are several, or where all are kept."""
         if len(self.read) != 1 or self.work.ledger or self.work.output.endswith(".csv"):
             return None
@@ -118,7 +124,7 @@ class ClassDesk:
         return outcome
 
 
-def _command(args: Namespace) -> str:
+def _repeating_command(args: Namespace) -> str:
     """The command that checks the same sheets once more, with all its options: without them all would be judged
     anew."""
     names = ("variant", "phi", "s", "plan", "mu", "pole", "format", "page", "work")
@@ -129,7 +135,7 @@ def _command(args: Namespace) -> str:
     return " ".join([shlex.join(["planes", "check", args.scene, args.drawing]), *more])
 
 
-def _options(args: Namespace) -> list[object]:
+def _outcome_options(args: Namespace) -> list[object]:
     """All options that the outcome depends on."""
     others = [Path(pair.partition("=")[2]) for pair in args.others]
     read = [file.read_bytes() for file in others if file.is_file()]
@@ -148,10 +154,17 @@ def _options(args: Namespace) -> list[object]:
     return [args.page, *options, args.others, read]
 
 
-def _class_table(work: ClassWork) -> list[str]:
-    head, rows = work.table()
+def _class_table_lines(work: ClassWork) -> list[str]:
+    head, rows = work.table_in_words()
     rows = [head, *rows]
     widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]) - 1)]
     aligned = ("  ".join([*(c.ljust(w) for c, w in zip(row, widths, strict=False)), row[-1]]) for row in rows)
     table = [say("check_class", work.lang), *(f"  {line.rstrip()}" for line in aligned)]
-    return [*table, *([Phrase("check_missing", names=missing).told(work.lang)] if (missing := work.missing()) else [])]
+    return [
+        *table,
+        *(
+            [Phrase("check_missing", names=missing).told(work.lang)]
+            if (missing := work.students_without_drawing())
+            else []
+        ),
+    ]

@@ -8,17 +8,17 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from planes.cli.options import check_needs, check_options, values_of
+from planes.cli.options import check_needed_options, check_options, requested_drive_positions
 from planes.drafting.instruments import Exact, Pencil
 from planes.scene import Scene, load
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
 
-READY = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
+PRELOADED_MODULES = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
 """Modules that the workers of a course import once."""
 
 
-def as_json(thing: object) -> str:
+def json_text(thing: object) -> str:
     """JSON in letters the output can encode."""
     wide = (getattr(sys.stdout, "encoding", "") or "").lower().startswith("utf")
     return json.dumps(thing, ensure_ascii=not wide, allow_nan=False)
@@ -28,89 +28,91 @@ def scene_of(args: Namespace) -> Scene:
     """The requested scene; its doubts are printed to stderr."""
     scene = load(args.scene, args.variant)
     said = [doubt.told(args.lang) for doubt in scene.doubts]
-    said += [fault.told(args.lang) for fault in _of_its_sheet(scene) if args.command != "sheet"]
-    warn(said, args.lang)
+    said += [fault.told(args.lang) for fault in _sheet_errors(scene) if args.command != "sheet"]
+    print_warnings(said, args.lang)
     return scene
 
 
-def warn(said: Iterable[str], lang: Lang) -> None:
+def print_warnings(said: Iterable[str], lang: Lang) -> None:
     """Sentences on stderr that stop nothing and do not look like an error."""
     for sentence in said:
         print(say("warning", lang, of=sentence), file=sys.stderr)
 
 
-def _of_its_sheet(scene: Scene) -> tuple[PlanesError, ...]:
+def _sheet_errors(scene: Scene) -> tuple[PlanesError, ...]:
     """The errors of a sheet of the scene, reported before one is drawn."""
     if not scene.sheet.keys() & {"diagrams", "hodographs", "font"}:
         return ()
-    from planes.documents.cycle import unready
+    from planes.documents.cycle import sheet_entry_errors
 
-    return tuple(unready(scene))
+    return tuple(sheet_entry_errors(scene))
 
 
 def solve(args: Namespace) -> int:
     """Results of every position, or of the scenes of a folder, as tables or JSON; failures on stderr."""
     from planes.solving import solve as solved_at
-    from planes.solving.tables import report
+    from planes.solving.tables import solve_report_text
 
     if os.path.isdir(args.scene):
-        return _survey(args)
+        return _survey_folder(args)
     scene = scene_of(args)
-    values = values_of(args, scene)
+    values = requested_drive_positions(args, scene)
     check_options(args, "solve", "steps" if args.explain else "positions" if scene.drive else "vectors")
-    check_needs(args, ["seed"])
+    check_needed_options(args, ["seed"])
     if (args.seed or 0) < 0:
         raise PlanesError(Phrase("seed_negative", seed=args.seed))
     instrument = Pencil(seed=1 if args.seed is None else args.seed) if args.pencil else Exact()
     if args.explain:
-        from planes.solving.explaining import explain
+        from planes.solving.explaining import explain_steps
 
-        print(explain(scene, args.lang), end="")
+        print(explain_steps(scene, args.lang), end="")
         return 0
     solved = solved_at(scene, values, instrument, args.lang)
     if args.remedy:
-        from planes.solving.remedies import remedy
+        from planes.solving.remedies import remedy_positions
 
-        remedy(solved)
+        remedy_positions(solved)
     if args.errors:
-        from planes.accuracy.errors import add_errors
+        from planes.accuracy.errors import add_errors_to_results
 
-        add_errors(solved, instrument)
+        add_errors_to_results(solved, instrument)
     for failure in solved.failed:
         print(f"{scene.file}: {failure['error']}", file=sys.stderr)
     if args.json:
         if solved.positions or solved.failed:
-            print(as_json(solved.json()))
+            print(json_text(solved.json()))
     elif solved.positions:
-        print(report(solved, args.lang), end="")
+        print(solve_report_text(solved, args.lang), end="")
     return 0 if solved.positions else 2
 
 
-def _survey(args: Namespace) -> int:
+def _survey_folder(args: Namespace) -> int:
     """Every scene of a folder in every variant; exit status 0 if all are solved and balancing loads agree, else 1."""
-    from planes.course.survey import lines_of, report, scenes_of
-    from planes.course.workers import crowd
-    from planes.words.waiting import bar
+    from planes.course.survey import scene_files_of, survey_report, survey_rows
+    from planes.course.workers import start_workers
+    from planes.words.waiting import progress_bar
 
     check_options(args, "solve", "folder")
-    tasks = [(str(path), args.lang, args.variant) for path in scenes_of(args.scene)]
+    tasks = [(str(path), args.lang, args.variant) for path in scene_files_of(args.scene)]
     rows_of = {}
-    with crowd(ready=("planes.course.survey",)) as each, bar() as step:
-        for k, lines in each(lines_of, tasks):
+    with start_workers(ready=("planes.course.survey",)) as each, progress_bar() as step:
+        for k, lines in each(survey_rows, tasks):
             rows_of[k] = lines
             if step:
                 step(len(rows_of), len(tasks))
     rows = [row for k in sorted(rows_of) for row in rows_of[k]]
-    print(as_json([row.json() for row in rows]) if args.json else report(rows, args.lang), end="\n" * args.json)
-    return 0 if all(row.right for row in rows) else 1
+    print(
+        json_text([row.json() for row in rows]) if args.json else survey_report(rows, args.lang), end="\n" * args.json
+    )
+    return 0 if all(row.is_right for row in rows) else 1
 
 
 def structure(args: Namespace) -> int:
     """Links, pairs, Assur groups, and the self-aligning variant."""
     from planes.plans import structure_of
-    from planes.plans.assur.alignment import aligned
+    from planes.plans.assur.alignment import self_aligning_variant
     from planes.plans.statements.of_scene import scene_plans
-    from planes.solving.structure_text import alignment_report, structure_report
+    from planes.solving.structure_text import alignment_report, structure_report_text
 
     scene = scene_of(args)
     if scene.mechanism is None:
@@ -120,14 +122,14 @@ def structure(args: Namespace) -> int:
         return 0
     links = structure_of(scene.mechanism, scene.file)
     try:
-        variant = aligned(scene_plans(scene), scene.file)
+        variant = self_aligning_variant(scene_plans(scene), scene.file)
     except PlanesError as error:  # the structure is known all the same
-        warn([error.told(args.lang)], args.lang)
+        print_warnings([error.told(args.lang)], args.lang)
         variant = None
     if args.json:
-        print(as_json({**links.json(), "self_aligning": variant and variant.json()}))
+        print(json_text({**links.json(), "self_aligning": variant and variant.json()}))
     else:
-        reports = [structure_report(links, args.lang, scene.frame_number)]
+        reports = [structure_report_text(links, args.lang, scene.frame_number)]
         reports += [alignment_report(variant, args.lang)] if variant else []
         print(*reports, sep="\n\n")
     return 0
@@ -138,19 +140,19 @@ def sheet(args: Namespace) -> int:
     from planes.documents.drawn import draw_sheet
 
     scene = scene_of(args)
-    values = values_of(args, scene)
+    values = requested_drive_positions(args, scene)
     check_options(args, "sheet", "positions" if scene.drive else "vectors")
     if args.colour:
         scene = replace(scene, sheet={**scene.sheet, "colour": True})
     if args.text and not args.output.lower().endswith(".dxf"):
         raise PlanesError(Phrase("text_dxf"))
     if args.remedy:
-        from planes.solving.remedies import for_sheet
+        from planes.solving.remedies import position_for_sheet
 
-        scene, values, said = for_sheet(scene, values, args.lang)
-        warn(said, args.lang)
+        scene, values, said = position_for_sheet(scene, values, args.lang)
+        print_warnings(said, args.lang)
     drawn = draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text")
-    warn(drawn.said, args.lang)
+    print_warnings(drawn.said, args.lang)
     args.made, args.remarks = drawn.size and f"{drawn.size}, ", drawn.remarks
     return 0
 
@@ -176,20 +178,20 @@ def note(args: Namespace) -> int:
     from planes.documents.lesson import write_note
 
     scene = scene_of(args)
-    write_note(scene, values_of(args, scene), args.output, args.lang)
+    write_note(scene, requested_drive_positions(args, scene), args.output, args.lang)
     return 0
 
 
 def questions(args: Namespace) -> int:
     """The questions of a defence with their answers: a document, or text."""
-    from planes.documents.lesson import as_text, questions_of, write_questions
+    from planes.documents.lesson import position_questions, questions_as_text, write_questions
 
     scene = scene_of(args)
-    asked = questions_of(scene, values_of(args, scene), args.lang)
+    asked = position_questions(scene, requested_drive_positions(args, scene), args.lang)
     if args.output:
         write_questions(asked, args.output)
     else:
-        print(as_text(asked))
+        print(questions_as_text(asked))
     return 0
 
 
@@ -203,19 +205,19 @@ def chart(args: Namespace) -> int:
 
 def crank_slider(args: Namespace) -> int:
     """The integrated calculation."""
-    from planes.documents.crank_slider import run
+    from planes.documents.crank_slider import calculate_and_write
 
-    check_needs(args, ["phi"])
-    return run(scene_of(args), args, args.lang)
+    check_needed_options(args, ["phi"])
+    return calculate_and_write(scene_of(args), args, args.lang)
 
 
 def course(args: Namespace) -> int:
     """Make the course; exit status 0 if everything succeeded, 1 if a document is missing, 2 if it could not begin."""
-    from planes.course.handed_out import OUT
+    from planes.course.handed_out import OUTPUT_FOLDER_NAME
     from planes.course.reading import read_course
-    from planes.course.workers import crowd
-    from planes.documents.course_run import conduct
-    from planes.words.waiting import bar
+    from planes.course.workers import start_workers
+    from planes.documents.course_run import conduct_course
+    from planes.words.waiting import progress_bar
 
     said: Lang | None = args.lang
     args.lang = said or home_lang()
@@ -223,12 +225,12 @@ def course(args: Namespace) -> int:
         raise PlanesError(Phrase("course_jobs", count=args.jobs))
     plan_of_course = read_course(args.folder)
     lang = said or plan_of_course.lang or args.lang
-    warn((doubt.told(lang) for assignment in plan_of_course.assignments for doubt in assignment.doubts), lang)
+    print_warnings((doubt.told(lang) for assignment in plan_of_course.assignments for doubt in assignment.doubts), lang)
     if plan_of_course.unread:
-        warn([say("course_two_lists", lang, file=plan_of_course.file, other=plan_of_course.unread)], lang)
-    folder = Path(args.output) if args.output else Path(plan_of_course.file).parent / OUT
-    with crowd(args.jobs, args.scheduler, READY) as each, bar() as step:
-        report = conduct(plan_of_course, folder, each, lang, step, bool(args.scheduler))
+        print_warnings([say("course_two_lists", lang, file=plan_of_course.file, other=plan_of_course.unread)], lang)
+    folder = Path(args.output) if args.output else Path(plan_of_course.file).parent / OUTPUT_FOLDER_NAME
+    with start_workers(args.jobs, args.scheduler, PRELOADED_MODULES) as each, progress_bar() as step:
+        report = conduct_course(plan_of_course, folder, each, lang, step, bool(args.scheduler))
     for place, file, sentence in (*report.faults, *report.said):
         print(f"{place}{f'/{file}' if file else ''}: {sentence}", file=sys.stderr)
     counts = {

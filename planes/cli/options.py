@@ -5,88 +5,91 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from planes.scene import Scene
-from planes.scene.ranges import asked_of_drive, read_range
+from planes.scene.ranges import driver_coordinate_asked, read_range
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 Option = tuple[str, str, Mapping[str, Any]]
 """Its spelling, the key of its help, its parser."""
 
-FLAG = {"action": "store_true"}
-FILE = {"metavar": "FILE"}
-OUTPUT = {"metavar": "FILE", "required": True}
-REAL = {"type": float}
-OF_SCENE: Sequence[Option] = (("scene", "scene", {"metavar": "SCENE"}), ("--variant", "variant", {}))
-POSITIONS: Sequence[Option] = (("--phi", "phi", {"metavar": "A[:B:STEP]"}), ("--s", "s", {"metavar": "A[:B:STEP]"}))
-POSITIONED = ("solve", "sheet", "note", "questions", "cycle", "check", "blank", "equations")
+FLAG_ARGUMENTS = {"action": "store_true"}
+FILE_ARGUMENTS = {"metavar": "FILE"}
+OUTPUT_ARGUMENTS = {"metavar": "FILE", "required": True}
+REAL_ARGUMENTS = {"type": float}
+SCENE_OPTIONS: Sequence[Option] = (("scene", "scene", {"metavar": "SCENE"}), ("--variant", "variant", {}))
+POSITION_OPTIONS: Sequence[Option] = (
+    ("--phi", "phi", {"metavar": "A[:B:STEP]"}),
+    ("--s", "s", {"metavar": "A[:B:STEP]"}),
+)
+COMMANDS_WITH_POSITIONS = ("solve", "sheet", "note", "questions", "cycle", "check", "blank", "equations")
 """Commands with options for positions."""
-EITHER = {"sheet": ("--sheet", "--view"), "course": ("--jobs", "--scheduler")}
+EXCLUSIVE_OPTIONS = {"sheet": ("--sheet", "--view"), "course": ("--jobs", "--scheduler")}
 """Options that exclude each other."""
 
-WITHOUT_SCENE = ("essay", "studio", "course", "new", "schema", "completion")
+COMMANDS_WITHOUT_SCENE = ("essay", "studio", "course", "new", "schema", "completion")
 SHELLS = ("bash", "zsh", "tcsh")
-_FILES = {"bash": "_shtab_compgen_files", "zsh": "_files", "tcsh": "f"}  # as shtab's FILE and DIRECTORY
-_FOLDERS = {"bash": "_shtab_compgen_dirs", "zsh": "_files -/", "tcsh": "d"}
-COMPLETED = dict.fromkeys(("FILE", "SCENE", "DRAWING", "PLAN=FILE"), _FILES) | dict.fromkeys(
-    ("DIR", "FOLDER"), _FOLDERS
+_FILE_COMPLETIONS = {"bash": "_shtab_compgen_files", "zsh": "_files", "tcsh": "f"}  # as shtab's FILE and DIRECTORY
+_FOLDER_COMPLETIONS = {"bash": "_shtab_compgen_dirs", "zsh": "_files -/", "tcsh": "d"}
+COMPLETIONS_BY_METAVAR = dict.fromkeys(("FILE", "SCENE", "DRAWING", "PLAN=FILE"), _FILE_COMPLETIONS) | dict.fromkeys(
+    ("DIR", "FOLDER"), _FOLDER_COMPLETIONS
 )
 """Completions of a shell for a word of the usage."""
 
-OPTIONS: Mapping[str, Sequence[Option]] = {
+OPTIONS_BY_COMMAND: Mapping[str, Sequence[Option]] = {
     "solve": (
-        ("--json", "json", FLAG),
-        ("--pencil", "pencil", FLAG),
+        ("--json", "json", FLAG_ARGUMENTS),
+        ("--pencil", "pencil", FLAG_ARGUMENTS),
         ("--seed", "seed", {"type": int}),
-        ("--explain", "explain", FLAG),
-        ("--errors", "errors", FLAG),
-        ("--remedy", "remedy", FLAG),
+        ("--explain", "explain", FLAG_ARGUMENTS),
+        ("--errors", "errors", FLAG_ARGUMENTS),
+        ("--remedy", "remedy", FLAG_ARGUMENTS),
     ),
-    "structure": (("--json", "object", FLAG),),
+    "structure": (("--json", "object", FLAG_ARGUMENTS),),
     "sheet": (
-        ("-o --output", "output", OUTPUT),
-        ("--remedy", "remedy", FLAG),
+        ("-o --output", "output", OUTPUT_ARGUMENTS),
+        ("--remedy", "remedy", FLAG_ARGUMENTS),
         ("--text", "dxf_text", {"choices": ("text", "pieces", "strokes")}),
         ("--sheet", "sheet_number", {"type": int, "choices": (1, 2)}),
         ("--view", "view", {"metavar": "NAME"}),
-        ("--colour", "colour", FLAG),
+        ("--colour", "colour", FLAG_ARGUMENTS),
     ),
-    "lesson": (("-o --output", "lesson_output", OUTPUT), ("--centres", "centres", FLAG)),
+    "lesson": (("-o --output", "lesson_output", OUTPUT_ARGUMENTS), ("--centres", "centres", FLAG_ARGUMENTS)),
     "essay": (("-o --output", "essay_output", {"metavar": "FOLDER", "required": True}),),
-    "note": (("-o --output", "note_output", OUTPUT),),
-    "questions": (("-o --output", "questions_output", FILE),),
+    "note": (("-o --output", "note_output", OUTPUT_ARGUMENTS),),
+    "questions": (("-o --output", "questions_output", FILE_ARGUMENTS),),
     "studio": (
         ("scene", "studio_scene", {"nargs": "?", "metavar": "SCENE"}),
         ("-o --output", "studio_output", {"metavar": "FOLDER"}),
         ("--pyodide", "pyodide", {"metavar": "FOLDER|ADDRESS"}),
         ("--scenes", "studio_scenes", {"action": "append", "default": [], "metavar": "FOLDER"}),
         ("--port", "port", {"type": int, "metavar": "N"}),
-        ("--no-browser", "no_browser", FLAG),
+        ("--no-browser", "no_browser", FLAG_ARGUMENTS),
     ),
     "cycle": (
-        ("-o --output", "cycle_output", FILE),
+        ("-o --output", "cycle_output", FILE_ARGUMENTS),
         ("--show", "cycle_show", {"metavar": "NAMES"}),
         ("--hodograph", "hodograph", {"metavar": "NAMES"}),
         ("--path", "path", {"metavar": "POINTS"}),
-        ("--film", "film", FLAG),
-        ("--listing", "listing", FLAG),
+        ("--film", "film", FLAG_ARGUMENTS),
+        ("--listing", "listing", FLAG_ARGUMENTS),
         ("--graphical", "graphical", {"metavar": "N", "type": int, "nargs": "?", "const": 12}),
-        ("--pole", "pole_distance", REAL | {"metavar": "H"}),
-        ("--omega", "omega", REAL | {"metavar": "ω"}),
-        ("--epsilon", "epsilon", REAL | {"metavar": "ε"}),
-        ("--json", "cycle_json", FLAG),
-        ("--errors", "cycle_errors", FLAG),
-        ("--plain", "slow", FLAG),
+        ("--pole", "pole_distance", REAL_ARGUMENTS | {"metavar": "H"}),
+        ("--omega", "omega", REAL_ARGUMENTS | {"metavar": "ω"}),
+        ("--epsilon", "epsilon", REAL_ARGUMENTS | {"metavar": "ε"}),
+        ("--json", "cycle_json", FLAG_ARGUMENTS),
+        ("--errors", "cycle_errors", FLAG_ARGUMENTS),
+        ("--plain", "slow", FLAG_ARGUMENTS),
     ),
     "chart": (
-        ("-o --output", "chart_output", OUTPUT),
-        ("--table", "table", FILE),
+        ("-o --output", "chart_output", OUTPUT_ARGUMENTS),
+        ("--table", "table", FILE_ARGUMENTS),
         ("--length", "chart_length", {"metavar": "NAME"}),
     ),
     "crank-slider": (
-        ("-o --output", "report", FILE),
-        ("--json", "object", FLAG),
-        ("--sheet", "force_sheet", FILE),
-        ("--phi", "sheet_phi", REAL | {"metavar": "A"}),
+        ("-o --output", "report", FILE_ARGUMENTS),
+        ("--json", "object", FLAG_ARGUMENTS),
+        ("--sheet", "force_sheet", FILE_ARGUMENTS),
+        ("--phi", "sheet_phi", REAL_ARGUMENTS | {"metavar": "A"}),
     ),
     "check": (  # its scene may be a course too
         ("drawing", "drawing", {"nargs": "?", "metavar": "DRAWING"}),
@@ -98,32 +101,32 @@ OPTIONS: Mapping[str, Sequence[Option]] = {
         ("--format", "picture_format", {"choices": ("A4", "A3", "A2", "A1")}),
         ("--page", "page", {"type": int, "metavar": "N"}),
         ("--work", "work", {"choices": ("hand", "cad")}),
-        ("--trace", "trace", FLAG),
-        ("-o --output", "check_output", FILE),
-        ("--json", "json", FLAG),
+        ("--trace", "trace", FLAG_ARGUMENTS),
+        ("-o --output", "check_output", FILE_ARGUMENTS),
+        ("--json", "json", FLAG_ARGUMENTS),
     ),
     "blank": (
         ("--plan", "plan", {"metavar": "PLAN"}),
         ("--mu", "mu", {"metavar": "MU"}),
-        ("-o --output", "blank_output", OUTPUT),
+        ("-o --output", "blank_output", OUTPUT_ARGUMENTS),
     ),
-    "equations": (("-o --output", "new_output", FILE),),
+    "equations": (("-o --output", "new_output", FILE_ARGUMENTS),),
     "course": (
         ("folder", "course_folder", {"metavar": "DIR"}),
         ("-o --output", "course_output", {"metavar": "FOLDER"}),
         ("--jobs", "jobs", {"type": int, "metavar": "N"}),
         ("--scheduler", "scheduler", {"metavar": "ADDRESS"}),
     ),
-    "new": (("kind", "new_kind", {"nargs": "?", "metavar": "KIND"}), ("-o --output", "new_output", FILE)),
+    "new": (("kind", "new_kind", {"nargs": "?", "metavar": "KIND"}), ("-o --output", "new_output", FILE_ARGUMENTS)),
     "schema": (
         ("kind", "schema_kind", {"choices": ("scene", "course", "table")}),
-        ("-o --output", "schema_output", FILE),
+        ("-o --output", "schema_output", FILE_ARGUMENTS),
     ),
     "completion": (("shell", "completion_shell", {"choices": SHELLS}),),
 }
 """The options of each command beside its scene, ``--variant`` and ``--lang``."""
 
-TAKES: Mapping[str, Mapping[str, str]] = {
+OPTIONS_BY_ANSWER: Mapping[str, Mapping[str, str]] = {
     "solve": {
         "positions": "phi s json pencil seed errors remedy",
         "vectors": "json pencil seed errors",
@@ -150,48 +153,50 @@ TAKES: Mapping[str, Mapping[str, str]] = {
 }
 """For each command its answers, with the options each of them uses; the others are common to all answers."""
 
-NEEDS = {"seed": "pencil", "pole": "graphical", "phi": "sheet", "film": "output"}
+OPTIONS_NEEDED_BY_OPTION = {"seed": "pencil", "pole": "graphical", "phi": "sheet", "film": "output"}
 """Options without effect unless another one is given."""
 
-FLAGS = {"others": "with"}
+FLAG_NAMES_BY_OPTION = {"others": "with"}
 
 
 def check_options(args: Namespace, command: str, answer: str) -> None:
     """Refuse the first option that this answer does not use."""
-    answers = {name: heeded.split() for name, heeded in TAKES[command].items()}
+    answers = {name: heeded.split() for name, heeded in OPTIONS_BY_ANSWER[command].items()}
     for option in dict.fromkeys(option for heeded in answers.values() for option in heeded):
-        if given(args, option) and option not in answers[answer]:
+        if is_option_given(args, option) and option not in answers[answer]:
             places = tuple(Phrase(f"answer_{name}") for name, heeded in answers.items() if option in heeded)
             where = Phrase(f"answer_{answer}")
-            raise PlanesError(Phrase("option_idle", option=FLAGS.get(option, option), where=where, places=places))
+            raise PlanesError(
+                Phrase("option_idle", option=FLAG_NAMES_BY_OPTION.get(option, option), where=where, places=places)
+            )
 
 
-def check_needs(args: Namespace, options: Iterable[str]) -> None:
+def check_needed_options(args: Namespace, options: Iterable[str]) -> None:
     """Refuse an option given without the one it depends on."""
     for option in options:
-        if given(args, option) and not given(args, NEEDS[option]):
-            raise PlanesError(Phrase("option_needs", option=option, other=NEEDS[option]))
+        if is_option_given(args, option) and not is_option_given(args, OPTIONS_NEEDED_BY_OPTION[option]):
+            raise PlanesError(Phrase("option_needs", option=option, other=OPTIONS_NEEDED_BY_OPTION[option]))
 
 
-def given(args: Namespace, option: str) -> bool:
+def is_option_given(args: Namespace, option: str) -> bool:
     """Whether an option was given."""
     return getattr(args, option, None) not in (None, False, [])
 
 
-def values_of(args: Namespace, scene: Scene) -> list[float] | None:
+def requested_drive_positions(args: Namespace, scene: Scene) -> list[float] | None:
     """The positions of the drive requested on the command line."""
-    kind, text = range_of(args, scene)
+    kind, text = requested_drive_range(args, scene)
     return None if text is None else read_range(text, f"--{kind}")
 
 
-def range_of(args: Namespace, scene: Scene) -> tuple[str, str | None]:
+def requested_drive_range(args: Namespace, scene: Scene) -> tuple[str, str | None]:
     """The kind of the drive, and its values as they were written."""
-    return scene.drive.kind if scene.drive else "", asked_of_drive(scene, args.phi, args.s, "--")
+    return scene.drive.kind if scene.drive else "", driver_coordinate_asked(scene, args.phi, args.s, "--")
 
 
-def value_of(args: Namespace, scene: Scene) -> float | None:
+def requested_drive_position(args: Namespace, scene: Scene) -> float | None:
     """The one position of the drive requested."""
-    values = values_of(args, scene)
+    values = requested_drive_positions(args, scene)
     if values and len(values) > 1:
         raise PlanesError(Phrase("one_value", count=len(values)))
     return values[0] if values else None

@@ -7,30 +7,30 @@ import traceback
 from collections.abc import Mapping
 from pathlib import Path
 
-from planes.check.grading.figures import figure
+from planes.check.grading.figures import quantity_figure
 from planes.course import Course, ParameterChoice
-from planes.course.ledger import fingerprint
-from planes.course.papers import given_of
-from planes.course.random_numbers import choices_of, dice, draw_numbers
+from planes.course.ledger import program_fingerprint
+from planes.course.papers import given_data_table
+from planes.course.random_numbers import draw_numbers, parameter_choices, seeded_generator
 from planes.course.students import Share
-from planes.plans.force.derived import unit_of_value
-from planes.plans.quantities import catalogue
-from planes.plans.statements.of_scene import found_of
+from planes.plans.force.derived import unit_key_of_value
+from planes.plans.quantities import quantities_by_name
+from planes.plans.statements.of_scene import names_to_find
 from planes.scene import Scene, loads
 from planes.scene.mechanism import FRAME
 from planes.scene.source import Node, SourceScalar
 from planes.scene.vectors import Statement
-from planes.scene.writing import own_scene
+from planes.scene.writing import scene_text_with_numbers
 from planes.solving import solve
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
 from planes.words.records import Json
-from planes.words.units import RATE_UNITS
+from planes.words.units import UNIT_OF_RATE_LETTER
 
 Answers = dict[tuple[str, str], float]  # by name and unit
-FILE = "scene.yaml"
-SCALES = ("plans",)
+SETTLED_FILE_NAME = "scene.yaml"
+SCALE_KEYS_LEFT_OUT = ("plans",)
 """Keys of a scene that are left out where numbers are drawn: its scales were chosen for its own."""
 
 
@@ -52,7 +52,7 @@ class Question:
 
 
 @frozen
-class Settled:
+class SettledNumbers:
     """A student's scene and its solution as JSON; or the sentence why there is none."""
 
     scene: str = ""
@@ -60,7 +60,7 @@ class Settled:
     fault: str = ""
 
 
-def question(course: Course, share: Share, lang: Lang) -> Question:
+def worker_question(course: Course, share: Share, lang: Lang) -> Question:
     """The question to a worker for one share."""
     s = share.student
     said = {"student": s.name, "group": s.group}
@@ -77,28 +77,28 @@ def question(course: Course, share: Share, lang: Lang) -> Question:
     )
 
 
-def settle(q: Question) -> Settled:
+def settle_numbers(q: Question) -> SettledNumbers:
     """Draw the numbers if they are not given, write the scene, solve it."""
-    if q.program and q.program != fingerprint():
-        return Settled(fault=Phrase("course_other_program").told(q.lang))
+    if q.program and q.program != program_fingerprint():
+        return SettledNumbers(fault=Phrase("course_other_program").told(q.lang))
     try:
-        return _settled(q)
+        return _settled_numbers(q)
     except Exception as error:
-        return Settled(fault=why(error, q.lang))
+        return SettledNumbers(fault=missing_document_reason(error, q.lang))
 
 
-def _settled(q: Question) -> Settled:
-    numbers = {} if q.variant else drawn(q)
-    text = own_scene(q.text, q.file, q.variant, numbers, q.sheet, SCALES if numbers else ())
-    solved = solve(scene := loads(text, FILE), lang=q.lang)
+def _settled_numbers(q: Question) -> SettledNumbers:
+    numbers = {} if q.variant else draw_student_numbers(q)
+    text = scene_text_with_numbers(q.text, q.file, q.variant, numbers, q.sheet, SCALE_KEYS_LEFT_OUT if numbers else ())
+    solved = solve(scene := loads(text, SETTLED_FILE_NAME), lang=q.lang)
     if not solved.positions:
-        return Settled(fault=solved.failed[0]["error"])
+        return SettledNumbers(fault=solved.failed[0]["error"])
     original = replace(scene, file=q.file, where=loads(q.text, q.file, q.variant).where)
-    given_of(original, solved.positions[0], q.lang)  # a sheet must be able to state it
-    return Settled(text, json.dumps(solved.json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n")
+    given_data_table(original, solved.positions[0], q.lang)  # a sheet must be able to state it
+    return SettledNumbers(text, json.dumps(solved.json(), ensure_ascii=False, allow_nan=False, indent=1) + "\n")
 
 
-def why(error: Exception, lang: Lang) -> str:
+def missing_document_reason(error: Exception, lang: Lang) -> str:
     """Why somebody's document is missing, as one sentence, even for a fault of the program: the others still get
     theirs."""
     if isinstance(error, PlanesError):
@@ -109,14 +109,14 @@ def why(error: Exception, lang: Lang) -> str:
     return Phrase("course_slip", kind=type(error).__name__, text=text, place=place).told(lang)
 
 
-def drawn(q: Question) -> dict[str, str]:
+def draw_student_numbers(q: Question) -> dict[str, str]:
     """One student's numbers."""
 
     def make(numbers: Mapping[str, str]) -> Scene:
-        return loads(own_scene(q.text, q.file, None, numbers, {}, SCALES), q.file)
+        return loads(scene_text_with_numbers(q.text, q.file, None, numbers, {}, SCALE_KEYS_LEFT_OUT), q.file)
 
-    chance = dice(q.seed, *q.student, q.file.rpartition("/")[2], q.copy)
-    return draw_numbers(choices_of(q.text, q.file, q.draw), make, q.sharpness_deg, chance)
+    chance = seeded_generator(q.seed, *q.student, q.file.rpartition("/")[2], q.copy)
+    return draw_numbers(parameter_choices(q.text, q.file, q.draw), make, q.sharpness_deg, chance)
 
 
 def main_answers(scene: Scene, key: Json) -> Answers:
@@ -124,38 +124,40 @@ def main_answers(scene: Scene, key: Json) -> Answers:
     stated vectors the unknown ones, and the values."""
     answers: Answers = {}
     if scene.statement is not None:
-        return _vectors(scene, scene.statement, key)
+        return _vector_answers(scene, scene.statement, key)
     if not key["positions"] or scene.mechanism is None:
         return answers
     at, m = key["positions"][0], scene.mechanism
     for name, link in m.links.items():
         rates, slide = at.get("links", {}).get(name, {}), at.get("slides", {}).get(name)
-        if link.slides and slide and m.owner(link.slides.guide) == FRAME:
+        if link.slides and slide and m.owner_of_guide(link.slides.guide) == FRAME:
             point = at.get("points", {}).get(link.first_point, {})
-            answers |= {(f"{k}_{link.first_point}", RATE_UNITS[k]): math.hypot(*point[k]) for k in "va" if k in point}
+            answers |= {
+                (f"{k}_{link.first_point}", UNIT_OF_RATE_LETTER[k]): math.hypot(*point[k]) for k in "va" if k in point
+            }
         elif name != m.drive.link and not link.slides:
-            answers |= {(f"{k}_{name}", RATE_UNITS[k]): rates[k] for k in ("omega", "epsilon") if k in rates}
+            answers |= {(f"{k}_{name}", UNIT_OF_RATE_LETTER[k]): rates[k] for k in ("omega", "epsilon") if k in rates}
     for kind, unit, letter in (("moment", "N·m", "M"), ("force", "N", "Fb")):
         if (value := at.get(f"balancing_{kind}")) is not None:
             answers[f"{letter}_{m.drive.link}", unit] = value
     return answers
 
 
-def answers_of(scene: Scene, value: float | None = None, plan: str = "") -> tuple[str, ...]:
+def main_answer_names(scene: Scene, value: float | None = None, plan: str = "") -> tuple[str, ...]:
     """The names of the main answers at a position of the drive, by default the scene's, or of those from one plan;
     empty where the position fails, and where a scene asks for other results."""
     if scene.find:
         return ()
     solved = solve(scene, None if value is None else [value])
     names = [name for name, _ in main_answers(scene, solved.json())] if solved.positions else []
-    known = catalogue(solved.plans) if plan else {}
-    return tuple(n for n in names if not plan or (n in known and figure(n, known[n], 0.0).plan == plan))
+    known = quantities_by_name(solved.plans) if plan else {}
+    return tuple(n for n in names if not plan or (n in known and quantity_figure(n, known[n], 0.0).plan == plan))
 
 
-def _vectors(scene: Scene, stated: Statement, key: Json) -> Answers:
+def _vector_answers(scene: Scene, stated: Statement, key: Json) -> Answers:
     """The lengths of the vectors asked for or without a given length, and the values."""
     units = {s["name"]: s["unit"] for plan in key["plans"].values() for s in plan["segments"].values()}
     given = {n for n, v in stated.vectors.items() if v.value is not None}
-    asked = found_of(scene) or [*(n for n in stated.vectors if n not in given), *stated.values]
+    asked = names_to_find(scene) or [*(n for n in stated.vectors if n not in given), *stated.values]
     answers = {(n, units[n]): float(key["vectors"][n]["value"]) for n in asked if n in key["vectors"] and n in units}
-    return answers | {(n, unit_of_value(n)): float(key["values"][n]) for n in asked if n in key.get("values", {})}
+    return answers | {(n, unit_key_of_value(n)): float(key["values"][n]) for n in asked if n in key.get("values", {})}

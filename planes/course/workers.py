@@ -26,37 +26,37 @@ class Each(Protocol):
     def __call__(self, work: Callable[[Task], Done], tasks: Sequence[Task], /) -> Answers[Done]: ...
 
 
-SECONDS = 10  # seconds to find a scheduler
+SCHEDULER_TIMEOUT_S = 10  # seconds to find a scheduler
 
 
 @contextmanager
-def crowd(jobs: int | None = None, scheduler: str | None = None, ready: Sequence[str] = ()) -> Iterator[Each]:
+def start_workers(jobs: int | None = None, scheduler: str | None = None, ready: Sequence[str] = ()) -> Iterator[Each]:
     """Workers for tasks: ``jobs`` processes (None: one per core), or those of a Dask ``scheduler``.
 
     ``ready`` are modules imported once for all processes.
     """
-    count = jobs or cores()
+    count = jobs or usable_core_count()
     if scheduler:
-        with _cluster(scheduler) as each:
+        with _dask_workers(scheduler) as each:
             yield each
     elif count == 1:
-        yield _alone
+        yield _run_without_workers
     else:
-        with _processes(count, ready) as each:
+        with _start_processes(count, ready) as each:
             yield each
 
 
-def cores() -> int:
+def usable_core_count() -> int:
     """How many processes may run at once here."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _alone(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Answers[Done]:
+def _run_without_workers(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Answers[Done]:
     yield from ((k, work(task)) for k, task in enumerate(tasks))
 
 
 @contextmanager
-def _processes(count: int, ready: Sequence[str]) -> Iterator[Each]:
+def _start_processes(count: int, ready: Sequence[str]) -> Iterator[Each]:
     """Processes forked from one that has already imported all modules; they end when this one does, however it ends."""
     import multiprocessing
     from concurrent.futures import ProcessPoolExecutor, as_completed
@@ -64,10 +64,10 @@ def _processes(count: int, ready: Sequence[str]) -> Iterator[Each]:
 
     way = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
     context: Any = multiprocessing.get_context(way)
-    pool = ProcessPoolExecutor(count, context, _follow)
+    pool = ProcessPoolExecutor(count, context, _end_with_parent)
 
     def each(work: Callable[[Task], Done], tasks: Sequence[Task]) -> Answers[Done]:
-        with _unheard():
+        with _without_signals():
             waiting = {pool.submit(work, task): k for k, task in enumerate(tasks)}
         for done in as_completed(waiting):
             yield waiting.pop(done), done.result()
@@ -75,18 +75,18 @@ def _processes(count: int, ready: Sequence[str]) -> Iterator[Each]:
     try:
         if way == "forkserver":
             context.set_forkserver_preload(list(ready))
-            _imported(context.Process(target=_follow))
+            _await_imports(context.Process(target=_end_with_parent))
         yield each
     except BrokenProcessPool:
         raise PlanesError(Phrase("course_worker_lost")) from None
     except (SystemExit, KeyboardInterrupt):
-        _let_go()
+        _end_all_workers()
         raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 
 
-def _imported(first: Any) -> None:
+def _await_imports(first: Any) -> None:
     """Wait until a first process exists, so that their common parent has imported all modules; signals are handled
     meanwhile."""
     from threading import Thread
@@ -102,7 +102,7 @@ def _imported(first: Any) -> None:
 
 
 @contextmanager
-def _unheard() -> Iterator[None]:
+def _without_signals() -> Iterator[None]:
     """A short section without signals: a half-created process would belong to nobody."""
     import signal
 
@@ -116,7 +116,7 @@ def _unheard() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _let_go() -> None:
+def _end_all_workers() -> None:
     """End all workers now, whatever they are doing: their results are no longer wanted, and they write no files. The
     same goes for their parent process, which may still be importing."""
     import multiprocessing
@@ -131,7 +131,7 @@ def _let_go() -> None:
         worker.terminate()
 
 
-def _follow() -> None:
+def _end_with_parent() -> None:
     """End this worker as soon as the process it works for is gone."""
     import multiprocessing
     import signal
@@ -148,7 +148,7 @@ def _follow() -> None:
 
 
 @contextmanager
-def _cluster(address: str) -> Iterator[Each]:
+def _dask_workers(address: str) -> Iterator[Each]:
     """The workers of a Dask scheduler."""
     try:
         dask: Any = import_module("distributed")
@@ -156,7 +156,7 @@ def _cluster(address: str) -> Iterator[Each]:
         raise PlanesError(Phrase("course_no_dask")) from None
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # an error is reported in one sentence
     try:
-        client = dask.Client(address, timeout=SECONDS)
+        client = dask.Client(address, timeout=SCHEDULER_TIMEOUT_S)
     except (OSError, ValueError) as error:
         reason = str(error).partition("\n")[0]
         raise PlanesError(Phrase("course_no_scheduler", address=address, reason=reason)) from None

@@ -4,22 +4,39 @@ import math
 
 import numpy as np
 
-from planes.crank_slider.forces import CycleForces, Replacement, Work, balance, classical, replaced, work
+from planes.crank_slider.forces import (
+    CycleForces,
+    CycleWork,
+    Replacement,
+    classical_forces,
+    forces_over_cycle,
+    replacement_masses,
+    work_over_cycle,
+)
 from planes.crank_slider.given import Given
 from planes.crank_slider.kinematics import (
+    DrawnRodMotion,
     EngineCycle,
-    Found,
     RodMotion,
-    apart,
-    as_plane_motion,
-    as_points,
-    follow,
-    largest,
-    swing,
+    draw_cycle_plans,
+    largest_magnitude,
+    largest_relative_difference,
+    motion_by_coordinates,
+    motion_by_instant_centre,
+    rod_inclination,
 )
-from planes.crank_slider.reading import read
+from planes.crank_slider.reading import read_given_data
 from planes.crank_slider.rod import PinStrength, RodStrength, pin_strength, rod_strength
-from planes.crank_slider.shaft import Balance, Fatigue, Section, Supports, balanced, checked, sections, supports
+from planes.crank_slider.shaft import (
+    Balance,
+    Fatigue,
+    Section,
+    Supports,
+    balance_rotating_masses,
+    bearing_reactions,
+    dangerous_sections,
+    fatigue_of_section,
+)
 from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.words import Phrase
@@ -56,7 +73,7 @@ class Calculation:
     forces: CycleForces
     simple: CycleForces
     parts: Replacement
-    work: Work
+    work: CycleWork
     agreement: Agreement
     balance: Balance | None
     supports: Supports | None
@@ -83,13 +100,13 @@ class Calculation:
         return slice(0, round(360.0 / self.given.step_deg) + 1)
 
 
-def motion_of(given: Given) -> tuple[EngineCycle, Array]:
+def engine_cycle_and_pressure(given: Given) -> tuple[EngineCycle, Array]:
     """The cycle: angles, ω, ε, gas force; and the absolute pressure, Pa."""
     d, shape = given.indicator, given.shape
     turned = np.linspace(0.0, d.cycle_deg, round(d.cycle_deg / given.step_deg) + 1)
     phi_deg = d.start_deg + turned
     phi = np.radians(phi_deg)
-    path = (shape.r + shape.l - shape.r * np.cos(phi) - shape.l * np.cos(swing(shape, phi))) / (2 * shape.r)
+    path = (shape.r + shape.l - shape.r * np.cos(phi) - shape.l * np.cos(rod_inclination(shape, phi))) / (2 * shape.r)
     pressure = d.pressure(turned, np.clip(path, 0.0, 1.0))
     speed = given.speed
     wave = speed.waves * (phi - math.radians(speed.phase_deg))
@@ -100,18 +117,18 @@ def motion_of(given: Given) -> tuple[EngineCycle, Array]:
 
 def calculate(scene: Scene) -> Calculation:
     """Read the scene and calculate all its chapters."""
-    given = read(scene)
+    given = read_given_data(scene)
     shape = given.shape
-    motion, pressure = motion_of(given)
-    points, plane = as_points(shape, motion), as_plane_motion(shape, motion)
+    motion, pressure = engine_cycle_and_pressure(given)
+    points, plane = motion_by_coordinates(shape, motion), motion_by_instant_centre(shape, motion)
     _check_friction(scene, given, motion)
-    drawn = follow(scene, shape, motion)
-    forces = balance(shape, motion, plane)
-    done = work(shape, motion, plane, forces, given.bore, given.allowed_unevenness)
+    drawn = draw_cycle_plans(scene, shape, motion)
+    forces = forces_over_cycle(shape, motion, plane)
+    done = work_over_cycle(shape, motion, plane, forces, given.bore, given.allowed_unevenness)
     weights = given.counterweights
-    level = balanced(shape, given.shaft, weights, motion, drawn) if given.shaft and weights else None
-    held = supports(shape, given.shaft, weights, level, forces) if given.shaft else None
-    cut = sections(shape, given.shaft, held) if given.shaft and held else {}
+    level = balance_rotating_masses(shape, given.shaft, weights, motion, drawn) if given.shaft and weights else None
+    held = bearing_reactions(shape, given.shaft, weights, level, forces) if given.shaft else None
+    cut = dangerous_sections(shape, given.shaft, held) if given.shaft and held else {}
     rod, pin, steels = given.rod, given.pin, given.materials
     result = Calculation(
         scene=scene,
@@ -121,40 +138,41 @@ def calculate(scene: Scene) -> Calculation:
         points=points,
         plane=plane,
         forces=forces,
-        simple=classical(shape, motion, plane),
-        parts=replaced(shape),
+        simple=classical_forces(shape, motion, plane),
+        parts=replacement_masses(shape),
         work=done,
-        agreement=_agreement(given, points, plane, drawn, forces, done),
+        agreement=_agreement_of_methods(given, points, plane, drawn, forces, done),
         balance=level,
         supports=held,
         sections=cut,
-        fatigue=_fatigue(given, cut),
+        fatigue=_fatigue_of_sections(given, cut),
         rod=rod_strength(shape, motion, plane, forces, rod, steels["rod"]) if rod else None,
         pin=pin_strength(motion, forces, pin, steels["piston_pin"]) if pin else None,
     )
-    _check_thin(result)
+    _check_not_overstressed(result)
     return result
 
 
 def _check_friction(scene: Scene, given: Given, motion: EngineCycle) -> None:
-    locked = given.shape.f * np.abs(np.tan(swing(given.shape, motion.phi))) >= 1.0
+    locked = given.shape.f * np.abs(np.tan(rod_inclination(given.shape, motion.phi))) >= 1.0
     if locked.any():
         phi = float(motion.phi_deg[locked.argmax()])
         raise SceneError(Phrase("cs_locked", phi=phi, f=given.shape.f), scene.file)
 
 
-def _fatigue(given: Given, cut: dict[str, Section]) -> tuple[Fatigue, ...]:
+def _fatigue_of_sections(given: Given, cut: dict[str, Section]) -> tuple[Fatigue, ...]:
     shaft = given.shaft
     if shaft is None:
         return ()
     steel, k = given.materials["shaft"], given.concentration
     rounds = {"journal_A": "journal", "crankpin": "crankpin", "journal_B": "journal"}
     return tuple(
-        checked(cut[name], getattr(shaft, round_key), steel, k[round_key]) for name, round_key in rounds.items()
+        fatigue_of_section(cut[name], getattr(shaft, round_key), steel, k[round_key])
+        for name, round_key in rounds.items()
     )
 
 
-def _check_thin(c: Calculation) -> None:
+def _check_not_overstressed(c: Calculation) -> None:
     """A part stressed beyond its strength breaks: that is an error, not a result."""
     stresses = [(s.name, float(s.equivalent.max()), "shaft") for s in c.sections.values()]
     stresses += [("rod", c.rod.sigma, "rod")] if c.rod else []
@@ -167,15 +185,15 @@ def _check_thin(c: Calculation) -> None:
             raise SceneError(words, c.scene.file, line)
 
 
-def _agreement(
-    given: Given, points: RodMotion, plane: RodMotion, drawn_plans: Found, f: CycleForces, done: Work
+def _agreement_of_methods(
+    given: Given, points: RodMotion, plane: RodMotion, drawn_plans: DrawnRodMotion, f: CycleForces, done: CycleWork
 ) -> Agreement:
     w, r = given.shape.omega, given.shape.r
     ways = {"points_plane": (points, plane), "points_plans": (points, drawn_plans), "plane_plans": (plane, drawn_plans)}
-    velocity = {k: apart(a.v, b.v, w * r) for k, (a, b) in ways.items()}
-    acceleration = {k: apart(a.a, b.a, w**2 * r) for k, (a, b) in ways.items()}
-    omega = {k: largest(a.omega - b.omega) / w for k, (a, b) in ways.items()}
-    epsilon = {k: largest(a.epsilon - b.epsilon) / w**2 for k, (a, b) in ways.items()}
+    velocity = {k: largest_relative_difference(a.v, b.v, w * r) for k, (a, b) in ways.items()}
+    acceleration = {k: largest_relative_difference(a.a, b.a, w**2 * r) for k, (a, b) in ways.items()}
+    omega = {k: largest_magnitude(a.omega - b.omega) / w for k, (a, b) in ways.items()}
+    epsilon = {k: largest_magnitude(a.epsilon - b.epsilon) / w**2 for k, (a, b) in ways.items()}
     own = f.on_pin, -f.on_rod_at_b, f.N, f.on_crank_from_frame
     drawn = (
         -drawn_plans.on_rod_from_crank,
@@ -183,8 +201,8 @@ def _agreement(
         drawn_plans.push,
         drawn_plans.on_crank_from_frame,
     )
-    forces = max(largest(a - b) for a, b in zip(own, drawn, strict=True)) / max(map(largest, own))
-    top = largest(f.torque) or 1.0
-    torque, lever = (largest(one - drawn_plans.torque) / top for one in (f.torque, drawn_plans.lever))
+    forces = max(largest_magnitude(a - b) for a, b in zip(own, drawn, strict=True)) / max(map(largest_magnitude, own))
+    top = largest_magnitude(f.torque) or 1.0
+    torque, lever = (largest_magnitude(one - drawn_plans.torque) / top for one in (f.torque, drawn_plans.lever))
     of_work = abs(done.torque - done.gas - done.friction) / max(abs(done.gas), abs(done.torque), 1e-300)
     return Agreement(velocity, acceleration, omega, epsilon, forces, torque, lever, of_work)

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from planes.crank_slider.kinematics import EngineCycle, RodMotion, largest, swing
+from planes.crank_slider.kinematics import EngineCycle, RodMotion, largest_magnitude, rod_inclination
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Complexes
 from planes.geometry.plane import cross
@@ -35,14 +35,14 @@ class CycleForces:
     torque: Array
 
 
-def balance(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleForces:
+def forces_over_cycle(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleForces:
     """Every force from one moment equation and two sums."""
-    beta = swing(shape, m.phi)
+    beta = rod_inclination(shape, m.phi)
     along = -m.gas - shape.m3 * way.a["B"].real
     inertia = -shape.m2 * way.a["C"] - 1j * shape.m2 * shape.g
     arm = shape.c * np.exp(-1j * beta)
     own = (cross(arm, inertia) - shape.j2 * way.epsilon) / (shape.l * np.cos(beta))
-    push, rub = _push(shape, way, along, own, beta)
+    push, rub = _guide_reaction_and_friction(shape, way, along, own, beta)
     on_rod = along + rub + 1j * (push - shape.m3 * shape.g)
     on_pin = on_rod + inertia
     turned = on_pin * np.exp(-1j * m.phi)
@@ -63,11 +63,13 @@ def balance(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleFor
     )
 
 
-def _push(shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, beta: Array) -> tuple[Array, Array]:
+def _guide_reaction_and_friction(
+    shape: CrankSliderShape, way: RodMotion, along: Array, own: Array, beta: Array
+) -> tuple[Array, Array]:
     """N and the friction: N(1 − σ·s·f·tan β) = m₃g − P-part·tan β − own, with σ the bearing side, s the sense of
     sliding."""
     speed = way.v["B"].real
-    sense = np.where(np.abs(speed) > 1e-12 * largest(speed), np.sign(speed), 0.0)
+    sense = np.where(np.abs(speed) > 1e-12 * largest_magnitude(speed), np.sign(speed), 0.0)
     slope = np.tan(beta)
     still = shape.m3 * shape.g - along * slope - own
     tangent = shape.f * sense * slope
@@ -92,7 +94,7 @@ class Replacement:
         return 100.0 * self.error / (self.inertia - self.error)
 
 
-def replaced(shape: CrankSliderShape) -> Replacement:
+def replacement_masses(shape: CrankSliderShape) -> Replacement:
     """Masses with the rod's total and mass centre; the three also have its moment of inertia."""
     b = shape.l - shape.c
     at_a, at_b = shape.m2 * b / shape.l, shape.m2 * shape.c / shape.l
@@ -105,10 +107,10 @@ def replaced(shape: CrankSliderShape) -> Replacement:
     return Replacement(at_a, at_b, two, two - shape.j2, three)
 
 
-def classical(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleForces:
+def classical_forces(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleForces:
     """The usual engine formulas: the rod as two point masses, no weights; P, N = P·tan β, S = P/cos β, T, K by φ +
     β."""
-    beta, parts = swing(shape, m.phi), replaced(shape)
+    beta, parts = rod_inclination(shape, m.phi), replacement_masses(shape)
     p = m.gas + (shape.m3 + parts.at_b) * way.a["B"].real
     n, s = p * np.tan(beta), p / np.cos(beta)
     t, k = p * np.sin(m.phi + beta) / np.cos(beta), p * np.cos(m.phi + beta) / np.cos(beta)
@@ -131,7 +133,7 @@ def classical(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleF
 
 
 @frozen
-class Work:
+class CycleWork:
     """Mean torque, unevenness of torque, works of a cycle (J), powers (W), the flywheel."""
 
     mean: float
@@ -149,7 +151,9 @@ class Work:
     curve: Array
 
 
-def work(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, bore: float, allowed: float) -> Work:
+def work_over_cycle(
+    shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, bore: float, allowed: float
+) -> CycleWork:
     """Works by integrals over the crank's angle; A = ∮M dφ must equal ∮F dx of gas and friction."""
     cycle = float(m.phi[-1] - m.phi[0])
     drop = np.where(m.omega > 0, way.v["B"].real / m.omega, 0.0)  # dx_B/dφ
@@ -162,7 +166,7 @@ def work(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces
     excess = float(curve.max() - curve.min())
     high, low = float(f.torque.max()), float(f.torque.min())
     seconds = cycle / shape.omega
-    return Work(
+    return CycleWork(
         mean=mean,
         largest=high,
         smallest=low,
@@ -180,7 +184,7 @@ def work(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces
 
 
 @frozen
-class Printed:
+class PrintedEquations:
     """R_B by (22), T by (25), K by (26), J_C by (20), as printed; N and kg·m². Signs of T, K as in ``CycleForces``."""
 
     R_B: float
@@ -189,7 +193,9 @@ class Printed:
     J_C: float
 
 
-def printed(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, k: int) -> Printed:
+def equations_as_printed(
+    shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, k: int
+) -> PrintedEquations:
     """The text's equations at step ``k``: (22) lacks the crank's torque, (25), (26) the vertical force in B."""
     at_c, inertia = complex(way.r["C"][k]), -shape.m2 * complex(way.a["C"][k])
     sin, cos = np.sin(m.phi[k]), np.cos(m.phi[k])
@@ -198,4 +204,6 @@ def printed(shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleFor
     moments = weights + at_c.real * inertia.imag - at_c.imag * inertia.real - shape.j2 * float(way.epsilon[k])
     t = -g2 * cos + p * sin - inertia.real * sin + inertia.imag * cos
     out = -g2 * sin + inertia.imag * sin + inertia.real * cos - p * cos
-    return Printed(g3 - moments / float(way.r["B"][k].real), float(t), -float(out), 4 / 9 * shape.m2 * shape.l**2)
+    return PrintedEquations(
+        g3 - moments / float(way.r["B"][k].real), float(t), -float(out), 4 / 9 * shape.m2 * shape.l**2
+    )

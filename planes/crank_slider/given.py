@@ -10,15 +10,15 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from planes.crank_slider.parts import Material, Round, Shank, Web
+from planes.crank_slider.parts import Material, RoundPart, Shank, Web
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Indices
 from planes.words.frozen import field, frozen
 
-FOUR = ("intake", "compression", "expansion", "exhaust")
-TWO = ("compression", "expansion")
-UNITS = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "bar": 1e5}
-AWAY = ("intake", "expansion")  # the stages in which the piston moves away from its top dead centre
+FOUR_STROKE_STAGES = ("intake", "compression", "expansion", "exhaust")
+TWO_STROKE_STAGES = ("compression", "expansion")
+PASCALS_BY_UNIT = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "bar": 1e5}
+PISTON_AWAY_STAGES = ("intake", "expansion")  # the stages in which the piston moves away from its top dead centre
 
 Points = tuple[tuple[float, float], ...]
 
@@ -34,7 +34,7 @@ class Indicator:
     @property
     def names(self) -> tuple[str, ...]:
         """The stages in the order of the cycle."""
-        return FOUR if "intake" in self.stages else TWO
+        return FOUR_STROKE_STAGES if "intake" in self.stages else TWO_STROKE_STAGES
 
     @property
     def cycle_deg(self) -> float:
@@ -53,28 +53,28 @@ class Indicator:
         for k, name in enumerate(self.names):
             inside = (turned >= 180.0 * k) & (turned <= 180.0 * (k + 1))
             at = np.asarray(path)[inside] if self.over == "path" else turned[inside]
-            pressure[inside] = self.curve(name)(at) * UNITS[self.unit]
+            pressure[inside] = self.curve(name)(at) * PASCALS_BY_UNIT[self.unit]
         return pressure
 
     def curve(self, stage: str) -> Callable[[Array], Array]:
         """The pressure of one stage in the table's unit over its own variable."""
         points = sorted(self.stages[stage])
-        return monotone([x for x, _ in points], [p for _, p in points])
+        return monotone_cubic([x for x, _ in points], [p for _, p in points])
 
 
-def span(stage: str, over: str, names: tuple[str, ...]) -> tuple[float, float]:
+def required_stage_span(stage: str, over: str, names: tuple[str, ...]) -> tuple[float, float]:
     """The required beginning and end of a stage's table."""
     if over == "path":
-        return (0.0, 1.0) if stage in AWAY else (1.0, 0.0)
+        return (0.0, 1.0) if stage in PISTON_AWAY_STAGES else (1.0, 0.0)
     k = names.index(stage)
     return 180.0 * k, 180.0 * (k + 1)
 
 
-def monotone(x: list[float], y: list[float]) -> Callable[[Array], Array]:
+def monotone_cubic(x: list[float], y: list[float]) -> Callable[[Array], Array]:
     """The cubic through the points without overshoot between them."""
     xs, ys = np.array(x, float), np.array(y, float)
     h, d = np.diff(xs), np.diff(ys) / np.diff(xs)
-    slopes = _slopes(h, d)
+    slopes = _monotone_slopes(h, d)
 
     def value(at: Array) -> Array:
         at = np.clip(at, xs[0], xs[-1])
@@ -88,17 +88,17 @@ def monotone(x: list[float], y: list[float]) -> Callable[[Array], Array]:
     return value
 
 
-def _slopes(h: Array, d: Array) -> Array:
+def _monotone_slopes(h: Array, d: Array) -> Array:
     if len(d) == 1:
         return np.array([d[0], d[0]])
     inner = np.zeros(len(d) - 1)
     same = d[:-1] * d[1:] > 0.0
     w1, w2 = 2.0 * h[1:] + h[:-1], h[1:] + 2.0 * h[:-1]
     inner[same] = ((w1 + w2)[same]) / (w1[same] / d[:-1][same] + w2[same] / d[1:][same])
-    return np.array([_end(h[0], h[1], d[0], d[1]), *inner, _end(h[-1], h[-2], d[-1], d[-2])])
+    return np.array([_end_slope(h[0], h[1], d[0], d[1]), *inner, _end_slope(h[-1], h[-2], d[-1], d[-2])])
 
 
-def _end(h0: float, h1: float, d0: float, d1: float) -> float:
+def _end_slope(h0: float, h1: float, d0: float, d1: float) -> float:
     slope = ((2.0 * h0 + h1) * d0 - h0 * d1) / (h0 + h1)
     if slope * d0 <= 0.0:
         return 0.0
@@ -121,8 +121,8 @@ class Shaft:
     span: float
     pin_from_b: float
     webs: float
-    journal: Round
-    crankpin: Round
+    journal: RoundPart
+    crankpin: RoundPart
     web: Web
     pin_mass: float
     web_mass: float
@@ -156,7 +156,7 @@ class Counterweights:
 class PistonPin:
     """The piston pin: its section, whole length, length of the rod's bush, gap between the bosses."""
 
-    section: Round
+    section: RoundPart
     length: float
     bush: float
     gap: float

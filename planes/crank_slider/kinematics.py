@@ -10,16 +10,16 @@ from typing import Any
 import numpy as np
 
 from planes.crank_slider.shape import CrankSliderShape
-from planes.drafting.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, draw_program
 from planes.geometry.arrays import Array, Complexes
 from planes.plans import Plans, plans_of
-from planes.plans.scales import unit_scales
+from planes.plans.scales import unit_scales_of_plans
 from planes.scene import Scene
 from planes.scene.mechanism import Load, Mechanism
 from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.frozen import frozen, replace
-from planes.words.names import at
+from planes.words.names import full_mark_name
 
 ByPoint = dict[str, Complexes]  # A, B, C
 
@@ -51,7 +51,7 @@ class RodMotion:
 
 
 @frozen
-class Found(RodMotion):
+class DrawnRodMotion(RodMotion):
     """Results of the plans, SI, places from the crank's pivot; a force acts on the first-named link.
 
     ``push`` is the normal push of the guide on the slider, up positive; ``torque`` the moment delivered by the crank.
@@ -65,28 +65,28 @@ class Found(RodMotion):
     lever: Array
 
 
-def loaded(mechanism: Mechanism, shape: CrankSliderShape, gas: float = 0.0) -> Mechanism:
+def with_gas_force(mechanism: Mechanism, shape: CrankSliderShape, gas: float = 0.0) -> Mechanism:
     """The mechanism with the gas force on its slider, towards the crank."""
     return replace(mechanism, loads=(Load(shape.slider, "force", gas, shape.hinge, 180.0),))
 
 
-def follow(scene: Scene, shape: CrankSliderShape, motion: EngineCycle) -> Found:
+def draw_cycle_plans(scene: Scene, shape: CrankSliderShape, motion: EngineCycle) -> DrawnRodMotion:
     """Draw the plans of every position in the cycle."""
     assert scene.mechanism is not None
-    plans = plans_of(loaded(scene.mechanism, shape), scene.file)
+    plans = plans_of(with_gas_force(scene.mechanism, shape), scene.file)
     moved = {
-        plans.drive_given: motion.phi_deg,
+        plans.drive_given_name: motion.phi_deg,
         f"omega_{shape.crank}": motion.omega,
         f"epsilon_{shape.crank}": motion.epsilon,
         f"P_{shape.slider}_given": motion.gas,
     }
-    drawing = run(plans.program, {**plans.given, **unit_scales(plans), **moved})
-    drawn = _read(plans, drawing, shape, np.shape(motion.phi_deg))
-    _check(scene, shape, motion, drawn)
+    drawing = draw_program(plans.program, {**plans.given, **unit_scales_of_plans(plans), **moved})
+    drawn = _read_drawn_plans(plans, drawing, shape, np.shape(motion.phi_deg))
+    _check_drawn_plans(scene, shape, motion, drawn)
     return drawn
 
 
-def _read(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[int, ...]) -> Found:
+def _read_drawn_plans(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[int, ...]) -> DrawnRodMotion:
     def mark(name: str) -> Complexes:
         return np.broadcast_to(np.asarray(drawing[name], complex), size)
 
@@ -99,8 +99,8 @@ def _read(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[i
         return way if r.pair.link == on else -way
 
     points = {"A": shape.pin, "B": shape.hinge, "C": shape.centre, "S": plans.mechanism.links[shape.crank].mass_centre}
-    pivot = mark(at("position", shape.pivot))
-    return Found(
+    pivot = mark(full_mark_name("position", shape.pivot))
+    return DrawnRodMotion(
         r={k: mark(plans.points[p].position) - pivot for k, p in points.items()},
         v={k: mark(plans.points[p].velocity) for k, p in points.items()},
         a={k: mark(plans.points[p].acceleration) for k, p in points.items()},
@@ -115,7 +115,7 @@ def _read(plans: Plans, drawing: Drawing, shape: CrankSliderShape, size: tuple[i
     )
 
 
-def _check(scene: Scene, shape: CrankSliderShape, motion: EngineCycle, drawn: Found) -> None:
+def _check_drawn_plans(scene: Scene, shape: CrankSliderShape, motion: EngineCycle, drawn: DrawnRodMotion) -> None:
     bad = ~np.isfinite(drawn.torque) | ~np.isfinite(drawn.r["B"])
     if bad.any():
         phi = float(motion.phi_deg[bad.argmax()])
@@ -125,12 +125,12 @@ def _check(scene: Scene, shape: CrankSliderShape, motion: EngineCycle, drawn: Fo
         raise SceneError(Phrase("cs_behind", point=shape.hinge), scene.file)
 
 
-def swing(shape: CrankSliderShape, phi: Array) -> Array:
+def rod_inclination(shape: CrankSliderShape, phi: Array) -> Array:
     """β: the inclination of the rod, downwards from A to B."""
     return np.arcsin(shape.r * np.sin(phi) / shape.l)
 
 
-def as_points(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
+def motion_by_coordinates(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     """Coordinates (1), differentiated once (2) and twice (3)."""
     r, l, k = shape.r, shape.l, shape.c / shape.l  # noqa: E741
     sin, cos, w, e = np.sin(m.phi), np.cos(m.phi), m.omega, m.epsilon
@@ -148,10 +148,10 @@ def as_points(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     return RodMotion(place, velocities, {n: w**2 * second[n] + e * first[n] for n in second}, speed, rate)
 
 
-def as_plane_motion(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
+def motion_by_instant_centre(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     """Instant centre and the theorem on accelerations: (5*)–(7), (9)–(13)."""
     r, l, c = shape.r, shape.l, shape.c  # noqa: E741
-    phi, beta, w, e = m.phi, swing(shape, m.phi), m.omega, m.epsilon
+    phi, beta, w, e = m.phi, rod_inclination(shape, m.phi), m.omega, m.epsilon
     sin_phi, cos_phi, sin_beta, cos_beta = np.sin(phi), np.cos(phi), np.sin(beta), np.cos(beta)
     turning = w * r * cos_phi / (l * cos_beta)  # (5*), clockwise positive
     normal, tangent = w**2 * r, e * r  # (8)
@@ -173,17 +173,17 @@ def as_plane_motion(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     return RodMotion(r_of, {"A": v_a, "B": v_b, "C": v_c}, a_of, -turning, tangent_b / l)
 
 
-def text_acceleration(shape: CrankSliderShape, m: EngineCycle) -> Complexes:
+def acceleration_as_printed(shape: CrankSliderShape, m: EngineCycle) -> Complexes:
     """a_B by the text's (3) as printed, without the terms with ε: its error where ω varies."""
     still = EngineCycle(m.phi_deg, m.omega, np.zeros_like(m.epsilon), m.gas)
-    return as_points(shape, still).a["B"]
+    return motion_by_coordinates(shape, still).a["B"]
 
 
-def apart(one: ByPoint, other: ByPoint, unit: float) -> float:
+def largest_relative_difference(one: ByPoint, other: ByPoint, unit: float) -> float:
     """The largest difference of two methods over all points and angles, relative to ``unit``."""
-    return max(largest(one[n] - other[n]) for n in "ABC") / unit
+    return max(largest_magnitude(one[n] - other[n]) for n in "ABC") / unit
 
 
-def largest(numbers: np.ndarray[Any, Any]) -> float:
+def largest_magnitude(numbers: np.ndarray[Any, Any]) -> float:
     """The largest magnitude over the cycle."""
     return float(np.abs(numbers).max())

@@ -13,7 +13,7 @@ from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
-from planes.crank_slider.kinematics import largest
+from planes.crank_slider.kinematics import largest_magnitude
 from planes.geometry.arrays import Array
 from planes.solving.document import (
     Block,
@@ -27,13 +27,13 @@ from planes.solving.document import (
     PlottedLine,
     ShaftSketch,
 )
-from planes.words import Lang, decimal, say
-from planes.words.units import in_tex, number, quantity
+from planes.words import Lang, say, with_decimal_sign
+from planes.words.units import number_in_tex, number_text, significant_digits_text
 
-KN = 1e-3
-UNITS = ("m/s²", "m/s", "rad/s²", "rad/s", "MPa", "N·m", "N", "kgm2", "kg", "J", "m", "kW")
+KILONEWTONS_PER_NEWTON = 1e-3
+FORMULA_UNITS = ("m/s²", "m/s", "rad/s²", "rad/s", "MPa", "N·m", "N", "kgm2", "kg", "J", "m", "kW")
 """Units of formulas, written [kW]."""
-_PLACE = re.compile("‹([^›]+)›")
+_PLACEHOLDER_PATTERN = re.compile("‹([^›]+)›")
 
 
 @dataclass
@@ -52,41 +52,41 @@ class ChapterWriter:
 
     def number(self, value: float, digits: int = 4, near: float = 0.0) -> str:
         """A number for a text; rounding noise of numbers ``near`` that large is zero."""
-        return number(0.0 if abs(value) < 1e-12 * near else float(value), self.lang, digits)
+        return number_text(0.0 if abs(value) < 1e-12 * near else float(value), self.lang, digits)
 
     def tex(self, value: float) -> str:
         """A number for a formula."""
-        return in_tex(decimal(quantity(float(value)), self.lang))
+        return number_in_tex(with_decimal_sign(significant_digits_text(float(value)), self.lang))
 
     def write(self, part: str, values: object) -> None:
         """A part of ``report.txt``: its headings, sentences and formulas, with ``values`` for their placeholders."""
-        for line in _parts()[part]:
+        for line in _report_parts()[part]:
             flag, line = line.split(" ", 1) if line[0] == "?" else ("", line)
-            if not flag or bool(_value(flag.strip("?!"), values)) != flag.startswith("?!"):
+            if not flag or bool(_value_at_path(flag.strip("?!"), values)) != flag.startswith("?!"):
                 self._line(line, values)
 
     def _line(self, line: str, values: object) -> None:
         mark, _, content = line.partition(" ")
         if mark == "$":
             tex, _, number = content.partition(" № ")
-            self.formula(_PLACE.sub(lambda place: self._placed(place[1], values), tex), number)
+            self.formula(_PLACEHOLDER_PATTERN.sub(lambda place: self._placed(place[1], values), tex), number)
         elif mark in ("#", "##"):
             self.blocks.append(Heading(self.say(content), len(mark)))
         else:
             key, *given = line.removeprefix("! ").split()
-            parts = {name: _value(path, values) for name, _, path in (one.partition("=") for one in given)}
+            parts = {name: _value_at_path(path, values) for name, _, path in (one.partition("=") for one in given)}
             self.blocks.append(Paragraph(self.say(key, **parts), mistake=mark == "!"))
 
     def _placed(self, path: str, values: object) -> str:
         """The text for a placeholder of a formula."""
-        value = _value(path.strip("()"), values)
+        value = _value_at_path(path.strip("()"), values)
         text = value if isinstance(value, str) else self.tex(value)
         return f"({text})" if path[0] == "(" and value < 0 else text
 
     def formula(self, tex: str, number: str = "") -> None:
         """A formula; ``§key§`` in it is a subscript of the table."""
         tex = re.sub("§(\\w+)§", lambda place: f"\\mathrm{{{self.say(f'sub_{place[1]}')}}}", tex)
-        for unit in UNITS:
+        for unit in FORMULA_UNITS:
             tex = tex.replace(f"[{unit}]", f"\\ \\mathrm{{{say(unit, self.lang)}}}")
         tex = tex.replace(r"\frac", r"\dfrac").replace(r"\tan", rf"\,\mathrm{{{say('tangent', self.lang)}}}\,")
         tex = re.sub(r"\\(sin|cos)(?=[^a-z]|$)", r"\\,\\\1\\,", tex).replace(r"\,^", "^")
@@ -105,8 +105,8 @@ class ChapterWriter:
 
     def sizes(self, part: str, values: object) -> list[tuple[str, str, str]]:
         """Rows of a table of ``report.txt``: the name, the symbol, the value with the unit."""
-        rows = ([cell.strip() for cell in line.split("|")] for line in _parts()[part])
-        sizes = ((key, sign, self.number(_value(path, values)), unit) for key, sign, path, unit in rows)
+        rows = ([cell.strip() for cell in line.split("|")] for line in _report_parts()[part])
+        sizes = ((key, sign, self.number(_value_at_path(path, values)), unit) for key, sign, path, unit in rows)
         return [(self.say(key), sign, f"{x} {self.say(unit)}" if unit else x) for key, sign, x, unit in sizes]
 
     def figure(self, key: str, picture: Chart | DrawnViews | ShaftSketch, **parts: object) -> None:
@@ -120,25 +120,25 @@ class ChapterWriter:
 
     def over_cycle(self, key: str, steps: range, columns: Mapping[str, Array]) -> None:
         """A table of numbers at some steps of the cycle."""
-        noise = [(x, largest(x)) for x in columns.values()]
+        noise = [(x, largest_magnitude(x)) for x in columns.values()]
         rows = [[self.number(x[i], near=n) for x, n in noise] for i in steps]
         self.table(key, list(columns), rows)
 
 
 @cache
-def _parts() -> dict[str, list[str]]:
+def _report_parts() -> dict[str, list[str]]:
     """The lines of every part of the report by its name."""
     text = Path(__file__).with_name("report.txt").read_text("utf-8")
     named = (part.partition("]\n") for part in text.removeprefix("[").split("\n["))
     return {name: body.rstrip().split("\n") for name, _, body in named}
 
 
-def _value(path: str, values: object) -> Any:
+def _value_at_path(path: str, values: object) -> Any:
     """The value at a path: ``-`` before a reversed one, ``|`` around one of which the magnitude is meant."""
     value = attrgetter(path.strip("|-"))(values)
     return abs(value) if path[0] == "|" else -value if path[0] == "-" else value
 
 
-def lines(x: Array, named: Mapping[str, Array]) -> list[PlottedLine]:
+def plotted_lines(x: Array, named: Mapping[str, Array]) -> list[PlottedLine]:
     """Curves over the same x, each in the next style."""
     return [PlottedLine(x, y, name, k) for k, (name, y) in enumerate(named.items())]

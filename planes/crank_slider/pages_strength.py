@@ -7,12 +7,20 @@ from typing import Any
 import numpy as np
 
 from planes.crank_slider.calculation import Calculation
-from planes.crank_slider.pages import KN, ChapterWriter, lines
-from planes.crank_slider.pages_mechanics import at_step
-from planes.crank_slider.shaft import Section, along
+from planes.crank_slider.pages import KILONEWTONS_PER_NEWTON, ChapterWriter, plotted_lines
+from planes.crank_slider.pages_mechanics import record_at_step
+from planes.crank_slider.shaft import Section, moment_diagrams
 from planes.solving.document import Chart, PlottedLine, ShaftSketch
 
-WRONG = {"3": "3", "5": "5), (7", "20": "20), (21", "22": "22", "24": "24)–(26", "32": "31), (32", "35": "35"}
+SOURCE_TEXT_ERRORS = {
+    "3": "3",
+    "5": "5), (7",
+    "20": "20), (21",
+    "22": "22",
+    "24": "24)–(26",
+    "32": "31), (32",
+    "35": "35",
+}
 """Errors of the source text: the key of the explanation, and the formulas."""
 
 
@@ -31,7 +39,10 @@ def write_balance(w: ChapterWriter, c: Calculation) -> None:
     w.figure("f_masses", shaft_sketch(c, masses=masses, forces=forces, sizes=arms))
 
     def pair(value: float, expected: float) -> str:
-        own, other = (w.number(force * KN, near=b.force * KN) for force in (value, expected))
+        own, other = (
+            w.number(force * KILONEWTONS_PER_NEWTON, near=b.force * KILONEWTONS_PER_NEWTON)
+            for force in (value, expected)
+        )
         return f"{own} ({other})"
 
     names = {x.name: w.say(f"w_{x.name}", part=weights.translating) for x in b.cases}
@@ -41,7 +52,7 @@ def write_balance(w: ChapterWriter, c: Calculation) -> None:
     ]
     w.table("t_first", w.words("c_weights", "c_static", "c_along", "c_across", "c_second"), rows)
     w.write("shaking", v)
-    closed = [(x.name, np.append(x.curve, x.curve[0]) * KN) for x in b.cases]
+    closed = [(x.name, np.append(x.curve, x.curve[0]) * KILONEWTONS_PER_NEWTON) for x in b.cases]
     curves = tuple(PlottedLine(z.real, z.imag, names[name], i) for i, (name, z) in enumerate(closed))
     w.figure("f_shaking", Chart(w.say("x_along"), w.say("y_across"), curves, equal=True, height_mm=72))
 
@@ -58,16 +69,16 @@ def write_strength(w: ChapterWriter, c: Calculation) -> None:
         w.table("t_material", (*w.words("c_part", "c_steel"), *sigmas), rows)
         w.write("shaft", c)
         if c.given.shaft:
-            _bearings(w, c)
-            _static(w, c)
-            _fatigue(w, c)
+            _write_bearing_reactions(w, c)
+            _write_static_strength(w, c)
+            _write_fatigue(w, c)
     if c.rod:
-        _rod(w, c)
+        _write_rod_strength(w, c)
     if c.pin:
-        _pin(w, c)
+        _write_pin_strength(w, c)
 
 
-def cases(c: Calculation) -> dict[str, int]:
+def worst_load_steps(c: Calculation) -> dict[str, int]:
     """The steps of the largest normal and the largest tangential force."""
     return {"I": int(np.abs(c.forces.K).argmax()), "II": int(np.abs(c.forces.T).argmax())}
 
@@ -80,7 +91,7 @@ def shaft_sketch(c: Calculation, **shown: Mapping[Any, str]) -> ShaftSketch:
     return ShaftSketch(shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, r, low, **shown)
 
 
-def _bearings(w: ChapterWriter, c: Calculation) -> None:
+def _write_bearing_reactions(w: ChapterWriter, c: Calculation) -> None:
     """The bearing reactions, and the moments along the shaft in both cases."""
     shaft, held, cw = c.given.shaft, c.supports, w.say("sub_cw")
     assert shaft and held
@@ -90,40 +101,42 @@ def _bearings(w: ChapterWriter, c: Calculation) -> None:
     bearings = {(x, way): f"{x}{sign}" for x in "AB" for way, sign in (("up", "′"), ("across", "″"))}
     sketch = shaft_sketch(c, forces=pin | webs | weights | bearings, sizes=dict(zip("mabnL", "mabnL", strict=True)))
     w.figure("f_sketch", sketch, a=shaft.left, b=shaft.right)
-    at = [SimpleNamespace(name=name, phi=c.motion.phi_deg[k]) for name, k in cases(c).items()]
+    at = [SimpleNamespace(name=name, phi=c.motion.phi_deg[k]) for name, k in worst_load_steps(c).items()]
     w.write("reactions", SimpleNamespace(held=held, K=at[0], T=at[1]))
-    for (name, k), case in zip(cases(c).items(), at, strict=True):
-        case.held, case.shaft, case.to_right = at_step(held, k), shaft, shaft.span - shaft.webs
+    for (name, k), case in zip(worst_load_steps(c).items(), at, strict=True):
+        case.held, case.shaft, case.to_right = record_at_step(held, k), shaft, shaft.span - shaft.webs
         case.left, case.right = held.web - held.left_weight, held.web - held.right_weight
         w.write("case", case)
-        x, *moments = along(shaft, c.sections, k)
-        curves = lines(x, dict(zip(w.words("l_Mz", "l_My", "l_Mx"), moments, strict=True)))
+        x, *moments = moment_diagrams(shaft, c.sections, k)
+        curves = plotted_lines(x, dict(zip(w.words("l_Mz", "l_My", "l_Mx"), moments, strict=True)))
         w.figure("f_moments", Chart(w.say("x_shaft"), w.say("y_Nm"), tuple(curves), height_mm=58), case=name)
 
 
-def _static(w: ChapterWriter, c: Calculation) -> None:
+def _write_static_strength(w: ChapterWriter, c: Calculation) -> None:
     w.write("static", c)
     rows = []
     for s in c.sections.values():
         columns = (s.bending_z, s.bending_y, s.torsion, s.sigma, s.tau, s.equivalent)
-        rows += [(f"{w.say(f'x_{s.name}')}, {name}", *(x[k] for x in columns)) for name, k in cases(c).items()]
+        rows += [
+            (f"{w.say(f'x_{s.name}')}, {name}", *(x[k] for x in columns)) for name, k in worst_load_steps(c).items()
+        ]
     head = (w.say("c_section"), "M_{z}", "M_{y}", "M_{x}", "σ", "τ", f"σ_{{{w.say('sub_eq')}}}")
     w.table("t_static", head, rows)
-    worst, limits, steel = dangerous(c), c.given.limits, c.given.materials["shaft"]
+    worst, limits, steel = most_stressed_section(c), c.given.limits, c.given.materials["shaft"]
     at = int(worst.equivalent.argmax())
-    v = SimpleNamespace(limits=limits, steel=steel, worst=at_step(worst, at), section=w.say(f"x_{worst.name}"))
+    v = SimpleNamespace(limits=limits, steel=steel, worst=record_at_step(worst, at), section=w.say(f"x_{worst.name}"))
     v.phi, v.top, v.allowed = c.motion.phi_deg[at], worst.equivalent[at], steel.yields / limits.static
     v.holds = v.top <= v.allowed
     v.sign = r"\leq" if v.holds else ">"
     w.write("dangerous", v)
 
 
-def dangerous(c: Calculation) -> Section:
+def most_stressed_section(c: Calculation) -> Section:
     """The section with the largest stress over the cycle."""
     return max(c.sections.values(), key=lambda s: float(s.equivalent.max()))
 
 
-def _fatigue(w: ChapterWriter, c: Calculation) -> None:
+def _write_fatigue(w: ChapterWriter, c: Calculation) -> None:
     rows = []
     for f in c.fatigue:
         values = (f.angle_deg, f.sigma_a, f.sigma_m, f.tau_a, f.tau_m, f.n_sigma, f.n_tau, f.n)
@@ -138,7 +151,7 @@ def _fatigue(w: ChapterWriter, c: Calculation) -> None:
     w.write("fatigue", v)
 
 
-def _rod(w: ChapterWriter, c: Calculation) -> None:
+def _write_rod_strength(w: ChapterWriter, c: Calculation) -> None:
     r, shank = c.rod, c.given.rod
     assert r and shank
     v = SimpleNamespace(r=r, steel=c.given.materials["rod"], limits=c.given.limits)
@@ -151,7 +164,7 @@ def _rod(w: ChapterWriter, c: Calculation) -> None:
     w.write("buckling", v)
 
 
-def _pin(w: ChapterWriter, c: Calculation) -> None:
+def _write_pin_strength(w: ChapterWriter, c: Calculation) -> None:
     p, pin, limits, mm = c.pin, c.given.pin, c.given.limits, 1e3
     assert p and pin
     ratio = pin.section.bore / pin.section.d
@@ -166,24 +179,33 @@ def write_summary(w: ChapterWriter, c: Calculation) -> None:
     """Every check in one table, and every error of the source text in another."""
     w.write("summary", c)
     rows = []
-    for name, value, low, high, ok in checks(c):
+    for name, value, low, high, ok in checks_with_bounds(c):
         bounds = ("" if low is None else f"{w.number(low)} ≤ ", "" if high is None else f" ≤ {w.number(high)}")
         rows.append((w.say(f"c_{name}"), value, "…".join(bounds), w.say("yes" if ok else "no")))
     if rows:
         w.table("t_summary", w.words("c_check", "c_found", "c_needed", "c_verdict"), rows)
-    w.table("t_wrong", w.words("c_formula", "c_error"), [(f"({n})", w.say(f"e_{key}")) for key, n in WRONG.items()])
+    w.table(
+        "t_wrong",
+        w.words("c_formula", "c_error"),
+        [(f"({n})", w.say(f"e_{key}")) for key, n in SOURCE_TEXT_ERRORS.items()],
+    )
 
 
-def checks(c: Calculation) -> Iterator[tuple[str, float, float | None, float | None, bool]]:
+def checks_with_bounds(c: Calculation) -> Iterator[tuple[str, float, float | None, float | None, bool]]:
     """Name, value found, bounds, whether it passes."""
-    for name, value, low, high in _found(c):
+    for name, value, low, high in _checked_values(c):
         yield name, value, low, high, (low is None or value >= low) and (high is None or value <= high)
 
 
-def _found(c: Calculation) -> Iterator[tuple[str, float, float | None, float | None]]:
+def _checked_values(c: Calculation) -> Iterator[tuple[str, float, float | None, float | None]]:
     g = c.given.limits
     if c.sections:
-        yield "static_shaft", c.given.materials["shaft"].yields / float(dangerous(c).equivalent.max()), g.static, None
+        yield (
+            "static_shaft",
+            c.given.materials["shaft"].yields / float(most_stressed_section(c).equivalent.max()),
+            g.static,
+            None,
+        )
         yield "fatigue_shaft", min(f.n for f in c.fatigue), *g.fatigue
     if c.rod:
         yield "rod_static", c.rod.n, g.static, None

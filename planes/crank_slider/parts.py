@@ -13,12 +13,12 @@ import numpy as np
 
 from planes.words.frozen import frozen
 
-_SIDES = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 10.0, 1e9)
-_ALPHA = (0.208, 0.219, 0.231, 0.246, 0.258, 0.267, 0.282, 0.291, 0.312, 0.333)
+_SIDE_RATIOS = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 10.0, 1e9)
+_TORSION_FACTORS = (0.208, 0.219, 0.231, 0.246, 0.258, 0.267, 0.282, 0.291, 0.312, 0.333)
 
 
 @frozen
-class Round:
+class RoundPart:
     """A round section of diameter d with a central bore."""
 
     d: float
@@ -96,12 +96,14 @@ class Shank:
 
 def torsion_factor(ratio: float) -> float:
     """Saint-Venant's α of a rectangle by the ratio of its sides (≥ 1), linear between the table's values."""
-    return float(np.interp(ratio, _SIDES, _ALPHA))
+    return float(np.interp(ratio, _SIDE_RATIOS, _TORSION_FACTORS))
 
 
 ELASTICITY_MPA = 2.1e5
 
-STEELS: dict[str, tuple[float, float, bool]] = json.loads(Path(__file__).with_name("steels.json").read_text("utf-8"))
+STEEL_PROPERTIES: dict[str, tuple[float, float, bool]] = json.loads(
+    Path(__file__).with_name("steels.json").read_text("utf-8")
+)
 """For the name of a steel its strength and yield (MPa), and whether it is alloyed."""
 
 
@@ -119,7 +121,7 @@ class Material:
     elasticity: float = ELASTICITY_MPA
 
 
-def made(
+def make_material(
     name: str,
     strength: float,
     yields: float,
@@ -134,7 +136,7 @@ def made(
     return Material(name, strength, yields, bending, torsion or 0.58 * bending, psi, psi / 2, elasticity)
 
 
-def steel(name: str) -> Material | None:
+def steel_by_name(name: str) -> Material | None:
     """The steel of that name, in Cyrillic or look-alike Latin letters."""
     known = name.strip().upper().translate(str.maketrans("XHACM", "ХНАСМ"))
-    return made(known, *STEELS[known]) if known in STEELS else None
+    return make_material(known, *STEEL_PROPERTIES[known]) if known in STEEL_PROPERTIES else None

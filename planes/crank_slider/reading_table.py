@@ -6,14 +6,21 @@ from collections.abc import Callable
 from types import MappingProxyType
 from typing import TypeVar
 
-from planes.crank_slider.given import FOUR, TWO, UNITS, Indicator, Points, span
+from planes.crank_slider.given import (
+    FOUR_STROKE_STAGES,
+    PASCALS_BY_UNIT,
+    TWO_STROKE_STAGES,
+    Indicator,
+    Points,
+    required_stage_span,
+)
 from planes.scene.reader import Fields
 from planes.scene.source import Items, Node
 from planes.words import Phrase, Told
 
 Part = TypeVar("Part")
-INDICATOR = ("over", "unit", *FOUR)
-_WRITTEN = {
+INDICATOR_KEYS = ("over", "unit", *FOUR_STROKE_STAGES)
+_KEY_WORDS_BY_TABLE = {
     "crank_slider": (
         "bore ambient indicator step speed flywheel positions shaft counterweights rod piston_pin materials fatigue "
         "limits"
@@ -33,7 +40,7 @@ _WRITTEN = {
     "concentration": "k_sigma k_tau size_sigma size_tau",
     "limits": "static fatigue buckling bush_MPa boss_MPa",
 }
-KEYS = {name: tuple(keys.split()) for name, keys in _WRITTEN.items()}
+KEYS_BY_TABLE = {name: tuple(keys.split()) for name, keys in _KEY_WORDS_BY_TABLE.items()}
 """The keys of the section and of its tables, by the name of the table."""
 
 
@@ -42,56 +49,56 @@ class Values(Fields):
 
     def part(self, key: str, read: Callable[[Values], Part]) -> Part | None:
         """The part read from the table under a key, None if it is missing."""
-        return None if self.optional(key) is None else read(self.inner(key, KEYS[key]))
+        return None if self.optional_node(key) is None else read(self.inner_fields(key, KEYS_BY_TABLE[key]))
 
     def above(self, key: str, usual: float | None = None) -> float:
         """A number above zero."""
-        value = self.number(key, usual)
+        value = self.read_number(key, usual)
         if value <= 0.0:
-            raise self.fault("cs_positive", key, what=self.named(key), value=value)
+            raise self.error_by_key("cs_positive", key, what=self.phrase_of_key(key), value=value)
         return value
 
     def between(self, key: str, low: float, high: float, usual: float | None = None) -> float:
         """A number from ``low`` to ``high``."""
-        value = self.number(key, usual)
+        value = self.read_number(key, usual)
         if not low <= value <= high:
-            raise self.fault("cs_range", key, what=self.named(key), low=low, high=high, value=value)
+            raise self.error_by_key("cs_range", key, what=self.phrase_of_key(key), low=low, high=high, value=value)
         return value
 
     def pair(self, key: str) -> tuple[float, float] | None:
         """Two numbers, None where they are not given."""
-        if self.optional(key) is None:
+        if self.optional_node(key) is None:
             return None
-        both = self.place(key)
+        both = self.read_place(key)
         return both.real, both.imag
 
 
 def read_indicator(top: Values) -> Indicator:
     """The diagram with all required stages, each over its whole stroke, joined to the next."""
-    table = top.inner("indicator", INDICATOR)
-    over, unit = table.word("over", ("path", "angle")), table.word("unit", tuple(UNITS))
-    names = FOUR if "intake" in table or "exhaust" in table else TWO
+    table = top.inner_fields("indicator", INDICATOR_KEYS)
+    over, unit = table.read_word("over", ("path", "angle")), table.read_word("unit", tuple(PASCALS_BY_UNIT))
+    names = FOUR_STROKE_STAGES if "intake" in table or "exhaust" in table else TWO_STROKE_STAGES
     missing = next((name for name in names if name not in table), None)
     if missing:
-        raise table.fault("cs_stages", stage=missing)
-    stages = {name: _stage(table, name, over, names) for name in names}
+        raise table.error_by_key("cs_stages", stage=missing)
+    stages = {name: _read_stage(table, name, over, names) for name in names}
     for one, two in zip(names, (*names[1:], names[0]), strict=True):
         first, second = stages[one][-1][1], stages[two][0][1]
         if abs(first - second) > 1e-6 * max(abs(first), abs(second)):
-            raise table.fault("cs_joint", two, one=one, two=two, first=first, second=second)
+            raise table.error_by_key("cs_joint", two, one=one, two=two, first=first, second=second)
     return Indicator(over, unit, MappingProxyType(stages))
 
 
-def _stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Points:
-    what, variable = table.named(name), "s/S" if over == "path" else "φ"
-    items = table.reader.items(table.required(name), what)
-    points = tuple(_point(table, item, what, variable) for item in items)
+def _read_stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Points:
+    what, variable = table.phrase_of_key(name), "s/S" if over == "path" else "φ"
+    items = table.reader.read_list(table.required_node(name), what)
+    points = tuple(_read_point(table, item, what, variable) for item in items)
     if len(points) < 2:
-        raise table.fault("cs_two_points", name, what=what, variable=variable)
-    start, end = span(name, over, names)
+        raise table.error_by_key("cs_two_points", name, what=what, variable=variable)
+    start, end = required_stage_span(name, over, names)
     if abs(points[0][0] - start) > 1e-9 or abs(points[-1][0] - end) > 1e-9:
         ends = {"start": start, "end": end, "one": points[0][0], "two": points[-1][0]}
-        raise table.fault("cs_ends", name, what=what, variable=variable, **ends)
+        raise table.error_by_key("cs_ends", name, what=what, variable=variable, **ends)
     for (one, _), (two, _), item in zip(points, points[1:], items[1:], strict=False):
         if (two - one) * (end - start) <= 0.0:
             words = Phrase("cs_order", what=what, variable=variable, start=start, end=end, one=one, two=two)
@@ -99,10 +106,10 @@ def _stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Point
     return points
 
 
-def _point(table: Values, item: Node, what: Told, variable: str) -> tuple[float, float]:
+def _read_point(table: Values, item: Node, what: Told, variable: str) -> tuple[float, float]:
     if not isinstance(item, Items) or len(item.items) != 2:
-        raise table.reader.fault("cs_point", item, what=what, variable=variable)
-    x, p = (table.reader.number(node, what) for node in item.items)
+        raise table.reader.error_by_key("cs_point", item, what=what, variable=variable)
+    x, p = (table.reader.read_number(node, what) for node in item.items)
     if p < 0.0:
-        raise table.reader.fault("cs_pressure", item, what=what, value=p)
+        raise table.reader.error_by_key("cs_pressure", item, what=what, value=p)
     return x, p

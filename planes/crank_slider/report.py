@@ -7,28 +7,28 @@ from dataclasses import is_dataclass
 import numpy as np
 
 from planes.crank_slider.calculation import Calculation
-from planes.crank_slider.forces import printed
+from planes.crank_slider.forces import equations_as_printed
 from planes.crank_slider.pages import ChapterWriter
 from planes.crank_slider.pages_mechanics import write_forces, write_given, write_kinematics
-from planes.crank_slider.pages_strength import checks, write_balance, write_strength, write_summary
+from planes.crank_slider.pages_strength import checks_with_bounds, write_balance, write_strength, write_summary
 from planes.solving.document import Block, DocumentTable, Heading
-from planes.solving.text_tables import table
+from planes.solving.text_tables import aligned_table
 from planes.words import Lang
 from planes.words.records import Json
 
-CHAPTERS = (write_given, write_kinematics, write_forces, write_balance, write_strength, write_summary)
+CHAPTER_WRITERS = (write_given, write_kinematics, write_forces, write_balance, write_strength, write_summary)
 
 
-def document(c: Calculation, lang: Lang) -> list[Block]:
+def report_document(c: Calculation, lang: Lang) -> list[Block]:
     """The whole report in one language."""
     title = c.scene.title.get(lang) or next(iter(c.scene.title.values()), c.scene.file)
     writer = ChapterWriter(lang, [Heading(title, 0)])
-    for chapter in CHAPTERS:
+    for chapter in CHAPTER_WRITERS:
         chapter(writer, c)
     return writer.blocks
 
 
-def summary(c: Calculation, lang: Lang) -> str:
+def summary_lines(c: Calculation, lang: Lang) -> str:
     """The checks and the torque as lines for a terminal."""
     writer = ChapterWriter(lang)
     write_summary(writer, c)
@@ -37,7 +37,7 @@ def summary(c: Calculation, lang: Lang) -> str:
     lines = [c.scene.title.get(lang, ""), f"{torque}; {power} {writer.say('kW')}"]
     checked = [b for b in writer.blocks if isinstance(b, DocumentTable)][:-1]  # the last lists the text's errors
     for block in checked:
-        lines += table(writer.say("t_summary"), block.rows[0], block.rows[1:])
+        lines += aligned_table(writer.say("t_summary"), block.rows[0], block.rows[1:])
     return "\n".join(lines) + "\n"
 
 
@@ -48,44 +48,48 @@ def as_json(c: Calculation) -> Json:
         "scene": c.scene.file,
         "variant": c.scene.variant,
         "agreement": c.agreement,
-        "kinematics": _kinematics(c),
+        "kinematics": _kinematics_json(c),
         "replacement": {**vars(c.parts), "percent": c.parts.percent},
-        "forces": _forces(c),
-        "torque": _but_curve(c.work),
+        "forces": _forces_json(c),
+        "torque": _fields_without_curve(c.work),
     }
     if c.balance:
-        report["balance"] = {**vars(c.balance), "cases": list(map(_but_curve, c.balance.cases))}
+        report["balance"] = {**vars(c.balance), "cases": list(map(_fields_without_curve, c.balance.cases))}
     if c.supports:
-        report |= {"shaft": _shaft(c), "fatigue": c.fatigue}
+        report |= {"shaft": _shaft_json(c), "fatigue": c.fatigue}
     report |= {"rod": c.rod} if c.rod else {}
     report |= {"piston_pin": c.pin} if c.pin else {}
-    report["checks"] = [dict(zip(("name", "found", "low", "high", "holds"), one, strict=True)) for one in checks(c)]
-    texts = [(k, printed(c.given.shape, c.motion, c.plane, c.forces, k)) for k in map(c.at, c.given.positions)]
+    report["checks"] = [
+        dict(zip(("name", "found", "low", "high", "holds"), one, strict=True)) for one in checks_with_bounds(c)
+    ]
+    texts = [
+        (k, equations_as_printed(c.given.shape, c.motion, c.plane, c.forces, k)) for k in map(c.at, c.given.positions)
+    ]
     report["source_text"] = [{"phi_deg": c.motion.phi_deg[k], "printed": text} for k, text in texts]
-    return {key: _plain(value) for key, value in report.items()}
+    return {key: _json_value(value) for key, value in report.items()}
 
 
-def _plain(value: object) -> object:
+def _json_value(value: object) -> object:
     """Data for a program; a number that is not finite becomes null."""
     match value:
         case dict():
-            return {k: _plain(v) for k, v in value.items()}
+            return {k: _json_value(v) for k, v in value.items()}
         case list() | tuple():
-            return [_plain(v) for v in value]
+            return [_json_value(v) for v in value]
         case np.ndarray():
-            return _plain(value.tolist())
+            return _json_value(value.tolist())
         case complex():
             return [value.real, value.imag]
         case float():
             return float(value) if math.isfinite(value) else None
-    return _plain(vars(value)) if is_dataclass(value) else value
+    return _json_value(vars(value)) if is_dataclass(value) else value
 
 
-def _but_curve(thing: object) -> Json:
+def _fields_without_curve(thing: object) -> Json:
     return {k: v for k, v in vars(thing).items() if k != "curve"}
 
 
-def _kinematics(c: Calculation) -> Json:
+def _kinematics_json(c: Calculation) -> Json:
     p = c.points
     return {
         **{name: getattr(c.motion, name) for name in ("phi_deg", "omega", "epsilon")},
@@ -95,7 +99,7 @@ def _kinematics(c: Calculation) -> Json:
     }
 
 
-def _forces(c: Calculation) -> Json:
+def _forces_json(c: Calculation) -> Json:
     f = c.forces
     return {
         "pressure": c.pressure,
@@ -108,7 +112,7 @@ def _forces(c: Calculation) -> Json:
     }
 
 
-def _shaft(c: Calculation) -> Json:
+def _shaft_json(c: Calculation) -> Json:
     assert c.supports
     s = c.supports
     return {

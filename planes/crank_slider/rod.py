@@ -6,9 +6,9 @@ import numpy as np
 
 from planes.crank_slider.forces import CycleForces
 from planes.crank_slider.given import PistonPin
-from planes.crank_slider.kinematics import EngineCycle, RodMotion, swing
+from planes.crank_slider.kinematics import EngineCycle, RodMotion, rod_inclination
 from planes.crank_slider.parts import Material, Shank
-from planes.crank_slider.shaft import MPA, factor
+from planes.crank_slider.shaft import MEGAPASCALS_PER_PASCAL, safety_factor
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
@@ -64,15 +64,18 @@ def rod_strength(
     shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, shank: Shank, steel: Material
 ) -> RodStrength:
     """Stresses of the shank over the cycle; compression positive."""
-    beta = swing(shape, m.phi)
+    beta = rod_inclination(shape, m.phi)
     at_b, at_a = f.S, -(f.on_pin * np.exp(1j * beta)).real
     large = np.where(np.abs(at_b) >= np.abs(at_a), at_b, at_a)
-    moment = _bending(shape, way, beta)
-    sigma_b = moment / shank.modulus * MPA
-    both = np.abs(large) / shank.area * MPA + sigma_b
+    moment = _largest_bending_moment(shape, way, beta)
+    sigma_b = moment / shank.modulus * MEGAPASCALS_PER_PASCAL
+    both = np.abs(large) / shank.area * MEGAPASCALS_PER_PASCAL + sigma_b
     push, pull, bend, worst = (x.argmax() for x in (large, -large, moment, both))
     squeezed, pulled = max(float(large[push]), 0.0), max(float(-large[pull]), 0.0)
-    stress, limit = squeezed / shank.area * MPA, math.pi * math.sqrt(2 * steel.elasticity / steel.yields)
+    stress, limit = (
+        squeezed / shank.area * MEGAPASCALS_PER_PASCAL,
+        math.pi * math.sqrt(2 * steel.elasticity / steel.yields),
+    )
     freely, held = (math.sqrt(j / shank.area) for j in (shank.inertia, shank.inertia_across))
     return RodStrength(
         squeezed=squeezed,
@@ -80,31 +83,31 @@ def rod_strength(
         pulled=pulled,
         pulled_deg=float(m.phi_deg[pull]),
         sigma_c=stress,
-        sigma_p=pulled / shank.area * MPA,
+        sigma_p=pulled / shank.area * MEGAPASCALS_PER_PASCAL,
         bending=float(moment[bend]),
         bending_deg=float(m.phi_deg[bend]),
         sigma_b=float(sigma_b[bend]),
         sigma=float(both[worst]),
         sigma_deg=float(m.phi_deg[worst]),
-        n=factor(steel.yields, float(both[worst])),
+        n=safety_factor(steel.yields, float(both[worst])),
         limit=limit,
         planes=(
-            _buckling(1.0, shape.l, freely, limit, stress, steel),
-            _buckling(0.5, shape.l, held, limit, stress, steel),
+            _buckling_in_plane(1.0, shape.l, freely, limit, stress, steel),
+            _buckling_in_plane(0.5, shape.l, held, limit, stress, steel),
         ),
     )
 
 
-def _bending(shape: CrankSliderShape, way: RodMotion, beta: Array) -> Array:
+def _largest_bending_moment(shape: CrankSliderShape, way: RodMotion, beta: Array) -> Array:
     """The largest moment along a rod of uniform mass, hinged at both ends, under its transverse inertia forces."""
     across = 1j * np.exp(-1j * beta)
     q_a, q_b = ((-(way.a[n] * across.conj()).real * shape.m2 / shape.l) for n in ("A", "B"))
     x = np.linspace(0.0, shape.l, 201)[:, None]
-    largest: Array = np.abs(moment_along(q_a, q_b, x, shape.l)).max(axis=0)
+    largest: Array = np.abs(beam_moment_at(q_a, q_b, x, shape.l)).max(axis=0)
     return largest
 
 
-def moment_along(q_a: Array, q_b: Array, x: Array, length: float) -> Array:
+def beam_moment_at(q_a: Array, q_b: Array, x: Array, length: float) -> Array:
     """M(x) of a hinged beam under a load that varies linearly from q_a to q_b (N/m)."""
     cube = x**3 / (6 * length)
     falling = length * x / 3 - x**2 / 2 + cube
@@ -112,14 +115,16 @@ def moment_along(q_a: Array, q_b: Array, x: Array, length: float) -> Array:
     return q_a * falling + q_b * rising
 
 
-def _buckling(mu: float, length: float, radius: float, limit: float, stress: float, steel: Material) -> Buckling:
+def _buckling_in_plane(
+    mu: float, length: float, radius: float, limit: float, stress: float, steel: Material
+) -> Buckling:
     slenderness = mu * length / radius
     euler = slenderness > limit
     if euler:
         critical = math.pi**2 * steel.elasticity / slenderness**2
     else:
         critical = steel.yields * (1 - steel.yields * slenderness**2 / (4 * math.pi**2 * steel.elasticity))
-    return Buckling(mu, slenderness, critical, euler, factor(critical, stress))
+    return Buckling(mu, slenderness, critical, euler, safety_factor(critical, stress))
 
 
 def pin_strength(m: EngineCycle, f: CycleForces, pin: PistonPin, steel: Material) -> PinStrength:
@@ -129,8 +134,10 @@ def pin_strength(m: EngineCycle, f: CycleForces, pin: PistonPin, steel: Material
     q = float(force[at])
     moment = q * (pin.length + 2 * pin.gap - 1.5 * pin.bush) / 12
     d, a = pin.section.d, pin.section.bore / pin.section.d
-    tau = 4 / 3 * q / 2 / pin.section.area * (1 + a + a**2) / (1 + a**2) * MPA
-    sigma = moment / pin.section.modulus * MPA
+    tau = 4 / 3 * q / 2 / pin.section.area * (1 + a + a**2) / (1 + a**2) * MEGAPASCALS_PER_PASCAL
+    sigma = moment / pin.section.modulus * MEGAPASCALS_PER_PASCAL
     worst = max(sigma, 2 * tau)  # not at the same point: bending at the edge, shear at the middle
-    bush, boss = q / (d * pin.bush) * MPA, q / (d * (pin.length - pin.gap)) * MPA
-    return PinStrength(q, float(m.phi_deg[at]), moment, sigma, tau, worst, factor(steel.yields, worst), bush, boss)
+    bush, boss = q / (d * pin.bush) * MEGAPASCALS_PER_PASCAL, q / (d * (pin.length - pin.gap)) * MEGAPASCALS_PER_PASCAL
+    return PinStrength(
+        q, float(m.phi_deg[at]), moment, sigma, tau, worst, safety_factor(steel.yields, worst), bush, boss
+    )

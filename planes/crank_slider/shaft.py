@@ -12,15 +12,15 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from planes.crank_slider.forces import CycleForces, replaced
+from planes.crank_slider.forces import CycleForces, replacement_masses
 from planes.crank_slider.given import Concentration, Counterweights, Shaft
-from planes.crank_slider.kinematics import EngineCycle, Found
-from planes.crank_slider.parts import Material, Round
+from planes.crank_slider.kinematics import DrawnRodMotion, EngineCycle
+from planes.crank_slider.parts import Material, RoundPart
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Complexes
 from planes.words.frozen import frozen
 
-MPA = 1e-6
+MEGAPASCALS_PER_PASCAL = 1e-6
 Pair = tuple[float, float]  # of the two counterweights, or components
 
 
@@ -58,9 +58,11 @@ class Balance:
     cases: tuple[Shaking, ...]
 
 
-def balanced(shape: CrankSliderShape, shaft: Shaft, weights: Counterweights, m: EngineCycle, drawn: Found) -> Balance:
+def balance_rotating_masses(
+    shape: CrankSliderShape, shaft: Shaft, weights: Counterweights, m: EngineCycle, drawn: DrawnRodMotion
+) -> Balance:
     """Counterweights that balance the rotating masses, and those chosen."""
-    parts = replaced(shape)
+    parts = replacement_masses(shape)
     rotating = shaft.pin_mass + shaft.web_mass * shaft.web_radius / shape.r + parts.at_a  # (27)
     a, b = shaft.left, shaft.right
     turned = rotating * shape.r
@@ -79,28 +81,28 @@ def balanced(shape: CrankSliderShape, shaft: Shaft, weights: Counterweights, m: 
         "part": (rotating + weights.translating * translating) * shape.r,
     }
     cases = tuple(
-        _shaking(name, value, shape, shaft, m, drawn, (rotating, translating))
+        _shaking_force(name, value, shape, shaft, m, drawn, (rotating, translating))
         for name, value in moments.items()
         if name != "chosen" or weights.masses
     )
     return Balance(rotating, parts.at_a, translating, needed, chosen, force, left_over, moment, a, b, cases)
 
 
-def _shaking(
-    name: str, moment: float, shape: CrankSliderShape, shaft: Shaft, m: EngineCycle, drawn: Found, masses: Pair
+def _shaking_force(
+    name: str, moment: float, shape: CrankSliderShape, shaft: Shaft, m: EngineCycle, drawn: DrawnRodMotion, masses: Pair
 ) -> Shaking:
     turn = (m.phi_deg >= m.phi_deg[0]) & (m.phi_deg < m.phi_deg[0] + 360.0 - 1e-9)
     radial = np.exp(1j * m.phi[turn]) * (m.omega**2 - 1j * m.epsilon)[turn]
     crank = shaft.static_moment(shape.r)
     curve = (crank - moment) * radial - shape.m2 * drawn.a["C"][turn] - shape.m3 * drawn.a["B"][turn]
-    first, second = (_harmonic(curve, m.phi[turn], k) for k in (1, 2))
+    first, second = (_harmonic_amplitudes(curve, m.phi[turn], k) for k in (1, 2))
     w2, r = shape.omega**2, shape.r
     rotating, moving = (masses[0] * r - moment) * w2, masses[1] * r * w2
     expected = abs(rotating + moving), abs(rotating), moving * shape.ratio
     return Shaking(name, moment, curve, first[0], first[1], second[0], expected)
 
 
-def _harmonic(curve: Complexes, phi: Array, order: int) -> Pair:
+def _harmonic_amplitudes(curve: Complexes, phi: Array, order: int) -> Pair:
     """Amplitudes of one harmonic of the components along and across the guide."""
     wave = np.exp(-1j * order * phi)
     return tuple(float(abs(2 * np.mean(part * wave))) for part in (curve.real, curve.imag))  # type: ignore[return-value]
@@ -138,7 +140,7 @@ class Section:
         return np.sqrt(self.sigma**2 + 4 * self.tau**2)
 
 
-def supports(
+def bearing_reactions(
     shape: CrankSliderShape, shaft: Shaft, weights: Counterweights | None, b: Balance | None, f: CycleForces
 ) -> Supports:
     """Reactions of the bearings from the sums of forces and moments."""
@@ -161,34 +163,34 @@ def supports(
     )
 
 
-def sections(shape: CrankSliderShape, shaft: Shaft, s: Supports) -> dict[str, Section]:
+def dangerous_sections(shape: CrankSliderShape, shaft: Shaft, s: Supports) -> dict[str, Section]:
     """The dangerous sections from A to B."""
     m, r, middle = shaft.webs, shape.r, shaft.span - shaft.pin_from_b
     zero = np.zeros_like(s.T)
     pin_z = s.A1 * middle - (s.web - s.left_weight) * shaft.left
     made = [
-        _round("journal_A", s.A1 * m, s.A2 * m, zero, shaft.journal),
-        _web("web_A", s.A1 * m, s.A2 * r, s.A2 * m, s.A1, shaft),
-        _round("crankpin", pin_z, s.A2 * middle, s.A2 * r, shaft.crankpin),
-        _web("web_B", s.B1 * m, s.T * r, s.B2 * m, s.B1, shaft),
-        _round("journal_B", s.B1 * m, s.B2 * m, s.T * r, shaft.journal),
+        _round_section("journal_A", s.A1 * m, s.A2 * m, zero, shaft.journal),
+        _web_section("web_A", s.A1 * m, s.A2 * r, s.A2 * m, s.A1, shaft),
+        _round_section("crankpin", pin_z, s.A2 * middle, s.A2 * r, shaft.crankpin),
+        _web_section("web_B", s.B1 * m, s.T * r, s.B2 * m, s.B1, shaft),
+        _round_section("journal_B", s.B1 * m, s.B2 * m, s.T * r, shaft.journal),
     ]
     return {one.name: one for one in made}
 
 
-def _round(name: str, z: Array, y: Array, torque: Array, round_part: Round) -> Section:
-    sigma = np.hypot(z, y) / round_part.modulus * MPA
-    return Section(name, z, y, torque, sigma, np.abs(torque) / (2 * round_part.modulus) * MPA)
+def _round_section(name: str, z: Array, y: Array, torque: Array, round_part: RoundPart) -> Section:
+    sigma = np.hypot(z, y) / round_part.modulus * MEGAPASCALS_PER_PASCAL
+    return Section(name, z, y, torque, sigma, np.abs(torque) / (2 * round_part.modulus) * MEGAPASCALS_PER_PASCAL)
 
 
-def _web(name: str, z: Array, y: Array, torque: Array, force: Array, shaft: Shaft) -> Section:
+def _web_section(name: str, z: Array, y: Array, torque: Array, force: Array, shaft: Shaft) -> Section:
     """All stresses of a web added as if they met at one point: always on the safe side."""
     web = shaft.web
-    sigma = (np.abs(z) / web.along + np.abs(y) / web.across + np.abs(force) / web.area) * MPA
-    return Section(name, z, y, torque, sigma, np.abs(torque) / web.torsion * MPA)
+    sigma = (np.abs(z) / web.along + np.abs(y) / web.across + np.abs(force) / web.area) * MEGAPASCALS_PER_PASCAL
+    return Section(name, z, y, torque, sigma, np.abs(torque) / web.torsion * MEGAPASCALS_PER_PASCAL)
 
 
-def along(shaft: Shaft, cut: Mapping[str, Section], k: int) -> tuple[Array, Array, Array, Array]:
+def moment_diagrams(shaft: Shaft, cut: Mapping[str, Section], k: int) -> tuple[Array, Array, Array, Array]:
     """The moment diagrams in position ``k`` of the cycle along the developed length of the bar: distance from A, M_z,
     M_y, M_x."""
     m, middle, end = shaft.webs, shaft.span - shaft.pin_from_b, shaft.span
@@ -215,29 +217,33 @@ class Fatigue:
     static: float  # yield over the largest σ_eq of the cycle
 
 
-def checked(section: Section, round_part: Round, steel: Material, k: Concentration) -> Fatigue:
+def fatigue_of_section(section: Section, round_part: RoundPart, steel: Material, k: Concentration) -> Fatigue:
     """The factors of one round section."""
     theta = np.radians(np.arange(0.0, 360.0))[:, None]
-    sigma = (section.bending_z * np.cos(theta) + section.bending_y * np.sin(theta)) / round_part.modulus * MPA
+    sigma = (
+        (section.bending_z * np.cos(theta) + section.bending_y * np.sin(theta))
+        / round_part.modulus
+        * MEGAPASCALS_PER_PASCAL
+    )
     top, low = sigma.max(axis=1), sigma.min(axis=1)
     amplitude, mean = (top - low) / 2, (top + low) / 2
     worse = k.k_sigma / k.size_sigma * amplitude + steel.psi * np.maximum(mean, 0.0)
     at = worse.argmax()
-    tau = section.torsion / (2 * round_part.modulus) * MPA
+    tau = section.torsion / (2 * round_part.modulus) * MEGAPASCALS_PER_PASCAL
     tau_a, tau_m = float(tau.max() - tau.min()) / 2, abs(float(tau.max() + tau.min())) / 2
-    n_sigma = factor(steel.fatigue, float(worse[at]))
-    n_tau = factor(steel.fatigue_torsion, k.k_tau / k.size_tau * tau_a + steel.psi_torsion * tau_m)
-    n, static = total(n_sigma, n_tau), factor(steel.yields, float(section.equivalent.max()))
+    n_sigma = safety_factor(steel.fatigue, float(worse[at]))
+    n_tau = safety_factor(steel.fatigue_torsion, k.k_tau / k.size_tau * tau_a + steel.psi_torsion * tau_m)
+    n, static = combined_safety_factor(n_sigma, n_tau), safety_factor(steel.yields, float(section.equivalent.max()))
     sigma_a, sigma_m = float(amplitude[at]), float(mean[at])
     return Fatigue(section.name, float(at), sigma_a, sigma_m, tau_a, tau_m, n_sigma, n_tau, n, static)
 
 
-def factor(limit: float, stress: float) -> float:
+def safety_factor(limit: float, stress: float) -> float:
     """A safety factor; infinite where there is no stress."""
     return limit / stress if stress > 0.0 else math.inf
 
 
-def total(n_sigma: float, n_tau: float) -> float:
+def combined_safety_factor(n_sigma: float, n_tau: float) -> float:
     """n = n_σ·n_τ/√(n_σ² + n_τ²)."""
     if math.isinf(n_sigma) or math.isinf(n_tau):
         return min(n_sigma, n_tau)

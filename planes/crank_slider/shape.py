@@ -2,7 +2,7 @@
 
 import math
 
-from planes.plans.assur.analysis import analyse
+from planes.plans.assur.analysis import analyse_structure
 from planes.plans.assur.structure import Structure
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Link, Mechanism
@@ -45,16 +45,22 @@ def shape_of(scene: Scene) -> CrankSliderShape:
     """The crank-slider of a scene, or a sentence why it is not one."""
     if scene.mechanism is None or scene.crank_slider is None:
         raise SceneError(Phrase("cs_missing"), scene.file, 1)
-    return _Recogniser(scene, scene.mechanism, analyse(scene.mechanism, scene.file)).shape()
+    return _Recogniser(scene, scene.mechanism, analyse_structure(scene.mechanism, scene.file)).shape()
 
 
 class _Recogniser:
     def __init__(self, scene: Scene, mechanism: Mechanism, structure: Structure) -> None:
         self.scene, self.m, self.structure = scene, mechanism, structure
-        g = structure.dyads[0] if structure.dyads else None
+        g = structure.class_two_groups[0] if structure.class_two_groups else None
         fits = len(structure.groups) == 1 and mechanism.drive.rotates
-        if not (fits and g and g.name == "RRP" and g.last_outer.mate(g.last) == FRAME and g.last_outer.link == g.last):
-            raise self.fault("cs_not_one", "links", formula=structure.formula)
+        if not (
+            fits
+            and g
+            and g.pair_letters == "RRP"
+            and g.last_outer.other_link_of_pair(g.last) == FRAME
+            and g.last_outer.link == g.last
+        ):
+            raise self.fault("cs_not_one", "links", formula=structure.structural_formula)
         self.crank, self.rod, self.slider = (mechanism.links[n] for n in (mechanism.drive.link, g.first, g.last))
         self.guide = g.last_outer.guide
         self.pivot, self.pin, self.hinge = structure.drive_pair.point, g.first_outer.point, g.inner.point

@@ -11,24 +11,24 @@ from typing import Any
 import numpy as np
 
 from planes.batch.cycle import Block, Cycle, Reason
-from planes.batch.streams import TableHead, opened
-from planes.batch.table import PLUS_MINUS
+from planes.batch.streams import TableHead, open_block_writer
+from planes.batch.table import ERROR_COLUMN_PREFIX
 from planes.diagrams.turn import WholeTurn
-from planes.drafting.drawing import proved, run
+from planes.drafting.drawing import draw_program, refuse_unproved_drawing
 from planes.plans import Plans
 from planes.plans.curves import Curve
-from planes.plans.scales import unit_scales
+from planes.plans.scales import unit_scales_of_plans
 from planes.scene.ranges import Span
-from planes.solving import failed, key_of, told
+from planes.solving import drive_position_in_words, drive_position_key, failed_position_sentence
 from planes.solving.nearest import Nearest
-from planes.solving.text_tables import table
-from planes.words import Lang, decimals, say
+from planes.solving.text_tables import aligned_table
+from planes.words import Lang, put_decimal_signs, say
 from planes.words.errors import PlanFailure
-from planes.words.records import Json, or_none
-from planes.words.waiting import bar
+from planes.words.records import Json, finite_or_none
+from planes.words.waiting import progress_bar
 
-FULL_TURN = Span(0.0, 1.0, 361)
-TOLD = 20  # failed ranges described in words
+FULL_TURN_SPAN = Span(0.0, 1.0, 361)
+MOST_DESCRIBED_RANGES = 20  # failed ranges described in words
 
 
 @dataclass
@@ -45,31 +45,31 @@ def write_table(
     turn: WholeTurn, values: Span | None, output: str, lang: Lang, fast: bool | None = None, errors: bool = False
 ) -> int:
     """Write a table of curves, with ``errors`` the ± of each after them; returns the exit status."""
-    span = values or whole(turn.plans)
+    span = values or default_table_range(turn.plans)
     kind, count = turn.plans.drive.kind, len(span)
     drive, heads = (kind, "°" if kind == "phi" else "m"), [(c.name, c.unit) for c in turn.curves]
-    heads += [(PLUS_MINUS + name, unit) for name, unit in heads if errors]
+    heads += [(ERROR_COLUMN_PREFIX + name, unit) for name, unit in heads if errors]
     gaps: list[Gap] = []
-    with opened(Path(output), TableHead(drive, heads, turn.reasons), count) as writer:
-        for block in progress(turn.blocks(span, fast, errors), count, lang):
-            writer.write(block)
-            collect(gaps, block)
-    tell(turn.cycles[0][1], turn.reasons, gaps, kind, lang)
+    with open_block_writer(Path(output), TableHead(drive, heads, turn.failure_reasons), count) as writer:
+        for block in blocks_with_progress_bar(turn.curve_blocks(span, fast, errors), count, lang):
+            writer.write_block(block)
+            collect_failed_ranges(gaps, block)
+    report_failed_ranges(turn.cycles_by_prefix[0][1], turn.failure_reasons, gaps, kind, lang)
     failed = sum(gap.count for gap in gaps)
     print(say("cycle_done", lang, file=output, count=count, failed=failed), file=sys.stderr)
     return 0 if failed < count else 2
 
 
-def whole(plans: Plans) -> Span:
+def default_table_range(plans: Plans) -> Span:
     """The default range of a table: a full turn, or the given position of a slider."""
     drive = plans.drive
-    return FULL_TURN if drive.rotates else Span(drive.position, 0.0, 1)
+    return FULL_TURN_SPAN if drive.rotates else Span(drive.position, 0.0, 1)
 
 
-def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]:
+def blocks_with_progress_bar(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]:
     """The blocks, with a progress bar for a user at a terminal."""
     done = 0
-    with bar(unit=f" {say('positions', lang)}", unit_scale=True) as step:
+    with progress_bar(unit=f" {say('positions', lang)}", unit_scale=True) as step:
         for block in blocks:
             yield block
             done += len(block.values)
@@ -77,7 +77,7 @@ def progress(blocks: Iterator[Block], count: int, lang: Lang) -> Iterator[Block]
                 step(done, count)
 
 
-def collect(gaps: list[Gap], block: Block) -> None:
+def collect_failed_ranges(gaps: list[Gap], block: Block) -> None:
     """Merge the failed positions of a block into the ranges found so far."""
     codes = block.codes
     edges = np.flatnonzero(np.diff(codes)) + 1
@@ -89,22 +89,22 @@ def collect(gaps: list[Gap], block: Block) -> None:
         gaps[-1].count += int(end - start) * (code != 0)
 
 
-def tell(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, lang: Lang) -> None:
+def report_failed_ranges(table: Cycle, reasons: tuple[Reason, ...], gaps: list[Gap], kind: str, lang: Lang) -> None:
     """Report on stderr where and why positions failed."""
     failed = [gap for gap in gaps if gap.code]
-    for gap in failed[:TOLD]:
-        first, last = (told(v, kind, lang) for v in (gap.first, gap.last))
-        name, why = "φ" if kind == "phi" else "s", reason(table, reasons, gap, lang)
+    for gap in failed[:MOST_DESCRIBED_RANGES]:
+        first, last = (drive_position_in_words(v, kind, lang) for v in (gap.first, gap.last))
+        name, why = "φ" if kind == "phi" else "s", failure_sentence(table, reasons, gap, lang)
         print(say("cycle_failed", lang, name=name, first=first, last=last, count=gap.count, why=why), file=sys.stderr)
-    if len(failed) > TOLD:
-        print(say("cycle_more", lang, count=len(failed) - TOLD), file=sys.stderr)
+    if len(failed) > MOST_DESCRIBED_RANGES:
+        print(say("cycle_more", lang, count=len(failed) - MOST_DESCRIBED_RANGES), file=sys.stderr)
 
 
-def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> str:
+def failure_sentence(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> str:
     """The sentence about the first position of a range, drawn singly at full size."""
-    given = {**table.given, **dict.fromkeys(table.mus, 1000.0), table.plans.drive_given: gap.first}
+    given = {**table.given, **dict.fromkeys(table.mus, 1000.0), table.plans.drive_given_name: gap.first}
     try:
-        proved(table.program, given, run(table.program, given))
+        refuse_unproved_drawing(table.program, given, draw_program(table.program, given))
     except PlanFailure as failure:
         return failure.told(lang)
     why = reasons[gap.code - 1]
@@ -113,49 +113,53 @@ def reason(table: Cycle, reasons: tuple[Reason, ...], gap: Gap, lang: Lang) -> s
     return say("no_digits", lang, makes=why.makes or ", ".join(empty) or "…")
 
 
-DECIMALS = 5
+LISTING_DECIMALS = 5
 
 
-def listed(turn: WholeTurn, values: Any) -> dict[str, list[float]]:
+def curves_at_positions(turn: WholeTurn, values: Any) -> dict[str, list[float]]:
     """Every curve at each position of the drive, by its name."""
-    sample = turn.sample(values)
+    sample = turn.sample_columns(values)
     return {c.name: c.read(sample).tolist() for c in turn.curves}
 
 
-def listed_json(turn: WholeTurn, values: Any) -> Json:
+def curves_at_positions_json(turn: WholeTurn, values: Any) -> Json:
     """The listing as JSON data: None where a curve has no value."""
-    rows, key = listed(turn, values), key_of(turn.plans)
+    rows, key = curves_at_positions(turn, values), drive_position_key(turn.plans)
     positions = [
-        {key: float(v), "values": {n: or_none(row[k]) for n, row in rows.items()}} for k, v in enumerate(values)
+        {key: float(v), "values": {n: finite_or_none(row[k]) for n, row in rows.items()}} for k, v in enumerate(values)
     ]
     return {"planes": 1, "units": {c.name: c.unit for c in turn.curves}, "positions": positions}
 
 
-def unsolved(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
+def failed_position_sentences(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
     """A sentence for each position that cannot be drawn."""
     plans, sentences = turn.plans, []
-    given = {**plans.given, **dict.fromkeys(unit_scales(plans), 1000.0)}
+    given = {**plans.given, **dict.fromkeys(unit_scales_of_plans(plans), 1000.0)}
     nearest = Nearest(plans)
     for value in map(float, values):
         try:
-            run(plans.program, {**given, plans.drive_given: value})
+            draw_program(plans.program, {**given, plans.drive_given_name: value})
         except PlanFailure as failure:
-            sentences.append(failed(failure, value, plans.drive.kind, nearest.to(value)).told(lang))
+            sentences.append(
+                failed_position_sentence(failure, value, plans.drive.kind, nearest.nearest_to_position(value)).told(
+                    lang
+                )
+            )
     return sentences
 
 
-def listing(turn: WholeTurn, values: Any, lang: Lang) -> str:
+def curve_listing_text(turn: WholeTurn, values: Any, lang: Lang) -> str:
     """Every curve in each position, in the order of the analytic method, with five decimals."""
-    told_rows, kind = listed(turn, values), turn.plans.drive.kind
+    told_rows, kind = curves_at_positions(turn, values), turn.plans.drive.kind
     lines = list[str]()
-    for key, curves in _chapters(turn.curves):
-        rows = [[c.name, say(c.unit, lang), *map(five_decimals, told_rows[c.name])] for c in curves]
-        head = ["", say("column_unit", lang), *(told(float(v), kind, lang) for v in values)]
-        lines += table(say(key, lang), head, rows)
-    return decimals("\n".join(lines[1:]), lang) + "\n"
+    for key, curves in _curves_by_chapter(turn.curves):
+        rows = [[c.name, say(c.unit, lang), *map(number_with_five_decimals, told_rows[c.name])] for c in curves]
+        head = ["", say("column_unit", lang), *(drive_position_in_words(float(v), kind, lang) for v in values)]
+        lines += aligned_table(say(key, lang), head, rows)
+    return put_decimal_signs("\n".join(lines[1:]), lang) + "\n"
 
 
-def _chapters(curves: tuple[Curve, ...]) -> list[tuple[str, list[Curve]]]:
+def _curves_by_chapter(curves: tuple[Curve, ...]) -> list[tuple[str, list[Curve]]]:
     def chapter(c: Curve) -> str:
         if c.group not in ("analogue", "rate"):
             return c.group
@@ -165,9 +169,9 @@ def _chapters(curves: tuple[Curve, ...]) -> list[tuple[str, list[Curve]]]:
     return [(f"group_{k}", [c for c in curves if chapter(c) == k]) for k in keys]
 
 
-def five_decimals(value: float) -> str:
+def number_with_five_decimals(value: float) -> str:
     """A number with five decimals, without trailing zeros, as a calculating sheet prints it."""
     if not math.isfinite(value):
         return "—"
-    text = f"{value:.{DECIMALS}f}".rstrip("0").rstrip(".")
+    text = f"{value:.{LISTING_DECIMALS}f}".rstrip("0").rstrip(".")
     return "0" if text in ("-0", "") else text

@@ -12,46 +12,58 @@ from numpy.polynomial import polynomial
 
 from planes.diagrams.turn import Grid
 from planes.geometry.arrays import Array, Indices
-from planes.plans.curves import FULL, Curve
+from planes.plans.curves import FULL_TURN_DEG, Curve
 
-HALF = 5  # nodes on each side
-STEPS = 8  # of Newton's method, from the middle
-ALIKE = 1e-9, 1e-7  # of the grid's step: largest difference of the two places, by the derivative, and by the value
-BENT_ALIKE = 1e-3  # largest difference of curvature between the two: an outlier changes it by a thirtieth
-AT_PLACE = 1e-10  # of the grid's step: closer to a node than this, it is that node
+NODES_EACH_SIDE = 5  # nodes on each side
+NEWTON_STEPS = 8  # of Newton's method, from the middle
+MOST_PLACE_DIFFERENCES = (
+    1e-9,
+    1e-7,
+)  # of the grid's step: largest difference of the two places, by the derivative, and by the value
+MOST_CURVATURE_DIFFERENCE_RATIO = (
+    1e-3  # largest difference of curvature between the two: an outlier changes it by a thirtieth
+)
+SAME_NODE_DISTANCE_RATIO = 1e-10  # of the grid's step: closer to a node than this, it is that node
 
 
-def flat_places(g: Grid, curve: Curve, index: Indices, sense: Indices) -> Array:
+def smooth_extreme_places(g: Grid, curve: Curve, index: Indices, sense: Indices) -> Array:
     """The driver's positions of extremes (shape of ``index``, the nodes beside them; ``sense`` +1 for a maximum), in
     degrees or metres; NaN where the curve is not smooth enough."""
-    rows, step = _around(g, curve, index), g.places[1] - g.places[0]
-    ways = (_root(_polynomials(rows, half, bool(curve.slope))) for half in (HALF - 1, HALF))
+    rows, step = _values_around_nodes(g, curve, index), g.places[1] - g.places[0]
+    ways = (
+        _root_near_middle(_slope_coefficients(rows, half, bool(curve.slope)))
+        for half in (NODES_EACH_SIDE - 1, NODES_EACH_SIDE)
+    )
     (coarse, coarse_bend), (fine, bend) = ways
     with np.errstate(invalid="ignore"):
-        smooth = np.abs(coarse - fine) <= ALIKE[0 if curve.slope else 1]
-        smooth &= (np.abs(coarse_bend - bend) <= BENT_ALIKE * np.abs(bend)) & (sense * bend < 0)
-        fine = np.where(np.abs(fine) < AT_PLACE, 0.0, fine)
+        smooth = np.abs(coarse - fine) <= MOST_PLACE_DIFFERENCES[0 if curve.slope else 1]
+        smooth &= (np.abs(coarse_bend - bend) <= MOST_CURVATURE_DIFFERENCE_RATIO * np.abs(bend)) & (sense * bend < 0)
+        fine = np.where(np.abs(fine) < SAME_NODE_DISTANCE_RATIO, 0.0, fine)
         return np.where(smooth & (np.abs(fine) <= 1.0), g.places[0] + (index + fine) * step, np.nan)
 
 
-def _around(g: Grid, curve: Curve, index: Indices) -> Array:
+def _values_around_nodes(g: Grid, curve: Curve, index: Indices) -> Array:
     """The curve's slopes, or failing them its values, at the nodes around each of these; NaN past an end.
 
     A non-negative curve is squared: a vector's magnitude has a corner where it nearly vanishes.
     """
     count = len(g.places)
-    at = index[:, None] + np.arange(-HALF, HALF + 1)
-    row = np.where(g.works, curve.slope(g.sample) if curve.slope else g.values(curve), np.nan)
+    at = index[:, None] + np.arange(-NODES_EACH_SIDE, NODES_EACH_SIDE + 1)
+    row = np.where(g.assembled_mask, curve.slope(g.sampled_columns) if curve.slope else g.curve_values(curve), np.nan)
     row = row if curve.slope or np.nanmin(row) < 0 else row * row
     if not g.closed:
         return np.where((at >= 0) & (at < count), row[np.clip(at, 0, count - 1)], np.nan)
     turns, place = np.divmod(at, count - 1)
     slopes: Array = row[place]
-    return slopes if curve.slope or not curve.angular else slopes + turns * FULL * np.round((row[-1] - row[0]) / FULL)
+    return (
+        slopes
+        if curve.slope or not curve.angular
+        else slopes + turns * FULL_TURN_DEG * np.round((row[-1] - row[0]) / FULL_TURN_DEG)
+    )
 
 
 @cache
-def _lagrange(half: int) -> Array:
+def _lagrange_weights(half: int) -> Array:
     """The weights of 2·half + 1 values in each coefficient of their polynomial, the lowest power first."""
     nodes = np.arange(-half, half + 1.0)
     others = [np.delete(nodes, k) for k in range(len(nodes))]
@@ -60,14 +72,14 @@ def _lagrange(half: int) -> Array:
     )
 
 
-def _polynomials(rows: Array, half: int, slopes: bool) -> Array:
+def _slope_coefficients(rows: Array, half: int, slopes: bool) -> Array:
     """The coefficients of the slope, the lowest power first, a column for each row of neighbouring values."""
     middle = rows.shape[1] // 2
-    laid: Array = (rows[:, middle - half : middle + half + 1] @ _lagrange(half)).T
+    laid: Array = (rows[:, middle - half : middle + half + 1] @ _lagrange_weights(half)).T
     return laid if slopes else np.asarray(polynomial.polyder(laid))
 
 
-def _root(slope: Array) -> tuple[Array, Array]:
+def _root_near_middle(slope: Array) -> tuple[Array, Array]:
     """The zero of each polynomial near the middle, and its slope there."""
     place = np.zeros(slope.shape[1])
     bend: Array = np.asarray(polynomial.polyder(slope), float)
@@ -76,6 +88,6 @@ def _root(slope: Array) -> tuple[Array, Array]:
         return np.asarray(polynomial.polyval(place, coefficients, tensor=False))
 
     with np.errstate(all="ignore"):
-        for _ in range(STEPS):
+        for _ in range(NEWTON_STEPS):
             place = np.clip(place - at_place(slope) / at_place(bend), -1.5, 1.5)
         return place, at_place(bend)

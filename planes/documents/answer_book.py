@@ -9,45 +9,45 @@ from pathlib import Path
 import pypdfium2
 
 from planes.course import PLATFORMS, Course
-from planes.course.quiz import Quiz, by_assignment, judgeable, too_wide
-from planes.documents.packages import prairielearn
-from planes.documents.platforms import moodle, stack
+from planes.course.quiz import Quiz, judgeable_quizzes, quizzes_by_assignment, too_uncertain_results
+from planes.documents.packages import prairielearn_files
+from planes.documents.platforms import moodle_xml, stack_xml
 from planes.words import Lang, say
 
-_DATE = re.compile(rb"(?<=/CreationDate\(D:)\d+")
-_OWN_NAME = re.compile(rb"(?<=[\[>])<[0-9A-F]{32}>(?=[<\]])")
+_CREATION_DATE_PATTERN = re.compile(rb"(?<=/CreationDate\(D:)\d+")
+_FILE_ID_PATTERN = re.compile(rb"(?<=[\[>])<[0-9A-F]{32}>(?=[<\]])")
 
 
-def together(course: Course, folder: Path, places: Sequence[str], lang: Lang) -> Iterator[tuple[str, bytes]]:
+def common_course_files(course: Course, folder: Path, places: Sequence[str], lang: Lang) -> Iterator[tuple[str, bytes]]:
     """The files of a course with everybody's work, by their names within the folder."""
     here = [folder / "teacher" / place for place in places]
     if "book" in course.documents:
         keys = [file for one in here if (file := one / "key.pdf").is_file()]
-        yield "teacher/book.pdf", book(keys)
+        yield "teacher/book.pdf", answer_book_pdf(keys)
     if not {*PLATFORMS} & {*course.documents}:
         return
-    quizzes, title = judgeable(_quizzes(folder, places)), course.title.get(lang, "")
-    for name, write in (("moodle", moodle), ("stack", stack)):
+    quizzes, title = judgeable_quizzes(_read_quizzes(folder, places)), course.title.get(lang, "")
+    for name, write in (("moodle", moodle_xml), ("stack", stack_xml)):
         if name in course.documents and quizzes:
             yield f"teacher/{name}.xml", write(quizzes, title, lang)
-    asked = by_assignment(quizzes) if "prairielearn" in course.documents else {}
+    asked = quizzes_by_assignment(quizzes) if "prairielearn" in course.documents else {}
     for name, group in asked.items():
-        for inner, data in prairielearn(name, group, lang).items():
+        for inner, data in prairielearn_files(name, group, lang).items():
             yield f"teacher/prairielearn/{name}/{inner}", data
 
 
-def unasked(folder: Path, places: Sequence[str], lang: Lang) -> Iterator[str]:
+def omitted_question_notes(folder: Path, places: Sequence[str], lang: Lang) -> Iterator[str]:
     """The questions that quizzes leave out, one sentence per assignment."""
-    for name, names in too_wide(_quizzes(folder, places)).items():
+    for name, names in too_uncertain_results(_read_quizzes(folder, places)).items():
         yield say("quiz_too_wide", lang, scene=name, names=", ".join(names))
 
 
-def _quizzes(folder: Path, places: Sequence[str]) -> list[Quiz]:
+def _read_quizzes(folder: Path, places: Sequence[str]) -> list[Quiz]:
     kept = (folder / "teacher" / place / "quiz.json" for place in places)
-    return [Quiz.read(file.read_text("utf-8")) for file in kept if file.is_file()]
+    return [Quiz.from_stored_text(file.read_text("utf-8")) for file in kept if file.is_file()]
 
 
-def book(keys: Sequence[Path]) -> bytes:
+def answer_book_pdf(keys: Sequence[Path]) -> bytes:
     """The pages of everybody's key, in the order of the list."""
     pages, held = pypdfium2.PdfDocument.new(), io.BytesIO()
     for key in keys:
@@ -56,5 +56,7 @@ def book(keys: Sequence[Path]) -> bytes:
     pages.save(held)
     pages.close()
     named = hashlib.sha256(b"".join(key.read_bytes() for key in keys)).hexdigest()[:32].upper().encode()
-    plain = _OWN_NAME.sub(b"<" + named + b">", held.getvalue())  # the library gives a file a random name and a date
-    return _DATE.sub(lambda date: b"0" * len(date[0]), plain)
+    plain = _FILE_ID_PATTERN.sub(
+        b"<" + named + b">", held.getvalue()
+    )  # the library gives a file a random name and a date
+    return _CREATION_DATE_PATTERN.sub(lambda date: b"0" * len(date[0]), plain)

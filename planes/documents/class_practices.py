@@ -4,11 +4,11 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 
 from planes.check.handed_in import HandedSheet
-from planes.check.report.class_rows import RIGHT, UNREADABLE, ClassRow
-from planes.course.handed_out import HandedOut, Task, variant_named
-from planes.lesson.handed_practice import HandedPractice, PracticeJudge, read_code
-from planes.words import Lang, Phrase, langs
-from planes.words.errors import PlanesError, guarded
+from planes.check.report.class_rows import RIGHT_RANK, UNREADABLE_RANK, ClassRow
+from planes.course.handed_out import HandedOut, Task, variant_in_file_name
+from planes.lesson.handed_practice import HandedPractice, PracticeJudge, read_practice_file
+from planes.words import Lang, Phrase, available_languages
+from planes.words.errors import PlanesError, reporting_library_errors
 from planes.words.records import Json
 
 
@@ -22,42 +22,42 @@ class PracticeSorter:
     variant: str | None = None
     known: dict[tuple[Task, str | None], PracticeJudge] = field(default_factory=dict)
 
-    def row(self, sheet: HandedSheet) -> tuple[ClassRow, Task | None]:
+    def sheet_row(self, sheet: HandedSheet) -> tuple[ClassRow, Task | None]:
         """The row of a practice; a damaged or altered one, or one of another scene, says so."""
         try:
-            with guarded("check_broken", sheet.name):
-                task, practice = self._judged(sheet)
+            with reporting_library_errors("check_broken", sheet.name):
+                task, practice = self._judge_handed_practice(sheet)
         except PlanesError as error:
             return practice_row(sheet, "unreadable", error, self.lang), None
         result = Phrase("practice_told", **{name: str(value) for name, value in asdict(practice).items()})
         return practice_row(sheet, "confirmed", result, self.lang, asdict(practice)), task
 
-    def _judged(self, sheet: HandedSheet) -> tuple[Task, HandedPractice]:
-        tasks = [*self._tasks(sheet)]
+    def _judge_handed_practice(self, sheet: HandedSheet) -> tuple[Task, HandedPractice]:
+        tasks = [*self._candidate_tasks(sheet)]
         if len(tasks) == 1:
-            return tasks[0], self._judge(sheet, tasks[0]).judged(str(sheet.file))
+            return tasks[0], self._judge_of_task(sheet, tasks[0]).judge_file(str(sheet.file))
         fits = []
         for task in tasks:
             try:
-                fits.append((task, self._judge(sheet, task).judged(str(sheet.file))))
+                fits.append((task, self._judge_of_task(sheet, task).judge_file(str(sheet.file))))
             except PlanesError:
                 continue
         if len(fits) != 1:
             raise PlanesError(Phrase("check_whose_is_it", file=sheet.name, suffix=sheet.file.suffix))
         return fits[0]
 
-    def _tasks(self, sheet: HandedSheet) -> Iterator[Task]:
+    def _candidate_tasks(self, sheet: HandedSheet) -> Iterator[Task]:
         """The scenes it may belong to."""
-        name = str(read_code(str(sheet.file))["name"])
-        named = self.handed.named(sheet.file.stem) or self.handed.named(name)
+        name = str(read_practice_file(str(sheet.file))["name"])
+        named = self.handed.task_of_file_name(sheet.file.stem) or self.handed.task_of_file_name(name)
         yield from (named,) if named else self.handed.tasks
 
-    def _judge(self, sheet: HandedSheet, task: Task) -> PracticeJudge:
-        from planes.lesson.told import Told
+    def _judge_of_task(self, sheet: HandedSheet, task: Task) -> PracticeJudge:
+        from planes.lesson.told import SceneLesson
 
-        variant = variant_named(sheet.file.stem, task.variant(None).variants) or self.variant
+        variant = variant_in_file_name(sheet.file.stem, task.scene_in_variant(None).variants) or self.variant
         if (task, variant) not in self.known:
-            self.known[task, variant] = PracticeJudge(Told.of(task.variant(variant)))
+            self.known[task, variant] = PracticeJudge(SceneLesson.of(task.scene_in_variant(variant)))
         return self.known[task, variant]
 
 
@@ -67,13 +67,18 @@ def practice_row(
     """The row of a practice: the student's name as entered, how many answers were right at once or why it is
     refused."""
     place, more = f"{sheet.file}: ", more or {}
-    said = {one: result.told(one).removeprefix(place) for one in {*langs("check"), lang}}
+    said = {one: result.told(one).removeprefix(place) for one in {*available_languages("check"), lang}}
     whose = str(more.get("name", ""))
     return ClassRow(
         file=sheet.name,
         verdict=verdict,
-        rank=RIGHT if verdict == "confirmed" else UNREADABLE,
+        rank=RIGHT_RANK if verdict == "confirmed" else UNREADABLE_RANK,
         said=said[lang],
         whose=whose,
-        object={"file": sheet.name, "verdict": verdict, **more, "sentence": {one: said[one] for one in langs("check")}},
+        object={
+            "file": sheet.name,
+            "verdict": verdict,
+            **more,
+            "sentence": {one: said[one] for one in available_languages("check")},
+        },
     )

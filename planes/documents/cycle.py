@@ -7,67 +7,79 @@ from math import isfinite
 
 import numpy
 
-from planes.diagrams.extremes import Extreme, extremes
-from planes.diagrams.motion import Runs, ends_of
-from planes.diagrams.turn import WholeTurn, grid, turn_of, unwound
+from planes.diagrams.extremes import Extreme, extremes_of_curves
+from planes.diagrams.motion import Runs, diagram_range
+from planes.diagrams.turn import WholeTurn, make_grid, unwind_angles, whole_turn_of
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
 from planes.plans import Plans
-from planes.plans.curves import FULL, Curve, CycleVector, arrows_of, curves_of, named, output_curves
+from planes.plans.curves import (
+    FULL_TURN_DEG,
+    Curve,
+    CycleVector,
+    curve_or_vector_by_name,
+    curves_by_name,
+    driven_link_curves,
+    vectors_by_name,
+)
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.scene.ranges import Span
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, SceneError
 from planes.words.lettering import letter_of_scale
-from planes.words.names import component_of, index_of, letter_of
+from planes.words.names import component_axis, letter_of, name_index
 from planes.words.naming import Naming
-from planes.words.units import prefixed
+from planes.words.units import suitable_unit_multiple
 from render.files import Page
-from render.paper.marks import Text, lettered
-from render.paper.outlines import face_of
-from render.paper.typeset import wrapped
+from render.paper.marks import Text, using_face
+from render.paper.outlines import face_of_scene
+from render.paper.typeset import wrap_text
 from render.sheet.composer import Composer
-from render.sheet.single import cut_to
-from render.views import TITLE_MM, View, stacked, view
-from render.views.diagrams import SECTIONS, DiagramCurve, Diagrams
+from render.sheet.single import page_cut_to_view
+from render.views import TITLE_LETTER_MM, View, make_view, stack_views
+from render.views.diagrams import SECTION_COUNT, DiagramCurve, Diagrams
 from render.views.hodographs import Hodograph, hodograph_view
 
-SECTION_MM = 15.0
-GAP_MM = 10.0
-IN_A_ROW = 2  # hodographs
-SHOWN = ("diagrams", "hodographs")
+SECTION_WIDTH_MM = 15.0
+DIAGRAM_GAP_MM = 10.0
+HODOGRAPHS_PER_ROW = 2  # hodographs
+SHEET_CURVE_KEYS = ("diagrams", "hodographs")
 
 
-class Turned:
+class DrawnTurn:
     """A turn read at the driver's positions of its runs, and at the numbered positions, as drawn."""
 
     def __init__(self, turn: WholeTurn, runs: Runs, naming: Naming) -> None:
         self.turn, self.runs, self.naming = turn, runs, naming
-        self.pieces = [(places, turn.sample(places)) for places in runs.pieces()]
-        self.stations = turn.sample(runs.read_stations())
+        self.pieces = [(places, turn.sample_columns(places)) for places in runs.runs_between_dead_points()]
+        self.stations = turn.sample_columns(runs.stations_off_dead_points())
 
     def curve(self, curve: Curve, ends: Sequence[Extreme] = ()) -> DiagramCurve:
         """A curve, with its marked values; angles are unwound in both."""
         places, values = self.joined(curve)
         at, marked_values = [e.place for e in ends], numpy.array([e.value for e in ends])
         if curve.angular:
-            values = unwound(values)
+            values = unwind_angles(values)
             there = numpy.isfinite(values)
-            marked_values = marked_values + FULL * numpy.round(
-                (numpy.interp(at, places[there], values[there]) - marked_values) / FULL
+            marked_values = marked_values + FULL_TURN_DEG * numpy.round(
+                (numpy.interp(at, places[there], values[there]) - marked_values) / FULL_TURN_DEG
             )
-        name, marked = self.naming.curve(curve.name), tuple(zip(at, marked_values.tolist(), strict=True))
+        name, marked = self.naming.lettered_curve(curve.name), tuple(zip(at, marked_values.tolist(), strict=True))
         place = curve.group == "place"
-        return DiagramCurve(letter_of_scale(name), curve.unit, known(values), name, known(places), marked, place)
+        return DiagramCurve(
+            letter_of_scale(name), curve.unit, finite_or_none(values), name, finite_or_none(places), marked, place
+        )
 
     def loop(self, arrow: CycleVector) -> Hodograph:
         """A hodograph, or a path."""
-        name = self.naming.curve(arrow.name)
-        point = self.naming.point(index_of(arrow.name)) if letter_of(arrow.name) == "r" else ""
+        name = self.naming.lettered_curve(arrow.name)
+        point = self.naming.lettered_point(name_index(arrow.name)) if letter_of(arrow.name) == "r" else ""
         path = self.joined(arrow)[1]
-        size, unit = prefixed(arrow.unit, float(numpy.nanmax(abs(path), initial=0.0)))
-        return Hodograph(name, unit, known(path / size), known(arrow.read(self.stations) / size), point)
+        size, unit = suitable_unit_multiple(arrow.unit, float(numpy.nanmax(abs(path), initial=0.0)))
+        return Hodograph(
+            name, unit, finite_or_none(path / size), finite_or_none(arrow.read(self.stations) / size), point
+        )
 
     def joined(self, curve: Curve | CycleVector) -> tuple[Array, Array]:
         """A curve's runs as one row of positions and one of values, with gaps between them."""
@@ -76,49 +88,54 @@ class Turned:
         return x, numpy.concatenate(rows[:-1])
 
 
-def known(values: Array) -> tuple[Real, ...]:
+def finite_or_none(values: Array) -> tuple[Real, ...]:
     """Plain numbers, None where there are none."""
     return tuple(None if v != v else v for v in values.tolist())
 
 
-def over_cycle(
+def diagrams_and_hodographs(
     scene: Scene, plans: Plans, angles: Sequence[float], naming: Naming
 ) -> tuple[tuple[DiagramCurve, ...], tuple[Hodograph, ...]]:
     """The diagrams and hodographs named in ``sheet:`` of a scene, over the angles of a turn."""
-    names, loops = (asked(scene.sheet, key) for key in SHOWN)
+    names, loops = (names_under_key(scene.sheet, key) for key in SHEET_CURVE_KEYS)
     if not names and not loops:
         return (), ()
-    turn = turn_of(plans, names, loops, scene.file)
-    turned = Turned(turn, Runs(plans, min(angles), max(angles)), naming)
+    turn = whole_turn_of(plans, names, loops, scene.file)
+    turned = DrawnTurn(turn, Runs(plans, min(angles), max(angles)), naming)
     return tuple(map(turned.curve, turn.curves)), tuple(map(turned.loop, turn.arrows))
 
 
-def check_names(scene: Scene, plans: Plans | None) -> None:
+def check_diagram_names(scene: Scene, plans: Plans | None) -> None:
     """Check that every diagram and hodograph named in ``sheet:`` exists, on whichever sheet it is drawn."""
-    for key in SHOWN:
-        names = asked(scene.sheet, key)
+    for key in SHEET_CURVE_KEYS:
+        names = names_under_key(scene.sheet, key)
         line = scene.where.get(("sheet", key))
         if names and plans is None:
             raise SceneError(Phrase("cycle_no_mechanism", file=f"sheet.{key}"), scene.file, line)
         if names and plans:
-            there: dict[str, Curve | CycleVector] = {**(curves_of if key == "diagrams" else arrows_of)(plans)}
+            there: dict[str, Curve | CycleVector] = {
+                **(curves_by_name if key == "diagrams" else vectors_by_name)(plans)
+            }
             for n, name in enumerate(names):
                 try:
-                    named(name, there, plans, f"sheet.{key}")
+                    curve_or_vector_by_name(name, there, plans, f"sheet.{key}")
                 except PlanesError as error:
                     raise SceneError(error.phrase, scene.file, scene.where.get(("sheet", key, str(n)), line)) from None
 
 
-def unready(scene: Scene) -> Iterator[PlanesError]:
+def sheet_entry_errors(scene: Scene) -> Iterator[PlanesError]:
     """Entries of ``sheet:`` that do not exist: a font, diagrams, hodographs."""
-    for look in (lambda: face_of(scene), lambda: check_names(scene, scene_plans(scene) if scene.mechanism else None)):
+    for look in (
+        lambda: face_of_scene(scene),
+        lambda: check_diagram_names(scene, scene_plans(scene) if scene.mechanism else None),
+    ):
         try:
             look()
         except PlanesError as error:
             yield error
 
 
-def asked(sheet: Mapping[str, object], key: str) -> list[str]:
+def names_under_key(sheet: Mapping[str, object], key: str) -> list[str]:
     """Names under a key of ``sheet:``, as a list or separated by commas."""
     said = sheet.get(key)
     names = said if isinstance(said, list) else str(said or "").split(",")
@@ -137,52 +154,54 @@ def cycle_page(
     if span is not None and span.count < 2:
         raise PlanesError(Phrase("cycle_one_place", file=scene.file))
     plans = scene_plans(scene)
-    if show is None and not plans.moves:
-        show = () if hodographs or paths else [name for name in curves_of(plans) if not component_of(name)]
+    if show is None and not plans.has_mechanism:
+        show = () if hodographs or paths else [name for name in curves_by_name(plans) if not component_axis(name)]
     elif show is None:  # the driven link's motion, and the balancing load
         drive = plans.drive
         balancing = f"{'M' if drive.rotates else 'Fb'}_{drive.link}"
-        show = () if hodographs or paths else (*output_curves(plans), balancing)
-    known = curves_of(plans)
-    panels = [[named(n, known, plans, scene.file).name for n in name.split("+")] for name in show]
-    loops = [*(hodographs or ()), *(f"r_{index_of(p) if letter_of(p) == 'r' else p}" for p in paths or ())]
-    turn = turn_of(plans, [n for names in panels for n in names], loops, scene.file)
-    runs = Runs(plans, *(ends_of(plans)[:2] if span is None else sorted(span.ends)))
+        show = () if hodographs or paths else (*driven_link_curves(plans), balancing)
+    known = curves_by_name(plans)
+    panels = [[curve_or_vector_by_name(n, known, plans, scene.file).name for n in name.split("+")] for name in show]
+    loops = [*(hodographs or ()), *(f"r_{name_index(p) if letter_of(p) == 'r' else p}" for p in paths or ())]
+    turn = whole_turn_of(plans, [n for names in panels for n in names], loops, scene.file)
+    runs = Runs(plans, *(diagram_range(plans)[:2] if span is None else sorted(span.first_and_last)))
     composer, title = Composer(scene, lang, plans), scene.title.get(lang, "")
-    turned = Turned(turn, runs, composer.naming)
-    with lettered(face_of(scene)):
-        views = [*_title(title), *_diagrams(turned, panels), *_loops(turned)]
-        return cut_to(stacked("cycle", views, GAP_MM), title, lang)
+    turned = DrawnTurn(turn, runs, composer.naming)
+    with using_face(face_of_scene(scene)):
+        views = [*_title_lines(title), *_diagram_views(turned, panels), *_hodograph_rows(turned)]
+        return page_cut_to_view(stack_views("cycle", views, DIAGRAM_GAP_MM), title, lang)
 
 
-def _title(text: str) -> list[View]:
+def _title_lines(text: str) -> list[View]:
     """The title of the scene, in lines no wider than the diagrams."""
-    lines = wrapped(text, SECTIONS * SECTION_MM, TITLE_MM)
-    marks = [Text(line, -1.7j * TITLE_MM * k, TITLE_MM, "middle") for k, line in enumerate(lines)]
-    return [view("title", "", marks)] if marks else []
+    lines = wrap_text(text, SECTION_COUNT * SECTION_WIDTH_MM, TITLE_LETTER_MM)
+    marks = [Text(line, -1.7j * TITLE_LETTER_MM * k, TITLE_LETTER_MM, "middle") for k, line in enumerate(lines)]
+    return [make_view("title", "", marks)] if marks else []
 
 
-def _diagrams(turned: Turned, panels: Sequence[Sequence[str]]) -> list[View]:
+def _diagram_views(turned: DrawnTurn, panels: Sequence[Sequence[str]]) -> list[View]:
     """The diagrams, one beneath another."""
     turn, runs, by_name = turned.turn, turned.runs, {c.name: c for c in turned.turn.curves}
     if not panels:
         return []
-    curve_extremes = extremes(grid(turn, runs.start, runs.end))
-    ends = {curve.name: _ends(some) for curve, some in zip(turn.curves, curve_extremes, strict=True)}
+    curve_extremes = extremes_of_curves(make_grid(turn, runs.start, runs.end))
+    ends = {curve.name: _least_and_greatest(some) for curve, some in zip(turn.curves, curve_extremes, strict=True)}
     curves = [_measured([turned.curve(by_name[n], ends[n]) for n in names]) for names in panels]
-    stations = runs.stations().tolist()
-    shown = Diagrams(turn.plans, stations, curves, turned.naming, SECTION_MM, runs.closed, to_read=True).drawn()
-    return [view("diagrams", "", shown)]
+    stations = runs.numbered_stations().tolist()
+    shown = Diagrams(
+        turn.plans, stations, curves, turned.naming, SECTION_WIDTH_MM, runs.closed, to_read=True
+    ).drawn_marks()
+    return [make_view("diagrams", "", shown)]
 
 
 def _measured(panel: Sequence[DiagramCurve]) -> list[DiagramCurve]:
     """The curves of some axes in the multiple of their unit that suits their values."""
     most = max((abs(v) for curve in panel for v in curve.values if v is not None), default=0.0)
-    size = prefixed(panel[0].unit, most)[0]
+    size = suitable_unit_multiple(panel[0].unit, most)[0]
     return [
         replace(
             curve,
-            unit=prefixed(curve.unit, most)[1],
+            unit=suitable_unit_multiple(curve.unit, most)[1],
             values=tuple(v and v / size for v in curve.values),
             ends=tuple((place, v / size) for place, v in curve.ends),
         )
@@ -190,16 +209,16 @@ def _measured(panel: Sequence[DiagramCurve]) -> list[DiagramCurve]:
     ]
 
 
-def _ends(curve_extremes: Sequence[Extreme]) -> list[Extreme]:
+def _least_and_greatest(curve_extremes: Sequence[Extreme]) -> list[Extreme]:
     """The least and the greatest value, where they are finite."""
     some = [e for e in curve_extremes if isfinite(e.value)]
     return [max(some, key=lambda e: sense * e.value) for sense in (-1, 1)] if some else []
 
 
-def _loops(turned: Turned) -> list[View]:
+def _hodograph_rows(turned: DrawnTurn) -> list[View]:
     """Hodographs and paths in rows; those of a whole turn are closed."""
     loops = [turned.loop(arrow) for arrow in turned.turn.arrows]
     if turned.runs.closed:
         loops = [replace(loop, path=(*loop.path, None, loop.path[0])) for loop in loops]
-    rows = (loops[k : k + IN_A_ROW] for k in range(0, len(loops), IN_A_ROW))
+    rows = (loops[k : k + HODOGRAPHS_PER_ROW] for k in range(0, len(loops), HODOGRAPHS_PER_ROW))
     return [hodograph_view(row, turned.naming, to_read=True) for row in rows]

@@ -5,33 +5,33 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-from planes.check.grading.by_hand import unsure
+from planes.check.grading.by_hand import unreliable_rate_names
 from planes.documents import constructed
-from planes.documents.graphs import constructions, views_beside
-from planes.documents.sheets import DrawnPosition, sheet_of, turned_once
+from planes.documents.graphs import graphical_constructions, views_without_position
+from planes.documents.sheets import DrawnPosition, project_over_turn, sheet_of
 from planes.drafting.drawing import Drawing
 from planes.scene import Scene
 from planes.solving import Position, solve
-from planes.solving.of_scene import AnyScene, read
+from planes.solving.of_scene import AnyScene, scene_from
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
-from planes.words.lettering import spelt
-from render.files import SUFFIXES, Page
+from planes.words.lettering import terminal_spelling
+from render.files import DRAWING_SUFFIXES, Page
 from render.files.dxf_entities import Lettered
-from render.paper.hues import coloured
-from render.paper.marks import lettered
-from render.paper.outlines import face_of
+from render.paper.hues import colour_vectors
+from render.paper.marks import using_face
+from render.paper.outlines import face_of_scene
 from render.sheet import Sheet
 from render.sheet.composer import Composer
-from render.sheet.single import Makers, of_mechanism, of_vectors, page, traced
+from render.sheet.single import Makers, mechanism_view_makers, traced_plans_page, vector_view_makers, view_page
 from render.sheet.sizes import Sizes
-from render.views import stacked
+from render.views import stack_views
 
 
 def shown(thing: Drawing | Scene | Position) -> str | None:
     """The picture for a notebook: a drawing with its construction lines, or a scheme; empty if it cannot be drawn."""
     try:
-        page = traced(thing) if isinstance(thing, Drawing) else picture(thing)
+        page = traced_plans_page(thing) if isinstance(thing, Drawing) else picture(thing)
     except PlanesError:
         return None
     return page._repr_svg_() if page else None
@@ -63,36 +63,38 @@ def draw_sheet(
     view, without a frame. ``text`` "pieces" writes the indices of a DXF as separate texts, "strokes" draws its letters
     by lines.
     """
-    suffix, others = Path(output).suffix.lower(), constructed.suffixes()
-    if suffix not in (*SUFFIXES, *others):
-        raise PlanesError(Phrase("bad_suffix", file=output, known=(*SUFFIXES, *others)))
+    suffix, others = Path(output).suffix.lower(), constructed.format_suffixes()
+    if suffix not in (*DRAWING_SUFFIXES, *others):
+        raise PlanesError(Phrase("bad_suffix", file=output, known=(*DRAWING_SUFFIXES, *others)))
     if suffix in others:
         if number:
-            raise PlanesError(Phrase("constructed_sheet", file=output, known=SUFFIXES))
+            raise PlanesError(Phrase("constructed_sheet", file=output, known=DRAWING_SUFFIXES))
         return DrawnSheet("", constructed.draw_constructed(scene, view, values, output, lang))
-    drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
+    drawn = page_of_view(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     drawn.write(output, text)
     paper = f"{drawn.paper.name.replace('x', '×')}, " if isinstance(drawn, Sheet) else ""
     size = " × ".join(f"{mm:.0f}" for mm in drawn.size)
-    remarks = tuple(_by_hand(scene, values, lang)) if view is None and number != 2 else ()
+    remarks = tuple(_hand_uncertainty_remark(scene, values, lang)) if view is None and number != 2 else ()
     return DrawnSheet(f"{paper}{size} {say('mm', lang)}", tuple(drawn.warnings), remarks)
 
 
-def _by_hand(scene: Scene, values: Iterable[float] | None, lang: Lang) -> Iterator[str]:
+def _hand_uncertainty_remark(scene: Scene, values: Iterable[float] | None, lang: Lang) -> Iterator[str]:
     """The remark that velocities and accelerations on the sheet are uncertain in a drawing by hand, as in a check of
     one."""
     for position in solve(scene, values, lang=lang).positions if scene.mechanism else ():
-        naming = replace(position.plans.naming, lang=lang)
-        if names := ", ".join(spelt(naming.vector(name)) for name in unsure(position)):
+        naming = replace(position.plans.default_naming, lang=lang)
+        if names := ", ".join(
+            terminal_spelling(naming.lettered_vector(name)) for name in unreliable_rate_names(position)
+        ):
             yield say("unsure_by_hand", lang, names=names)
 
 
 def draw_constructions(scene: Scene, sections: int, pole_mm: float | None, output: str, lang: Lang) -> None:
     """Draw both graphical constructions of a scene, one beneath the other, into a file."""
     composer = Composer(scene, lang)
-    with lettered(face_of(scene)):
-        both = stacked("graphical", constructions(scene, composer, sections, pole_mm), 20.0)
-        page({both.key: lambda: both}, both.key, composer).write(output)
+    with using_face(face_of_scene(scene)):
+        both = stack_views("graphical", graphical_constructions(scene, composer, sections, pole_mm), 20.0)
+        view_page({both.key: lambda: both}, both.key, composer).write(output)
 
 
 def picture(drawn: AnyScene | Position, view: str | None = None, lang: Lang | None = None) -> Page:
@@ -102,27 +104,27 @@ def picture(drawn: AnyScene | Position, view: str | None = None, lang: Lang | No
     """
     lang = lang or home_lang()
     if not isinstance(drawn, Position):
-        return view_of(read(drawn), view, None, lang)
+        return page_of_view(scene_from(drawn), view, None, lang)
     scene = Scene(mechanism=drawn.plans.mechanism, mu=drawn.scales)
     composer = Composer(scene, lang, drawn.plans)
-    return page(_mechanism_views(scene, drawn, composer), view, composer)
+    return view_page(_mechanism_views(scene, drawn, composer), view, composer)
 
 
-def view_of(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
+def page_of_view(scene: Scene, view: str | None, values: Iterable[float] | None = None, lang: Lang = "ru") -> Page:
     """One view of a scene on a separate page, by name (by default the first)."""
-    shown = _view_of(scene, view, values, lang)
-    return replace(shown, marks=coloured(shown.marks)) if scene.sheet.get("colour") else shown
+    shown = _page_of_view(scene, view, values, lang)
+    return replace(shown, marks=colour_vectors(shown.marks)) if scene.sheet.get("colour") else shown
 
 
-def _view_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
-    with lettered(face_of(scene)):
+def _page_of_view(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> Page:
+    with using_face(face_of_scene(scene)):
         drawn = DrawnPosition(replace(scene, find=None), values, lang)
-        composer = Composer(scene, lang, drawn.stated[0])
-        return page(_mechanism_views(drawn.scene, drawn.at(Sizes()), composer), view, composer)
+        composer = Composer(scene, lang, drawn.plans_and_wanted[0])
+        return view_page(_mechanism_views(drawn.scene, drawn.position_at_sizes(Sizes()), composer), view, composer)
 
 
 def _mechanism_views(scene: Scene, drawn: Position, composer: Composer) -> Makers:
-    if not drawn.plans.moves:
-        return of_vectors(drawn, composer)
-    more = views_beside(scene, drawn, composer)
-    return of_mechanism(drawn, composer, lambda: turned_once(scene, drawn.plans, composer, True), more)
+    if not drawn.plans.has_mechanism:
+        return vector_view_makers(drawn, composer)
+    more = views_without_position(scene, drawn, composer)
+    return mechanism_view_makers(drawn, composer, lambda: project_over_turn(scene, drawn.plans, composer, True), more)

@@ -7,27 +7,27 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from planes.batch.table import PLUS_MINUS, SWEPT, Table
+from planes.batch.table import ERROR_COLUMN_PREFIX, SWEPT_PARAMETER_UNIT, Table
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked
-from planes.check.handed_in import TABLES, read_paper
+from planes.check.handed_in import TABLE_SUFFIXES, read_paper
 from planes.check.outcome import Outcome
 from planes.check.outcome import check as judge
-from planes.course.numbers import answers_of
+from planes.course.numbers import main_answer_names
 from planes.diagrams.turn import WholeTurn
 from planes.documents import animation
-from planes.documents.drawn import picture, view_of
+from planes.documents.drawn import page_of_view, picture
 from planes.documents.lesson import Lesson
 from planes.documents.sheets import sheet_of
 from planes.geometry.arrays import Array
-from planes.plans.curves import curves_meant
+from planes.plans.curves import curves_meant_by_names
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
-from planes.scene.parameters import finite
-from planes.scene.ranges import asked_of_drive, places_of
-from planes.solving.of_scene import AnyScene, read
+from planes.scene.parameters import require_finite_numbers
+from planes.scene.ranges import drive_positions_asked, driver_coordinate_asked
+from planes.solving.of_scene import AnyScene, scene_from
 from planes.words import Lang, home_lang
-from planes.words.names import kind_of
+from planes.words.names import plan_kind
 from planes.words.units import read_mu
 from render.files import Page
 from render.sheet import Sheet
@@ -64,53 +64,53 @@ def cycle(
     >>> table["v_C"].shape
     (8,)
     """
-    scene = read(scene)
+    scene = scene_from(scene)
     one = isinstance(names, str) or not isinstance(names, Iterable)
     asked = None if names is None else (str(names),) if one else tuple(map(str, names))
-    at = asked_of_drive(scene, phi, s)
-    values = None if at is None else _numbers(at, "s" if phi is None else "phi")
-    swept = {name: _numbers(v, name) for name, v in parameters.items()}
+    at = driver_coordinate_asked(scene, phi, s)
+    values = None if at is None else _number_array(at, "s" if phi is None else "phi")
+    swept = {name: _number_array(v, name) for name, v in parameters.items()}
     tables = []
     for numbers in product(*swept.values()):
         given = dict(zip(swept, map(float, numbers), strict=True))
-        tables.append(_turned(scene.with_parameters(**given) if given else scene, asked, values, given, errors))
+        tables.append(_turn_results(scene.with_parameters(**given) if given else scene, asked, values, given, errors))
     return Table.joined(tables) if len(tables) > 1 else tables[0]
 
 
-def _numbers(given: Any, name: str) -> Array:
+def _number_array(given: Any, name: str) -> Array:
     """The numbers given; an array of them is looked at as one, in a tenth of the time."""
     flat = isinstance(given, np.ndarray) and given.shape == (given.size,) != (0,) and given.dtype == float
-    return given.copy() if flat and np.isfinite(given).all() else np.atleast_1d(finite(given, name))
+    return given.copy() if flat and np.isfinite(given).all() else np.atleast_1d(require_finite_numbers(given, name))
 
 
-_TURNS: dict[tuple[int, tuple[str, ...] | None], WholeTurn] = {}
+_READY_TURNS: dict[tuple[int, tuple[str, ...] | None], WholeTurn] = {}
 """Turns ready for the next call: by the plans, which they keep, and the names."""
-KEPT = 8
+MOST_READY_TURNS = 8
 
 
-def _turned(
+def _turn_results(
     scene: Scene, names: tuple[str, ...] | None, values: Array | None, given: dict[str, float], errors: bool
 ) -> Table:
     """The results for one set of parameters. A turn is made ready in milliseconds, so the last ones are kept; while
     used, one is taken out, for another thread may ask for the same."""
     plans = scene_plans(scene)
     drive, key = plans.drive, (id(plans), names)
-    turn = _TURNS.pop(key, None)
+    turn = _READY_TURNS.pop(key, None)
     if turn is None:
         asked = None if names is None else [name for name in names if name != drive.kind]
-        turn = WholeTurn(plans, curves_meant(plans, asked), slopes=False)
+        turn = WholeTurn(plans, curves_meant_by_names(plans, asked), slopes=False)
     if values is None:
         values = np.arange(360.0) if drive.rotates else np.array([drive.position])
-    rows, codes = turn.rows(values, errors=errors)
-    heads = [(sign + c.name, c.unit) for sign in ("", PLUS_MINUS)[: 1 + errors] for c in turn.curves]
+    rows, codes = turn.curve_rows(values, errors=errors)
+    heads = [(sign + c.name, c.unit) for sign in ("", ERROR_COLUMN_PREFIX)[: 1 + errors] for c in turn.curves]
     columns = {name: np.full(len(values), number) for name, number in given.items()} | {drive.kind: values}
-    units = dict.fromkeys(given, SWEPT) | {drive.kind: "°" if drive.rotates else "m"} | dict(heads)
+    units = dict.fromkeys(given, SWEPT_PARAMETER_UNIT) | {drive.kind: "°" if drive.rotates else "m"} | dict(heads)
     columns |= dict(zip(dict(heads), rows, strict=True))
-    reasons = np.array(["", *(r.named for r in turn.reasons)], dtype=object)
-    if len(_TURNS) >= KEPT:
-        _TURNS.clear()
-    _TURNS[key] = turn
-    return Table(columns, units, reasons[codes], plans.naming)
+    reasons = np.array(["", *(r.reason_in_short for r in turn.failure_reasons)], dtype=object)
+    if len(_READY_TURNS) >= MOST_READY_TURNS:
+        _READY_TURNS.clear()
+    _READY_TURNS[key] = turn
+    return Table(columns, units, reasons[codes], plans.default_naming)
 
 
 def check(
@@ -133,9 +133,9 @@ def check(
     ``first_wrong``, ``mistake``, ``sentence``. A table of results alone is right if none of the plan's main ones is
     missing. Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
-    scene = read(scene)
-    at, known_mu = places_of(scene, phi, s, False), None if mu is None else read_mu(mu, kind_of(plan))
-    answers = answers_of(scene, at, plan) if str(drawing).lower().endswith(TABLES) else ()
+    scene = scene_from(scene)
+    at, known_mu = drive_positions_asked(scene, phi, s, False), None if mu is None else read_mu(mu, plan_kind(plan))
+    answers = main_answer_names(scene, at, plan) if str(drawing).lower().endswith(TABLE_SUFFIXES) else ()
     asked = Asked(scene, plan, at, known_mu, answers=answers)
     known = Known(pole, marks or {}, page=None if page is None else page - 1)
     return judge(asked, read_paper(str(drawing), asked, known))
@@ -156,10 +156,10 @@ def sheet(
     ``number`` 1 or 2 is a sheet of a course project, ``view`` a single view; otherwise everything is on one sheet. A
     notebook shows the returned value. Raises :class:`PlanesError` where it cannot be drawn or written.
     """
-    scene = read(scene)
-    lang, at = lang or home_lang(), places_of(scene, phi, s, False) if scene.mechanism else None
+    scene = scene_from(scene)
+    lang, at = lang or home_lang(), drive_positions_asked(scene, phi, s, False) if scene.mechanism else None
     values = None if at is None else [at]
-    drawn = view_of(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
+    drawn = page_of_view(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     if output is not None:
         drawn.write(output)
     return drawn
@@ -170,7 +170,7 @@ def lesson(
 ) -> Lesson:
     """The construction step by step as a web page, optionally with a chapter on instantaneous ``centres``; written to
     ``output`` if given. A notebook shows it."""
-    page = Lesson(read(scene), lang or home_lang(), centres=centres)
+    page = Lesson(scene_from(scene), lang or home_lang(), centres=centres)
     if output is not None:
         page.write(str(output))
     return page
@@ -202,14 +202,14 @@ def extremes(scene: AnyScene) -> "Extremes":
     """
     from planes.diagrams.text import Extremes
 
-    return Extremes(read(scene))
+    return Extremes(scene_from(scene))
 
 
 def animate(
     scene: AnyScene,
     output: str | Path,
     *,
-    frames: int = animation.FRAMES,
+    frames: int = animation.FRAMES_PER_TURN,
     seconds: float = 6.0,
     lang: Lang | None = None,
 ) -> None:
@@ -218,4 +218,4 @@ def animate(
     ``frames`` are the positions of one turn, or of one stroke where the driver only swings. The picture lasts
     ``seconds`` and loops. Raises :class:`PlanesError` where nothing moves, or for another suffix.
     """
-    animation.animate(read(scene), output, lang or home_lang(), frames, seconds)
+    animation.animate(scene_from(scene), output, lang or home_lang(), frames, seconds)

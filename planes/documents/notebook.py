@@ -10,21 +10,23 @@ import numpy as np
 
 from planes.batch.table import Table
 from planes.check.outcome import Outcome
-from planes.check.report import heads, numbers_of, rows_of
+from planes.check.report import mark_table_rows, result_table_rows, table_headings
 from planes.documents.drawn import picture, shown
 from planes.plans import structure_of
 from planes.scene import Scene
-from planes.solving import Position, plans_of, position, told
-from planes.solving.of_scene import AnyScene, read
-from planes.words import Lang, Phrase, decimal, home_lang, say
+from planes.solving import Position, drive_position_in_words, plans_for_requested_results, solve_position
+from planes.solving.of_scene import AnyScene, scene_from
+from planes.words import Lang, Phrase, home_lang, say, with_decimal_sign
 from planes.words.errors import PlanesError, SceneError
-from planes.words.units import number, quantity
+from planes.words.units import number_text, significant_digits_text
 
 if TYPE_CHECKING:
     from anywidget import AnyWidget
 
-ENDS = 4  # rows of a table shown from its start, and from its end
-_NARROW = "<style>.planes svg{max-width:28em;height:auto;background:#fff}.planes td,.planes th{text-align:left}</style>"
+ROWS_SHOWN_AT_ENDS = 4  # rows of a table shown from its start, and from its end
+_NARROW_TABLE_STYLE = (
+    "<style>.planes svg{max-width:28em;height:auto;background:#fff}.planes td,.planes th{text-align:left}</style>"
+)
 
 
 def in_notebook(thing: Scene | Position | Table | Outcome) -> str:
@@ -32,29 +34,31 @@ def in_notebook(thing: Scene | Position | Table | Outcome) -> str:
     lang = home_lang()
     match thing:
         case Scene():
-            parts = _of_scene(thing, lang)
+            parts = _scene_html(thing, lang)
         case Position():
-            parts = _of_position(thing, lang)
+            parts = _position_html(thing, lang)
         case Table():
-            parts = _of_table(thing, lang)
+            parts = _table_html(thing, lang)
         case _:
-            parts = _of_check(thing, lang)
-    return f'{_NARROW}<div class="planes">{"".join(parts)}</div>'
+            parts = _check_html(thing, lang)
+    return f'{_NARROW_TABLE_STYLE}<div class="planes">{"".join(parts)}</div>'
 
 
-def _of_scene(scene: Scene, lang: Lang) -> Iterable[str]:
+def _scene_html(scene: Scene, lang: Lang) -> Iterable[str]:
     yield f"<b>{html.escape(scene.title.get(lang, '') or scene.file)}</b>"
     if scene.mechanism:
         links = structure_of(scene.mechanism, scene.file)
-        yield f"<br>W = {links.W}, {html.escape(links.formula_as(scene.frame_number).replace('->', '→'))}"
+        formula = links.formula_with_frame_number(scene.frame_number).replace("->", "→")
+        yield f"<br>W = {links.W}, {html.escape(formula)}"
     yield shown(scene) or ""
-    yield table([], [(name, number(value, lang)) for name, value in scene.parameters.items()])
+    yield rows_as_html([], [(name, number_text(value, lang)) for name, value in scene.parameters.items()])
 
 
-def _of_position(here: Position, lang: Lang) -> Iterable[str]:
+def _position_html(here: Position, lang: Lang) -> Iterable[str]:
     drive = here.plans.drive
-    if here.plans.moves:
-        yield f"<b>{'φ' if drive.rotates else 's'} = {decimal(told(here.at, drive.kind, lang), lang)}</b>"
+    if here.plans.has_mechanism:
+        position = with_decimal_sign(drive_position_in_words(here.at, drive.kind, lang), lang)
+        yield f"<b>{'φ' if drive.rotates else 's'} = {position}</b>"
     yield shown(here) or ""
     rates = [(f"v_{p}", abs(v), "m/s") for p, v in here.v.items()] + [
         (f"a_{p}", abs(a), "m/s²") for p, a in here.a.items()
@@ -63,41 +67,43 @@ def _of_position(here: Position, lang: Lang) -> Iterable[str]:
     rates += [(f"omega_{n}", w, "rad/s") for n, w in here.omega.items()]
     rates += [(f"epsilon_{n}", e, "rad/s²") for n, e in here.epsilon.items()]
     rates += [(f"|{n}|", abs(f.vector), "N") for n, f in here.of("reactions").items()]
-    yield table([], [(name, number(value, lang), say(unit, lang)) for name, value, unit in rates])
+    yield rows_as_html([], [(name, number_text(value, lang), say(unit, lang)) for name, value, unit in rates])
 
 
-def _of_table(results: Table, lang: Lang) -> Iterable[str]:
+def _table_html(results: Table, lang: Lang) -> Iterable[str]:
     head = [f"{name}, {results.units[name]}" for name in results]
     count = len(results.failed)
     columns = [results.columns[name] for name in results]
     rows: list[Sequence[str]] = [
-        [_cell(c[k], lang) for c in columns] for k in range(count) if k < ENDS or k >= count - ENDS
+        [_cell_text(c[k], lang) for c in columns]
+        for k in range(count)
+        if k < ROWS_SHOWN_AT_ENDS or k >= count - ROWS_SHOWN_AT_ENDS
     ]
-    if count > 2 * ENDS:
-        rows.insert(ENDS, ["…"] * len(head))
-    yield table(head, rows)
+    if count > 2 * ROWS_SHOWN_AT_ENDS:
+        rows.insert(ROWS_SHOWN_AT_ENDS, ["…"] * len(head))
+    yield rows_as_html(head, rows)
     yield f"{count} × {len(head)}"
 
 
-def _cell(value: Any, lang: Lang) -> str:
-    return "—" if np.isnan(value) else decimal(quantity(float(value)), lang)
+def _cell_text(value: Any, lang: Lang) -> str:
+    return "—" if np.isnan(value) else with_decimal_sign(significant_digits_text(float(value)), lang)
 
 
-def _of_check(outcome: Outcome, lang: Lang) -> Iterable[str]:
-    marks, numbers = heads(lang)
+def _check_html(outcome: Outcome, lang: Lang) -> Iterable[str]:
+    marks, numbers = table_headings(lang)
     yield f"<p>{html.escape(outcome.sentence.told(lang))}</p>"
-    for head, rows in ((marks, rows_of(outcome, lang)), (numbers, numbers_of(outcome, lang))):
-        yield table(head, [row[1:] for row in rows])
+    for head, rows in ((marks, mark_table_rows(outcome, lang)), (numbers, result_table_rows(outcome, lang))):
+        yield rows_as_html(head, [row[1:] for row in rows])
 
 
-def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+def rows_as_html(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """Rows as an HTML table, empty without rows."""
     body = [f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>" for row in rows]
     top = f"<tr>{''.join(f'<th>{html.escape(cell)}</th>' for cell in head)}</tr>" if head else ""
     return f"<table>{top}{''.join(body)}</table>" if body else ""
 
 
-ESM = """
+WIDGET_SCRIPT = """
 export default { render({ model, el }) {
   const crank = Object.assign(document.createElement("input"), { type: "range", step: model.get("step") });
   const said = document.createElement("output"), views = document.createElement("div");
@@ -121,13 +127,13 @@ def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"),
     ``value`` of the returned object is the drive's position (degrees; m for a sliding driver) and may be set or
     observed; ``position`` is the :class:`Position` there, None where it cannot be drawn. Needs anywidget.
     """
-    own = read(scene)
+    own = scene_from(scene)
     try:
         import anywidget
         import traitlets
     except ImportError:
         raise PlanesError(Phrase("needs_anywidget")) from None
-    plans, wanted = plans_of(own)
+    plans, wanted = plans_for_requested_results(own)
     if own.mechanism is None:
         raise SceneError(Phrase("vectors_alone"), own.file, own.where.get(("vectors",), 1))
     drive, said = plans.drive, lang or home_lang()
@@ -137,7 +143,7 @@ def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"),
     class Crank(anywidget.AnyWidget):
         """The slider and its views."""
 
-        _esm = ESM
+        _esm = WIDGET_SCRIPT
         value = traitlets.Float(drive.position % 360.0 if turns else drive.position).tag(sync=True)
         least, most, step = (traitlets.Float(number).tag(sync=True) for number in reach)
         symbol = traitlets.Unicode(f"{'φ' if turns else 's'}_{drive.link}").tag(sync=True)
@@ -153,7 +159,7 @@ def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"),
         def draw(self) -> None:
             """The views at the drive's position, or why there are none."""
             try:
-                self.position = position(own, plans, wanted, self.value, None, said)
+                self.position = solve_position(own, plans, wanted, self.value, None, said)
                 pages = [picture(self.position, view, said) for view in views]
                 self.svg, self.failure = "".join(page._repr_svg_() for page in pages), ""
             except PlanesError as failure:

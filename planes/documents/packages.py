@@ -7,28 +7,28 @@ import zipfile
 from collections.abc import Sequence
 
 from planes.course.quiz import Pool, Quiz
-from planes.documents.platforms import PICTURE, asked, filled, in_file, stem
+from planes.documents.platforms import PICTURE_FILE_NAME, element_as_file, filled_element, question_html, question_stem
 from planes.words import Lang
 
-MOMENT = (2020, 1, 1, 0, 0, 0)  # date of every file in an archive, so that the same lesson gives the same bytes
-NAMES = uuid.UUID("6f2b1d5e-6d4b-5d0e-9b0e-8a3f0c0d1e2f")
+ARCHIVE_DATE = (2020, 1, 1, 0, 0, 0)  # date of every file in an archive, so that the same lesson gives the same bytes
+UUID_NAMESPACE = uuid.UUID("6f2b1d5e-6d4b-5d0e-9b0e-8a3f0c0d1e2f")
 
 
-def scorm(page: bytes, name: str, title: str) -> bytes:
+def scorm_archive(page: bytes, name: str, title: str) -> bytes:
     """A lesson with its manifest, as an archive; the page itself reports its score to the platform."""
     held = io.BytesIO()
     with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED) as archive:
-        for file, data in (("imsmanifest.xml", manifest(name, title)), ("index.html", page)):
-            archive.writestr(zipfile.ZipInfo(file, MOMENT), data, zipfile.ZIP_DEFLATED)
+        for file, data in (("imsmanifest.xml", scorm_manifest(name, title)), ("index.html", page)):
+            archive.writestr(zipfile.ZipInfo(file, ARCHIVE_DATE), data, zipfile.ZIP_DEFLATED)
     return held.getvalue()
 
 
-def manifest(name: str, title: str) -> bytes:
+def scorm_manifest(name: str, title: str) -> bytes:
     """imsmanifest.xml of one lesson (SCORM 1.2, Content Aggregation Model)."""
-    return in_file(filled("manifest", identifier=uuid.uuid5(NAMES, name), title=title))
+    return element_as_file(filled_element("manifest", identifier=uuid.uuid5(UUID_NAMESPACE, name), title=title))
 
 
-SERVER = '''"""One student's numbers, drawn by the variant."""
+SERVER_SCRIPT = '''"""One student's numbers, drawn by the variant."""
 
 import json
 import os
@@ -46,40 +46,39 @@ def generate(data):
 '''
 
 
-def prairielearn(name: str, group: Sequence[Quiz], lang: Lang) -> dict[str, bytes]:
+def prairielearn_files(name: str, group: Sequence[Quiz], lang: Lang) -> dict[str, bytes]:
     """The files of a question folder: info.json, question.html, server.py, numbers.json and the picture."""
     first, pool = group[0], Pool(group, lang)
     inputs = "".join(
-        f'{asked(q, lang)}<pl-number-input answers-name="{q.key}" comparison="relabs" rtol="0" '
-        f'atol="{{{{params.tolerance_{q.key}}}}}" suffix="{q.unit}"></pl-number-input>\n'
+        f'{question_html(q, lang)}<pl-number-input answers-name="{q.platform_key}" comparison="relabs" rtol="0" '
+        f'atol="{{{{params.tolerance_{q.platform_key}}}}}" suffix="{q.unit}"></pl-number-input>\n'
         for q in first.questions
     )
-    text = f"<pl-question-panel>\n{stem(pool, '{{params.', '}}')}\n"
-    text += (
-        f'<pl-figure file-name="{PICTURE}" directory="clientFilesQuestion"></pl-figure>\n</pl-question-panel>\n{inputs}'
-    )
+    text = f"<pl-question-panel>\n{question_stem(pool, '{{params.', '}}')}\n"
+    text += f'<pl-figure file-name="{PICTURE_FILE_NAME}" directory="clientFilesQuestion"></pl-figure>\n'
+    text += f"</pl-question-panel>\n{inputs}"
     sets = [
         {
-            "given": {key: values[k] for key, values in pool.varied.items()},
-            "answers": {i.key: {"value": i.value, "tolerance": i.tolerance} for i in q.questions},
+            "given": {key: values[k] for key, values in pool.varied_numbers.items()},
+            "answers": {i.platform_key: {"value": i.value, "tolerance": i.tolerance} for i in q.questions},
         }
         for k, q in enumerate(group)
     ]
     info = {
-        "uuid": str(uuid.uuid5(NAMES, f"prairielearn {name}")),
+        "uuid": str(uuid.uuid5(UUID_NAMESPACE, f"prairielearn {name}")),
         "title": first.title,
         "topic": "Mechanisms",
         "tags": ["numeric"],
         "type": "v3",
     }
     return {
-        "info.json": _json(info),
+        "info.json": _json_bytes(info),
         "question.html": text.encode(),
-        "server.py": SERVER.encode(),
-        "numbers.json": _json(sets),
-        f"clientFilesQuestion/{PICTURE}": first.picture,
+        "server.py": SERVER_SCRIPT.encode(),
+        "numbers.json": _json_bytes(sets),
+        f"clientFilesQuestion/{PICTURE_FILE_NAME}": first.picture,
     }
 
 
-def _json(thing: object) -> bytes:
+def _json_bytes(thing: object) -> bytes:
     return (json.dumps(thing, ensure_ascii=False, indent=1, allow_nan=False) + "\n").encode()

@@ -12,34 +12,34 @@ import json
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from planes.check.grading.paper import COLUMNS, TABLES
+from planes.check.grading.paper import COLUMN_SPELLINGS, REQUIRED_COLUMNS
 from planes.course import DOCUMENTS, FORMATS
+from planes.course.reading import COURSE_KEYS as COURSE_KEYS
 from planes.course.reading import DRAW_KEYS, STUDENT_KEYS
-from planes.course.reading import KEYS as COURSE_KEYS
-from planes.crank_slider.given import UNITS
-from planes.crank_slider.parts import STEELS
-from planes.crank_slider.reading_table import INDICATOR
-from planes.crank_slider.reading_table import KEYS as CRANK_SLIDER_KEYS
+from planes.crank_slider.given import PASCALS_BY_UNIT
+from planes.crank_slider.parts import STEEL_PROPERTIES
+from planes.crank_slider.reading_table import INDICATOR_KEYS
+from planes.crank_slider.reading_table import KEYS_BY_TABLE as CRANK_SLIDER_KEYS
 from planes.scene.friction import PIN_KEYS
 from planes.scene.links import FRAME_KEYS, GUIDE_KEYS, LINK_KEYS, SLIDE_KEYS
 from planes.scene.load_laws import LAW_KEYS, STROKE_KEYS
-from planes.scene.motion import BALANCE_KEYS, DRIVE_KEYS, LOAD_KEYS, ORDERS
-from planes.scene.outline import KEYS, NEEDED
-from planes.scene.settings import SHEET_KEYS, SHEET_LISTS, SHEET_NUMBERS, SHEET_WORDS, YES_OR_NO
-from planes.scene.structures import METHODS, POLE_KEYS, STATIC_LOAD_KEYS, SUPPORT_KEYS, SUPPORT_KINDS
+from planes.scene.motion import ASSEMBLY_ORDERS, BALANCE_KEYS, DRIVE_KEYS, LOAD_KEYS
+from planes.scene.outline import ALL_SCENE_KEYS, REQUIRED_KEYS
+from planes.scene.settings import SHEET_KEYS, SHEET_LIST_KEYS, SHEET_NUMBER_KEYS, SHEET_WORD_CHOICES, YES_OR_NO_KEYS
+from planes.scene.structures import POLE_KEYS, SOLUTION_METHODS, STATIC_LOAD_KEYS, SUPPORT_KEYS, SUPPORT_KINDS
 from planes.scene.vectors import VECTOR_KEYS
-from planes.words import Lang, langs, say, under
+from planes.words import Lang, available_languages, say, sentences_with_prefix
 from planes.words.records import Json
-from planes.words.units import PLANS
+from planes.words.units import PLANS_WITH_MU
 
-DIALECT = "https://json-schema.org/draft/2020-12/schema"
-KINDS = ("scene", "course", "table")
-_WRITTEN: Json = json.loads(Path(__file__).with_name("schema_forms.json").read_text("utf-8"))
-_TABLES: dict[str, Json] = _WRITTEN["tables"]
-_READ: Mapping[str, Iterable[str]] = {
+SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"
+SCHEMA_KINDS = ("scene", "course", "table")
+_FORMS_FILE: Json = json.loads(Path(__file__).with_name("schema_forms.json").read_text("utf-8"))
+_TABLE_FORMS: dict[str, Json] = _FORMS_FILE["tables"]
+_KEYS_OF_TABLES: Mapping[str, Iterable[str]] = {
     **CRANK_SLIDER_KEYS,
-    "indicator": INDICATOR,
-    "scene": KEYS,
+    "indicator": INDICATOR_KEYS,
+    "scene": ALL_SCENE_KEYS,
     "frame": FRAME_KEYS,
     "guide": GUIDE_KEYS,
     "link": LINK_KEYS,
@@ -50,7 +50,7 @@ _READ: Mapping[str, Iterable[str]] = {
     "law": LAW_KEYS,
     "stroke": STROKE_KEYS,
     "pin": PIN_KEYS,
-    "plans": PLANS,
+    "plans": PLANS_WITH_MU,
     "vector": VECTOR_KEYS,
     "support": SUPPORT_KEYS,
     "static_load": STATIC_LOAD_KEYS,
@@ -59,45 +59,45 @@ _READ: Mapping[str, Iterable[str]] = {
     "course": COURSE_KEYS,
     "student": STUDENT_KEYS,
     "draw": DRAW_KEYS,
-    "table": COLUMNS,
+    "table": COLUMN_SPELLINGS,
 }
 """The keys of tables; those of the others are in ``schema_forms.json`` alone."""
-_WORDS: Mapping[str, Iterable[object]] = {
-    **SHEET_WORDS,
-    "orders": ORDERS,
-    "strokes": ORDERS[2:],
+_WORDS_BY_LIST: Mapping[str, Iterable[object]] = {
+    **SHEET_WORD_CHOICES,
+    "orders": ASSEMBLY_ORDERS,
+    "strokes": ASSEMBLY_ORDERS[2:],
     "supports": SUPPORT_KINDS,
-    "methods": METHODS,
-    "units": UNITS,
-    "steels": (*STEELS, *(int(s) for s in STEELS if s.isdigit())),
-    "langs": langs(),
+    "methods": SOLUTION_METHODS,
+    "units": PASCALS_BY_UNIT,
+    "steels": (*STEEL_PROPERTIES, *(int(s) for s in STEEL_PROPERTIES if s.isdigit())),
+    "langs": available_languages(),
     "documents": DOCUMENTS,
     "formats": FORMATS,
-    "plans": PLANS,
+    "plans": PLANS_WITH_MU,
 }
-_EITHER = {"scene": NEEDED.values(), "table": TABLES}
+_ALTERNATIVE_KEY_SETS = {"scene": REQUIRED_KEYS.values(), "table": REQUIRED_COLUMNS}
 """Sets of keys, one of which a table needs."""
 _WORDS_IN_LANGUAGES: Json = {
     "type": "object",
-    "properties": {lang: {"type": "string"} for lang in langs()},
+    "properties": {lang: {"type": "string"} for lang in available_languages()},
     "additionalProperties": False,
 }
-_FORMS: Json = {**_WRITTEN["forms"], "words": {"any": ["text", _WORDS_IN_LANGUAGES]}}
-_SHEET: Json = {
-    **{key: {"words": key} for key in SHEET_WORDS},
+_FORMS: Json = {**_FORMS_FILE["forms"], "words": {"any": ["text", _WORDS_IN_LANGUAGES]}}
+_SHEET_KEY_FORMS: Json = {
+    **{key: {"words": key} for key in SHEET_WORD_CHOICES},
     "positions": {"enum": [True, False, 12]},
-    **dict.fromkeys(YES_OR_NO, "boolean"),
-    **dict.fromkeys(SHEET_LISTS, "entries"),
-    **dict.fromkeys(SHEET_NUMBERS, "number"),
-    **_TABLES["sheet"],
+    **dict.fromkeys(YES_OR_NO_KEYS, "boolean"),
+    **dict.fromkeys(SHEET_LIST_KEYS, "entries"),
+    **dict.fromkeys(SHEET_NUMBER_KEYS, "number"),
+    **_TABLE_FORMS["sheet"],
 }
 
 
-def schema(kind: str, lang: Lang) -> Json:
+def json_schema(kind: str, lang: Lang) -> Json:
     """The schema of "scene", "course" or "table", in a language."""
     form: Json = {"list": {"table": "table"}} if kind == "table" else {"table": kind}
-    made = _Forms(under("schema_", lang, "schema")).form(form)
-    return {"$schema": DIALECT, "title": say(f"schema_{kind}", lang), **made}
+    made = _Forms(sentences_with_prefix("schema_", lang, "schema")).full_form(form)
+    return {"$schema": SCHEMA_DIALECT, "title": say(f"schema_{kind}", lang), **made}
 
 
 class _Forms:
@@ -106,38 +106,42 @@ class _Forms:
     def __init__(self, meanings: Mapping[str, str]) -> None:
         self.meanings = meanings
 
-    def form(self, written: str | Json) -> Json:
+    def full_form(self, written: str | Json) -> Json:
         """A form in full."""
         match written:
             case str():
-                return self.form(_FORMS[written])
+                return self.full_form(_FORMS[written])
             case {"any": forms}:
-                return {"anyOf": [*map(self.form, forms)]}
+                return {"anyOf": [*map(self.full_form, forms)]}
             case {"list": form}:
                 most = {"maxItems": written["most"]} if "most" in written else {}
-                return {"type": "array", "items": self.form(form), "minItems": written.get("least", 1), **most}
+                return {"type": "array", "items": self.full_form(form), "minItems": written.get("least", 1), **most}
             case {"by_name": form}:
-                return {"type": "object", "additionalProperties": self.form(form)}
+                return {"type": "object", "additionalProperties": self.full_form(form)}
             case {"table": name}:
-                return self.table(name)
+                return self.table_schema(name)
             case {"words": name}:
-                return {"enum": [*_WORDS[name]]}
+                return {"enum": [*_WORDS_BY_LIST[name]]}
         return written
 
-    def table(self, name: str) -> Json:
+    def table_schema(self, name: str) -> Json:
         """A table with the keys of a reader."""
-        forms: Json = _SHEET if name == "sheet" else _TABLES.get(name, {})
-        keys, required = _READ.get(name, forms), _WRITTEN["required"].get(name, ())
+        forms: Json = _SHEET_KEY_FORMS if name == "sheet" else _TABLE_FORMS.get(name, {})
+        keys, required = _KEYS_OF_TABLES.get(name, forms), _FORMS_FILE["required"].get(name, ())
         meant = "law" if name == "stroke" else name
         usual: str | Json = forms.get("*", "number")
-        own = {key: self.key(f"{meant}_{key}", forms.get(key, usual)) for key in keys}
+        own = {key: self.key_schema(f"{meant}_{key}", forms.get(key, usual)) for key in keys}
         made = {"type": "object", "additionalProperties": False, "properties": own}
         made["required"] = [*(keys if required == "*" else required)]
-        return made | ({"anyOf": [{"required": [*either]} for either in _EITHER[name]]} if name in _EITHER else {})
+        return made | (
+            {"anyOf": [{"required": [*either]} for either in _ALTERNATIVE_KEY_SETS[name]]}
+            if name in _ALTERNATIVE_KEY_SETS
+            else {}
+        )
 
-    def key(self, meaning: str, written: str | Json) -> Json:
+    def key_schema(self, meaning: str, written: str | Json) -> Json:
         """One key with its description; it may be left empty."""
-        form = self.form(written)
+        form = self.full_form(written)
         kind = form.get("type")
         kinds = {"type": [*([kind] if isinstance(kind, str) else kind), "null"]} if kind else {}
         return {**form, **kinds, "description": self.meanings[meaning]}

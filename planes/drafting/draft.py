@@ -18,10 +18,19 @@ from planes.words import Phrase
 from planes.words.errors import ProgramError
 from planes.words.frozen import frozen, replace
 from planes.words.lettering import name_in_words, plan_phrase
-from planes.words.names import AGAIN, POLE, Meaning, Quantity, at, label_of, mu_of, plan_of
+from planes.words.names import (
+    POLE_LABEL,
+    REPEATED_DIRECTION_SUFFIX,
+    Meaning,
+    Quantity,
+    full_mark_name,
+    label_of,
+    mu_name,
+    plan_of,
+)
 
-_REVERSED: Mapping[Quantity, Quantity] = {"with": "against", "against": "with"}
-_READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values that other modules find by name
+_REVERSED_QUANTITIES: Mapping[Quantity, Quantity] = {"with": "against", "against": "with"}
+_PREFIXES_READ_BY_NAME = ("v_", "vq_", "omega", "epsilon")  # values that other modules find by name
 
 
 @frozen
@@ -36,7 +45,7 @@ class Segment:
     @property
     def ends(self) -> tuple[str, str]:
         """The full names of its end marks."""
-        return at(self.plan, self.start), at(self.plan, self.end)
+        return full_mark_name(self.plan, self.start), full_mark_name(self.plan, self.end)
 
 
 class Draft:
@@ -53,13 +62,13 @@ class Draft:
         self.laws: dict[str, Law] = {}  # givens valid only at the drive's position in the file
         self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
 
-    def apart(self) -> "Draft":
+    def copy_for_trial(self) -> "Draft":
         """A copy of this draft that can be continued without changing it."""
         other = copy(self)
         vars(other).update({name: copy(kept) for name, kept in vars(self).items()})
         return other
 
-    def give(self, name: str, value: Thing, means: Meaning | None = None) -> str:
+    def add_given(self, name: str, value: Thing, means: Meaning | None = None) -> str:
         """State a given value (SI, degrees, ±1) or place (complex, m); a name already in use gets a prime."""
         while name in self.steps or name in self.reckoned or self.given.setdefault(name, value) != value:
             name += "′"
@@ -67,94 +76,100 @@ class Draft:
             self.means.setdefault(name, means)
         return name
 
-    def reckon(self, name: str, dimension: Dimension, means: Meaning | None = None) -> str:
+    def add_computed_given(self, name: str, dimension: Dimension, means: Meaning | None = None) -> str:
         """State a given computed from the dimensions of links; an equal one is reused."""
         while name in self.given and (name not in self.reckoned or self.reckoned[name].of != dimension.of):
             name += "′"
         if name not in self.reckoned:
-            name = self.give(name, dimension.value, means)
+            name = self.add_given(name, dimension.value, means)
             self.reckoned[name] = dimension
         return name
 
-    def law(self, name: str, law: Law | None) -> None:
+    def record_law(self, name: str, law: Law | None) -> None:
         """Record that a given or a direction is valid only at the drive's position in the file."""
         if law:
             self.laws[name] = law
 
-    def step(self, step: Step) -> str:
+    def add_step(self, step: Step) -> str:
         """Add a step unless it exists; a direction or value named by another one is recorded."""
         while step.makes in self.given or self.steps.setdefault(step.makes, step) != step:
-            if step.kind == "mark" or step.makes.startswith(_READ_BY_NAME):
+            if step.kind == "mark" or step.makes.startswith(_PREFIXES_READ_BY_NAME):
                 mark, plan = name_in_words(step.makes), plan_of(step.makes)
                 name = Phrase("mark_of_plan", mark=mark, plan=plan_phrase(plan)) if plan else mark
                 raise ProgramError(Phrase("named_twice", name=name))
-            step = replace(step, makes=step.makes + (AGAIN if step.kind == "direction" else "′"))
+            step = replace(step, makes=step.makes + (REPEATED_DIRECTION_SUFFIX if step.kind == "direction" else "′"))
         return step.makes
 
-    def ray(self, plan: str, one: str, two: str) -> str:
+    def direction_between_marks(self, plan: str, one: str, two: str) -> str:
         """The direction from one mark of a plan to another, as first drawn."""
         if (plan, one, two) not in self.rays:
             means = Meaning("along", one, two)
-            self.rays[plan, one, two] = self.through(f"{one}{two}", at(plan, one), at(plan, two), means)
+            self.rays[plan, one, two] = self.draw_direction_through_marks(
+                f"{one}{two}", full_mark_name(plan, one), full_mark_name(plan, two), means
+            )
         return self.rays[plan, one, two]
 
-    def pole(self, plan: str) -> str:
+    def draw_pole(self, plan: str) -> str:
         """The pole of a plan."""
-        return self.step(Put(at(plan, POLE)))
+        return self.add_step(Put(full_mark_name(plan, POLE_LABEL)))
 
-    def put(self, plan: str, label: str, place: complex, means: Meaning | None = None) -> str:
+    def draw_given_mark(self, plan: str, label: str, place: complex, means: Meaning | None = None) -> str:
         """A mark at a given place of the scheme (m)."""
-        given = self.give(f"place_{label}", place, Meaning("place", label))
-        return self.step(Put(at(plan, label), given, mu_of(plan), means=means))
+        given = self.add_given(f"place_{label}", place, Meaning("place", label))
+        return self.add_step(Put(full_mark_name(plan, label), given, mu_name(plan), means=means))
 
-    def aim(
+    def draw_direction_at_angle(
         self, name: str, angle_deg: float | Dimension, means: Meaning | None = None, given: Meaning | None = None
     ) -> str:
         """A direction at an angle, which may itself be ``given`` under a name."""
-        return self.step(Aim(name, self._angle(name, angle_deg, given), means=means))
+        return self.add_step(Aim(name, self._angle_name(name, angle_deg, given), means=means))
 
-    def through(self, name: str, start: str, end: str, means: Meaning | None = None) -> str:
+    def draw_direction_through_marks(self, name: str, start: str, end: str, means: Meaning | None = None) -> str:
         """The direction from mark to mark."""
-        return self.step(Through(name, start, end, means=means))
+        return self.add_step(Through(name, start, end, means=means))
 
-    def square(self, line_name: str) -> str:
+    def draw_perpendicular(self, line_name: str) -> str:
         """A direction turned by a right angle with the set square."""
         line = self.steps[line_name].means
-        return self.step(Turn(f"⊥{line_name}", line_name, 1, means=line and replace(line, quantity="across")))
+        return self.add_step(Turn(f"⊥{line_name}", line_name, 1, means=line and replace(line, quantity="across")))
 
-    def turn(
+    def draw_turned_direction(
         self, name: str, line_name: str, angle_deg: float | Dimension, means: Meaning, given: Meaning | None = None
     ) -> str:
         """A direction turned by an angle, which may itself be ``given`` under a name."""
-        return self.step(Turn(name, line_name, 0, self._angle(name, angle_deg, given), means=means))
+        return self.add_step(Turn(name, line_name, 0, self._angle_name(name, angle_deg, given), means=means))
 
-    def _angle(self, name: str, angle: float | Dimension, means: Meaning | None) -> str:
+    def _angle_name(self, name: str, angle: float | Dimension, means: Meaning | None) -> str:
         given = f"angle_{name}"
-        return self.reckon(given, angle, means) if isinstance(angle, Dimension) else self.give(given, angle, means)
+        return (
+            self.add_computed_given(given, angle, means)
+            if isinstance(angle, Dimension)
+            else self.add_given(given, angle, means)
+        )
 
     def lay_off(self, plan: str, label: str, start: str, along: str, length: str, means: Meaning | None = None) -> str:
         """Lay off a length (SI value by name) from a mark."""
-        return self.step(LayOff(at(plan, label), start, along, length, mu_of(plan), means=means))
+        return self.add_step(LayOff(full_mark_name(plan, label), start, along, length, mu_name(plan), means=means))
 
-    def measure(self, name: str, start: str, end: str, along: str | None = None) -> str:
+    def measure_segment(self, name: str, start: str, end: str, along: str | None = None) -> str:
         """Measure a segment on its plan, in SI."""
-        return self.step(Measure(name, start, end, along, mu_of(plan_of(start))))
+        return self.add_step(Measure(name, start, end, along, mu_name(plan_of(start))))
 
-    def product(self, name: str, coefficient: float = 1.0, **factors: int) -> str:
+    def add_product(self, name: str, coefficient: float = 1.0, **factors: int) -> str:
         """One product of powers of values, e.g. v²/l."""
-        return self.total(name, [Product(coefficient, tuple(factors.items()))])
+        return self.add_sum(name, [Product(coefficient, tuple(factors.items()))])
 
-    def total(self, name: str, terms: list[Product], means: Meaning | None = None) -> str:
+    def add_sum(self, name: str, terms: list[Product], means: Meaning | None = None) -> str:
         """A sum of products."""
-        return self.step(Calculate(name, tuple(terms), means=means))
+        return self.add_step(Calculate(name, tuple(terms), means=means))
 
-    def arm(self, force: str, point: str, along: str, about: str, link: str = "", name: str = "") -> str:
+    def draw_arm(self, force: str, point: str, along: str, about: str, link: str = "", name: str = "") -> str:
         """The arm of a force at one mark about another: the perpendicular, drawn and measured."""
         means = Meaning("arm", force, about, link)
         name = name or f"h_{force}_{label_of(about)}"
-        return self.step(Drop(name, point, along, about, mu_of(plan_of(point)), means=means))
+        return self.add_step(Drop(name, point, along, about, mu_name(plan_of(point)), means=means))
 
-    def balance(
+    def solve_moment_equation(
         self,
         unknown: str,
         about: str,
@@ -164,74 +179,80 @@ class Draft:
         means: Meaning | None = None,
     ) -> str:
         """Solve the moment equation about a mark for one unknown: a force with its ``arm``, or a couple without."""
-        value = self.total(unknown, [product for _, _, product in terms], means)
+        value = self.add_sum(unknown, [product for _, _, product in terms], means)
         shown = tuple((name, lever) for name, lever, _ in terms)
         self.moments.append(Moments(label_of(about), links, shown, value, arm))
         return value
 
-    def back(self, plan: str, one: str, two: str) -> str:
+    def direction_back_between_marks(self, plan: str, one: str, two: str) -> str:
         """The direction from the second of two marks to the first."""
-        return self.step(Turn(f"{two}→{one}", self.ray(plan, one, two), 2, means=Meaning("towards", two, one)))
+        return self.add_step(
+            Turn(f"{two}→{one}", self.direction_between_marks(plan, one, two), 2, means=Meaning("towards", two, one))
+        )
 
-    def show(self, plan: str, start: str, end: str, name: str) -> None:
+    def name_segment(self, plan: str, start: str, end: str, name: str) -> None:
         """Name a segment as the representation of a quantity."""
         self.segments.append(Segment(plan, start, end, name))
 
-    def draw(self, equation: Equation) -> None:
+    def draw_equation(self, equation: Equation) -> None:
         """Solve the equation on its plan: lay off what is known, then close, cross, or cross arcs; measure the rest."""
-        ends, open_terms = zip(*(self._advance(equation.plan, chain) for chain in equation.chains), strict=True)
-        if equation.kind != "close":
-            self._meet(equation, ends, open_terms)
-        self.conclude(equation)
+        ends, open_terms = zip(
+            *(self._lay_off_known_terms(equation.plan, chain) for chain in equation.chains), strict=True
+        )
+        if equation.construction_kind != "close":
+            self._cross_open_terms(equation, ends, open_terms)
+        self.measure_equation_results(equation)
 
-    def meet(self, plan: str, chain: Iterable[Term], last: Term, back: Term) -> None:
+    def lay_off_until_meeting(self, plan: str, chain: Iterable[Term], last: Term, back: Term) -> None:
         """Lay off a vector forwards from the end of a chain and one backwards from its beginning until they meet; the
         line of either is known."""
-        self.draw(Equation(plan, ((*chain, last), (back,))))
+        self.draw_equation(Equation(plan, ((*chain, last), (back,))))
 
-    def close(self, plan: str, chain: Iterable[Term], name: str, start: str, end: str = POLE) -> None:
+    def draw_closing_vector(
+        self, plan: str, chain: Iterable[Term], name: str, start: str, end: str = POLE_LABEL
+    ) -> None:
         """Draw the closing vector of a polygon, with that name; its length and direction are measured."""
-        self.conclude(Equation(plan, ((*chain, Term(name, start, end)), ())))
+        self.measure_equation_results(Equation(plan, ((*chain, Term(name, start, end)), ())))
 
-    def conclude(self, equation: Equation) -> None:
+    def measure_equation_results(self, equation: Equation) -> None:
         """Measure the results of an equation once its last mark exists."""
         self.equations.append(equation)
-        for term in equation.terms:
-            self.show(equation.plan, *term.ends, term.name)
+        for term in equation.all_terms:
+            self.name_segment(equation.plan, *term.end_marks, term.name)
             if not term.drawn and term.length is None:
-                start, end = (at(equation.plan, label) for label in term.ends)
-                self.measure(term.name, start, end, term.direction)
+                start, end = (full_mark_name(equation.plan, label) for label in term.end_marks)
+                self.measure_segment(term.name, start, end, term.direction)
         if equation.total and equation.chains[0]:
-            self.show(equation.plan, equation.chains[0][0].start, equation.chains[0][-1].end, equation.total)
+            self.name_segment(equation.plan, equation.chains[0][0].start, equation.chains[0][-1].end, equation.total)
 
-    def _advance(self, plan: str, chain: tuple[Term, ...]) -> tuple[str, list[Term]]:
+    def _lay_off_known_terms(self, plan: str, chain: tuple[Term, ...]) -> tuple[str, list[Term]]:
         """Lay off the known terms; returns the mark reached and the terms still open."""
-        mark = at(plan, chain[0].start) if chain else ""
+        mark = full_mark_name(plan, chain[0].start) if chain else ""
         unknown = []
         for term in chain:
-            if term.known == 2:
-                mark = self.lay(plan, term, mark)
+            if term.known_part_count == 2:
+                mark = self.lay_off_known_vector(plan, term, mark)
             else:
                 unknown.append(term)
         return mark, unknown
 
-    def lay(self, plan: str, term: Term, start: str | None = None) -> str:
+    def lay_off_known_vector(self, plan: str, term: Term, start: str | None = None) -> str:
         """Lay off a known vector (or find it on the plan); returns the mark at its end."""
         if not term.drawn and term.length and term.direction:
-            place = start or at(plan, term.start)
-            along = term.direction if term.sign > 0 else self.reversed(term.direction)
+            place = start or full_mark_name(plan, term.start)
+            along = term.direction if term.sign > 0 else self.draw_reversed_direction(term.direction)
             return self.lay_off(plan, term.end, place, along, term.length, term.means)
-        return at(plan, term.end)
+        return full_mark_name(plan, term.end)
 
-    def reversed(self, line_name: str) -> str:
+    def draw_reversed_direction(self, line_name: str) -> str:
         """The opposite direction."""
         line = self.steps[line_name].means
-        turned = line and replace(line, quantity=_REVERSED.get(line.quantity, line.quantity))
+        turned = line and replace(line, quantity=_REVERSED_QUANTITIES.get(line.quantity, line.quantity))
         if turned and turned.quantity == "towards":
             turned = replace(turned, of=turned.about, about=turned.of)
-        return self.step(Turn(f"−{line_name}", line_name, 2, means=turned))
+        return self.add_step(Turn(f"−{line_name}", line_name, 2, means=turned))
 
-    def _meet(self, equation: Equation, ends: Sequence[str], open_terms: Sequence[list[Term]]) -> None:
+    def _cross_open_terms(self, equation: Equation, ends: Sequence[str], open_terms: Sequence[list[Term]]) -> None:
         """Cross the lines or arcs of the two open terms."""
         if len(open_terms[0]) == 1:
             (one,), (two,) = open_terms
@@ -239,17 +260,21 @@ class Draft:
         else:  # both open terms are in one chain: work back from its far end
             one, two = open_terms[0] or open_terms[1]
             start, other = ends if open_terms[0] else reversed(ends)
-        mark, mu, side = at(equation.plan, one.end), mu_of(equation.plan), equation.side or ""
+        mark, mu, side = full_mark_name(equation.plan, one.end), mu_name(equation.plan), equation.side or ""
         if one.direction and two.direction:
-            self.step(Cross(mark, start, one.direction, other, two.direction))
+            self.add_step(Cross(mark, start, one.direction, other, two.direction))
         elif one.direction and two.length:
-            self.step(CrossArc(mark, start, one.direction, other, two.length, mu, side, self._arm(other)))
+            self.add_step(
+                CrossArc(mark, start, one.direction, other, two.length, mu, side, self._lay_off_of_mark(other))
+            )
         elif two.direction and one.length:
-            self.step(CrossArc(mark, other, two.direction, start, one.length, mu, side, self._arm(start)))
+            self.add_step(
+                CrossArc(mark, other, two.direction, start, one.length, mu, side, self._lay_off_of_mark(start))
+            )
         elif one.length and two.length:
-            self.step(CrossArcs(mark, start, one.length, other, two.length, mu, side))
+            self.add_step(CrossArcs(mark, start, one.length, other, two.length, mu, side))
 
-    def _arm(self, mark: str) -> tuple[str, str, str] | None:
+    def _lay_off_of_mark(self, mark: str) -> tuple[str, str, str] | None:
         """How a mark was laid off, if it was: the start mark, the direction, the length."""
         step = self.steps[mark]
         return (step.start, step.along, step.length) if isinstance(step, LayOff) else None

@@ -36,12 +36,12 @@ class Term:
     means: Meaning | None = field(default=None, compare=False, repr=False)  # the meaning of the mark at its end
 
     @property
-    def known(self) -> int:
+    def known_part_count(self) -> int:
         """How many of length and direction are known: the number of underlines."""
         return 2 if self.drawn else (self.length is not None) + (self.direction is not None)
 
     @property
-    def ends(self) -> tuple[str, str]:
+    def end_marks(self) -> tuple[str, str]:
         """The start and end marks of its vector; reversed in a difference."""
         return (self.start, self.end) if self.sign > 0 else (self.end, self.start)
 
@@ -66,27 +66,27 @@ class Equation:
         for before, after in (joint for chain in self.chains for joint in pairwise(chain)):
             if before.end != after.start:
                 joined = {"start": after.start, "reached": before.end}
-                raise EquationError(Phrase("chain_broken", text=self.text, name=after.name, **joined))
+                raise EquationError(Phrase("chain_broken", text=self.equation_text, name=after.name, **joined))
         one, two = self.chains
         if one and two and (one[0].start, one[-1].end) != (two[0].start, two[-1].end):
             ends = {"start": one[0].start, "end": one[-1].end}
             ends |= {"other_start": two[0].start, "other_end": two[-1].end}
-            raise EquationError(Phrase("sides_apart", text=self.text, **ends))
-        if len(self.unknowns) != 2:
-            listed = tuple(unknown(name, part) for name, part in self.unknowns) or Phrase("none")
-            why = Phrase("unknowns_count", text=self.text, count=len(self.unknowns), listed=listed)
+            raise EquationError(Phrase("sides_apart", text=self.equation_text, **ends))
+        if len(self.unknown_parts) != 2:
+            listed = tuple(unknown_in_words(name, part) for name, part in self.unknown_parts) or Phrase("none")
+            why = Phrase("unknowns_count", text=self.equation_text, count=len(self.unknown_parts), listed=listed)
             raise EquationError(why)
 
     @property
-    def terms(self) -> tuple[Term, ...]:
+    def all_terms(self) -> tuple[Term, ...]:
         """All terms, those of the first chain first."""
         return self.chains[0] + self.chains[1]
 
     @property
-    def unknowns(self) -> tuple[tuple[str, str], ...]:
+    def unknown_parts(self) -> tuple[tuple[str, str], ...]:
         """Pairs (name of the vector, "length" or "direction"), in the order of the terms."""
         unknowns = []
-        for term in self.terms:
+        for term in self.all_terms:
             if not term.drawn:
                 unknowns += [(term.name, "length")] * (term.length is None)
                 unknowns += [(term.name, "direction")] * (term.direction is None)
@@ -95,9 +95,9 @@ class Equation:
         return tuple(unknowns)
 
     @property
-    def kind(self) -> EquationKind:
+    def construction_kind(self) -> EquationKind:
         """The construction that solves it: close the polygon, cross two lines, a line and an arc, or two arcs."""
-        (name, part), (other, other_part) = self.unknowns
+        (name, part), (other, other_part) = self.unknown_parts
         if name == other:
             return "close"
         if part == other_part:
@@ -105,32 +105,32 @@ class Equation:
         return "arc"
 
     @property
-    def closed(self) -> bool:
+    def is_closed_polygon(self) -> bool:
         """Whether it is written as a closed polygon: the sum of all vectors is zero."""
         return not self.total and all(t.sign < 0 for t in self.chains[1])
 
     @property
-    def written(self) -> tuple[tuple[SignedTerm, ...], ...]:
+    def sides_as_written(self) -> tuple[tuple[SignedTerm, ...], ...]:
         """The sides as written, each term with its sign; a closed polygon has one side."""
         one, two = self.chains
-        if self.closed:
+        if self.is_closed_polygon:
             return (tuple((t.sign, t) for t in one) + tuple((-t.sign, t) for t in two),)
         return tuple(tuple((t.sign, t) for t in chain) for chain in self.chains)
 
     @property
-    def text(self) -> str:
+    def equation_text(self) -> str:
         """The equation as a line of text."""
-        sides = [_sum(side) for side in self.written if side]
-        return " = ".join([self.total, *sides] if self.total else [*sides, "0"] if self.closed else sides)
+        sides = [_side_text(side) for side in self.sides_as_written if side]
+        return " = ".join([self.total, *sides] if self.total else [*sides, "0"] if self.is_closed_polygon else sides)
 
 
-def _sum(side: tuple[SignedTerm, ...]) -> str:
+def _side_text(side: tuple[SignedTerm, ...]) -> str:
     """A side as text."""
     text = "".join(f" {'+' if sign > 0 else '−'} {t.name}" for sign, t in side)
     return text.removeprefix(" + ").strip()
 
 
-def unknown(name: str, part: str) -> Phrase:
+def unknown_in_words(name: str, part: str) -> Phrase:
     """An unknown in words: "length of v_C"."""
     return Phrase("unknown_length" if part == "length" else "unknown_direction", name=name)
 

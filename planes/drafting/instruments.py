@@ -9,14 +9,14 @@ from dataclasses import dataclass, field
 from functools import reduce
 from typing import Any, Protocol
 
-from planes.drafting.skill import PENCIL, RULER_MM
+from planes.drafting.skill import DRAUGHTSMAN_SKILL, RULER_RESOLUTION_MM
 from planes.drafting.tools import Env, Step, Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real
 from planes.geometry.listed import ListArithmetic
 from planes.words.frozen import frozen
 
-PENCILS = 200  # draughtsmen who draw a plan to show the scatter of results
-ROUNDINGS = 1000 * 2.0**-52
+DRAUGHTSMEN_COUNT = 200  # draughtsmen who draw a plan to show the scatter of results
+SHAKEN_ROUNDING_RATIO = 1000 * 2.0**-52
 
 
 class Instrument(Protocol):
@@ -25,7 +25,7 @@ class Instrument(Protocol):
     def tool(self, many: bool) -> Tool: ...
 
 
-def _arithmetic(many: bool) -> Arithmetic:
+def _arithmetic_for(many: bool) -> Arithmetic:
     return Many() if many else Arithmetic()
 
 
@@ -34,7 +34,7 @@ class Exact:
     """An instrument with no error but rounding."""
 
     def tool(self, many: bool) -> Tool:
-        return Tool(_arithmetic(many), many)
+        return Tool(_arithmetic_for(many), many)
 
 
 @frozen
@@ -56,9 +56,9 @@ class Pencil:
     """A draughtsman's errors: standard deviations of marks, ``point_mm``, and of transferred directions, ``ray_deg``;
     readings are rounded to ``ruler_mm``. The same ``seed`` gives the same errors."""
 
-    point_mm: float = PENCIL.point_mm
-    ray_deg: float = PENCIL.ray_deg
-    ruler_mm: float = RULER_MM
+    point_mm: float = DRAUGHTSMAN_SKILL.point_mm
+    ray_deg: float = DRAUGHTSMAN_SKILL.ray_deg
+    ruler_mm: float = RULER_RESOLUTION_MM
     seed: int = 1
 
     def tool(self, many: bool) -> Tool:
@@ -76,7 +76,7 @@ class Shaken:
     seed: int = 1
 
     def tool(self, many: bool) -> Tool:
-        return _ShakenTool(_arithmetic(many), many, errors=_Errors(self.seed, many))
+        return _ShakenTool(_arithmetic_for(many), many, errors=_Errors(self.seed, many))
 
 
 class _Errors:
@@ -92,7 +92,7 @@ class _Errors:
     def normal(self, shape: tuple[int, ...]) -> Real:
         return self.array.standard_normal(shape) if shape else self.one.gauss(0.0, 1.0)
 
-    def both(self, shape: tuple[int, ...]) -> Point:
+    def place_errors(self, shape: tuple[int, ...]) -> Point:
         """Errors of a place: to the right, then upwards."""
         return self.normal(shape) + 1j * self.normal(shape)
 
@@ -103,13 +103,13 @@ class _PencilTool(Tool):
     errors: _Errors = field(default_factory=lambda: _Errors(1, False))
 
     def mark(self, place: Point) -> Point:
-        return place + self.pencil.point_mm * self.errors.both(self.shape)
+        return place + self.pencil.point_mm * self.errors.place_errors(self.shape)
 
-    def ray(self, direction: Point) -> Point:
+    def transfer_direction(self, direction: Point) -> Point:
         angle = math.radians(self.pencil.ray_deg) * self.errors.normal(self.shape)
         return direction * (1 + 1j * angle) / abs(1 + 1j * angle)
 
-    def read(self, length_mm: Real) -> Real:
+    def read_length(self, length_mm: Real) -> Real:
         ruler = self.pencil.ruler_mm
         if self.many:
             import numpy
@@ -124,14 +124,16 @@ class _ShakenTool(Tool):
     reach: Real = 0.0  # the farthest mark a step draws from: marks near the pole have the same rounding error
 
     def draw(self, step: Step, things: Env) -> Any:
-        self.reach = reduce(self.ar.maximum, (abs(things[n]) for n, kind in step.reads() if kind == "mark"), 0.0)
+        self.reach = reduce(self.ar.maximum, (abs(things[n]) for n, kind in step.input_names() if kind == "mark"), 0.0)
         return super().draw(step, things)
 
     def mark(self, place: Point) -> Point:
-        return place + ROUNDINGS * self.ar.maximum(abs(place), self.reach) * self.errors.both(self.shape)
+        return place + SHAKEN_ROUNDING_RATIO * self.ar.maximum(abs(place), self.reach) * self.errors.place_errors(
+            self.shape
+        )
 
-    def ray(self, direction: Point) -> Point:
-        return direction * (1 + 1j * ROUNDINGS * self.errors.normal(self.shape))
+    def transfer_direction(self, direction: Point) -> Point:
+        return direction * (1 + 1j * SHAKEN_ROUNDING_RATIO * self.errors.normal(self.shape))
 
-    def read(self, length_mm: Real) -> Real:
-        return length_mm * (1 + ROUNDINGS * self.errors.normal(self.shape))
+    def read_length(self, length_mm: Real) -> Real:
+        return length_mm * (1 + SHAKEN_ROUNDING_RATIO * self.errors.normal(self.shape))

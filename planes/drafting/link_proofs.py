@@ -10,7 +10,7 @@ from planes.geometry.arithmetic import Point as Complex
 from planes.geometry.arithmetic import Real
 from planes.words.frozen import frozen
 
-ORDER = {"position": 0, "velocity": 1, "acceleration": 2}
+PLAN_DERIVATIVE_ORDER = {"position": 0, "velocity": 1, "acceleration": 2}
 
 
 @frozen
@@ -22,13 +22,13 @@ class Point:
     marks: tuple[str, ...]
 
     @property
-    def place(self) -> str:
+    def scheme_mark_of_point(self) -> str:
         """Its mark on the scheme."""
         return self.marks[0]
 
-    def on(self, plan: str) -> str:
+    def mark_on_plan(self, plan: str) -> str:
         """Its mark on a plan."""
-        return self.marks[ORDER[plan]]
+        return self.marks[PLAN_DERIVATIVE_ORDER[plan]]
 
 
 @frozen
@@ -41,18 +41,20 @@ class LinkMotion:
     omega: str = ""
     epsilon: str = ""
 
-    def off(self, plan: str, shown: Facts, point: Point) -> Complex:
+    def distance_from_rigid_place(self, plan: str, shown: Facts, point: Point) -> Complex:
         """The distance of a point, on the plan and in SI, from its place as a point of this link."""
-        vector = shown.vector(self.origin.on(plan), point.on(plan))
+        vector = shown.vector_between_marks(self.origin.mark_on_plan(plan), point.mark_on_plan(plan))
         if plan == "position":
             return vector - (shown[self.axis] if self.axis else 1.0) * (point.local - self.origin.local)
-        return vector - self.spin(plan, shown) * shown.vector(self.origin.place, point.place)
+        return vector - self.spin(plan, shown) * shown.vector_between_marks(
+            self.origin.scheme_mark_of_point, point.scheme_mark_of_point
+        )
 
     def spin(self, plan: str, shown: Facts) -> Complex:
         """iω, or iε - ω²: the relative velocity or acceleration of a point divided by its distance."""
-        return shown.once((self.omega, self.epsilon, plan), lambda: self._spin(plan, shown))
+        return shown.computed_once((self.omega, self.epsilon, plan), lambda: self._compute_rotation_factor(plan, shown))
 
-    def _spin(self, plan: str, shown: Facts) -> Complex:
+    def _compute_rotation_factor(self, plan: str, shown: Facts) -> Complex:
         omega = shown[self.omega] if self.omega else 0.0
         if plan == "velocity":
             return 1j * omega
@@ -68,15 +70,17 @@ class Rigid(Proof):
     points: tuple[Point, ...]
     reason = "link_bent"
 
-    def nothing(self, shown: Facts) -> list[Complex]:
-        return [self.body.off(self.plan, shown, p) for p in self.points]
+    def residuals(self, shown: Facts) -> list[Complex]:
+        return [self.body.distance_from_rigid_place(self.plan, shown, p) for p in self.points]
 
-    def sizes(self, shown: Facts) -> Iterator[Real]:
+    def term_magnitudes(self, shown: Facts) -> Iterator[Real]:
         if self.plan == "position":
             yield sum(abs(p.local) + abs(self.body.origin.local) for p in self.points)
             return
-        yield from (shown.size(p.on(self.plan)) for p in self.points)
-        reach = sum(shown.size(p.place) + abs(p.local) for p in self.points) + abs(self.body.origin.local)
+        yield from (shown.mark_magnitude(p.mark_on_plan(self.plan)) for p in self.points)
+        reach = sum(shown.mark_magnitude(p.scheme_mark_of_point) + abs(p.local) for p in self.points) + abs(
+            self.body.origin.local
+        )
         yield shown.ar.size(self.body.spin(self.plan, shown)) * reach  # no smaller for a turn about its hinge
 
 
@@ -91,21 +95,21 @@ class Slid(Proof):
     offset: float
     reason = "slider_off"
 
-    def nothing(self, shown: Facts) -> list[Complex]:
+    def residuals(self, shown: Facts) -> list[Complex]:
         along = self.turn * (shown[self.owner.axis] if self.owner.axis else 1.0)
-        relative = self.owner.off(self.plan, shown, self.slider)
+        relative = self.owner.distance_from_rigid_place(self.plan, shown, self.slider)
         if self.plan == "acceleration":
-            sliding = self.owner.off("velocity", shown, self.slider)
+            sliding = self.owner.distance_from_rigid_place("velocity", shown, self.slider)
             relative = relative - self.owner.spin("velocity", shown) * (2 * sliding)
         across = plane.cross(along, relative)
         return [across - self.offset if self.plan == "position" else across]
 
-    def sizes(self, shown: Facts) -> Iterator[Real]:
-        reach = shown.size(self.slider.place) + abs(self.slider.local)
+    def term_magnitudes(self, shown: Facts) -> Iterator[Real]:
+        reach = shown.mark_magnitude(self.slider.scheme_mark_of_point) + abs(self.slider.local)
         if self.plan == "position":
             yield reach + abs(self.offset)
             return
-        yield from map(shown.size, self.slider.marks[1 : ORDER[self.plan] + 1])
+        yield from map(shown.mark_magnitude, self.slider.marks[1 : PLAN_DERIVATIVE_ORDER[self.plan] + 1])
         yield shown.ar.size(self.owner.spin(self.plan, shown)) * reach
 
 
@@ -119,22 +123,24 @@ class Balanced(Proof):
     couples: tuple[tuple[str, int], ...]
     reason = "link_unbalanced"
 
-    def nothing(self, shown: Facts) -> list[Complex]:
+    def residuals(self, shown: Facts) -> list[Complex]:
         """The sum of the forces, and the moments about the pole divided by the largest distance from it."""
         at: dict[str, Complex] = {}
-        for force, sign, point in self._acting(shown):
+        for force, sign, point in self._acting_forces(shown):
             before = at.get(point, 0.0)
             at[point] = before + force if sign > 0 else before - force
-        far = reduce(shown.ar.maximum, map(shown.size, at))
+        far = reduce(shown.ar.maximum, map(shown.mark_magnitude, at))
         moments = [plane.cross(shown.mark(point), force) for point, force in at.items()]
         moments += [sign * shown[name] for name, sign in self.couples]
         moments += [sign * shown[couple] for _, _, sign, _, couple in self.reactions if couple]
         return [reduce(add, at.values()), reduce(add, moments) / (far + (far == 0))]
 
-    def sizes(self, shown: Facts) -> Iterator[Real]:
-        yield from (shown.ar.size(force) for force, _, _ in self._acting(shown))
+    def term_magnitudes(self, shown: Facts) -> Iterator[Real]:
+        yield from (shown.ar.size(force) for force, _, _ in self._acting_forces(shown))
 
-    def _acting(self, shown: Facts) -> Iterator[tuple[Complex, int, str]]:
+    def _acting_forces(self, shown: Facts) -> Iterator[tuple[Complex, int, str]]:
         """The forces, each with its sign and its point of application."""
-        yield from ((shown.vector(start, end), sign, point) for start, end, sign, point, _ in self.reactions)
-        yield from ((shown.along(size, along), 1, point) for size, along, point in self.forces)
+        yield from (
+            (shown.vector_between_marks(start, end), sign, point) for start, end, sign, point, _ in self.reactions
+        )
+        yield from ((shown.vector_along_direction(size, along), 1, point) for size, along, point in self.forces)

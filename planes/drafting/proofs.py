@@ -14,10 +14,10 @@ from planes.drafting.tools import AskedFor, Thing, Things
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.words.frozen import field, frozen
-from planes.words.names import mu_of, plan_of
+from planes.words.names import mu_name, plan_of
 
 Made = TypeVar("Made")
-TOLD_APART = 1e-9  # relative: within this, two ways to a number agree
+MOST_AGREEMENT_GAP_RATIO = 1e-9  # relative: within this, two ways to a number agree
 VectorRow = tuple[str, str, str, int, str]  # its start and end, its direction, its sign, its length
 
 
@@ -31,7 +31,7 @@ class Facts:
     def __getitem__(self, name: str) -> Thing:
         return self.things[name]
 
-    def once(self, key: tuple[str, ...], make: Callable[[], Made]) -> Made:
+    def computed_once(self, key: tuple[str, ...], make: Callable[[], Made]) -> Made:
         """A result computed on first request."""
         if key not in self.known:
             self.known[key] = make()
@@ -39,19 +39,19 @@ class Facts:
 
     def mark(self, name: str) -> Point:
         """The quantity of a mark, in SI."""
-        return self.things[name] / self.things[_scale(name)]
+        return self.things[name] / self.things[_scale_of_mark(name)]
 
-    def size(self, mark: str) -> Real:
+    def mark_magnitude(self, mark: str) -> Real:
         """Its magnitude."""
-        return self.once((mark, "size"), lambda: self.ar.size(self.mark(mark)))
+        return self.computed_once((mark, "size"), lambda: self.ar.size(self.mark(mark)))
 
-    def vector(self, start: str, end: str) -> Point:
+    def vector_between_marks(self, start: str, end: str) -> Point:
         """The vector from one mark to another, in SI."""
-        return self.once((start, end, "vector"), lambda: self.mark(end) - self.mark(start))
+        return self.computed_once((start, end, "vector"), lambda: self.mark(end) - self.mark(start))
 
-    def along(self, length: str, direction: str) -> Point:
+    def vector_along_direction(self, length: str, direction: str) -> Point:
         """A vector of a given length along a direction."""
-        return self.once((length, direction, "along"), lambda: self.things[length] * self.things[direction])
+        return self.computed_once((length, direction, "along"), lambda: self.things[length] * self.things[direction])
 
 
 @frozen
@@ -65,30 +65,30 @@ class Proof:
     makes: ClassVar[str] = ""  # a position that fails it gives no results at all
 
     @cached_property
-    def reads(self) -> frozenset[str]:
+    def names_read(self) -> frozenset[str]:
         """Names of the program it reads."""
         asked = AskedFor()
-        self.compared(Facts(asked, Arithmetic()))
+        self.gap_and_comparison_size(Facts(asked, Arithmetic()))
         return frozenset(asked)
 
-    def nothing(self, shown: Facts) -> list[Point]:
+    def residuals(self, shown: Facts) -> list[Point]:
         """The residuals, which must be zero: vectors or numbers, in SI."""
         raise NotImplementedError
 
-    def sizes(self, shown: Facts) -> Iterator[Real]:
+    def term_magnitudes(self, shown: Facts) -> Iterator[Real]:
         """The magnitudes of their terms, in SI."""
         raise NotImplementedError
 
-    def gap(self, shown: Facts) -> Real:
+    def residual_size(self, shown: Facts) -> Real:
         """The size of the residual, in SI."""
-        return sum(map(shown.ar.size, self.nothing(shown)))
+        return sum(map(shown.ar.size, self.residuals(shown)))
 
-    def compared(self, shown: Facts) -> tuple[Real, Real]:
+    def gap_and_comparison_size(self, shown: Facts) -> tuple[Real, Real]:
         """The gap, and the magnitude it must be small beside: a larger gap is examined again."""
-        moving = sum(shown.size(mark) for mark in self.beside if mark in shown.things)
-        return self.gap(shown), sum(self.sizes(shown)) + moving
+        moving = sum(shown.mark_magnitude(mark) for mark in self.beside if mark in shown.things)
+        return self.residual_size(shown), sum(self.term_magnitudes(shown)) + moving
 
-    def numbers(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
+    def numbers_for_failure(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
         """The numbers for the sentence about its failure."""
         return {"about": self.about, "gap": float(gap), "size": float(size)}
 
@@ -102,14 +102,14 @@ class Twofold(Proof):
     terms: tuple[Product, ...]
     reason = "balance_apart"
 
-    def nothing(self, shown: Facts) -> list[Point]:
+    def residuals(self, shown: Facts) -> list[Point]:
         return [shown[self.one] - shown[self.two]]
 
-    def sizes(self, shown: Facts) -> Iterator[Real]:
+    def term_magnitudes(self, shown: Facts) -> Iterator[Real]:
         yield from (abs(shown[name]) for name in (self.one, self.two))
-        yield from (abs(term.value(shown.things, shown.ar)) for term in self.terms)
+        yield from (abs(term.product_value(shown.things, shown.ar)) for term in self.terms)
 
-    def numbers(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
+    def numbers_for_failure(self, things: Things, gap: Real, size: Real) -> dict[str, object]:
         return {"about": self.about, "found": float(things[self.one]), "check": float(things[self.two])}
 
 
@@ -121,26 +121,26 @@ class VectorProof(Proof):
     rows: tuple[VectorRow, ...]
     reason = "polygon_open"
 
-    def nothing(self, shown: Facts) -> list[Point]:
-        return [self._open(row, shown) for row in self.rows]
+    def residuals(self, shown: Facts) -> list[Point]:
+        return [self._closing_gap(row, shown) for row in self.rows]
 
     @staticmethod
-    def _open(row: VectorRow, shown: Facts) -> Point:
+    def _closing_gap(row: VectorRow, shown: Facts) -> Point:
         start, end, along, sign, length = row
-        vector = shown.vector(start, end)
+        vector = shown.vector_between_marks(start, end)
         if length and along:
-            stated = shown.along(length, along)
+            stated = shown.vector_along_direction(length, along)
             return vector - stated if sign > 0 else vector + stated
         if along:
             return plane.cross(shown[along], vector)
         stated = abs(shown[length])  # half the difference of the lengths is small beside them, and needs no square root
         return (plane.dot(vector, vector) - stated * stated) / (stated + (stated == 0))
 
-    def sizes(self, shown: Facts) -> Iterator[Real]:
-        yield from map(shown.size, dict.fromkeys(mark for row in self.rows for mark in row[1::-1]))
+    def term_magnitudes(self, shown: Facts) -> Iterator[Real]:
+        yield from map(shown.mark_magnitude, dict.fromkeys(mark for row in self.rows for mark in row[1::-1]))
         yield from (abs(shown[length]) for length in dict.fromkeys(row[4] for row in self.rows if row[4]))
 
 
 @lru_cache(4096)
-def _scale(mark: str) -> str:
-    return mu_of(plan_of(mark))
+def _scale_of_mark(mark: str) -> str:
+    return mu_name(plan_of(mark))

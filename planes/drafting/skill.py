@@ -4,9 +4,9 @@ import math
 
 from planes.words.frozen import frozen
 
-UNSURE = 1 / 6  # of a value: a difference this small cannot tell right from wrong
-ZERO = 1e-6  # relative to its own error: a number this small is zero, and is judged as zero
-SIGMAS = 3.0
+MOST_SURE_TOLERANCE_RATIO = 1 / 6  # of a value: a difference this small cannot tell right from wrong
+ZERO_TO_ERROR_RATIO = 1e-6  # relative to its own error: a number this small is zero, and is judged as zero
+TOLERANCE_SIGMAS = 3.0
 
 
 @frozen
@@ -23,18 +23,20 @@ class Skill:
     far: float = 1.0
 
 
-HAND = Skill()
+STUDENT_SKILL = Skill()
 """A student with pencil and set squares, whose work is checked and whose answers are graded."""
-PENCIL = Skill(0.15, 0.15, 0.15)
+DRAUGHTSMAN_SKILL = Skill(0.15, 0.15, 0.15)
 """A careful draughtsman, used for ``--pencil``: half of a student's errors."""
-RULER_MM = 0.5  # resolution of his readings
+RULER_RESOLUTION_MM = 0.5  # resolution of his readings
 
 
-def cad(extent_mm: float) -> Skill:
+def cad_skill(extent_mm: float) -> Skill:
     """Work on a computer: 0.2 % of the plan's size. A published v_H near a dead point is off by two tolerances."""
     return Skill(0.002 * extent_mm, 0.002 * extent_mm, math.degrees(0.002), 2.0)
 
 
-def too_near(value: float, sigma: float) -> bool:
+def is_near_dead_point(value: float, sigma: float) -> bool:
     """Whether a number's tolerance exceeds a sixth of it: the drawing is that near a dead point."""
-    return abs(value) > ZERO * sigma and SIGMAS * sigma > UNSURE * abs(value)
+    return abs(value) > ZERO_TO_ERROR_RATIO * sigma and TOLERANCE_SIGMAS * sigma > MOST_SURE_TOLERANCE_RATIO * abs(
+        value
+    )

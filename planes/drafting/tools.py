@@ -9,9 +9,9 @@ from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words import Phrase, Told
 from planes.words.errors import PlanFailure
 from planes.words.lettering import line_in_words, name_in_words
-from planes.words.units import UNIT
+from planes.words.units import UNIT_OF_PLAN
 
-NOWHERE = complex("nan+nanj")  # placeholder for a failed mark of many drawings
+FAILED_MARK_PLACE = complex("nan+nanj")  # placeholder for a failed mark of many drawings
 Step = Any  # of planes.drafting.steps: a step knows the tool that draws it
 Thing = Real | Point  # a mark (mm), a direction, or a value (SI): of one drawing, or of many
 Env = dict[str, Thing]  # objects by name
@@ -43,54 +43,54 @@ class Tool:
     notes: list[tuple[str, object, Truth]] = field(default_factory=list)
     failures: list[tuple[str, object, Truth, dict[str, Real]]] = field(default_factory=list)
 
-    def given(self, value: Thing) -> Thing:
+    def given_in_tool_type(self, value: Thing) -> Thing:
         """A given number or place in the instrument's type."""
         return value
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Thing:
+    def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Thing:
         """Draw a step by the steps of ``way`` into ``things``; returns its own result, whatever entries they leave."""
         thing = None
         for one in way:
             before = len(self.failures)
             thing = self.draw(one, things)
             if self.failures:
-                thing = self.masked(thing, one, before)
+                thing = self.mask_failed_results(thing, one, before)
             things[one.makes] = thing
         return thing
 
     def draw(self, step: Step, things: Env) -> Thing:
         """The result itself."""
-        return self.spread(step.draw(things, self))
+        return self.spread_over_drawings(step.draw(things, self))
 
-    def spread(self, thing: Any) -> Any:
+    def spread_over_drawings(self, thing: Any) -> Any:
         """Constants in the shape of the simultaneous drawing, so that no constant reaches a method of an array."""
         if not self.shape or getattr(thing, "shape", None) == self.shape:
             return thing
-        return self.ar.spread(thing, self.shape)
+        return self.ar.repeat_for_positions(thing, self.shape)
 
-    def masked(self, thing: Thing, step: Step, before: int) -> Thing:
+    def mask_failed_results(self, thing: Thing, step: Step, before: int) -> Thing:
         """The result of a step for many drawings, NaN in those that failed since there were ``before`` failures."""
         for _, _, ok, _ in self.failures[before:]:
-            thing = self.ar.where(ok, thing, math.nan if step.kind == "value" else NOWHERE)
+            thing = self.ar.where(ok, thing, math.nan if step.kind == "value" else FAILED_MARK_PLACE)
         return thing
 
     def mark(self, place: Point) -> Point:
         """A mark on the paper: exact, or off by a pencil's width."""
         return place
 
-    def ray(self, direction: Point) -> Point:
+    def transfer_direction(self, direction: Point) -> Point:
         """A direction transferred to where it is needed."""
         return direction
 
-    def read(self, length_mm: Real) -> Real:
+    def read_length(self, length_mm: Real) -> Real:
         """A length read from the ruler."""
         return length_mm
 
-    def sharpen(self, name: str, sharpness: Real) -> None:
+    def record_sharpness(self, name: str, sharpness: Real) -> None:
         """Record how sharply the lines meet at a mark."""
         self.sharpness[name] = sharpness
 
-    def calm(self) -> "Tool":
+    def tool_without_errors(self) -> "Tool":
         """A tool that draws aside, without the errors of hand and ruler; its failures count as failures of this one."""
         limits = self.slack, self.flat, self.still
         return Tool(
@@ -103,25 +103,27 @@ class Tool:
             failures=self.failures,
         )
 
-    def require(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
+    def fail_unless(self, ok: Truth, step: object, reason: str, **numbers: Real) -> None:
         """Fail where ``ok`` is false: one position raises, many are masked with their reason."""
         if not self.many:
             if not ok:
-                raise PlanFailure(reason, **names_of(step), **{k: float(abs(v)) for k, v in numbers.items()})
-        elif not (ok := self.spread(ok)).all():
+                raise PlanFailure(
+                    reason, **names_for_step_sentence(step), **{k: float(abs(v)) for k, v in numbers.items()}
+                )
+        elif not (ok := self.spread_over_drawings(ok)).all():
             self.failures.append((reason, step, ok, numbers))
 
-    def prefer(self, ok: Truth, step: object, reason: str) -> None:
+    def prefer_other_leads_unless(self, ok: Truth, step: object, reason: str) -> None:
         """Where ``ok`` is false, other plans are sharper: a loop over positions switches to them, a drawing
         continues."""
 
-    def note(self, ok: Truth, step: object, reason: str) -> None:
+    def warn_unless(self, ok: Truth, step: object, reason: str) -> None:
         """Warn where ``ok`` is false."""
-        if not (self.spread(ok).all() if self.many else ok):
+        if not (self.spread_over_drawings(ok).all() if self.many else ok):
             self.notes.append((reason, step, ok))
 
 
-def names_of(step: Step) -> dict[str, Told]:
+def names_for_step_sentence(step: Step) -> dict[str, Told]:
     """The names that a sentence about the step may use; ``line`` and ``other_line`` are the crossed lines."""
     named = {f.name: value for f in fields(step) if isinstance(value := getattr(step, f.name), str)}
     words = {name: name_in_words(value) for name, value in named.items()}
@@ -129,5 +131,5 @@ def names_of(step: Step) -> dict[str, Told]:
         if along in named and start in named:
             words[line] = line_in_words(named[along], named[start])
     if "mu" in named:
-        words["unit"] = Phrase(UNIT.get(named["mu"][len("mu_") :], "units"))
+        words["unit"] = Phrase(UNIT_OF_PLAN.get(named["mu"][len("mu_") :], "units"))
     return words

@@ -14,9 +14,9 @@ from typing import Any, TypeVar
 
 from planes.geometry.arrays import Array
 
-HALVES = 134217729.0  # 2²⁷ + 1 splits a number of 53 bits in half (Veltkamp)
-SHORT_HALVES = 4097.0  # 2¹² + 1 one of 24
-EPS, SHORT_EPS = 2.0**-52, 2.0**-23
+VELTKAMP_SPLITTER = 134217729.0  # 2²⁷ + 1 splits a number of 53 bits in half (Veltkamp)
+SINGLE_VELTKAMP_SPLITTER = 4097.0  # 2¹² + 1 one of 24
+EPS, SINGLE_EPS = 2.0**-52, 2.0**-23
 N = TypeVar("N", float, Array)
 
 
@@ -113,17 +113,17 @@ class Arithmetic:
 
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
         """(r + s)² - |d - c|², without cancellation."""
-        return float(gap(c.real, c.imag, d.real, d.imag, r, s))
+        return float(squared_circle_gap(c.real, c.imag, d.real, d.imag, r, s))
 
-    def shape_of(self, shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
+    def common_shape(self, shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
         """The common shape of all numbers in a construction."""
         return max(shapes)
 
-    def spread(self, thing: Any, shape: tuple[int, ...]) -> Any:
+    def repeat_for_positions(self, thing: Any, shape: tuple[int, ...]) -> Any:
         """A constant repeated for every position."""
         return thing
 
-    def quiet(self) -> AbstractContextManager[None]:
+    def ignoring_warnings(self) -> AbstractContextManager[None]:
         """A context in which invalid operations give no warnings."""
         return nullcontext()
 
@@ -170,15 +170,15 @@ class Many(Arithmetic):
         return x**n if n >= 0 else self.np.divide(1.0, x**-n)
 
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
-        return gap(c.real, c.imag, d.real, d.imag, r, s)
+        return squared_circle_gap(c.real, c.imag, d.real, d.imag, r, s)
 
-    def shape_of(self, shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
+    def common_shape(self, shapes: Iterable[tuple[int, ...]]) -> tuple[int, ...]:
         return self.np.broadcast_shapes(*shapes)
 
-    def spread(self, thing: Any, shape: tuple[int, ...]) -> Any:
+    def repeat_for_positions(self, thing: Any, shape: tuple[int, ...]) -> Any:
         return self.np.broadcast_to(thing, shape)
 
-    def quiet(self) -> AbstractContextManager[None]:
+    def ignoring_warnings(self) -> AbstractContextManager[None]:
         return self.np.errstate(all="ignore")
 
 
@@ -192,17 +192,17 @@ def two_sum(a: N, b: N) -> tuple[N, N]:
 def two_product(a: N, b: N) -> tuple[N, N]:
     """a·b and its rounding error."""
     p = a * b
-    (a1, a2), (b1, b2) = _halves(a), _halves(b)
+    (a1, a2), (b1, b2) = _split_in_halves(a), _split_in_halves(b)
     return p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
 
 
-def _halves(a: N) -> tuple[N, N]:
-    t = a * (SHORT_HALVES if getattr(a, "itemsize", 8) == 4 else HALVES)
+def _split_in_halves(a: N) -> tuple[N, N]:
+    t = a * (SINGLE_VELTKAMP_SPLITTER if getattr(a, "itemsize", 8) == 4 else VELTKAMP_SPLITTER)
     high = t - (t - a)
     return high, a - high
 
 
-def gap(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
+def squared_circle_gap(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
     """(r + s)² - |d - c|², correct to the last place until it is as small as the square of one.
 
     It shows whether circles of radii r and s about c and d meet. The distance is never formed: once rounded, it would
@@ -213,10 +213,10 @@ def gap(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
     left, one = two_sum(tt, -xx)
     left, two = two_sum(left, -yy)
     left = left + (((one + two) + (tt_lost - xx_lost - yy_lost)) + 2 * (t * t_lost - x * x_lost - y * y_lost))
-    return left * (abs(left) > doubt(cx, cy, dx, dy, r, s))
+    return left * (abs(left) > squared_gap_rounding_bound(cx, cy, dx, dy, r, s))
 
 
-def doubt(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
+def squared_gap_rounding_bound(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
     """The largest gap that still counts as zero: one unit in the last place of each number, added up."""
     size = abs(cx) + abs(cy) + abs(dx) + abs(dy) + abs(r) + abs(s)
-    return size * abs(r + s) * (SHORT_EPS if getattr(size, "itemsize", 8) == 4 else EPS)
+    return size * abs(r + s) * (SINGLE_EPS if getattr(size, "itemsize", 8) == 4 else EPS)

@@ -2,17 +2,17 @@
 
 from collections.abc import Sequence
 
-from planes.geometry.parallel_ties import parallel
-from planes.geometry.searched import searched
-from planes.geometry.sextic import Counted, assemblies
-from planes.geometry.tracks import Tie, hung_on
-from planes.geometry.two_tracks import both_assemblies
+from planes.geometry.parallel_ties import find_parallel_ties
+from planes.geometry.searched import search_assemblies
+from planes.geometry.sextic import Counted, three_tie_assemblies
+from planes.geometry.tracks import Tie, carrier_links
+from planes.geometry.two_tracks import two_link_assemblies
 
 
 def all_assemblies(ties: Sequence[Tie], size: float) -> Counted:
     """All assemblies of one link on three ties, or of two links in a hinge: an exact count; for more links, those
     found."""
     if all(t.link == 0 for t in ties):
-        same = parallel(ties)
-        return same.assemblies() if same else assemblies(ties)
-    return both_assemblies(ties) if len(hung_on(ties)) == 2 else searched(ties, size)
+        same = find_parallel_ties(ties)
+        return same.assemblies() if same else three_tie_assemblies(ties)
+    return two_link_assemblies(ties) if len(carrier_links(ties)) == 2 else search_assemblies(ties, size)

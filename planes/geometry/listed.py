@@ -13,18 +13,18 @@ from typing import Any
 
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 
-NOWHERE = complex(math.nan, math.nan)
+COMPLEX_NAN = complex(math.nan, math.nan)
 
 
-def over(a: Any, b: Any) -> Any:
+def quotient_or_nan(a: Any, b: Any) -> Any:
     """a / b; NaN where b is zero, or the quotient overflows."""
     try:
         return a / b
     except (ZeroDivisionError, OverflowError):
-        return NOWHERE if isinstance(a, complex) or isinstance(b, complex) else math.nan
+        return COMPLEX_NAN if isinstance(a, complex) or isinstance(b, complex) else math.nan
 
 
-def or_nothing(act: Callable[..., Any], nothing: Any = math.nan) -> Callable[..., Any]:
+def with_fallback_value(act: Callable[..., Any], nothing: Any = math.nan) -> Callable[..., Any]:
     """The function, with ``nothing`` where it has no value."""
 
     def tried(*numbers: Any) -> Any:
@@ -36,9 +36,13 @@ def or_nothing(act: Callable[..., Any], nothing: Any = math.nan) -> Callable[...
     return tried
 
 
-def _both(act: Callable[..., Any]) -> tuple[Callable[[Listed, Any], Listed], Callable[[Listed, Any], Listed]]:
+def _operator_and_reflected(
+    act: Callable[..., Any],
+) -> tuple[Callable[[Listed, Any], Listed], Callable[[Listed, Any], Listed]]:
     """A method of a list and another operand, and its reflected version."""
-    return (lambda self, other: each(act, self, other)), (lambda self, other: each(act, other, self))
+    return (lambda self, other: map_elementwise(act, self, other)), (
+        lambda self, other: map_elementwise(act, other, self)
+    )
 
 
 class Listed:
@@ -89,19 +93,21 @@ class Listed:
     def __invert__(self) -> Listed:
         return Listed(not z for z in self.numbers)
 
-    __add__, __radd__ = _both(operator.add)
-    __sub__, __rsub__ = _both(operator.sub)
-    __mul__, __rmul__ = _both(operator.mul)
-    __truediv__, __rtruediv__ = _both(over)
-    __pow__, __rpow__ = _both(or_nothing(operator.pow))
-    __and__, __rand__ = _both(lambda a, b: bool(a) and bool(b))
-    __or__, __ror__ = _both(lambda a, b: bool(a) or bool(b))
-    __lt__, __le__, __gt__, __ge__ = (_both(act)[0] for act in (operator.lt, operator.le, operator.gt, operator.ge))
-    __eq__, __ne__ = _both(operator.eq)[0], _both(operator.ne)[0]  # type: ignore[assignment]
+    __add__, __radd__ = _operator_and_reflected(operator.add)
+    __sub__, __rsub__ = _operator_and_reflected(operator.sub)
+    __mul__, __rmul__ = _operator_and_reflected(operator.mul)
+    __truediv__, __rtruediv__ = _operator_and_reflected(quotient_or_nan)
+    __pow__, __rpow__ = _operator_and_reflected(with_fallback_value(operator.pow))
+    __and__, __rand__ = _operator_and_reflected(lambda a, b: bool(a) and bool(b))
+    __or__, __ror__ = _operator_and_reflected(lambda a, b: bool(a) or bool(b))
+    __lt__, __le__, __gt__, __ge__ = (
+        _operator_and_reflected(act)[0] for act in (operator.lt, operator.le, operator.gt, operator.ge)
+    )
+    __eq__, __ne__ = _operator_and_reflected(operator.eq)[0], _operator_and_reflected(operator.ne)[0]  # type: ignore[assignment]
     __hash__ = None  # type: ignore[assignment]
 
 
-def each(act: Callable[..., Any], *things: Any) -> Any:
+def map_elementwise(act: Callable[..., Any], *things: Any) -> Any:
     """The function applied to lists element by element."""
     count = next((len(x) for x in things if isinstance(x, Listed)), None)
     if count is None:
@@ -113,41 +119,41 @@ class ListArithmetic(Arithmetic):
     """The functions of single numbers, applied to lists."""
 
     def sqrt(self, x: Real) -> Real:
-        return each(super().sqrt, x)
+        return map_elementwise(super().sqrt, x)
 
     def maximum(self, a: Real, b: Real) -> Real:
-        return each(greater, a, b)
+        return map_elementwise(greater_or_nan, a, b)
 
     def minimum(self, a: Real, b: Real) -> Real:
-        return each(less, a, b)
+        return map_elementwise(less_or_nan, a, b)
 
     def where(self, ok: Truth, a: Point, b: Point) -> Point:
-        return each(super().where, ok, a, b)
+        return map_elementwise(super().where, ok, a, b)
 
     def cis_deg(self, angle: Real) -> Point:
-        return each(or_nothing(super().cis_deg, NOWHERE), angle)
+        return map_elementwise(with_fallback_value(super().cis_deg, COMPLEX_NAN), angle)
 
     def angle_deg(self, u: Point) -> Real:
-        return each(super().angle_deg, u)
+        return map_elementwise(super().angle_deg, u)
 
     def sign(self, x: Real) -> Real:
-        return each(super().sign, x)
+        return map_elementwise(super().sign, x)
 
     def power(self, x: Real, n: int) -> Real:
-        return each(or_nothing(super().power), x, n)
+        return map_elementwise(with_fallback_value(super().power), x, n)
 
     def gap(self, c: Point, d: Point, r: Real, s: Real) -> Real:
-        return each(super().gap, c, d, r, s)
+        return map_elementwise(super().gap, c, d, r, s)
 
-    def spread(self, thing: Any, shape: tuple[int, ...]) -> Any:
+    def repeat_for_positions(self, thing: Any, shape: tuple[int, ...]) -> Any:
         return Listed([thing] * shape[0])
 
 
-def greater(a: float, b: float) -> float:
+def greater_or_nan(a: float, b: float) -> float:
     """The greater of two, NaN where one is NaN."""
     return math.nan if a != a or b != b else max(a, b)
 
 
-def less(a: float, b: float) -> float:
+def less_or_nan(a: float, b: float) -> float:
     """The less of two, NaN where one is NaN."""
     return math.nan if a != a or b != b else min(a, b)

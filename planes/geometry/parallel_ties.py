@@ -12,20 +12,34 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from planes.geometry import plane
-from planes.geometry.sextic import Counted, Laurent, axis_at, in_tangent, row, settled
-from planes.geometry.sturm import caught, common, each_once, isolated, sign_at, sturm
+from planes.geometry.sextic import (
+    Counted,
+    Laurent,
+    axis_of_half_tangent,
+    half_tangent_polynomial,
+    refine_pose,
+    tie_coefficients,
+)
+from planes.geometry.sturm import (
+    greatest_common_divisor,
+    isolate_sturm_roots,
+    narrow_down_root,
+    sign_at_root,
+    square_free_part,
+    sturm_chain,
+)
 from planes.geometry.tracks import Pose, Tie
 from planes.words.frozen import frozen, replace
 
-FLAT = 2e-15  # the sine of an angle between lines that counts as parallel in a drawing
+MOST_PARALLEL_SINE = 2e-15  # the sine of an angle between lines that counts as parallel in a drawing
 
 
-def parallel(ties: Sequence[Tie]) -> Parallel | None:
+def find_parallel_ties(ties: Sequence[Tie]) -> Parallel | None:
     """Two of three ties whose lines are parallel at every angle of the link, and the third; None where there are
     none."""
     for k in range(3):
         one, two = ties[k - 2], ties[k - 1]
-        if one.kind == two.kind != "arc" and abs(plane.cross(one.turn, two.turn)) <= FLAT:
+        if one.kind == two.kind != "arc" and abs(plane.cross(one.turn, two.turn)) <= MOST_PARALLEL_SINE:
             same = math.copysign(1.0, plane.dot(one.turn, two.turn))
             return Parallel(tuple(ties), ties[k], one, replace(two, turn=one.turn, reach=same * two.reach))
     return None
@@ -41,41 +55,47 @@ class Parallel:
     two: Tie
 
     @property
-    def rows(self) -> tuple[Laurent, Laurent]:
+    def first_tie_coefficients(self) -> tuple[Laurent, Laurent]:
         """One of them as 2 Re(ā Y) + b = 0, with Y relative to the third tie."""
-        return row(self.one, self.beside)
+        return tie_coefficients(self.one, self.beside)
 
     @property
-    def limit(self) -> Laurent:
+    def reach_polynomial(self) -> Laurent:
         """Positive where an arc beside can be reached, zero where it is just reached; for a line, zero where it is
         parallel to both."""
-        a, b = self.rows
+        a, b = self.first_tie_coefficients
         if self.beside.kind == "arc":
-            reach, four = Laurent.of({0: self.beside.reach}), Laurent.of({0: 4})
-            return reach * reach * four * a * a.bar() - b * b
-        e, _ = row(self.beside, self.beside)
-        return (e.bar() * a - e * a.bar()).turned()
+            reach, four = Laurent.from_doubles({0: self.beside.reach}), Laurent.from_doubles({0: 4})
+            return reach * reach * four * a * a.conjugate() - b * b
+        e, _ = tie_coefficients(self.beside, self.beside)
+        return (e.conjugate() * a - e * a.conjugate()).times_i()
 
     def assemblies(self) -> Counted:
         """All poses, by growing angle from -180°."""
-        apart, limit = row(self.two, self.beside)[1] - self.rows[1], self.limit
-        (poly, lost), (bound, _) = in_tangent(apart), in_tangent(limit)
+        apart, limit = (
+            tie_coefficients(self.two, self.beside)[1] - self.first_tie_coefficients[1],
+            self.reach_polynomial,
+        )
+        (poly, lost), (bound, _) = half_tangent_polynomial(apart), half_tangent_polynomial(limit)
         if not poly or not bound:  # one line given twice, or three parallel ones
             return Counted((), 0, True)
-        (own, double), far = each_once(poly), _at_half_turn(limit)
-        if len(common(own, bound)) > 1 or (lost and not far):
+        (own, double), far = square_free_part(poly), _value_at_half_turn(limit)
+        if len(greatest_common_divisor(own, bound)) > 1 or (lost and not far):
             return Counted((), 0, True)
-        roots = [(float(caught(own, *r)), sign_at(own, *r, bound)) for r in isolated(sturm(own))]
-        axes = [(axis_at(t), sign) for t, sign in roots] + [(-1 + 0j, 1 if far > 0 else -1)] * bool(lost)
-        poses = [pose for axis, sign in axes for pose in self._along(axis, sign)]
-        return Counted(tuple(p for pose in poses for p in settled(self.ties, pose)), len(poses), double or lost > 1)
+        roots = [
+            (float(narrow_down_root(own, *r)), sign_at_root(own, *r, bound))
+            for r in isolate_sturm_roots(sturm_chain(own))
+        ]
+        axes = [(axis_of_half_tangent(t), sign) for t, sign in roots] + [(-1 + 0j, 1 if far > 0 else -1)] * bool(lost)
+        poses = [pose for axis, sign in axes for pose in self._poses_at_angle(axis, sign)]
+        return Counted(tuple(p for pose in poses for p in refine_pose(self.ties, pose)), len(poses), double or lost > 1)
 
-    def _along(self, axis: complex, sign: int) -> Iterator[Pose]:
+    def _poses_at_angle(self, axis: complex, sign: int) -> Iterator[Pose]:
         """The poses at an angle; ``sign`` is that of the limit."""
-        one, two = self.rows
-        a, b, base = one.at(axis), two.at(axis).real, self.beside
+        one, two = self.first_tie_coefficients
+        a, b, base = one.value_at(axis), two.value_at(axis).real, self.beside
         if base.kind != "arc":
-            e, f = (x.at(axis) for x in row(base, base))
+            e, f = (x.value_at(axis) for x in tie_coefficients(base, base))
             places = [(b * e - f.real * a) / (e.conjugate() * a - e * a.conjugate())]
         elif sign < 0:
             return
@@ -85,6 +105,6 @@ class Parallel:
         yield from ((base.place - base.local * axis + place, axis) for place in places)
 
 
-def _at_half_turn(trigonometric: Laurent) -> Fraction:
+def _value_at_half_turn(trigonometric: Laurent) -> Fraction:
     """The value of a real trigonometric polynomial at θ = 180°, exactly."""
     return sum((-x if k % 2 else x for k, (x, _) in trigonometric.terms.items()), Fraction(0))

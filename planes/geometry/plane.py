@@ -20,36 +20,36 @@ def dot(a: Point, b: Point) -> Real:
     return a.real * b.real + a.imag * b.imag
 
 
-def square(v: Point) -> Real:
+def squared_length(v: Point) -> Real:
     """The square of a vector's length, or of a number."""
     return dot(v, v)
 
 
-def sine(u: complex, v: complex) -> float:
+def sine_between(u: complex, v: complex) -> float:
     """The sine of the angle between two lines, 0 where a direction is zero."""
     size = abs(u) * abs(v)
     return abs((u * v.conjugate()).imag) / size if size else 0.0
 
 
-def unit(v: Point, ar: Arithmetic) -> Point:
+def unit_direction(v: Point, ar: Arithmetic) -> Point:
     """The direction of ``v``; of a zero vector, the x axis (any direction will do for a vector of zero length)."""
     length = abs(v)
     nothing = length == 0  # an earlier failure (NaN) must remain one
     return ar.where(nothing, 1 + 0j, v / ar.where(nothing, 1.0, length))
 
 
-def toward(start: complex, end: complex) -> complex:
+def direction_between(start: complex, end: complex) -> complex:
     """The direction from one place to another."""
     return (end - start) / abs(end - start)
 
 
-def corners(places: Iterable[complex]) -> tuple[complex, complex]:
+def bounding_corners(places: Iterable[complex]) -> tuple[complex, complex]:
     """The lower left and the upper right corner of the bounding box of some places."""
     xs, ys = zip(*((z.real, z.imag) for z in places), strict=True)
     return complex(min(xs), min(ys)), complex(max(xs), max(ys))
 
 
-def dropped(place: complex, through: complex, along: complex) -> complex:
+def perpendicular_foot(place: complex, through: complex, along: complex) -> complex:
     """The foot of the perpendicular from a place to the line through another along a direction."""
     return through + ((place - through) * along.conjugate()).real * along
 
@@ -60,12 +60,12 @@ def off_segment(z: complex, a: complex, b: complex) -> float:
     return abs(a + t * (b - a) - z)
 
 
-def spread(places: Collection[complex]) -> float:
+def greatest_distance(places: Collection[complex]) -> float:
     """The distance between the two places farthest apart."""
     return max(abs(a - b) for a in places for b in places)
 
 
-def lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:
+def intersect_lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:
     """Where the line through ``p`` along ``u`` meets the one through ``q`` along ``w`` (unit directions).
 
     Returns the place, the signed sharpness, and the distance between the lines if they were parallel. The place is
@@ -80,7 +80,7 @@ def lines(p: Point, u: Point, q: Point, w: Point) -> tuple[Point, Real, Real]:
 Arm = tuple[Point, Point, Real]  # a place, a direction, a length: how another place was found
 
 
-def line_arc(
+def intersect_line_circle(
     p: Point, u: Point, centre: Point, radius: Real, side: Real, ar: Arithmetic, arm: Arm | None = None
 ) -> tuple[Point, Real, Real]:
     """Where a line meets a circle, ahead (``side`` +1) or behind (-1) of the foot of the perpendicular from its centre.
@@ -93,12 +93,12 @@ def line_arc(
     miss = abs(height) - radius
     half = ar.sqrt((radius - height) * (radius + height))
     if arm:
-        reach, chord = _folded(p, u, radius, arm, ar)
+        reach, chord = _folded_arm_chord(p, u, radius, arm, ar)
         half = ar.where(abs(reach - centre) <= 4 * ar.eps * (abs(centre) + abs(arm[2])), chord, half)
     return centre + u * (side * half) - 1j * u * height, half / (radius + (radius == 0)), miss
 
 
-def _folded(p: Point, u: Point, radius: Real, arm: Arm, ar: Arithmetic) -> tuple[Point, Real]:
+def _folded_arm_chord(p: Point, u: Point, radius: Real, arm: Arm, ar: Arithmetic) -> tuple[Point, Real]:
     """The end of the arm, and the half chord by h = h₀ + l sin ψ, 1 - |sin ψ| = cos²ψ / (1 + |sin ψ|)."""
     hub, ray, length = arm
     rise, sine, cosine = cross(u, hub - p), cross(u, ray), dot(u, ray)
@@ -107,7 +107,9 @@ def _folded(p: Point, u: Point, radius: Real, arm: Arm, ar: Arithmetic) -> tuple
     return hub + ray * length, ar.sqrt(short * (radius + above * (rise + length * sine)))
 
 
-def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real, Real]:
+def intersect_circles(
+    c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic
+) -> tuple[Point, Real, Real, Real]:
     """Where two circles meet, left (``side`` +1) or right (-1) of the way from ``c`` to ``d``.
 
     Returns the place, the sharpness, the gap between the circles and the depth of one inside the other (negative where
@@ -124,7 +126,7 @@ def arcs(c: Point, r: Real, d: Point, s: Real, side: Real, ar: Arithmetic) -> tu
     return place, quad / (2 * r * s + (r * s == 0)), far, near
 
 
-def tangent(c: Point, a: Point, offset: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real]:
+def tangent_direction(c: Point, a: Point, offset: Real, side: Real, ar: Arithmetic) -> tuple[Point, Real, Real]:
     """Direction u of the line through ``c`` that has ``a`` at ``offset`` to its left, ahead (+1) or behind.
 
     It is the tangent from ``a`` to the circle of radius ``offset`` about ``c``, √(|a - c|² - offset²) long. Returns u,

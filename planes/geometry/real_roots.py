@@ -6,34 +6,34 @@ By R. Descartes' rule of signs on intervals halved until the count is exact (G. 
 from fractions import Fraction
 from itertools import pairwise
 
-DEPTH = 400  # most halvings of an interval; if two roots are still together, they count as one
-NARROW = 8  # further halvings below whole numbers, to narrow down a root
+MOST_HALVINGS = 400  # most halvings of an interval; if two roots are still together, they count as one
+EXTRA_HALVINGS = 8  # further halvings below whole numbers, to narrow down a root
 Line = list[int]  # a polynomial, lowest power first
 
 
-def isolated(poly: Line) -> list[tuple[Fraction, Fraction]] | None:
+def isolate_real_roots(poly: Line) -> list[tuple[Fraction, Fraction]] | None:
     """Intervals of u with one real root each; None where two roots coincide."""
     lead = poly[-1].bit_length()
     more = [-((lead - 2 - q.bit_length()) // k) for k, q in enumerate(reversed(poly[:-1]), 1)]
     edge = 3 << max(0, *more, 0)  # no root exceeds twice the largest |a/lead|^(1/k) (M. Fujiwara)
-    start = _stretched(_shifted_by(poly, -edge), 2 * edge)
+    start = _stretch_unknown(_shift_unknown(poly, -edge), 2 * edge)
     ranges, left = list[tuple[Fraction, Fraction]](), [(start, Fraction(-edge), Fraction(2 * edge), 0)]
     while left:
         here, low, wide, depth = left.pop()
-        changes = _changes(_shifted(here[::-1]))
+        changes = _count_sign_changes(_shift_unknown_by_one(here[::-1]))
         if changes == 1:
             ranges.append((low, low + wide))
         if changes < 2:
             continue
         halves = [q << (len(here) - 1 - k) for k, q in enumerate(here)]
-        upper = _shifted(halves)
-        if depth == DEPTH or not upper[0]:
+        upper = _shift_unknown_by_one(halves)
+        if depth == MOST_HALVINGS or not upper[0]:
             return None
         left += [(halves, low, wide / 2, depth + 1), (upper, low + wide / 2, wide / 2, depth + 1)]
     return ranges
 
 
-def _shifted(poly: Line) -> Line:
+def _shift_unknown_by_one(poly: Line) -> Line:
     """The polynomial of u + 1."""
     shifted = poly[:]
     for k in range(len(shifted) - 1):
@@ -42,21 +42,21 @@ def _shifted(poly: Line) -> Line:
     return shifted
 
 
-def _shifted_by(poly: Line, by: int) -> Line:
-    return [q // by**k for k, q in enumerate(_shifted(_stretched(poly, by)))]
+def _shift_unknown(poly: Line, by: int) -> Line:
+    return [q // by**k for k, q in enumerate(_shift_unknown_by_one(_stretch_unknown(poly, by)))]
 
 
-def _stretched(poly: Line, by: int) -> Line:
+def _stretch_unknown(poly: Line, by: int) -> Line:
     """The polynomial of the unknown times a factor."""
     return [q * by**k for k, q in enumerate(poly)]
 
 
-def _changes(poly: Line) -> int:
+def _count_sign_changes(poly: Line) -> int:
     signs = [q > 0 for q in poly if q]
     return sum(one != two for one, two in pairwise(signs))
 
 
-def caught(poly: Line, low: Fraction, high: Fraction) -> Fraction:
+def narrow_down_root(poly: Line, low: Fraction, high: Fraction) -> Fraction:
     """The only root in an interval, narrowed down."""
 
     def above(u: Fraction) -> bool:
@@ -66,7 +66,7 @@ def caught(poly: Line, low: Fraction, high: Fraction) -> Fraction:
         return total > 0
 
     top = above(high)
-    for _ in range(NARROW + int(high - low).bit_length()):
+    for _ in range(EXTRA_HALVINGS + int(high - low).bit_length()):
         middle = (low + high) / 2
         low, high = (low, middle) if above(middle) == top else (middle, high)
     return (low + high) / 2

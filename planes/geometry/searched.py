@@ -9,30 +9,33 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from planes.geometry.sextic import Counted
-from planes.geometry.tracks import Pose, Tie, advanced, hung_on
+from planes.geometry.tracks import Pose, Tie, carrier_links, newton_step
 from planes.words.frozen import frozen, replace
 
-STARTS, ROUNDS = 2048, 5  # start places; doubled, up to so many rounds, while any pose was found too seldom
-STEPS = 60
-OFTEN = 3
-SAME = 1e-6  # of the size: two poses closer than this are one
-BOX = Fraction(1, 1 << 30)  # of the size, and of a cosine
+FIRST_START_COUNT, MOST_SEARCH_ROUNDS = (
+    2048,
+    5,
+)  # start places; doubled, up to so many rounds, while any pose was found too seldom
+NEWTON_STEPS = 60
+LEAST_HITS_PER_POSE = 3
+SAME_POSE_DISTANCE = 1e-6  # of the size: two poses closer than this are one
+PROOF_BOX_SIZE = Fraction(1, 1 << 30)  # of the size, and of a cosine
 
 
-def searched(ties: Sequence[Tie], size: float) -> Counted:
+def search_assemblies(ties: Sequence[Tie], size: float) -> Counted:
     """All proved poses found from many start places; it is not proved that there are no others."""
-    links = len(hung_on(ties))
+    links = len(carrier_links(ties))
     over = [replace(t, local=t.local / size, place=t.place / size, reach=t.reach / size) for t in ties]
     met: list[tuple[Pose, int]] = []
-    for k in range(ROUNDS):
-        before, met = len(met), _met(over, links, STARTS << k)
-        if met and (min(count for _, count in met) >= OFTEN or (len(met) == before > 0 and k > 1)):
+    for k in range(MOST_SEARCH_ROUNDS):
+        before, met = len(met), _converged_poses(over, links, FIRST_START_COUNT << k)
+        if met and (min(count for _, count in met) >= LEAST_HITS_PER_POSE or (len(met) == before > 0 and k > 1)):
             break
-    proven = sorted((pose for pose, _ in met if proved(over, pose)), key=lambda pose: pose[1].imag)
+    proven = sorted((pose for pose, _ in met if is_proved_assembly(over, pose)), key=lambda pose: pose[1].imag)
     return Counted(tuple((pose[0] * size, *pose[1:]) for pose in proven), len(met), False, whole=False)
 
 
-def _met(ties: Sequence[Tie], links: int, count: int) -> list[tuple[Pose, int]]:
+def _converged_poses(ties: Sequence[Tie], links: int, count: int) -> list[tuple[Pose, int]]:
     """Where Newton's steps converge from ``count`` start places, and how often."""
     import numpy as np
 
@@ -42,14 +45,14 @@ def _met(ties: Sequence[Tie], links: int, count: int) -> list[tuple[Pose, int]]:
     place = middle + reach * (rng.uniform(-1, 1, count) + 1j * rng.uniform(-1, 1, count))
     pose: Pose = (place, *np.exp(2j * np.pi * rng.random((links, count))))
     with np.errstate(all="ignore"):
-        for _ in range(STEPS):
-            pose, moved, det = advanced(ties, pose)
+        for _ in range(NEWTON_STEPS):
+            pose, moved, det = newton_step(ties, pose)
             pose = (pose[0], *(axis / abs(axis) for axis in pose[1:]))
     good = (moved < 1e-12 * (1 + abs(pose[0]))) & (abs(det) > 0)
     rows = np.array(pose)[:, good].T
     places: list[tuple[Pose, int]] = []
     while len(rows):
-        near = abs(rows - rows[0]).max(axis=1) < SAME * (1 + abs(rows[0][0]))
+        near = abs(rows - rows[0]).max(axis=1) < SAME_POSE_DISTANCE * (1 + abs(rows[0][0]))
         places.append((tuple(complex(z) for z in rows[0]), int(near.sum())))
         rows = rows[~near]
     return places
@@ -66,65 +69,65 @@ class Quadratic:
     products: tuple[Product, ...]
     rest: Affine
 
-    def value(self, x: Sequence[Fraction]) -> Fraction:
+    def residual(self, x: Sequence[Fraction]) -> Fraction:
         """The residual at a place."""
-        return sum((_at(a, x) * _at(b, x) for a, b in self.products), _at(self.rest, x))
+        return sum((_affine_value(a, x) * _affine_value(b, x) for a, b in self.products), _affine_value(self.rest, x))
 
-    def slopes(self, x: Sequence[Fraction]) -> list[Fraction]:
+    def gradient(self, x: Sequence[Fraction]) -> list[Fraction]:
         """The gradient at a place."""
         slopes = self.rest[:-1]
         for a, b in self.products:
-            at_a, at_b = _at(a, x), _at(b, x)
+            at_a, at_b = _affine_value(a, x), _affine_value(b, x)
             slopes = [s + at_a * q + at_b * p for s, p, q in zip(slopes, a[:-1], b[:-1], strict=True)]
         return slopes
 
     @property
-    def bend(self) -> Fraction:
+    def second_degree_bound(self) -> Fraction:
         """An upper bound of the second-degree part where no unknown is off by more than 1."""
-        return sum((_sum_of(a) * _sum_of(b) for a, b in self.products), Fraction(0))
+        return sum((_coefficient_sum(a) * _coefficient_sum(b) for a, b in self.products), Fraction(0))
 
 
-def _at(form: Affine, x: Sequence[Fraction]) -> Fraction:
+def _affine_value(form: Affine, x: Sequence[Fraction]) -> Fraction:
     return sum((p * v for p, v in zip(form, x, strict=False)), form[-1])
 
 
-def _sum_of(form: Affine) -> Fraction:
+def _coefficient_sum(form: Affine) -> Fraction:
     return sum((abs(p) for p in form[:-1]), Fraction(0))
 
 
-def proved(ties: Sequence[Tie], pose: Pose) -> bool:
+def is_proved_assembly(ties: Sequence[Tie], pose: Pose) -> bool:
     """Whether exactly one assembly lies in a box about a pose; lengths are divided by the size of the links."""
     import numpy as np
 
-    equations = equations_of(ties, len(pose) - 1)
+    equations = tie_equations(ties, len(pose) - 1)
     x = [Fraction(v) for z in pose for v in (z.real, z.imag)]
-    slopes = [e.slopes(x) for e in equations]
+    slopes = [e.gradient(x) for e in equations]
     try:
         inverse = np.linalg.inv(np.array(slopes, float))
     except np.linalg.LinAlgError:
         return False
     rows = [[Fraction(float(v)) for v in row] for row in inverse]
-    values, bends = [e.value(x) for e in equations], [e.bend for e in equations]
+    values, bends = [e.residual(x) for e in equations], [e.second_degree_bound for e in equations]
     for k, row in enumerate(rows):
         step = abs(sum((p * v for p, v in zip(row, values, strict=True)), Fraction(0)))
         off = Fraction(0)
         for j in range(len(x)):
             off += abs((j == k) - sum((p * s[j] for p, s in zip(row, slopes, strict=True)), Fraction(0)))
         bent = sum((abs(p) * q for p, q in zip(row, bends, strict=True)), Fraction(0))
-        if step + (off + 2 * bent * BOX) * BOX >= BOX:
+        if step + (off + 2 * bent * PROOF_BOX_SIZE) * PROOF_BOX_SIZE >= PROOF_BOX_SIZE:
             return False
     return True
 
 
-def equations_of(ties: Sequence[Tie], links: int) -> list[Quadratic]:
+def tie_equations(ties: Sequence[Tie], links: int) -> list[Quadratic]:
     """The ties, and unit length of every axis; unknowns are the first origin and both components of every axis."""
     width = 3 + 2 * links
-    axes = [(_unknown(2 + 2 * k, width), _unknown(3 + 2 * k, width)) for k in range(links)]
-    places = [(_unknown(0, width), _unknown(1, width))] * min(links, 2)
+    axes = [(_unknown_form(2 + 2 * k, width), _unknown_form(3 + 2 * k, width)) for k in range(links)]
+    places = [(_unknown_form(0, width), _unknown_form(1, width))] * min(links, 2)
     for t in ties:
         if t.kind == "hinge":
-            places.append(_plus(places[t.link], _turned(axes[t.link], t.local)))
-    held = [_held(t, places[t.link], axes[t.link]) for t in ties if t.kind != "hinge"]
+            places.append(_add_spots(places[t.link], _rotated_spot(axes[t.link], t.local)))
+    held = [_tie_equation(t, places[t.link], axes[t.link]) for t in ties if t.kind != "hinge"]
     one = [Fraction(0)] * (width - 1) + [Fraction(-1)]
     return [*held, *(Quadratic(((c, c), (s, s)), one) for c, s in axes)]
 
@@ -132,21 +135,21 @@ def equations_of(ties: Sequence[Tie], links: int) -> list[Quadratic]:
 Spot = tuple[Affine, Affine]
 
 
-def _held(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
+def _tie_equation(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
     """A tie, by the definition of ``Tie.wrench``."""
     width, place, turn, reach = len(origin[0]), exact_parts(t.place), exact_parts(t.turn), Fraction(t.reach)
-    fixed = _fixed(place[0], width), _fixed(place[1], width)
+    fixed = _constant_form(place[0], width), _constant_form(place[1], width)
     if t.kind == "arc":
-        x, y = _minus(_plus(origin, _turned(axis, t.local)), fixed)
-        return Quadratic(((x, x), (y, y)), _fixed(-reach * reach, width))
+        x, y = _subtract_spots(_add_spots(origin, _rotated_spot(axis, t.local)), fixed)
+        return Quadratic(((x, x), (y, y)), _constant_form(-reach * reach, width))
     if t.kind == "line":
-        x, y = _minus(_plus(origin, _turned(axis, t.local)), fixed)
+        x, y = _subtract_spots(_add_spots(origin, _rotated_spot(axis, t.local)), fixed)
         height = [turn[0] * q - turn[1] * p for p, q in zip(x, y, strict=True)]
         return Quadratic((), [*height[:-1], height[-1] - reach])
-    (x, y), (u, v) = _minus(fixed, origin), _turned(axis, t.turn)
+    (x, y), (u, v) = _subtract_spots(fixed, origin), _rotated_spot(axis, t.turn)
     local = exact_parts(t.local)
     beside = turn[0] * local[1] - turn[1] * local[0]  # direction of the guide, in the link's axes
-    return Quadratic(((u, y), ([-q for q in v], x)), _fixed(-beside - reach, width))
+    return Quadratic(((u, y), ([-q for q in v], x)), _constant_form(-beside - reach, width))
 
 
 def exact_parts(z: complex) -> tuple[Fraction, Fraction]:
@@ -154,24 +157,24 @@ def exact_parts(z: complex) -> tuple[Fraction, Fraction]:
     return Fraction(complex(z).real), Fraction(complex(z).imag)
 
 
-def _unknown(k: int, width: int) -> Affine:
+def _unknown_form(k: int, width: int) -> Affine:
     return [Fraction(j == k) for j in range(width)]
 
 
-def _fixed(value: Fraction, width: int) -> Affine:
+def _constant_form(value: Fraction, width: int) -> Affine:
     return [Fraction(0)] * (width - 1) + [value]
 
 
-def _plus(one: Spot, two: Spot) -> Spot:
+def _add_spots(one: Spot, two: Spot) -> Spot:
     (a, b), (c, d) = one, two
     return [p + q for p, q in zip(a, c, strict=True)], [p + q for p, q in zip(b, d, strict=True)]
 
 
-def _minus(one: Spot, two: Spot) -> Spot:
-    return _plus(one, ([-q for q in two[0]], [-q for q in two[1]]))
+def _subtract_spots(one: Spot, two: Spot) -> Spot:
+    return _add_spots(one, ([-q for q in two[0]], [-q for q in two[1]]))
 
 
-def _turned(axis: Spot, local: complex) -> Spot:
+def _rotated_spot(axis: Spot, local: complex) -> Spot:
     """A place of a link relative to its origin, turned with the link."""
     (x, y), (c, s) = exact_parts(local), axis
     return [x * p - y * q for p, q in zip(c, s, strict=True)], [x * q + y * p for p, q in zip(c, s, strict=True)]

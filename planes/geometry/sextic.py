@@ -10,11 +10,18 @@ from collections.abc import Sequence
 from fractions import Fraction
 from functools import reduce
 
-from planes.geometry.sturm import Polynomial, caught, each_once, isolated, sturm, trimmed
-from planes.geometry.tracks import Pose, Tie, advanced
+from planes.geometry.sturm import (
+    Polynomial,
+    isolate_sturm_roots,
+    narrow_down_root,
+    primitive_polynomial,
+    square_free_part,
+    sturm_chain,
+)
+from planes.geometry.tracks import Pose, Tie, newton_step
 from planes.words.frozen import frozen
 
-STEPS = 12
+NEWTON_STEPS = 12
 
 
 @frozen
@@ -24,7 +31,7 @@ class Laurent:
     terms: dict[int, tuple[Fraction, Fraction]]
 
     @classmethod
-    def of(cls, terms: dict[int, complex]) -> Laurent:
+    def from_doubles(cls, terms: dict[int, complex]) -> Laurent:
         """From complex doubles, taken as exact."""
         return cls({k: (Fraction(complex(z).real), Fraction(complex(z).imag)) for k, z in terms.items()})
 
@@ -46,15 +53,15 @@ class Laurent:
                 terms[i + j] = p + x * u - y * v, q + x * v + y * u
         return Laurent(terms)
 
-    def bar(self) -> Laurent:
+    def conjugate(self) -> Laurent:
         """The conjugate."""
         return Laurent({-k: (x, -y) for k, (x, y) in self.terms.items()})
 
-    def turned(self) -> Laurent:
+    def times_i(self) -> Laurent:
         """Times i."""
         return Laurent({k: (-y, x) for k, (x, y) in self.terms.items()})
 
-    def at(self, z: complex) -> complex:
+    def value_at(self, z: complex) -> complex:
         """The value at e^{iθ}, rounded only once."""
         return sum((complex(float(x), float(y)) * z**k for k, (x, y) in self.terms.items()), 0j)
 
@@ -70,39 +77,42 @@ class Counted:
     whole: bool = True
 
     @property
-    def proved(self) -> bool:
+    def is_count_proved(self) -> bool:
         """Whether every root gave a pose, and all are single."""
         return len(self.poses) == self.count and not self.double
 
 
-def assemblies(ties: Sequence[Tie]) -> Counted:
+def three_tie_assemblies(ties: Sequence[Tie]) -> Counted:
     """All poses of a link on three ties, by growing angle from -180°."""
-    base, one, two = _order(ties)
-    (eliminant, place, divisor) = _eliminated(base, one, two)
-    poly, lost = in_tangent(eliminant)
+    base, one, two = _ties_arc_first(ties)
+    (eliminant, place, divisor) = _eliminant_and_place(base, one, two)
+    poly, lost = half_tangent_polynomial(eliminant)
     if not poly:
         return Counted((), 0, True)
-    own, double = each_once(poly)
-    axes = [axis_at(float(caught(own, low, high))) for low, high in isolated(sturm(own))]
+    own, double = square_free_part(poly)
+    axes = [
+        axis_of_half_tangent(float(narrow_down_root(own, low, high)))
+        for low, high in isolate_sturm_roots(sturm_chain(own))
+    ]
     axes += [-1 + 0j] * bool(lost)  # the highest power vanishes: a root at θ = 180°
     poses = []
     for axis in axes:
-        below = divisor.at(axis)
-        poses.append((base.place - base.local * axis + (place.at(axis) / below if below else 0j), axis))
-    return Counted(tuple(p for pose in poses for p in settled(ties, pose)), len(poses), double or lost > 1)
+        below = divisor.value_at(axis)
+        poses.append((base.place - base.local * axis + (place.value_at(axis) / below if below else 0j), axis))
+    return Counted(tuple(p for pose in poses for p in refine_pose(ties, pose)), len(poses), double or lost > 1)
 
 
-def axis_at(t: float) -> complex:
+def axis_of_half_tangent(t: float) -> complex:
     """e^{iθ} of t = tan θ/2."""
     return (1 + 1j * t) ** 2 / (1 + t * t)
 
 
-def settled(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
+def refine_pose(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
     """The pose refined by Newton's steps; None where they do not converge nearby."""
     origin, axis = pose
-    size = max(t.size for t in ties)
-    for _ in range(STEPS):
-        (origin, axis), moved, det = advanced(ties, (origin, axis))
+    size = max(t.coordinate_sum for t in ties)
+    for _ in range(NEWTON_STEPS):
+        (origin, axis), moved, det = newton_step(ties, (origin, axis))
         if not det or abs(axis - pose[1]) > 1e-3:
             return []
         if moved < 1e-14 * (1 + size):
@@ -110,60 +120,66 @@ def settled(ties: Sequence[Tie], pose: Pose) -> list[Pose]:
     return [(origin, axis)]
 
 
-def _order(ties: Sequence[Tie]) -> tuple[Tie, Tie, Tie]:
+def _ties_arc_first(ties: Sequence[Tie]) -> tuple[Tie, Tie, Tie]:
     """The arc first, if there is one: the other ties are written relative to it."""
     first = next((t for t in ties if t.kind == "arc"), ties[0])
     one, two = (t for t in ties if t is not first)
     return first, one, two
 
 
-def row(t: Tie, base: Tie) -> tuple[Laurent, Laurent]:
+def tie_coefficients(t: Tie, base: Tie) -> tuple[Laurent, Laurent]:
     """A tie as 2 Re(ā Y) + b = 0 for Y, the base's point relative to the base's place."""
     r, c = t.local - base.local, t.place - base.place
     if t.kind == "guide":
         iw = 1j * t.turn
-        force, arm = Laurent.of({1: iw}), Laurent.of({0: c})
-        half = Laurent.of({0: 0.5})
-        b = (force.bar() * arm + force * arm.bar()) * half - _cross(t.turn, r) - Laurent.of({0: t.reach})
-        return Laurent.of({1: -0.5 * iw}), b
+        force, arm = Laurent.from_doubles({1: iw}), Laurent.from_doubles({0: c})
+        half = Laurent.from_doubles({0: 0.5})
+        b = (
+            (force.conjugate() * arm + force * arm.conjugate()) * half
+            - _exact_cross_product(t.turn, r)
+            - Laurent.from_doubles({0: t.reach})
+        )
+        return Laurent.from_doubles({1: -0.5 * iw}), b
     if t.kind == "line":
         iu = 1j * t.turn
-        arm = Laurent.of({1: r}) - Laurent.of({0: c})
-        pull, half = Laurent.of({0: iu}), Laurent.of({0: 0.5})
-        return Laurent.of({0: 0.5 * iu}), (pull.bar() * arm + pull * arm.bar()) * half - Laurent.of({0: t.reach})
-    a = Laurent.of({1: r}) - Laurent.of({0: c})
-    lengths = [Laurent.of({0: x}) * Laurent.of({0: x}) for x in (t.reach, base.reach)]
-    return a, a * a.bar() - lengths[0] + lengths[1]
+        arm = Laurent.from_doubles({1: r}) - Laurent.from_doubles({0: c})
+        pull, half = Laurent.from_doubles({0: iu}), Laurent.from_doubles({0: 0.5})
+        return Laurent.from_doubles({0: 0.5 * iu}), (
+            pull.conjugate() * arm + pull * arm.conjugate()
+        ) * half - Laurent.from_doubles({0: t.reach})
+    a = Laurent.from_doubles({1: r}) - Laurent.from_doubles({0: c})
+    lengths = [Laurent.from_doubles({0: x}) * Laurent.from_doubles({0: x}) for x in (t.reach, base.reach)]
+    return a, a * a.conjugate() - lengths[0] + lengths[1]
 
 
-def _cross(a: complex, b: complex) -> Laurent:
+def _exact_cross_product(a: complex, b: complex) -> Laurent:
     """The cross product of two given vectors, exactly."""
     x, y, u, v = (Fraction(q) for q in (a.real, a.imag, b.real, b.imag))
     return Laurent({0: (x * v - y * u, Fraction(0))})
 
 
-def _eliminated(base: Tie, one: Tie, two: Tie) -> tuple[Laurent, Laurent, Laurent]:
+def _eliminant_and_place(base: Tie, one: Tie, two: Tie) -> tuple[Laurent, Laurent, Laurent]:
     """The polynomial that vanishes at an assembly, and Y = place / divisor."""
-    (a, b), (c, d) = row(one, base), row(two, base)
-    divisor, place = a.bar() * c - a * c.bar(), d * a - b * c
+    (a, b), (c, d) = tie_coefficients(one, base), tie_coefficients(two, base)
+    divisor, place = a.conjugate() * c - a * c.conjugate(), d * a - b * c
     if base.kind == "arc":
-        reach = Laurent.of({0: base.reach})
-        eliminant = place * place.bar() + reach * reach * divisor * divisor
+        reach = Laurent.from_doubles({0: base.reach})
+        eliminant = place * place.conjugate() + reach * reach * divisor * divisor
     else:
-        e, f = row(base, base)
-        eliminant = (e.bar() * place - e * place.bar() + f * divisor).turned()
+        e, f = tie_coefficients(base, base)
+        eliminant = (e.conjugate() * place - e * place.conjugate() + f * divisor).times_i()
     return eliminant, place, divisor
 
 
-def in_tangent(trigonometric: Laurent) -> tuple[Polynomial, int]:
+def half_tangent_polynomial(trigonometric: Laurent) -> tuple[Polynomial, int]:
     """A real trigonometric polynomial as one in t = tan θ/2, e^{iθ} = (1 + it) / (1 - it), with its sign; and how many
     of its highest powers vanish: the number of roots at θ = 180°."""
     n = max((abs(k) for k, z in trigonometric.terms.items() if any(z)), default=0)
-    plus, minus = Laurent.of({0: 1, 1: 1j}), Laurent.of({0: 1, 1: -1j})  # in powers of t
+    plus, minus = Laurent.from_doubles({0: 1, 1: 1j}), Laurent.from_doubles({0: 1, 1: -1j})  # in powers of t
     total = Laurent({})
     for k, z in trigonometric.terms.items():
         if any(z):
             factors = [plus] * (n + k) + [minus] * (n - k)
             total = total + reduce(Laurent.__mul__, factors, Laurent({0: z}))
-    poly = trimmed([total.terms.get(k, (Fraction(0), Fraction(0)))[0] for k in range(2 * n + 1)])
+    poly = primitive_polynomial([total.terms.get(k, (Fraction(0), Fraction(0)))[0] for k in range(2 * n + 1)])
     return poly, 2 * n + 1 - len(poly)

@@ -6,11 +6,11 @@ from functools import reduce
 from itertools import pairwise
 from math import gcd
 
-CLOSE = Fraction(1, 1 << 40)  # width of a bracket before Newton's steps
+BRACKET_WIDTH = Fraction(1, 1 << 40)  # width of a bracket before Newton's steps
 Polynomial = list[Fraction]  # coefficients, lowest power first
 
 
-def trimmed(poly: Polynomial) -> Polynomial:
+def primitive_polynomial(poly: Polynomial) -> Polynomial:
     """Without vanishing highest powers, in whole numbers without a common factor."""
     while poly and not poly[-1]:
         poly = poly[:-1]
@@ -22,7 +22,7 @@ def trimmed(poly: Polynomial) -> Polynomial:
     return [Fraction(q // common) for q in integers]
 
 
-def value(poly: Polynomial, t: Fraction) -> Fraction:
+def polynomial_value(poly: Polynomial, t: Fraction) -> Fraction:
     """The value at t."""
     total = Fraction(0)
     for q in reversed(poly):
@@ -30,18 +30,18 @@ def value(poly: Polynomial, t: Fraction) -> Fraction:
     return total
 
 
-def sturm(poly: Polynomial) -> list[Polynomial]:
+def sturm_chain(poly: Polynomial) -> list[Polynomial]:
     """Sturm's chain: the polynomial, its derivative, and the remainders with reversed signs."""
-    chain = [poly, trimmed([k * q for k, q in enumerate(poly)][1:])]
+    chain = [poly, primitive_polynomial([k * q for k, q in enumerate(poly)][1:])]
     while len(chain[-1]) > 1:
-        rest = divided(chain[-2], chain[-1])[1]
+        rest = divide_polynomials(chain[-2], chain[-1])[1]
         if not any(rest):
             break
-        chain.append([-q for q in trimmed(rest)])
+        chain.append([-q for q in primitive_polynomial(rest)])
     return [c for c in chain if c]
 
 
-def divided(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Polynomial]:
+def divide_polynomials(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Polynomial]:
     """The quotient and the remainder of two polynomials."""
     rest, quotient = list(poly), list[Fraction]()
     while len(rest) >= len(by):
@@ -51,64 +51,64 @@ def divided(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Polynomial]:
     return quotient[::-1], rest
 
 
-def changes(chain: list[Polynomial], t: Fraction) -> int:
+def count_sign_changes(chain: list[Polynomial], t: Fraction) -> int:
     """The number of sign changes in a chain at t."""
-    signs = [s for s in (value(c, t) for c in chain) if s]
+    signs = [s for s in (polynomial_value(c, t) for c in chain) if s]
     return sum((one > 0) != (two > 0) for one, two in pairwise(signs))
 
 
-def isolated(chain: list[Polynomial]) -> list[tuple[Fraction, Fraction]]:
+def isolate_sturm_roots(chain: list[Polynomial]) -> list[tuple[Fraction, Fraction]]:
     """Intervals (low, high] with one root each."""
     poly = chain[0]
     bound = 1 + max((abs(q / poly[-1]) for q in poly[:-1]), default=Fraction(0))
     edge = Fraction(1 << (int(bound) + 1).bit_length())
-    ranges, left = [], [(-edge, edge, changes(chain, -edge), changes(chain, edge))]
+    ranges, left = [], [(-edge, edge, count_sign_changes(chain, -edge), count_sign_changes(chain, edge))]
     while left:
         low, high, before, after = left.pop()
         if before - after == 1:
             ranges.append((low, high))
         elif before > after:
             middle = (low + high) / 2
-            between = changes(chain, middle)
+            between = count_sign_changes(chain, middle)
             left += [(middle, high, between, after), (low, middle, before, between)]
     return ranges
 
 
-def caught(poly: Polynomial, low: Fraction, high: Fraction) -> Fraction:
+def narrow_down_root(poly: Polynomial, low: Fraction, high: Fraction) -> Fraction:
     """The only root of an interval, narrowed down; for a double root without a change of sign, the middle."""
-    above = value(poly, high)
+    above = polynomial_value(poly, high)
     if not above:
         return high
-    if (value(poly, low) > 0) == (above > 0):
+    if (polynomial_value(poly, low) > 0) == (above > 0):
         return (low + high) / 2
-    while high - low > CLOSE * (1 + min(abs(low), abs(high)) ** 2):
+    while high - low > BRACKET_WIDTH * (1 + min(abs(low), abs(high)) ** 2):
         middle = (low + high) / 2
-        here = value(poly, middle)
+        here = polynomial_value(poly, middle)
         if not here:
             return middle
         low, high = (low, middle) if (here > 0) == (above > 0) else (middle, high)
     return (low + high) / 2
 
 
-def each_once(poly: Polynomial) -> tuple[Polynomial, bool]:
+def square_free_part(poly: Polynomial) -> tuple[Polynomial, bool]:
     """A polynomial with every root once, and whether any was multiple: at a multiple root Sturm's whole chain vanishes
     and the count fails."""
-    rest = sturm(poly)[-1]
-    return (divided(poly, rest)[0], True) if len(rest) > 1 else (poly, False)
+    rest = sturm_chain(poly)[-1]
+    return (divide_polynomials(poly, rest)[0], True) if len(rest) > 1 else (poly, False)
 
 
-def common(one: Polynomial, two: Polynomial) -> Polynomial:
+def greatest_common_divisor(one: Polynomial, two: Polynomial) -> Polynomial:
     """The greatest common divisor, by Euclid."""
     while two:
-        one, two = two, trimmed(divided(one, two)[1])
+        one, two = two, primitive_polynomial(divide_polynomials(one, two)[1])
     return one
 
 
-def sign_at(poly: Polynomial, low: Fraction, high: Fraction, other: Polynomial) -> int:
+def sign_at_root(poly: Polynomial, low: Fraction, high: Fraction, other: Polynomial) -> int:
     """The sign of another polynomial at the only root of this one in (low, high], where it is not zero."""
-    chain = sturm(other)
-    while changes(chain, low) != changes(chain, high) or not value(other, low):
+    chain = sturm_chain(other)
+    while count_sign_changes(chain, low) != count_sign_changes(chain, high) or not polynomial_value(other, low):
         middle = (low + high) / 2
-        own = sturm(poly)
-        low, high = (low, middle) if changes(own, low) > changes(own, middle) else (middle, high)
-    return 1 if value(other, low) > 0 else -1
+        own = sturm_chain(poly)
+        low, high = (low, middle) if count_sign_changes(own, low) > count_sign_changes(own, middle) else (middle, high)
+    return 1 if polynomial_value(other, low) > 0 else -1

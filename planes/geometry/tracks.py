@@ -32,11 +32,11 @@ class Tie:
     link: int = 0
 
     @property
-    def size(self) -> Real:
+    def coordinate_sum(self) -> Real:
         """The sum of the coordinates and the reach: the scale for errors."""
         return abs(self.place) + abs(self.local) + abs(self.reach)
 
-    def wrench(self, origin: Point, axis: Point) -> tuple[Real, Point, Real]:
+    def error_and_wrench(self, origin: Point, axis: Point) -> tuple[Real, Point, Real]:
         """The error of the tie, the direction of its force, and the moment of that force about the origin."""
         if self.kind == "guide":
             way = self.turn * axis
@@ -52,7 +52,7 @@ class Tie:
         miss = (gap.real * gap.real + gap.imag * gap.imag - self.reach * self.reach) / (2 * length)
         return miss, gap / length, plane.cross(arm, gap) / length
 
-    def held(self, origin: Point, axis: Point) -> Point:
+    def held_place(self, origin: Point, axis: Point) -> Point:
         """The place at which the link is held."""
         return self.place if self.kind == "guide" else origin + self.local * axis
 
@@ -60,22 +60,25 @@ class Tie:
 Pose = tuple[Point, ...]  # the place of the origin, and the direction of the link's x axis, or of both links'
 
 
-def advanced(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
+def newton_step(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
     """One step of Newton's method from a pose, the length of the step, and the determinant with its sign.
 
     A link after the first has two ties and a hinge. One combination of both ties has no moment about the hinge, so it
     holds the link that carries the hinge. Thus the first link has three ties, and all hinges follow from it.
     """
-    axes, places = pose[1:], origins(ties, pose)
-    held = [[t.wrench(places[k], axes[k]) for t in ties if t.link == k and t.kind != "hinge"] for k in range(len(axes))]
-    before = hung_on(ties)
+    axes, places = pose[1:], link_origins(ties, pose)
+    held = [
+        [t.error_and_wrench(places[k], axes[k]) for t in ties if t.link == k and t.kind != "hinge"]
+        for k in range(len(axes))
+    ]
+    before = carrier_links(ties)
     for k in reversed(range(1, len(axes))):
         (f, n, m), (g, q, r) = held[k]
         arms = abs(m + 1j * r)
         arms = arms + (arms == 0)
         pull = (n * r - q * m) / arms
         held[before[k]].append(((f * r - g * m) / arms, pull, plane.cross(places[k] - places[before[k]], pull)))
-    shift, turn, det = _solved(*held[0])
+    shift, turn, det = _solve_three_ties(*held[0])
     moved, shifts, turns = abs(shift) + abs(turn), [shift], [turn]
     for k in range(1, len(axes)):
         (f, n, m), (g, q, r) = held[k]
@@ -86,17 +89,17 @@ def advanced(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
         moved = moved + abs(turn)
         shifts.append(shift)
         turns.append(turn)
-    turned = (axis * _turned(turn) for axis, turn in zip(axes, turns, strict=True))
+    turned = (axis * _small_rotation(turn) for axis, turn in zip(axes, turns, strict=True))
     return (pose[0] + shifts[0], *turned), moved, det
 
 
-def hung_on(ties: Sequence[Tie]) -> list[int]:
+def carrier_links(ties: Sequence[Tie]) -> list[int]:
     """The link that carries each one: none for the first, the first for the second, at both origins; ties give the
     others."""
     return [0, 0, *(t.link for t in ties if t.kind == "hinge")]
 
 
-def origins(ties: Sequence[Tie], pose: Pose) -> list[Point]:
+def link_origins(ties: Sequence[Tie], pose: Pose) -> list[Point]:
     """The places of the links' origins."""
     origin, *axes = pose
     places = [origin, origin][: len(axes)]
@@ -109,7 +112,7 @@ def origins(ties: Sequence[Tie], pose: Pose) -> list[Point]:
 Wrench = tuple[Real, Point, Real]
 
 
-def _solved(one: Wrench, two: Wrench, three: Wrench) -> tuple[Point, Real, Real]:
+def _solve_three_ties(one: Wrench, two: Wrench, three: Wrench) -> tuple[Point, Real, Real]:
     """The displacement and rotation of a link on three ties, and their determinant."""
     (f, n, m), (g, k, p), (h, w, q) = one, two, three
     kw, wn, nk = plane.cross(k, w), plane.cross(w, n), plane.cross(n, k)
@@ -119,30 +122,30 @@ def _solved(one: Wrench, two: Wrench, three: Wrench) -> tuple[Point, Real, Real]
     return 1j * (f * (k * q - w * p) + g * (w * m - n * q) + h * (n * p - k * m)) / safe, turn, det
 
 
-def _turned(angle: Real) -> Point:
+def _small_rotation(angle: Real) -> Point:
     """A direction turned by a small angle, radians; of length 1."""
     half = 0.5 * angle
     return (1 + 1j * half) * (1 + 1j * half) / (1 + half * half)
 
 
-def closure(ties: Sequence[Tie], axis: Point) -> Real:
+def closure_residual(ties: Sequence[Tie], axis: Point) -> Real:
     """The residual of three ties for a link along ``axis``, its place eliminated: zero at an assembly.
 
     It is a trigonometric polynomial of the link's angle, of a degree below ``DEGREE``; not scaled.
     """
     base = next((t for t in ties if t.kind == "arc"), ties[0])
-    (a, p), (b, q) = (_row(t, base, axis) for t in ties if t is not base)
+    (a, p), (b, q) = (_tie_coefficients(t, base, axis) for t in ties if t is not base)
     place, divisor = 1j * (p * b - q * a), plane.cross(a, b)
     if base.kind == "arc":
         return place.real * place.real + place.imag * place.imag - (base.reach * divisor) ** 2
-    c, r = _row(base, base, axis)
+    c, r = _tie_coefficients(base, base, axis)
     return plane.dot(c, place) - r * divisor
 
 
-DEGREE = 5
+CLOSURE_DEGREE_BOUND = 5
 
 
-def _row(tie: Tie, base: Tie, axis: Point) -> tuple[Point, Real]:
+def _tie_coefficients(tie: Tie, base: Tie, axis: Point) -> tuple[Point, Real]:
     """A tie as dot(a, Y) = p, where Y is the base's point relative to the base's place."""
     off = (tie.local - base.local) * axis - (tie.place - base.place)
     if tie.kind == "guide":

@@ -15,31 +15,36 @@ from itertools import pairwise, product
 from math import comb, gcd, lcm
 
 from planes.geometry.arithmetic import EPS
-from planes.geometry.real_roots import Line, caught, isolated
+from planes.geometry.real_roots import Line, isolate_real_roots, narrow_down_root
 from planes.geometry.searched import exact_parts
 from planes.geometry.sextic import Counted
-from planes.geometry.tracks import Pose, Tie, advanced
+from planes.geometry.tracks import Pose, Tie, newton_step
 
-SLANT = (53, 31)  # the unknown u = 53x + 31y: no two crossings of a symmetrical figure share it
-STEPS = 40
-SETTLING = 200  # rounds; a pair of near roots needs fifty
+SLANT_FACTORS = (53, 31)  # the unknown u = 53x + 31y: no two crossings of a symmetrical figure share it
+NEWTON_STEPS = 40
+MOST_ROOT_ROUNDS = 200  # rounds; a pair of near roots needs fifty
 Plane = dict[tuple[int, int], int]  # a polynomial in x and y: integer coefficients by powers
 
 
-def both_assemblies(ties: Sequence[Tie]) -> Counted:
+def two_link_assemblies(ties: Sequence[Tie]) -> Counted:
     """All poses of the two links: the place of their hinge and both axes."""
     lengths = [x for t in ties for x in (*exact_parts(t.local), *exact_parts(t.place), Fraction(t.reach))]
     unit = lcm(*(x.denominator for x in lengths))
-    tracks = [_slanted(_track([_row(t, unit) for t in ties if t.link == k])) for k in (0, 1)]
-    left = _left(tracks)
-    ranges = isolated(left) if left else None
+    tracks = [
+        _in_slanted_unknown(_hinge_curve([_cosine_sine_coefficients(t, unit) for t in ties if t.link == k]))
+        for k in (0, 1)
+    ]
+    left = _resultant_in_u(tracks)
+    ranges = isolate_real_roots(left) if left else None
     if ranges is None:
         return Counted((), 0, True)
-    poses = [p for low, high in ranges for p in _posed(ties, tracks, caught(left, low, high), unit)]
+    poses = [
+        p for low, high in ranges for p in _poses_at_crossing(ties, tracks, narrow_down_root(left, low, high), unit)
+    ]
     return Counted(tuple(sorted(poses, key=lambda pose: cmath.phase(pose[1]))), len(ranges), False)
 
 
-def _row(t: Tie, unit: int) -> tuple[Plane, Plane, Plane]:
+def _cosine_sine_coefficients(t: Tie, unit: int) -> tuple[Plane, Plane, Plane]:
     """A tie as A cos + B sin = C."""
     turn = exact_parts(t.turn)
     denominator = 1 if t.kind == "arc" else lcm(*(x.denominator for x in turn))
@@ -48,18 +53,30 @@ def _row(t: Tie, unit: int) -> tuple[Plane, Plane, Plane]:
     gx: Plane = {(1, 0): 1, (0, 0): -px}
     gy: Plane = {(0, 1): 1, (0, 0): -py}
     if t.kind == "arc":
-        size = _sum((1, _times(gx, gx)), (1, _times(gy, gy)), (lx * lx + ly * ly - reach * reach, ONE))
-        return _sum((2 * lx, gx), (2 * ly, gy)), _sum((-2 * ly, gx), (2 * lx, gy)), _sum((-1, size))
+        size = _weighted_sum(
+            (1, _polynomial_product(gx, gx)),
+            (1, _polynomial_product(gy, gy)),
+            (lx * lx + ly * ly - reach * reach, UNIT_POLYNOMIAL),
+        )
+        return (
+            _weighted_sum((2 * lx, gx), (2 * ly, gy)),
+            _weighted_sum((-2 * ly, gx), (2 * lx, gy)),
+            _weighted_sum((-1, size)),
+        )
     if t.kind == "line":
         cos, sin = {(0, 0): tx * ly - ty * lx}, {(0, 0): tx * lx + ty * ly}
-        return cos, sin, _sum((-tx, gy), (ty, gx), (reach * denominator, ONE))
-    return _sum((-tx, gy), (ty, gx)), _sum((ty, gy), (tx, gx)), {(0, 0): tx * ly - ty * lx + reach * denominator}
+        return cos, sin, _weighted_sum((-tx, gy), (ty, gx), (reach * denominator, UNIT_POLYNOMIAL))
+    return (
+        _weighted_sum((-tx, gy), (ty, gx)),
+        _weighted_sum((ty, gy), (tx, gx)),
+        {(0, 0): tx * ly - ty * lx + reach * denominator},
+    )
 
 
-ONE: Plane = {(0, 0): 1}
+UNIT_POLYNOMIAL: Plane = {(0, 0): 1}
 
 
-def _sum(*terms: tuple[int, Plane]) -> Plane:
+def _weighted_sum(*terms: tuple[int, Plane]) -> Plane:
     total: Plane = {}
     for factor, poly in terms:
         for k, q in poly.items():
@@ -67,7 +84,7 @@ def _sum(*terms: tuple[int, Plane]) -> Plane:
     return {k: q for k, q in total.items() if q}
 
 
-def _times(one: Plane, two: Plane) -> Plane:
+def _polynomial_product(one: Plane, two: Plane) -> Plane:
     terms: Plane = {}
     for (i, j), p in one.items():
         for (k, m), q in two.items():
@@ -75,30 +92,35 @@ def _times(one: Plane, two: Plane) -> Plane:
     return terms
 
 
-def _track(rows: list[tuple[Plane, Plane, Plane]]) -> Plane:
+def _hinge_curve(rows: list[tuple[Plane, Plane, Plane]]) -> Plane:
     """The curve of the hinge that two ties of a link allow."""
     (a, b, c), (d, e, f) = rows
-    cos, sin = _sum((1, _times(c, e)), (-1, _times(f, b))), _sum((1, _times(a, f)), (-1, _times(d, c)))
-    both = _sum((1, _times(a, e)), (-1, _times(d, b)))
-    return _sum((1, _times(cos, cos)), (1, _times(sin, sin)), (-1, _times(both, both)))
+    cos, sin = (
+        _weighted_sum((1, _polynomial_product(c, e)), (-1, _polynomial_product(f, b))),
+        _weighted_sum((1, _polynomial_product(a, f)), (-1, _polynomial_product(d, c))),
+    )
+    both = _weighted_sum((1, _polynomial_product(a, e)), (-1, _polynomial_product(d, b)))
+    return _weighted_sum(
+        (1, _polynomial_product(cos, cos)), (1, _polynomial_product(sin, sin)), (-1, _polynomial_product(both, both))
+    )
 
 
-def _degree(track: Plane) -> int:
+def _total_degree(track: Plane) -> int:
     return max((i + j for i, j in track), default=0)
 
 
-def _slanted(track: Plane) -> Plane:
+def _in_slanted_unknown(track: Plane) -> Plane:
     """The same curve in u and y."""
-    along, up = SLANT
-    degree, slanted = _degree(track), Plane()
+    along, up = SLANT_FACTORS
+    degree, slanted = _total_degree(track), Plane()
     for (i, j), q in track.items():
         for k in range(i + 1):  # x = (u − up·y) / along
             term = q * comb(i, k) * (-up) ** (i - k) * along ** (degree - i)
             slanted[k, j + i - k] = slanted.get((k, j + i - k), 0) + term
-    return _sum((1, slanted))
+    return _weighted_sum((1, slanted))
 
 
-def _in_y(track: Plane, u: int | Fraction) -> list[int | Fraction]:
+def _polynomial_in_y(track: Plane, u: int | Fraction) -> list[int | Fraction]:
     """The polynomial in y of a curve at one u, lowest power first; equally long for every u."""
     coefficients: list[int | Fraction] = [0] * (1 + max((j for _, j in track), default=0))
     for (k, j), q in track.items():
@@ -106,10 +128,12 @@ def _in_y(track: Plane, u: int | Fraction) -> list[int | Fraction]:
     return coefficients
 
 
-def _left(tracks: list[Plane]) -> Line:
+def _resultant_in_u(tracks: list[Plane]) -> Line:
     """The resultant of both curves, with y eliminated: a polynomial in u, by interpolation."""
-    degree = _degree(tracks[0]) * _degree(tracks[1])
-    values = [_determinant(_sylvester(*(_in_y(track, u) for track in tracks))) for u in range(degree + 1)]
+    degree = _total_degree(tracks[0]) * _total_degree(tracks[1])
+    values = [
+        _determinant(_sylvester_matrix(*(_polynomial_in_y(track, u) for track in tracks))) for u in range(degree + 1)
+    ]
     differences, table = list[Fraction](), values
     factorial = 1
     for k in range(degree + 1):
@@ -128,7 +152,7 @@ def _left(tracks: list[Plane]) -> Line:
     return [q // common for q in integers]
 
 
-def _sylvester(one: list[int | Fraction], two: list[int | Fraction]) -> list[list[int]]:
+def _sylvester_matrix(one: list[int | Fraction], two: list[int | Fraction]) -> list[list[int]]:
     m, n = len(one) - 1, len(two) - 1
     rows = [[0] * k + one[::-1] + [0] * (n - 1 - k) for k in range(n)]
     return [[int(q) for q in row] for row in rows + [[0] * k + two[::-1] + [0] * (m - 1 - k) for k in range(m)]]
@@ -149,26 +173,26 @@ def _determinant(rows: list[list[int]]) -> int:
     return sign * rows[-1][-1] if size else 1
 
 
-def _posed(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, unit: int) -> Iterator[Pose]:
+def _poses_at_crossing(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, unit: int) -> Iterator[Pose]:
     """The pose where both curves have the same u, by Newton's steps; None where they do not converge there."""
-    one, two = (_roots(_in_y(track, u), unit) for track in tracks)
+    one, two = (_approximate_roots(_polynomial_in_y(track, u), unit) for track in tracks)
     a, b = min(product(one, two), key=lambda pair: abs(pair[0] - pair[1]))
     y = (a + b).real / 2
-    at, size = float(u / unit), max(t.size for t in ties)
-    hinge = complex((at - SLANT[1] * y) / SLANT[0], y)
-    pose: Pose = (hinge, *(_axis([t for t in ties if t.link == side], hinge) for side in (0, 1)))
-    for _ in range(STEPS):
-        pose, moved, det = advanced(ties, pose)
+    at, size = float(u / unit), max(t.coordinate_sum for t in ties)
+    hinge = complex((at - SLANT_FACTORS[1] * y) / SLANT_FACTORS[0], y)
+    pose: Pose = (hinge, *(_axis_from_hinge([t for t in ties if t.link == side], hinge) for side in (0, 1)))
+    for _ in range(NEWTON_STEPS):
+        pose, moved, det = newton_step(ties, pose)
         if not det:
             return
         if moved < 1e-13 * (1 + size):
             break
-    off = SLANT[0] * pose[0].real + SLANT[1] * pose[0].imag - at
-    if moved < 1e-9 * (1 + size) and abs(off) < 1e-7 * sum(SLANT) * size:
+    off = SLANT_FACTORS[0] * pose[0].real + SLANT_FACTORS[1] * pose[0].imag - at
+    if moved < 1e-9 * (1 + size) and abs(off) < 1e-7 * sum(SLANT_FACTORS) * size:
         yield pose
 
 
-def _roots(poly: list[int | Fraction], unit: int) -> list[complex]:
+def _approximate_roots(poly: list[int | Fraction], unit: int) -> list[complex]:
     """All roots, close enough to start Newton's steps (Weierstrass; Durand, Solutions numériques, 1960)."""
     scaled = [Fraction(q) * unit**k for k, q in enumerate(poly)]
     most = max(map(abs, scaled))
@@ -177,7 +201,7 @@ def _roots(poly: list[int | Fraction], unit: int) -> list[complex]:
         shares.pop()
     size = 1 + max(abs(q / shares[-1]) for q in shares)
     roots = [size * cmath.rect(0.5, 0.4 + 2 * math.pi * k / (len(shares) - 1)) for k in range(len(shares) - 1)]
-    for _ in range(SETTLING):
+    for _ in range(MOST_ROOT_ROUNDS):
         most_moved = 0.0
         for k, z in enumerate(roots):
             value = reduce(lambda sum_, q: sum_ * z + q, reversed(shares), 0j)
@@ -190,11 +214,11 @@ def _roots(poly: list[int | Fraction], unit: int) -> list[complex]:
     return roots
 
 
-def _axis(ties: Sequence[Tie], hinge: complex) -> complex:
+def _axis_from_hinge(ties: Sequence[Tie], hinge: complex) -> complex:
     """The axis of a link on two ties, with its hinge given."""
     rows = []
     for t in ties:
-        right, up, left, down = (float(t.wrench(hinge, axis)[0]) for axis in (1 + 0j, 1j, -1 + 0j, -1j))
+        right, up, left, down = (float(t.error_and_wrench(hinge, axis)[0]) for axis in (1 + 0j, 1j, -1 + 0j, -1j))
         rows.append((complex(right - left, up - down), -(right + left)))
     (a, p), (b, q) = rows
     z = 1j * (q * a - p * b) / ((a.conjugate() * b).imag or 1.0)

@@ -12,22 +12,31 @@ from planes.drafting.steps.crossings import Touch
 from planes.drafting.steps.reckoning import Calculate
 from planes.geometry.arrays import Floats
 from planes.lesson.centres import CentreFrames
-from planes.lesson.formulas import SLOT, UNITS, in_both, mu_said, slot
-from planes.lesson.frame import Frame, in_chapters
+from planes.lesson.formulas import SLOT_PATTERN, UNITS_BY_LETTER, in_lesson_languages, plan_scale_text, value_slot
+from planes.lesson.frame import Frame, with_chapters
 from planes.lesson.free_bodies import FreeBodies
-from planes.lesson.moments import many, moment_words
+from planes.lesson.moments import as_positions, moment_words
 from planes.lesson.reckoning import Reckoning
-from planes.lesson.rows import Row, reckoned
-from planes.lesson.standing import standing
-from planes.lesson.stated import StatedWords, last_marks
+from planes.lesson.rows import Row, calculation_row
+from planes.lesson.standing import with_zero_vector_sentences
+from planes.lesson.stated import StatedWords, equations_by_last_mark
 from planes.lesson.stating import Stating
-from planes.lesson.steps import StepWords, apart_words, shown_on, sought, whole
+from planes.lesson.steps import StepWords, displayed_term_name, plan_showing_step, single_link_words, unknown_vectors
 from planes.plans import Plans
-from planes.plans.apart import links_apart
-from planes.plans.force.derived import unit_of_value
+from planes.plans.apart import links_with_own_polygon
+from planes.plans.force.derived import unit_key_of_value
 from planes.plans.force.reactions import Reaction
 from planes.words import Phrase, Told, Written
-from planes.words.names import POLE, at, kind_of, label_of, letter_of, lettered, mu_of, plan_of
+from planes.words.names import (
+    POLE_LABEL,
+    full_mark_name,
+    label_of,
+    letter_of,
+    mu_name,
+    name_without_plan,
+    plan_kind,
+    plan_of,
+)
 from planes.words.units import Convention
 
 
@@ -41,68 +50,77 @@ class Teller:
         self.convention: Convention = convention
         self.plans, self.drawing = plans, drawing
         self.cycle = cycle or drawing
-        self.made = drawing.program.makers
+        self.made = drawing.program.steps_by_result
         rates = (rate for link in plans.links.values() for rate in (link.omega, link.epsilon))
         self.rates = {*rates, *plans.values.values()}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
         self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured only for the lesson
-        self.trials = drawing.program.trials | {c.mark for c in plans.centres}  # no frames of the scheme
-        drawn = {p: [s.makes for s in own if s.makes not in self.trials] for p, own in drawing.program.marks.items()}
-        self.ends = {own[-1] for plan, own in drawn.items() if kind_of(plan) == "force"}
-        self.still = {p for p in ("velocity", "acceleration") if p in plans.drawn and self.stands(p)}
+        self.trials = drawing.program.trial_marks | {c.mark for c in plans.centres}  # no frames of the scheme
+        drawn = {
+            p: [s.makes for s in own if s.makes not in self.trials]
+            for p, own in drawing.program.mark_steps_by_plan.items()
+        }
+        self.ends = {own[-1] for plan, own in drawn.items() if plan_kind(plan) == "force"}
+        self.still = {p for p in ("velocity", "acceleration") if p in plans.plan_names and self.plan_is_at_pole(p)}
         self.reckoning = Reckoning(plans, self.made, convention)
-        self.words = (StepWords if plans.moves else StatedWords)(plans, drawing, self.made)
-        self.solved = {} if plans.moves else last_marks(plans)
+        self.words = (StepWords if plans.has_mechanism else StatedWords)(plans, drawing, self.made)
+        self.solved = {} if plans.has_mechanism else equations_by_last_mark(plans)
         self.stating, self.bodies = Stating(plans), FreeBodies(plans, drawing)
 
-    def frames(self) -> list[Frame]:
+    def lesson_frames(self) -> list[Frame]:
         """All frames, in drawing order."""
         put: list[Step] = [step for step in self.drawing.program.steps if isinstance(step, Put) and step.at]
-        names = ", ".join(f"⟨{lettered(p.makes)}⟩" for p in put if not p.helper)
+        names = ", ".join(f"⟨{name_without_plan(p.makes)}⟩" for p in put if not p.is_auxiliary_mark)
         key = "points" if self.plans.figure else "fixed"
-        frames = [self.frame(key, "position", tuple(p.makes for p in put), names=names)] if put else []
+        frames = [self.make_frame(key, "position", tuple(p.makes for p in put), names=names)] if put else []
         readings = list[Step]()
         for step in self.drawing.program.steps:
             if step.makes in self.moments or step.makes in self.rates:
                 readings.append(step)
-            if step in put or step.makes in self.trials or not self.shown(step):
+            if step in put or step.makes in self.trials or not self.has_own_frame(step):
                 continue
-            frames += self.readings(readings, frames)
+            frames += self.frames_of_values(readings, frames)
             readings = []
             frames.append(self.mark(step))
-            solved = ((e.plan, sought(e)) for e in self.solved.get(step.makes, ()))
-            frames += [self.read_off("measured", plan, names) for plan, names in solved if names]
-            frames += self.closing(shown_on(step)) if step.makes in self.ends else []
-        stated = self.stating.stated(frames + self.readings(readings, frames), self.frame)
-        opened = self.bodies.opened(stated, self.frame)
-        return self.in_order(CentreFrames(self.plans, self.frame, self.reading).among(opened))
+            solved = ((e.plan, unknown_vectors(e)) for e in self.solved.get(step.makes, ()))
+            frames += [self.measured_segments_frame("measured", plan, names) for plan, names in solved if names]
+            frames += self.closing_frames(plan_showing_step(step)) if step.makes in self.ends else []
+        stated = self.stating.insert_vector_equations(frames + self.frames_of_values(readings, frames), self.make_frame)
+        opened = self.bodies.insert_free_bodies(stated, self.make_frame)
+        return self.ordered_by_values(
+            CentreFrames(self.plans, self.make_frame, self.measured_segment_row).insert_chapter(opened)
+        )
 
-    def in_order(self, frames: list[Frame]) -> list[Frame]:
+    def ordered_by_values(self, frames: list[Frame]) -> list[Frame]:
         """The frames in an order in which every number is found before it is used, and each frame that finds one comes
         just before its first use."""
         reckoning, ordered = self.reckoning, list[Frame]()
         for f in frames:
-            if steps := reckoning.missing(f):
+            if steps := reckoning.steps_of_missing_values(f):
                 arms = self.plans.moments[f.moments].terms if f.moments is not None else ()
                 terms = tuple(force for force, arm in arms if arm in {step.makes for step in steps})
-                rows = tuple(map(reckoning.reading, steps))
+                rows = tuple(map(reckoning.value_row, steps))
                 reason = "found_arms" if terms else "found_values"
-                ordered.append(self.frame("found_values", f.plan, (), (), reason, terms, f.moments, rows))
-            reckoning.tell(f)
+                ordered.append(self.make_frame("found_values", f.plan, (), (), reason, terms, f.moments, rows))
+            reckoning.record_frame_values(f)
             ordered.append(f)
-        return in_chapters(standing(ordered, self.plans))
+        return with_chapters(with_zero_vector_sentences(ordered, self.plans))
 
-    def stands(self, plan: str) -> bool:
+    def plan_is_at_pole(self, plan: str) -> bool:
         """Whether every mark of a plan is at its pole in every position: there is nothing to draw."""
-        own = self.drawing.program.marks[plan]
-        return all(not size >= 1e-6 for step in own for size in many(abs(self.cycle[step.makes])))
+        own = self.drawing.program.mark_steps_by_plan[plan]
+        return all(not size >= 1e-6 for step in own for size in as_positions(abs(self.cycle[step.makes])))
 
-    def shown(self, step: Step) -> bool:
+    def has_own_frame(self, step: Step) -> bool:
         """Whether a step has its own frame."""
         drawn = isinstance(step, Touch) or step.kind == "mark"
-        return drawn and step.makes != at("position", POLE) and shown_on(step) not in {"motion", *self.still}
+        return (
+            drawn
+            and step.makes != full_mark_name("position", POLE_LABEL)
+            and plan_showing_step(step) not in {"motion", *self.still}
+        )
 
-    def frame(
+    def make_frame(
         self,
         key: str,
         plan: str,
@@ -116,37 +134,46 @@ class Teller:
     ) -> Frame:
         """A frame with its words in every language, of the ``names`` of its sentence and its ``rows``, by their
         numbers."""
-        index, equation_terms = self.equation_of(plan, makes)
-        own = ((m[1], m[2]) for said in names.values() if isinstance(said, str) for m in SLOT.finditer(said))
-        scale = [("k", mu_of(plan))] if key in ("pole", "fixed", "points") else []
-        numbers = (*scale, *own, *(n for row in rows for n in row.slots()))
-        mu = Written(partial(mu_said, plan, convention=self.convention))
+        index, equation_terms = self.equation_and_terms(plan, makes)
+        own = ((m[1], m[2]) for said in names.values() if isinstance(said, str) for m in SLOT_PATTERN.finditer(said))
+        scale = [("k", mu_name(plan))] if key in ("pole", "fixed", "points") else []
+        numbers = (*scale, *own, *(n for row in rows for n in row.slots_of_numbers()))
+        mu = Written(partial(plan_scale_text, plan, convention=self.convention))
         lines = "; ".join(f"⟪{rows.index(row)}⟫" for row in rows)
-        marked = in_both(Phrase(f"lesson_{key}", **{**names, "mu": mu, "rows": lines}).told)
-        why = in_both((reason if isinstance(reason, Phrase) else Phrase(f"why_{reason or key}")).told)
+        marked = in_lesson_languages(Phrase(f"lesson_{key}", **{**names, "mu": mu, "rows": lines}).told)
+        why = in_lesson_languages((reason if isinstance(reason, Phrase) else Phrase(f"why_{reason or key}")).told)
         in_hand = equation_terms if terms is None else terms
         return Frame(key, plan, makes, uses, index, in_hand, marked, why, moments, rows=rows, numbers=numbers)
 
-    def equation_of(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
+    def equation_and_terms(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
         """The equation on this plan with a term that ends at one of the marks, and those terms."""
-        labels = {label_of(m) for m in makes} - {POLE}
+        labels = {label_of(m) for m in makes} - {POLE_LABEL}
         for index, equation in enumerate(self.plans.equations):
-            terms = tuple(whole(equation, t.name) for t in equation.terms if t.end in labels and not t.drawn)
+            terms = tuple(
+                displayed_term_name(equation, t.name) for t in equation.all_terms if t.end in labels and not t.drawn
+            )
             if equation.plan == plan and terms:
                 return index, terms
-        own = self.plans.segments_of.get(plan, ())
-        return None, tuple([e.name for e in own if e.end in labels and e.start == POLE][:1])
+        own = self.plans.segments_by_plan.get(plan, ())
+        return None, tuple([e.name for e in own if e.end in labels and e.start == POLE_LABEL][:1])
 
     def mark(self, step: Step) -> Frame:
         """The frame of one mark, or of a tangent."""
-        read = dict.fromkeys(name for name, kind in step.reads() if kind == "mark" and name not in self.trials)
+        read = dict.fromkeys(name for name, kind in step.input_names() if kind == "mark" and name not in self.trials)
         uses = tuple(name for name in read if plan_of(name) != "motion")
-        fields = {f: lettered(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
-        key, reason, more = self.words.of(step)
+        fields = {f: name_without_plan(v) for f, v in vars(step).items() if isinstance(v, str) and f != "makes"}
+        key, reason, more = self.words.words_of_step(step)
         makes = () if isinstance(step, Touch) else (step.makes,)
-        return self.frame(key, shown_on(step), makes, uses, reason, **{**fields, "end": lettered(step.makes), **more})
+        return self.make_frame(
+            key,
+            plan_showing_step(step),
+            makes,
+            uses,
+            reason,
+            **{**fields, "end": name_without_plan(step.makes), **more},
+        )
 
-    def readings(self, values: list[Step], before: list[Frame]) -> list[Frame]:
+    def frames_of_values(self, values: list[Step], before: list[Frame]) -> list[Frame]:
         """Frames for the values computed since the last mark: angular velocities and accelerations together, each
         moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
@@ -154,75 +181,83 @@ class Teller:
             next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None),
             list[Frame](),
         )
-        if not self.plans.moves:
-            frames += [self.read_off("measured", before[-1].plan, (), rates)] if rates and before else []
+        if not self.plans.has_mechanism:
+            frames += [self.measured_segments_frame("measured", before[-1].plan, (), rates)] if rates and before else []
         elif last:
-            frames += self.stating.turns(rates, last.plan, self.frame)
+            frames += self.stating.rotation_sense_frames(rates, last.plan, self.make_frame)
             crossed = last is before[-1] and last.key == "cross"
-            frames += [self.measured(last.plan, rates, before)] if rates or crossed else []
-        return frames + [f for v in values if v.makes in self.moments for f in self.moment(v)]
+            frames += [self.measurement_frame(last.plan, rates, before)] if rates or crossed else []
+        return frames + [f for v in values if v.makes in self.moments for f in self.moment_equation_frames(v)]
 
-    def measured(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
+    def measurement_frame(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:
         """The measurements on a velocity or acceleration plan after an equation is solved, and the angular values from
         them."""
         own = [f for f in before if f.plan == plan]
         solved = [self.plans.equations[f.equation] for f in own if f.equation is not None]
         known = {name for f in own if f.key == "measured" for name in f.terms}
-        names = [name for e in solved[-1:] for name in sought(e) if name not in known]
-        return self.read_off("measured", plan, names, rates)
+        names = [name for e in solved[-1:] for name in unknown_vectors(e) if name not in known]
+        return self.measured_segments_frame("measured", plan, names, rates)
 
-    def read_off(self, key: str, plan: str, names: Sequence[str], rates: Sequence[Calculate] = ()) -> Frame:
+    def measured_segments_frame(
+        self, key: str, plan: str, names: Sequence[str], rates: Sequence[Calculate] = ()
+    ) -> Frame:
         """Measured segments of a plan, and velocities or accelerations with their formula and sense."""
-        rows = (*(self.reading(n, plan) for n in names), *map(self.reckoned, rates))
-        uses = tuple(dict.fromkeys(m for n in names for m in self.span(n, plan)))
-        return self.frame(key, plan, uses=uses, terms=tuple(names), rows=rows)
+        rows = (*(self.measured_segment_row(n, plan) for n in names), *map(self.value_row, rates))
+        uses = tuple(dict.fromkeys(m for n in names for m in self.segment_ends(n, plan)))
+        return self.make_frame(key, plan, uses=uses, terms=tuple(names), rows=rows)
 
-    def reckoned(self, rate: Calculate) -> Row:
+    def value_row(self, rate: Calculate) -> Row:
         """A value with its formula; of a rotation also its sense."""
-        turns = UNITS.get(letter_of(rate.makes)) in ("rad/s", "rad/s²")
-        return reckoned(rate, unit_key="" if self.plans.moves else unit_of_value(rate.makes), turns=turns)
+        turns = UNITS_BY_LETTER.get(letter_of(rate.makes)) in ("rad/s", "rad/s²")
+        return calculation_row(
+            rate, unit_key="" if self.plans.has_mechanism else unit_key_of_value(rate.makes), turns=turns
+        )
 
-    def span(self, name: str, plan: str) -> tuple[str, str] | tuple[()]:
+    def segment_ends(self, name: str, plan: str) -> tuple[str, str] | tuple[()]:
         """The ends of the segment of that name."""
-        own = self.plans.segments_of.get(plan, ())
+        own = self.plans.segments_by_plan.get(plan, ())
         return next((x.ends for x in own if x.name == name and x.start != x.end), ())
 
-    def reading(self, name: str, plan: str) -> Row:
+    def measured_segment_row(self, name: str, plan: str) -> Row:
         """A measured segment: its millimetres and its value."""
-        span = self.span(name, plan)
+        span = self.segment_ends(name, plan)
         if not span:
             return Row(name, "", "", "")
-        read, mu = f"‖{name}‖", mu_of(plan)
+        read, mu = f"‖{name}‖", mu_name(plan)
         self.spans[read] = (*span, mu)
-        return self.reckoning.measured(name, read, mu, slot(read))
+        return self.reckoning.measured_length_row(name, read, mu, value_slot(read))
 
-    def closing(self, plan: str) -> list[Frame]:
+    def closing_frames(self, plan: str) -> list[Frame]:
         """The reactions read from a closed force polygon, those inside the group each with the link it closes."""
-        links = [(one, one.reactions[one.force][0].key) for one in links_apart(self.plans, plan)]
+        links = [(one, one.reactions[one.force][0].key) for one in links_with_own_polygon(self.plans, plan)]
         inside = {key for _, key in links}
         reactions = [r for r in self.plans.reactions.values() if r.plan == plan]
-        names = [r.key for r in reactions if r.key not in inside and self.span(r.key, plan)]
-        names += [n for n in (self.bodies.balancing(plan),) if n and self.plans.drive.kind == "s"]
-        frames = [self.read_off("closing", plan, names)] if names else []
+        names = [r.key for r in reactions if r.key not in inside and self.segment_ends(r.key, plan)]
+        names += [n for n in (self.bodies.balancing_load(plan),) if n and self.plans.drive.kind == "s"]
+        frames = [self.measured_segments_frame("closing", plan, names)] if names else []
         for one, key in links:
-            row = self.reading(key, plan)
-            frames.append(self.frame("apart", plan, terms=one.drawn, rows=(row,), **apart_words(one, key)))
-        return frames + [self.rubbing(plan, r) for r in reactions if r.power in self.made]
+            row = self.measured_segment_row(key, plan)
+            frames.append(
+                self.make_frame(
+                    "apart", plan, terms=one.closed_vector_names, rows=(row,), **single_link_words(one, key)
+                )
+            )
+        return frames + [self.friction_frame(plan, r) for r in reactions if r.power in self.made]
 
-    def rubbing(self, plan: str, r: Reaction) -> Frame:
+    def friction_frame(self, plan: str, r: Reaction) -> Frame:
         """Both components of a reaction with friction, or its circle, and the power of friction."""
         key, parts = ("friction_circle", []) if r.pair.point else ("friction", [r.normal, r.friction])
-        rows = tuple(self.reckoning.reading(self.made[n]) for n in (*parts, r.power))
-        return self.frame(key, plan, terms=(r.key,), rows=rows, force=r.key, point=r.pair.point)
+        rows = tuple(self.reckoning.value_row(self.made[n]) for n in (*parts, r.power))
+        return self.make_frame(key, plan, terms=(r.key,), rows=rows, force=r.key, point=r.pair.point)
 
-    def seated(self, r: Reaction) -> Frame:
+    def reaction_arm_frame(self, r: Reaction) -> Frame:
         """The arm at which a slider's reaction acts, by its couple."""
         arm = self.made[r.arm]
         assert isinstance(arm, Calculate)
-        mm = slot(r.arm, "mm", mu_of("position"))
-        return self.frame("seated", r.plan, terms=(r.key,), rows=(reckoned(arm),), force=r.key, mm=mm)
+        mm = value_slot(r.arm, "mm", mu_name("position"))
+        return self.make_frame("seated", r.plan, terms=(r.key,), rows=(calculation_row(arm),), force=r.key, mm=mm)
 
-    def moment(self, step: Step) -> list[Frame]:
+    def moment_equation_frames(self, step: Step) -> list[Frame]:
         """A moment equation with its numbers."""
         if not isinstance(step, Calculate):
             return []
@@ -230,12 +265,14 @@ class Teller:
         m = self.plans.moments[index]
         key, names, terms = moment_words(m, step, self.cycle)
         plan, reason = ("lever", "moments_lever") if m.links == ("lever",) else ("position", "moments")
-        frames = [self.frame(key, plan, reason=reason, terms=terms, moments=index, **names)]
+        frames = [self.make_frame(key, plan, reason=reason, terms=terms, moments=index, **names)]
         seats = (r for r in self.plans.reactions.values() if r.moment == step.makes and key == "moments")
-        return frames + [self.seated(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.reach]  # no NaN
+        return frames + [
+            self.reaction_arm_frame(r) for r in seats if abs(self.drawing[r.arm]) < 1e6 * self.plans.longest_link_length
+        ]  # no NaN
 
 
-def value_of(name: str, teller: Teller, drawing: Drawing) -> Floats:
+def slot_value(name: str, teller: Teller, drawing: Drawing) -> Floats:
     """A value of a drawing (of one position or many) by the name used in a slot."""
     start, end, mu = teller.spans.get(name, ("", "", ""))
     return abs(drawing[end] - drawing[start]) / drawing[mu] if mu else drawing[name]  # type: ignore[no-any-return]

@@ -9,21 +9,21 @@ from functools import cached_property
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps import LayOff
-from planes.lesson.formulas import LANGS, in_both, spoken
+from planes.lesson.formulas import LESSON_LANGS, in_lesson_languages, sentence_in_lesson_languages
 from planes.lesson.frame import Frame
-from planes.lesson.free_bodies import FreeBodies, links_told
+from planes.lesson.free_bodies import FreeBodies, links_phrase
 from planes.plans import Plans
-from planes.plans.scales import fitting
+from planes.plans.scales import largest_fitting_scale
 from planes.words.frozen import frozen
-from planes.words.names import POLE, at, kind_of, label_of, links_of, mu_of
+from planes.words.names import POLE_LABEL, force_plan_links, full_mark_name, label_of, mu_name, plan_kind
 from planes.words.records import Json
-from planes.words.units import UNIT
+from planes.words.units import UNIT_OF_PLAN
 
-CHOICES = ("mu", "order", "reason", "first")
-TIMES = (0.1, 0.4, 1.0, 2.5, 10.0)
+CHOICE_KINDS = ("mu", "order", "reason", "first")
+OFFERED_SCALE_RATIOS = (0.1, 0.4, 1.0, 2.5, 10.0)
 """The scales offered, relative to that of the lesson: too large and too small both ways, and acceptable ones."""
-LATER = 2  # equations of later groups offered beside the current one
-REASONS = ("last", "driver", "moved", "heavy")
+MOST_LATER_EQUATIONS = 2  # equations of later groups offered beside the current one
+FIRST_GROUP_REASONS = ("last", "driver", "moved", "heavy")
 """Reasons why a group comes first for forces: the first is right."""
 
 
@@ -37,104 +37,123 @@ class Choices:
     equations: Sequence[Json]
     fit_mm: Mapping[str, float]
 
-    def offered(self, kind: str, what: str | int, frame: int) -> Json | None:
+    def options_of_choice(self, kind: str, what: str | int, frame: int) -> Json | None:
         """The options of a choice, by its kind; None where there is nothing to choose."""
         if kind == "mu":
-            return self.scale(str(what), self.frames[frame])
-        if not self.plans.moves:
+            return self.scale_options(str(what), self.frames[frame])
+        if not self.plans.has_mechanism:
             return None
         if kind == "first":
-            return self.first(int(what), frame)
-        return self.order(str(what)) if kind == "order" else self.reason(str(what))
+            return self.first_equation_options(int(what), frame)
+        return self.link_order_options(str(what)) if kind == "order" else self.first_link_reason_options(str(what))
 
-    def scale(self, plan: str, frame: Frame) -> Json | None:
+    def scale_options(self, plan: str, frame: Frame) -> Json | None:
         """Scales of the standard series about that of the lesson, the marks that give the size of the plan, and the
         vector laid off first; None where no given length leads to the first mark asked for."""
-        first = self.plans.program.makers[frame.makes[0]]
+        first = self.plans.program.steps_by_result[frame.makes[0]]
         long = (getattr(first, "length", "") or getattr(first, "radius", "")) if plan == "position" else ""
         if not long and not isinstance(first, LayOff):
             return None
-        own = complex(self.drawing[mu_of(plan)]).real
-        offered = sorted({fitting(plan, 1.0, own * times) for times in TIMES})
-        others = {at(plan, POLE), *self.plans.program.trials}
-        shown = [s.makes for s in self.plans.program.marks[plan] if not s.loose and s.makes not in others]
-        kind = kind_of(plan)
+        own = complex(self.drawing[mu_name(plan)]).real
+        offered = sorted({largest_fitting_scale(plan, 1.0, own * times) for times in OFFERED_SCALE_RATIOS})
+        others = {full_mark_name(plan, POLE_LABEL), *self.plans.program.trial_marks}
+        shown = [
+            s.makes
+            for s in self.plans.program.mark_steps_by_plan[plan]
+            if not s.is_outside_plan and s.makes not in others
+        ]
+        kind = plan_kind(plan)
         return {
             "offered": [{"value": mu} for mu in offered],
             "marks": shown,
             "most": self.fit_mm[kind],
             "name": long or next(iter(frame.terms), label_of(first.makes)),
-            "unit": spoken(UNIT.get(kind, "one_unit")),
+            "unit": sentence_in_lesson_languages(UNIT_OF_PLAN.get(kind, "one_unit")),
         }
 
     @cached_property
-    def waits(self) -> dict[str, dict[str, set[str]]]:
+    def reactions_awaited(self) -> dict[str, dict[str, set[str]]]:
         """By force plan the plans it waits for, and the reactions that each of them gives."""
         bodies = FreeBodies(self.plans, self.drawing)
-        waits = {plan: dict[str, set[str]]() for plan in self.plans.forces}
+        waits = {plan: dict[str, set[str]]() for plan in self.plans.force_plans}
         for plan, giving in waits.items():
-            for f in bodies.known(plan):
+            for f in bodies.known_forces(plan):
                 for r in self.plans.reactions.values():
-                    if f["name"] in r.names and r.plan != plan:
+                    if f["name"] in r.both_reaction_names and r.plan != plan:
                         giving.setdefault(r.plan, set()).add(f["name"])
         return waits
 
-    def order(self, plan: str) -> Json | None:
+    def link_order_options(self, plan: str) -> Json | None:
         """The links whose forces are still unknown, where some of them must wait: a group of one polygon each."""
-        driver, group_links = self.plans.structure.driver, [set(g.whole) for g in self.plans.structure.groups]
-        if any(links_of(p) != (driver,) and set(links_of(p)) not in group_links for p in self.plans.forces):
+        driver, group_links = self.plans.structure.driver, [set(g.all_links) for g in self.plans.structure.groups]
+        if any(
+            force_plan_links(p) != (driver,) and set(force_plan_links(p)) not in group_links
+            for p in self.plans.force_plans
+        ):
             return None
-        left = self.plans.forces[self.plans.forces.index(plan) :]
-        names = {p: sorted(n for q in left for n in self.waits[p].get(q, ())) for p in left}
+        left = self.plans.force_plans[self.plans.force_plans.index(plan) :]
+        names = {p: sorted(n for q in left for n in self.reactions_awaited[p].get(q, ())) for p in left}
         if not any(names.values()):
             return None
         return {
             "offered": [
-                {"value": p, "said": in_both(links_told(links_of(p)).told), **self.early(names[p])}
+                {
+                    "value": p,
+                    "said": in_lesson_languages(links_phrase(force_plan_links(p)).told),
+                    **self.too_early_reason(names[p]),
+                }
                 for p in sorted(left)
             ]
         }
 
-    def early(self, names: Sequence[str]) -> Json:
+    def too_early_reason(self, names: Sequence[str]) -> Json:
         """Why links come too early: forces on them are still unknown."""
         forces = ", ".join(f"⟨{n}⟩" for n in names)
-        return {"why": spoken("lesson_choice_early", forces=forces)} if names else {}
+        return {"why": sentence_in_lesson_languages("lesson_choice_early", forces=forces)} if names else {}
 
-    def reason(self, plan: str) -> Json | None:
+    def first_link_reason_options(self, plan: str) -> Json | None:
         """Why the first links come first."""
-        if plan != self.plans.forces[0] or not self.order(plan):
+        if plan != self.plans.force_plans[0] or not self.link_order_options(plan):
             return None
-        why = {"why": spoken("why_free_body_first")}
-        wrong = dict.fromkeys(REASONS[1:], why)
+        why = {"why": sentence_in_lesson_languages("why_free_body_first")}
+        wrong = dict.fromkeys(FIRST_GROUP_REASONS[1:], why)
         return {
             "offered": [
-                {"value": key, "said": spoken(f"lesson_choice_{key}"), **wrong.get(key, {})} for key in sorted(REASONS)
+                {"value": key, "said": sentence_in_lesson_languages(f"lesson_choice_{key}"), **wrong.get(key, {})}
+                for key in sorted(FIRST_GROUP_REASONS)
             ]
         }
 
-    def first(self, index: int, frame: int) -> Json | None:
+    def first_equation_options(self, index: int, frame: int) -> Json | None:
         """Velocity equations; those that begin with a known vector can be written first."""
         own = [e for e in self.equations if e["plan"] == "velocity" and e["total"]]
         equation = self.equations[index]
         if equation not in own:
             return None
-        made = {m for f in self.frames[:frame] for m in f.makes} | {at("velocity", POLE)}
+        made = {m for f in self.frames[:frame] for m in f.makes} | {full_mark_name("velocity", POLE_LABEL)}
         later = [e for e in own if self.equations.index(e) > index]
-        offered = {text: self.unknown(term, made) for text, term in lines(equation)}
-        offered |= self.unlinked(equation, made)
-        waiting = [(text, why) for e in later for text, term in lines(e)[:1] if (why := self.unknown(term, made))]
-        offered |= dict(waiting[:LATER])
+        offered = {text: self.unknown_vector_reason(term, made) for text, term in sums_of_equation(equation)}
+        offered |= self.unlinked_point_option(equation, made)
+        waiting = [
+            (text, why)
+            for e in later
+            for text, term in sums_of_equation(e)[:1]
+            if (why := self.unknown_vector_reason(term, made))
+        ]
+        offered |= dict(waiting[:MOST_LATER_EQUATIONS])
         if not any(offered.values()) or all(offered.values()):
             return None
-        return {"offered": [{"value": t, "said": dict.fromkeys(LANGS, t), **offered[t]} for t in sorted(offered)]}
+        return {
+            "offered": [{"value": t, "said": dict.fromkeys(LESSON_LANGS, t), **offered[t]} for t in sorted(offered)]
+        }
 
-    def unknown(self, term: Json, made: set[str]) -> Json:
+    def unknown_vector_reason(self, term: Json, made: set[str]) -> Json:
         """Why an equation that begins with a vector cannot be written yet; empty where it can."""
         if term["action"] == "=0" or term["at"] in made:
             return {}
-        return {"why": spoken("lesson_choice_unknown", name=term["name"])}
+        return {"why": sentence_in_lesson_languages("lesson_choice_unknown", name=term["name"])}
 
-    def unlinked(self, equation: Json, made: set[str]) -> dict[str, Json]:
+    def unlinked_point_option(self, equation: Json, made: set[str]) -> dict[str, Json]:
         """The unknown point by a known one that is on none of its links."""
         links = self.plans.mechanism.links
         point = next((p for p in self.plans.points if f"v_{p}" == equation["total"]["name"]), "")
@@ -143,12 +162,14 @@ class Choices:
         for other in sorted(own - together) if together else ():
             if self.plans.points[other].velocity in made or other in self.plans.mechanism.frame.points:
                 text = f"⟨v_{point}⟩ = ⟨v_{other}⟩ + ⟨v_{point}{other}⟩"
-                why = spoken("lesson_choice_unlinked", one=point, two=other, name=f"v_{point}{other}")
+                why = sentence_in_lesson_languages(
+                    "lesson_choice_unlinked", one=point, two=other, name=f"v_{point}{other}"
+                )
                 return {text: {"why": why}}
         return {}
 
 
-def lines(equation: Json) -> list[tuple[str, Json]]:
+def sums_of_equation(equation: Json) -> list[tuple[str, Json]]:
     """The equation by each of its sides that is a sum, with the first vector of that side."""
     sums = []
     for side in equation["sides"]:

@@ -9,22 +9,28 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.steps.tracks import CutTrack
-from planes.lesson.centres import NOTED, lines_of
-from planes.lesson.formulas import in_both, mu_said, slot, spoken, unit
-from planes.lesson.frame import Frame, needed
+from planes.lesson.centres import UNSEEN_CENTRE_REMARKS, crossing_lines_by_centre
+from planes.lesson.formulas import (
+    in_lesson_languages,
+    plan_scale_text,
+    sentence_in_lesson_languages,
+    unit_of_name,
+    value_slot,
+)
+from planes.lesson.frame import Frame, values_of_frames
 from planes.lesson.kit import Kit
-from planes.lesson.live import Live, results
-from planes.lesson.practice import JUDGING, Progress, sentences, told_values
-from planes.lesson.rows import templates
-from planes.lesson.scheme import acting, arms, pivots, related, scheme
-from planes.lesson.steps import whole
-from planes.lesson.told import Told
+from planes.lesson.live import Live, rates_and_balancing_loads
+from planes.lesson.practice import JUDGING_TOLERANCES, Progress, mistake_sentences, revealed_values
+from planes.lesson.rows import row_templates
+from planes.lesson.scheme import frame_hinges, moment_arms, owners_by_name, points_of_application, scheme_data
+from planes.lesson.steps import displayed_term_name
+from planes.lesson.told import SceneLesson
 from planes.plans import Plans
-from planes.plans.measuring import lettering, title_of
+from planes.plans.measuring import plan_title, scene_lettering
 from planes.scene import Scene
 from planes.words import Lang
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE, kind_of, lettered, links_of, plan_of
+from planes.words.names import POLE_LABEL, force_plan_links, name_without_plan, plan_kind, plan_of
 from planes.words.records import Json
 from planes.words.units import Convention
 
@@ -35,105 +41,120 @@ MOTION = ("velocity", "acceleration", "lever")
 def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = False, practice: bool = True) -> Json:
     """The lesson of a scene, with its instantaneous ``centres`` if requested; ``progress`` is called while the
     catalogue of mistakes is drawn. Without its ``practice`` it is ``pending``. Errors as for :class:`Told`."""
-    lesson = Told.of(scene, centres)
+    lesson = SceneLesson.of(scene, centres)
     plans, drawing, knobs, frames = lesson.plans, lesson.drawing, lesson.knobs, lesson.frames
-    kit, more, under = Kit(plans, drawing), lesson.leaning or {}, lesson.teller.stating.under.values()
-    acts, vectors = acting(plans), {s.name for s in plans.segments}
+    kit, more, under = Kit(plans, drawing), lesson.leaning or {}, lesson.teller.stating.guided_points_by_motion.values()
+    acts, vectors = points_of_application(plans), {s.name for s in plans.segments}
     return {
         "title": dict(scene.title),
-        "moves": plans.moves,
-        "formula": plans.structure.formula_as(scene.frame_number).replace("->", "→") if plans.moves else "",
-        "lettering": lettering(scene, plans),
+        "moves": plans.has_mechanism,
+        "formula": plans.structure.formula_with_frame_number(scene.frame_number).replace("->", "→")
+        if plans.has_mechanism
+        else "",
+        "lettering": scene_lettering(scene, plans),
         "drive": lesson.drive,
-        "home": knobs.home,
-        "knobs": [k for k in knobs.all if lesson.leaning is not None or "stays" not in k],
-        "drags": knobs.drags(),
-        "plans": [_plan(plans, p, scene.mu_convention) for p in plans.drawn if p != "motion"],
-        "segments": _segments(plans, drawing),
-        "traces": _traces(drawing),
-        "scheme": scheme(plans, drawing),
-        "moments": arms(plans),
-        "bodies": lesson.teller.bodies.drawn,
-        "related": related(plans, {u.other: u.link for u in under}),
+        "home": knobs.values_in_scene,
+        "knobs": [k for k in knobs.offered_numbers if lesson.leaning is not None or "stays" not in k],
+        "drags": knobs.numbers_fixing_marks(),
+        "plans": [_plan_data(plans, p, scene.mu_convention) for p in plans.plan_names if p != "motion"],
+        "segments": _vector_segments(plans, drawing),
+        "traces": _lines_and_arcs_of_marks(drawing),
+        "scheme": scheme_data(plans, drawing),
+        "moments": moment_arms(plans),
+        "bodies": lesson.teller.bodies.forces_by_polygon,
+        "related": owners_by_name(plans, {u.other: u.link for u in under}),
         "acts": {n: m for n, m in acts.items() if n in vectors},
         "under": lesson.under(),
         "equations": lesson.equations,
-        "centres": lines_of(plans),
-        "noted": {k: spoken(f"lesson_centre_{k}", name="{name}") for k in NOTED * bool(plans.centres)},
-        "frames": (shown := [_shown(f, kit) for f in frames]),
-        "leaning": {k: {n: z for n, z in _shown(f, kit).items() if z != shown[k][n]} for k, f in more.items()},
-        "reckoned": templates(row for f in [*frames, *more.values()] for row in f.rows),
-        "results": [{"name": n, "value": n, "unit": in_both(unit(n).told)} for n in results(plans)],
-        "units": {n: in_both(unit(n).told) for n in needed([*frames, *more.values()]) if unit(n).told()},
-        **_live(lesson, progress, practice),
+        "centres": crossing_lines_by_centre(plans),
+        "noted": {
+            k: sentence_in_lesson_languages(f"lesson_centre_{k}", name="{name}")
+            for k in UNSEEN_CENTRE_REMARKS * bool(plans.centres)
+        },
+        "frames": (shown := [_frame_data(f, kit) for f in frames]),
+        "leaning": {k: {n: z for n, z in _frame_data(f, kit).items() if z != shown[k][n]} for k, f in more.items()},
+        "reckoned": row_templates(row for f in [*frames, *more.values()] for row in f.rows),
+        "results": [
+            {"name": n, "value": n, "unit": in_lesson_languages(unit_of_name(n).told)}
+            for n in rates_and_balancing_loads(plans)
+        ],
+        "units": {
+            n: in_lesson_languages(unit_of_name(n).told)
+            for n in values_of_frames([*frames, *more.values()])
+            if unit_of_name(n).told()
+        },
+        **_tape_data(lesson, progress, practice),
         **({} if practice else {"pending": True}),
     }
 
 
 def practice_data(scene: Scene) -> Json:
     """What a lesson lacks without its practice: the mistakes, and the tape with their places."""
-    lesson = Told.of(scene)
-    return {**_live(lesson), "lettering": lettering(scene, lesson.plans), "pending": False}
+    lesson = SceneLesson.of(scene)
+    return {**_tape_data(lesson), "lettering": scene_lettering(scene, lesson.plans), "pending": False}
 
 
-def _shown(frame: Frame, kit: Kit) -> Json:
+def _frame_data(frame: Frame, kit: Kit) -> Json:
     tells = [name for how, name in frame.numbers if how in ("v", "a")]
     own = {k: z for k, z in vars(frame).items() if k not in ("marked", "numbers", "said")}
     own |= {"said": frame.marked, "rows": [row.json() for row in frame.rows]}
-    return {**own, "values": told_values(frame), "tells": tells, "tools": kit.of_frame(frame)}
+    return {**own, "values": revealed_values(frame), "tells": tells, "tools": kit.tools_for_frame(frame)}
 
 
-def _live(lesson: Told, progress: Progress | None = None, practice: bool = True) -> Json:
+def _tape_data(lesson: SceneLesson, progress: Progress | None = None, practice: bool = True) -> Json:
     """The tape, and the places on it of all that a page shows; with the practice."""
     live, plans = Live(lesson, progress, practice), lesson.plans
-    tape, places = live.exported(live.things)
+    tape, places = live.tape_and_places(live.things)
     lettered = {n for n, m in plans.means.items() if m.quantity == "false"}
     places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(live.slips)]
     return {
         **places,
-        "judging": JUDGING,
-        "practice": lesson.practice.items() if practice else [],
-        "lines": lesson.practice.lines(),
-        "mistakes": sentences(live.slips) if practice else {},
-        "id": lesson.practice.id,
+        "judging": JUDGING_TOLERANCES,
+        "practice": lesson.practice.practice_items() if practice else [],
+        "lines": lesson.practice.named_directions(),
+        "mistakes": mistake_sentences(live.slips) if practice else {},
+        "id": lesson.practice.practice_id,
         "tape": tape,
         "holds": [{"at": places["holds"][str(k)], "said": said} for k, said in enumerate(live.fails)],
-        "blunt": {n: _blunt(n) for n in live.sharp},
-        "helpers": [*(n for n in places["marks"] if n in plans.helpers - lettered), *live.feet],
+        "blunt": {n: _blunt_crossing_warning(n) for n in live.sharp},
+        "helpers": [*(n for n in places["marks"] if n in plans.auxiliary_marks - lettered), *live.feet],
     }
 
 
-def _blunt(mark: str) -> dict[Lang, str]:
+def _blunt_crossing_warning(mark: str) -> dict[Lang, str]:
     plan = plan_phrase(plan_of(mark) or "position")
-    return spoken("lesson_zone_blunt", mark=lettered(mark), plan=plan, angle=slot(mark, "d"))
+    return sentence_in_lesson_languages(
+        "lesson_zone_blunt", mark=name_without_plan(mark), plan=plan, angle=value_slot(mark, "d")
+    )
 
 
-def _plan(plans: Plans, plan: str, convention: Convention) -> Json:
+def _plan_data(plans: Plans, plan: str, convention: Convention) -> Json:
     """A plan with its scale, its title and the letters of the scheme's fixed points, which are at its pole."""
     primes = {"velocity": [""], "acceleration": ["'"]}.get(plan, [])
     return {
         "key": plan,
-        "links": [x for x in links_of(plan) if x in plans.mechanism.links or plans.moves] * (kind_of(plan) == "force"),
-        "mu": in_both(partial(mu_said, plan, convention=convention)),
-        "title": in_both(partial(title_of, plan)),
-        "fixed": [p.lower() + prime for prime in primes for p in pivots(plans.mechanism)],
+        "links": [x for x in force_plan_links(plan) if x in plans.mechanism.links or plans.has_mechanism]
+        * (plan_kind(plan) == "force"),
+        "mu": in_lesson_languages(partial(plan_scale_text, plan, convention=convention)),
+        "title": in_lesson_languages(partial(plan_title, plan)),
+        "fixed": [p.lower() + prime for prime in primes for p in frame_hinges(plans.mechanism)],
     }
 
 
-def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
+def _vector_segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     """Each vector of the plans once, by its ends, with all its names and its pen: results are thick; ``sum`` marks a
     force that is not a term."""
     segments: dict[tuple[str, str], Json] = {}
-    every = [(e, t) for e in plans.equations for t in e.terms]
-    named = {t.name: whole(e, t.name) for e, t in every}
+    every = [(e, t) for e in plans.equations for t in e.all_terms]
+    named = {t.name: displayed_term_name(e, t.name) for e, t in every}
     terms = {(e.plan, *sorted((t.start, t.end))) for e, t in every}
     rays = plans.figure.poles if plans.figure else ()
     for s in plans.segments:
         start, end = s.ends
         shown = s.plan not in ("position", "motion") and start not in rays
         if start != end and shown and end in drawing:
-            force, name = kind_of(s.plan) not in MOTION, named.get(s.name, s.name)
-            from_pole = s.start == POLE and end not in drawing.program.corners
+            force, name = plan_kind(s.plan) not in MOTION, named.get(s.name, s.name)
+            from_pole = s.start == POLE_LABEL and end not in drawing.program.component_end_marks
             new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
             if force and (s.plan, *sorted((s.start, s.end))) not in terms:
                 new["sum"] = True
@@ -144,13 +165,13 @@ def _segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     return list(segments.values())
 
 
-def _traces(drawing: Drawing) -> Json:
+def _lines_and_arcs_of_marks(drawing: Drawing) -> Json:
     """For each crossed mark, the marks on its lines, or the centres of its arcs."""
     traces: Json = {}
     for step in drawing.program.steps:
         name = step.makes
         if isinstance(step, Choose):
-            step = drawing.program.makers[step.trials[0].mark]
+            step = drawing.program.steps_by_result[step.trials[0].mark]
         match step:
             case Cross():
                 traces[name] = {"lines": [step.start, step.other]}

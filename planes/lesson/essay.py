@@ -8,14 +8,14 @@ from collections.abc import Container, Mapping
 from pathlib import Path
 
 from planes.lesson.data import lesson_data
-from planes.lesson.formulas import slots, spoken
+from planes.lesson.formulas import sentence_in_lesson_languages, slot_value_names
 from planes.scene import load, loads
 from planes.words.records import Json
 
-TEMPLATES = Path(__file__).parents[1] / "templates"
-KEPT = ("key", "plan", "makes", "uses", "equation", "terms", "moments", "turns")
+TEMPLATE_FOLDER = Path(__file__).parents[1] / "templates"
+FIGURE_FRAME_KEYS = ("key", "plan", "makes", "uses", "equation", "terms", "moments", "turns")
 """The parts of a frame that a figure needs; the paragraph replaces its words."""
-RAFT = """\
+RAFT_SCENE_TEXT = """\
 planes: 1
 vectors: {v_B: {value: 1.4, direction: 12}, v_CB: {value: 1, direction: 80}, v_C: {}}
 equations: ["v_C = v_B + v_CB"]
@@ -23,7 +23,7 @@ mu: 30 mm/(m/s)
 """
 
 
-PAGES = (
+FIGURES_BY_PAGE = (
     (
         "raft",
         "velocity velocity:b mu_velocity",
@@ -93,23 +93,28 @@ PAGES = (
 and mentions a name (key@name); then the numbers with sliders beneath it."""
 
 
-def essay_data(number: int) -> Json:
+def data_of_essay_pages(number: int) -> Json:
     """The data of every page, numbered from one."""
-    name, *shown = PAGES[number - 1]
-    data = dict(lesson_data(loads(RAFT, "raft") if name == "raft" else load(str(TEMPLATES / f"{name}.yaml"))))
+    name, *shown = FIGURES_BY_PAGE[number - 1]
+    data = dict(
+        lesson_data(loads(RAFT_SCENE_TEXT, "raft") if name == "raft" else load(str(TEMPLATE_FOLDER / f"{name}.yaml")))
+    )
     frames, paragraphs = data["frames"], list[Json]()
     for k, (view, frame, *knobs) in enumerate(map(str.split, shown), 1):
-        said = {lang: _known(text, data["values"]) for lang, text in spoken(f"essay_{number}_{k}").items()}
-        paragraphs.append({"view": view, "frame": _place(frame, frames), "knobs": knobs, "said": said})
+        said = {
+            lang: _with_names_of_givens(text, data["values"])
+            for lang, text in sentence_in_lesson_languages(f"essay_{number}_{k}").items()
+        }
+        paragraphs.append({"view": view, "frame": _index_of_frame(frame, frames), "knobs": knobs, "said": said})
     kept: Mapping[str, object] = {"said": {"en": ""}, "why": {"en": ""}}
     for unused in ("practice", "results", "blunt"):
         del data[unused]
-    titles = [spoken(f"essay_{k}") for k in range(1, len(PAGES) + 1)]
-    own = {"frames": [{**{key: f[key] for key in KEPT}, **kept} for f in frames], "paragraphs": paragraphs}
+    titles = [sentence_in_lesson_languages(f"essay_{k}") for k in range(1, len(FIGURES_BY_PAGE) + 1)]
+    own = {"frames": [{**{key: f[key] for key in FIGURE_FRAME_KEYS}, **kept} for f in frames], "paragraphs": paragraphs}
     return {**data, **own, "title": titles[number - 1], "titles": titles, "number": number}
 
 
-def _place(frame: str, frames: list[Json]) -> int:
+def _index_of_frame(frame: str, frames: list[Json]) -> int:
     """The index of a figure's frame in the lesson."""
     key, _, name = frame.rpartition("@")
     if not key:
@@ -117,8 +122,8 @@ def _place(frame: str, frames: list[Json]) -> int:
     return max(k for k, f in enumerate(frames) if f["key"] == key and name in (*f["terms"], f["plan"]))
 
 
-def _known(text: str, values: Container[str]) -> str:
+def _with_names_of_givens(text: str, values: Container[str]) -> str:
     """A text in which vectors with given, not measured, lengths have the names of their givens."""
-    for name in slots(text):
+    for name in slot_value_names(text):
         text = text if name in values else text.replace(name, name.replace("‖", "|"))
     return text

@@ -5,14 +5,14 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
 from itertools import zip_longest
 
-from planes.lesson.formulas import SIGNS, own
+from planes.lesson.formulas import SIGN_SLOT_KINDS, factors_of_slot
 from planes.lesson.rows import Row
 from planes.words import Lang
 from planes.words.frozen import frozen, replace
 
-CENTRES = "centres"
+CENTRES_CHAPTER = "centres"
 """The chapter of instantaneous centres, which is not a plan."""
-ROW = re.compile(r"⟪(\d+)⟫")
+ROW_PATTERN = re.compile(r"⟪(\d+)⟫")
 
 
 @frozen
@@ -41,25 +41,28 @@ class Frame:
     still: Mapping[str, str] | None = None
 
     @cached_property
-    def said(self) -> dict[Lang, str]:
+    def words_with_rows(self) -> dict[Lang, str]:
         """Its words by language, with its lines filled in."""
-        return {lang: ROW.sub(lambda k: self.rows[int(k[1])].text(lang), text) for lang, text in self.marked.items()}  # noqa: B023
+        return {
+            lang: ROW_PATTERN.sub(lambda k, lang=lang: self.rows[int(k[1])].text_in_words(lang), text)  # type: ignore[misc]
+            for lang, text in self.marked.items()
+        }
 
     @property
-    def used(self) -> list[str]:
+    def shown_values(self) -> list[str]:
         """The values whose numbers it shows, not only their sense."""
-        return [name for how, name in self.numbers if how not in SIGNS]
+        return [name for how, name in self.numbers if how not in SIGN_SLOT_KINDS]
 
     @property
-    def values(self) -> list[str]:
+    def needed_values(self) -> list[str]:
         """The values that its numbers depend on."""
-        return [part for how, name in self.numbers if how != "n" for part in own(name)]
+        return [part for how, name in self.numbers if how != "n" for part in factors_of_slot(name)]
 
 
 Make = Callable[..., Frame]  # a frame with its words in every language
 
 
-def in_chapters(frames: list[Frame]) -> list[Frame]:
+def with_chapters(frames: list[Frame]) -> list[Frame]:
     """The frames, each with its plan; a separate chapter includes the frames that find its values."""
     frames_with_chapters, here = list[Frame](), "position"
     for f, after in zip_longest(frames, frames[1:]):
@@ -69,6 +72,6 @@ def in_chapters(frames: list[Frame]) -> list[Frame]:
     return frames_with_chapters
 
 
-def needed(frames: Iterable[Frame]) -> list[str]:
+def values_of_frames(frames: Iterable[Frame]) -> list[str]:
     """Names of all values in the frames, in order."""
-    return list(dict.fromkeys(name for f in frames for name in f.values))
+    return list(dict.fromkeys(name for f in frames for name in f.needed_values))

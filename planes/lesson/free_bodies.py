@@ -9,10 +9,10 @@ from planes.drafting.equations import Term
 from planes.lesson.frame import Frame, Make
 from planes.plans import Plans
 from planes.plans.force.reactions import Reaction
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME_PLAN
 from planes.words import Phrase
 from planes.words.frozen import frozen
-from planes.words.names import at, force_plan, kind_of, label_of, links_of, parts_of
+from planes.words.names import force_plan_links, force_plan_name, full_mark_name, label_of, plan_kind, split_value_name
 from planes.words.records import Json
 
 
@@ -35,25 +35,29 @@ class FreeBodies:
     plans: Plans
     drawing: Drawing
 
-    def opened(self, frames: list[Frame], make: Make) -> list[Frame]:
+    def insert_free_bodies(self, frames: list[Frame], make: Make) -> list[Frame]:
         """The frames with each force polygon preceded by the free bodies of its links, and its pole after its
         equation."""
         opened, waiting = list[Frame](), dict[str, Frame]()
         for f in frames:
-            if f.key == "pole" and kind_of(f.plan) == "force" and self.plans.moves:
+            if f.key == "pole" and plan_kind(f.plan) == "force" and self.plans.has_mechanism:
                 waiting[f.plan] = f
-                opened += self.apart(f.plan, make)
+                opened += self.free_body_frames(f.plan, make)
                 continue
             pole = [waiting.pop(f.plan)] if f.plan in waiting else []
             opened += [f, *pole] if f.key == "equation" else [*pole, f]
         return opened
 
-    def apart(self, plan: str, make: Make) -> Iterator[Frame]:
+    def free_body_frames(self, plan: str, make: Make) -> Iterator[Frame]:
         """The forces on the links and the unknowns; then the reactions that are resolved."""
-        known, sought, balancing = [f["name"] for f in self.known(plan)], self.outer(plan), self.balancing(plan)
+        known, sought, balancing = (
+            [f["name"] for f in self.known_forces(plan)],
+            self.outer(plan),
+            self.balancing_load(plan),
+        )
         unknown = tuple(Phrase(f"lesson_free_{r.pair.kind}", name=name) for name, r in sought.items())
         unknown += (Phrase("lesson_free_size", name=balancing),) if balancing else ()
-        carried = [n for n in known if any(n in r.names for r in self.plans.reactions.values())]
+        carried = [n for n in known if any(n in r.both_reaction_names for r in self.plans.reactions.values())]
         key = "driver" if balancing else "next" if carried else "first"
         why = Phrase(f"why_free_body_{key}", forces=", ".join(f"⟨{n}⟩" for n in carried))
         yield make(
@@ -61,21 +65,21 @@ class FreeBodies:
             plan,
             reason=why,
             terms=tuple(known),
-            links=links_told(links_of(plan)),
+            links=links_phrase(force_plan_links(plan)),
             known=", ".join(f"⟨{n}⟩" for n in known) or "—",
             unknown=unknown,
             count=str(2 * len(sought) + bool(balancing)),
         )
-        for one in self.splits(plan):
+        for one in self.resolved_reactions(plan):
             parts = {"force": one.force, "normal": one.normal.name, "tangential": one.tangential.name, "line": one.line}
             terms = one.normal.name, one.tangential.name
             why = Phrase("why_split", **parts, about=one.about)
             yield make("split", plan, reason=why, terms=terms, **parts)
 
-    def known(self, plan: str) -> Iterator[Json]:
+    def known_forces(self, plan: str) -> Iterator[Json]:
         """The known forces and couples on the links of a polygon, and how each is drawn."""
-        own = self.own(plan)
-        for link in links_of(plan):
+        own = self.reactions_from_polygon(plan)
+        for link in force_plan_links(plan):
             for f in self.plans.acting.forces.get(link, ()):
                 outside = f.quantity in ("weight", "inertia", "load")
                 if f.size in self.drawing and (outside or (f.quantity == "reaction" and f.name not in own)):
@@ -84,48 +88,52 @@ class FreeBodies:
                 if not c.handed and c.value in self.drawing:
                     yield c.shown
 
-    def own(self, plan: str) -> dict[str, Reaction]:
+    def reactions_from_polygon(self, plan: str) -> dict[str, Reaction]:
         """The reactions found from a polygon, by their names on its links: internal ones have both names."""
-        reactions, links = (r for r in self.plans.reactions.values() if r.plan == plan), links_of(plan)
-        return {name: r for r in reactions for name, link in r.names.items() if link in links}
+        reactions, links = (r for r in self.plans.reactions.values() if r.plan == plan), force_plan_links(plan)
+        return {name: r for r in reactions for name, link in r.both_reaction_names.items() if link in links}
 
     def outer(self, plan: str) -> dict[str, Reaction]:
         """Those from other links."""
-        return {name: r for name, r in self.own(plan).items() if not {*r.names.values()} <= {*links_of(plan)}}
+        return {
+            name: r
+            for name, r in self.reactions_from_polygon(plan).items()
+            if not {*r.both_reaction_names.values()} <= {*force_plan_links(plan)}
+        }
 
-    def balancing(self, plan: str) -> str:
+    def balancing_load(self, plan: str) -> str:
         """The balancing load, if the polygon is the driver's."""
-        return self.plans.balancing if plan == force_plan(self.plans.drive.link) else ""
+        return self.plans.balancing if plan == force_plan_name(self.plans.drive.link) else ""
 
-    def splits(self, plan: str) -> Iterator[Split]:
+    def resolved_reactions(self, plan: str) -> Iterator[Split]:
         """The reactions of a polygon with both components in its equation."""
-        terms = {t.name: t for e in self.plans.equations if e.plan == plan for t in e.terms}
+        terms = {t.name: t for e in self.plans.equations if e.plan == plan for t in e.all_terms}
         about = {m.unknown: label_of(m.about) for m in self.plans.moments}
         for name, tangential in terms.items():
-            letter, index, part = parts_of(name)
+            letter, index, part = split_value_name(name)
             force, normal = f"{letter}_{index}", terms.get(f"{letter}_{index}^n")
             if part == "t" and normal and normal.direction and name in about:
-                line = self.plans.means[normal.direction].line
+                line = self.plans.means[normal.direction].line_name
                 yield Split(force, normal, tangential, line, about[name])
 
     @cached_property
-    def drawn(self) -> Json:
+    def forces_by_polygon(self) -> Json:
         """For a page: by polygon the forces on its links, and both components of the resolved reactions."""
         bodies: Json = {}
-        for plan in self.plans.forces:
-            known = [*self.known(plan)]
+        for plan in self.plans.force_plans:
+            known = [*self.known_forces(plan)]
             forces = [{**f, "foot": None} for f in known if "mark" in f]
             couples = [c for c in known if "link" in c]
-            for one in self.splits(plan):
+            for one in self.resolved_reactions(plan):
                 reaction = self.plans.reactions.get(one.force)
                 if reaction:
-                    mark = at(SCHEME, reaction.pair.point)
+                    mark = full_mark_name(SCHEME_PLAN, reaction.pair.point)
                     for t in (one.normal, one.tangential):
                         forces.append({"name": t.name, "mark": mark, "along": t.direction, "size": "", "foot": None})
             bodies[plan] = {"about": "", "forces": forces, "couples": couples}
         return bodies
 
 
-def links_told(links: tuple[str, ...], between: str = "–") -> Phrase:
+def links_phrase(links: tuple[str, ...], between: str = "–") -> Phrase:
     """The links of a force polygon, or of a moment equation."""
     return Phrase("lesson_link" if len(links) == 1 else "lesson_links", links=between.join(links))

@@ -8,125 +8,132 @@ from planes.drafting.steps.crossings import CrossArc, CrossArcs
 from planes.drafting.steps.tracks import CutTrack
 from planes.geometry.listed import ListArithmetic, Listed
 from planes.lesson.dimensions import FreeNumbers
-from planes.lesson.formulas import in_both, spoken, unit
+from planes.lesson.formulas import in_lesson_languages, sentence_in_lesson_languages, unit_of_name
 from planes.words import Written
-from planes.words.names import aimed, label_of, mu_of, parts_of, plan_of
+from planes.words.names import direction_of_given_angle, label_of, mu_name, plan_of, split_value_name
 from planes.words.records import Json
 
-CARRIED = ("velocity", "motion", "lever")
+COMMON_SCALE_PLANS = ("velocity", "motion", "lever")
 """Plans with a common scale: the lever's segments are carried from the velocity plan."""
-STROKES = {"‖": "stroke_working", "|": "stroke_idle"}  # loads of a stroke, by the beginning of their names
-TURNED = 30.0  # degrees: range of an angle about zero
-SHAKEN = 0.07  # relative: trial change of a number, to find terms that are always zero
+STROKE_WORDS_BY_PREFIX = {
+    "‖": "stroke_working",
+    "|": "stroke_idle",
+}  # loads of a stroke, by the beginning of their names
+ZERO_ANGLE_RANGE_DEG = 30.0  # degrees: range of an angle about zero
+TRIAL_CHANGE_SHARE = 0.07  # relative: trial change of a number, to find terms that are always zero
 
 
 class Knobs(FreeNumbers):
     """The free numbers that a reader may change, and the effect of dragging a mark."""
 
     @cached_property
-    def all(self) -> list[Json]:
+    def offered_numbers(self) -> list[Json]:
         """Each with its name, its unit and its value in the scene; ``tied`` are those that change with it in
         proportion; one that ``stays`` is never drawn anew at random: guides, and points of a straight line."""
-        used, knobs = {*self.plans.program.givens, *self.own}, list[Json]()
-        for name, value in self.home.items():
+        used, knobs = {*self.plans.program.given_names, *self.own}, list[Json]()
+        for name, value in self.values_in_scene.items():
             given, _, axis = name.partition(".")
-            plan = next((p for p in self.plans.drawn if mu_of(p) == given), None)
-            name_in_scene = "" if plan else self.told(given, axis)
-            if given in used and (name_in_scene or plan not in (None, *CARRIED[1:])):
-                knob: Json = {"given": name, "at": value, "tied": self.tied(given)}
-                written = Written("°") if aimed(given) else unit(name_in_scene)
-                knob |= {"plan": plan} if plan else {"name": name_in_scene, "unit": in_both(written.told)}
-                if given[0] in STROKES and given not in self.plans.means:
-                    knob["when"] = spoken(STROKES[given[0]])
-                if given in self.turned.values() or (not value and aimed(given)):
+            plan = next((p for p in self.plans.plan_names if mu_name(p) == given), None)
+            name_in_scene = "" if plan else self.number_name_for_reader(given, axis)
+            if given in used and (name_in_scene or plan not in (None, *COMMON_SCALE_PLANS[1:])):
+                knob: Json = {"given": name, "at": value, "tied": self.tied_scales(given)}
+                written = Written("°") if direction_of_given_angle(given) else unit_of_name(name_in_scene)
+                knob |= {"plan": plan} if plan else {"name": name_in_scene, "unit": in_lesson_languages(written.told)}
+                if given[0] in STROKE_WORDS_BY_PREFIX and given not in self.plans.means:
+                    knob["when"] = sentence_in_lesson_languages(STROKE_WORDS_BY_PREFIX[given[0]])
+                if given in self.turned.values() or (not value and direction_of_given_angle(given)):
                     knob["stays"] = True
                 knobs.append(knob)
-        return [{**k, **more} for k in knobs if (more := self.around(k, knobs)) or k["at"]]
+        return [{**k, **more} for k in knobs if (more := self.range_about_zero(k, knobs)) or k["at"]]
 
-    def around(self, knob: Json, knobs: list[Json]) -> dict[str, float]:
+    def range_about_zero(self, knob: Json, knobs: list[Json]) -> dict[str, float]:
         """The range of a number that is zero: the largest of its kind, for an angular acceleration the square of the
         speed; zero where there is none."""
         if knob["at"]:
             return {}
-        if aimed(knob["given"]):
-            return {"reach": TURNED}
-        letter, rates = parts_of(knob["name"])[0], {"epsilon": "omega", "a": "v"}
+        if direction_of_given_angle(knob["given"]):
+            return {"reach": ZERO_ANGLE_RANGE_DEG}
+        letter, rates = split_value_name(knob["name"])[0], {"epsilon": "omega", "a": "v"}
         like = ("x", "y", "l") if letter in ("x", "y") else (rates.get(letter, letter),)
-        size = max((abs(k["at"]) for k in knobs if parts_of(k.get("name", ""))[0] in like), default=0.0)
+        size = max((abs(k["at"]) for k in knobs if split_value_name(k.get("name", ""))[0] in like), default=0.0)
         return {"reach": size ** (2 if letter in rates else 1)} if size else {}
 
-    def tied(self, given: str) -> list[str]:
+    def tied_scales(self, given: str) -> list[str]:
         """The scales that change with a scale: those of the plans that carry segments from each other."""
-        same = [mu_of(p) for p in CARRIED if mu_of(p) in self.given]
+        same = [mu_name(p) for p in COMMON_SCALE_PLANS if mu_name(p) in self.given]
         return [mu for mu in same if mu != given] if given in same else []
 
-    def shaken(self, count: int, leaning: bool = False) -> dict[str, Listed]:
+    def perturbed_givens(self, count: int, leaning: bool = False) -> dict[str, Listed]:
         """Given numbers with many others near them: a list for each, every second one unchanged, since a structure of
         many links may not assemble with others. Guides keep their directions, unless they are ``leaning``."""
-        draw, flat = random.Random(1), {n: Listed([v] * count) for n, v in self.home.items()}
-        for knob in self.all:
-            most = SHAKEN * (leaning or "stays" not in knob)
+        draw, flat = random.Random(1), {n: Listed([v] * count) for n, v in self.values_in_scene.items()}
+        for knob in self.offered_numbers:
+            most = TRIAL_CHANGE_SHARE * (leaning or "stays" not in knob)
             times = Listed(1 + most * draw.uniform(-1, 1) * (k % 2) for k in range(count))
             flat[knob["given"]] = flat[knob["given"]] + (times - 1) * knob.get("reach", 0.0)
             for name in (knob["given"], *knob["tied"]):
                 flat[name] = flat[name] * times
-        given = self.given_by(flat, ListArithmetic())
+        given = self.givens_from_free(flat, ListArithmetic())
         return {n: z for n, z in given.items() if isinstance(z, Listed) and max(abs(z)) > min(abs(z))}
 
-    def told(self, given: str, axis: str) -> str:
+    def number_name_for_reader(self, given: str, axis: str) -> str:
         """The name of a number for the reader, "" where it is not offered."""
-        means = self.plans.means.get(given) or self.plans.means.get(given.lstrip("".join(STROKES)))
-        letter = parts_of(given)[0]
+        means = self.plans.means.get(given) or self.plans.means.get(given.lstrip("".join(STROKE_WORDS_BY_PREFIX)))
+        letter = split_value_name(given)[0]
         if means and means.quantity in ("load", "couple"):
             return means.of
         if means and means.quantity == "place":
-            return self.placed(given, axis)
+            return self.coordinate_name(given, axis)
         plain = letter in ("l", "m", "J", "omega", "epsilon", "v", "a", "g") and "°" not in given
         own = plain or given in self.own
-        return aimed(given) or given * own
+        return direction_of_given_angle(given) or given * own
 
-    def placed(self, given: str, axis: str) -> str:
+    def coordinate_name(self, given: str, axis: str) -> str:
         """The coordinate of a point of the frame, or of a guide of the frame without a point: across it only."""
-        name = parts_of(given)[1]
+        name = split_value_name(given)[1]
         if "°" not in name:
             return f"{axis}_{name}"
         guide = self.plans.mechanism.frame.guides.get(name.strip("°"))
         idle = {0.0: "x", 90.0: "y"}.get(guide.angle_deg % 180) if guide else axis
         return f"{axis}_{name.strip('°')}" if axis != idle else ""
 
-    def drags(self) -> dict[str, list[str]]:
+    def numbers_fixing_marks(self) -> dict[str, list[str]]:
         """For each mark of the scheme the numbers that fix it."""
-        free, drive = self.home, self.plans.drive_given
+        free, drive = self.values_in_scene, self.plans.drive_given_name
         placed_by = {}
         for step in self.plans.program.steps:
-            names = [n for n in self.drawing(step) if free.get(n) or n == drive or (n in free and aimed(n))]
+            names = [
+                n
+                for n in self.numbers_placing_mark(step)
+                if free.get(n) or n == drive or (n in free and direction_of_given_angle(n))
+            ]
             if plan_of(step.makes) == "position" and step.kind == "mark" and names:
                 placed_by[step.makes] = names
         return placed_by
 
-    def drawing(self, step: Step) -> list[str]:
+    def numbers_placing_mark(self, step: Step) -> list[str]:
         """The numbers by which a step places its mark."""
-        drive = self.plans.drive_given
+        drive = self.plans.drive_given_name
         match step:
             case Put() if step.at:
                 return [f"{step.at}.x", f"{step.at}.y"]
             case LayOff():
-                turned = getattr(self.plans.program.makers.get(step.along), "of", "")
+                turned = getattr(self.plans.program.steps_by_result.get(step.along), "of", "")
                 driven = turned == f"x_{self.plans.drive.link}" or step.length == drive
-                return [step.length, *self.fixing(step.makes)[1:], *[drive] * driven]
+                return [step.length, *self.numbers_of_point_on_link(step.makes)[1:], *[drive] * driven]
             case CrossArc():
                 return [step.radius]
             case CrossArcs():
                 return [step.radius, step.other_radius]
             case Similar():
-                return self.fixing(step.makes)
+                return self.numbers_of_point_on_link(step.makes)
             case CutTrack():
                 held = [hold.reach for hold in step.holds if hold.local == step.local and hold.kind == "arc"]
                 basic = [x for x in self.plans.mechanism.links if step.local == f"at_{label_of(step.makes)}_{x}"]
-                return [*held, *self.fixing(step.makes, *basic), drive]
+                return [*held, *self.numbers_of_point_on_link(step.makes, *basic), drive]
         return []
 
-    def fixing(self, mark: str, *links: str) -> list[str]:
+    def numbers_of_point_on_link(self, mark: str, *links: str) -> list[str]:
         """The numbers that fix a point on its link, one of some ``links``."""
-        names_of_links = (self.placing(x, label_of(mark)) for x in links or self.plans.mechanism.links)
+        names_of_links = (self.numbers_fixing_point(x, label_of(mark)) for x in links or self.plans.mechanism.links)
         return next(filter(None, names_of_links), [])

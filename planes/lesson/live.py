@@ -4,29 +4,29 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from planes.batch.plain_tape import PLAIN, PlainRecording, exported
-from planes.batch.symbols import place_of
-from planes.batch.tape import Tape, reckoned
+from planes.batch.plain_tape import FLOAT_OPERATIONS, PlainRecording, export_operations
+from planes.batch.symbols import place_of_number
+from planes.batch.tape import Tape, compute_places
 from planes.batch.tracing import TracingTool
 from planes.check.grading.plan_steps import PlanSteps
-from planes.check.grading.prepared_plan import catalogue, known_plans
+from planes.check.grading.prepared_plan import catalogue_mistakes, known_plans
 from planes.drafting.drawing import Drawing, draw_steps
 from planes.drafting.steps import Step
-from planes.drafting.tools import Env, Thing, names_of
+from planes.drafting.tools import Env, Thing, names_for_step_sentence
 from planes.geometry.arrays import Floats
-from planes.lesson import value_of
-from planes.lesson.formulas import slot, spoken
-from planes.lesson.frame import needed
+from planes.lesson import slot_value
+from planes.lesson.formulas import sentence_in_lesson_languages, value_slot
+from planes.lesson.frame import values_of_frames
 from planes.lesson.practice import Practice, Progress
-from planes.lesson.scheme import arms, feet
-from planes.lesson.told import Told
+from planes.lesson.scheme import arm_foot_marks, moment_arms
+from planes.lesson.told import SceneLesson
 from planes.plans import Plans
 from planes.words import Lang, Phrase
-from planes.words.names import at, mu_of, plan_of
+from planes.words.names import full_mark_name, mu_name, plan_of
 from planes.words.records import Json
 
-APART_MM = 0.3  # a wrong place closer than this to the right one is no mistake
-FEW, NEAR = 4, 1e3
+LEAST_MISTAKE_OFFSET_MM = 0.3  # a wrong place closer than this to the right one is no mistake
+MOST_SUCCESSIVE_PLANS, SETTLED_TOLERANCE_RATIO = 4, 1e3
 """Successive plans of a page, which shows four digits, and the tolerance of the last of them, relative to the root of
 rounding."""
 
@@ -37,8 +37,8 @@ class _KeepingTool(TracingTool):
 
     kept: Mapping[str, Thing] = field(default_factory=dict)
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Thing:
-        made = super().make(step, way, things)
+    def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Thing:
+        made = super().draw_by_other_steps(step, way, things)
         things[step.makes] = self.kept.get(step.makes, things[step.makes])
         return made
 
@@ -50,77 +50,90 @@ class Live:
     conditions.
     """
 
-    def __init__(self, lesson: Told, progress: Progress | None = None, practice: bool = True) -> None:
+    def __init__(self, lesson: SceneLesson, progress: Progress | None = None, practice: bool = True) -> None:
         free, program = lesson.knobs, lesson.plans.program
-        self.tape, self.home = Tape(), free.home
-        self.tool = self.another()
-        drawn = free.on(self.tape, self.tool.ar)
+        self.tape, self.home = Tape(), free.values_in_scene
+        self.tool = self.continuing_tool()
+        drawn = free.givens_on_tape(self.tape, self.tool.ar)
         draw_steps(program.steps, drawn, self.tool)
         self.drawing = Drawing(program, drawn, self.tool)
-        sharp = self.drawing.sharpness.items()
-        self.sharp = {n: z for n, z in sharp if n not in program.trials and plan_of(n) != "motion"}
-        self.feet, numbers = feet(lesson.plans, self.drawing), Env()
-        self.fails = [*self.failures(lesson.plans, numbers)]
-        slips = [*self.mistakes(lesson.practice, progress)] if practice else []
-        off = self.numbers_of({str(k): z - self.drawing[slip["at"]] for k, (slip, z) in enumerate(slips)}, self.home)
-        visible = [slips[int(k)] for k, z in off.items() if abs(z) > APART_MM]
+        sharp = self.drawing.crossing_sharpness.items()
+        self.sharp = {n: z for n, z in sharp if n not in program.trial_marks and plan_of(n) != "motion"}
+        self.feet, numbers = arm_foot_marks(lesson.plans, self.drawing), Env()
+        self.fails = [*self.failure_sentences(lesson.plans, numbers)]
+        slips = [*self.mistakes_on_tape(lesson.practice, progress)] if practice else []
+        off = self.evaluate_on_tape(
+            {str(k): z - self.drawing[slip["at"]] for k, (slip, z) in enumerate(slips)}, self.home
+        )
+        visible = [slips[int(k)] for k, z in off.items() if abs(z) > LEAST_MISTAKE_OFFSET_MM]
         self.slips, wrong = [slip for slip, _ in visible], {str(k): z for k, (_, z) in enumerate(visible)}
-        made = (s.makes for s in program.steps if s.kind == "mark" and s.makes not in program.trials)
+        made = (s.makes for s in program.steps if s.kind == "mark" and s.makes not in program.trial_marks)
         self.things: dict[str, Mapping[str, Thing]] = {
             "marks": {name: drawn[name] for name in made if plan_of(name) != "motion"} | self.feet,
-            "turned": {d: drawn[d] for d in directions(lesson) if d in drawn},
+            "turned": {d: drawn[d] for d in page_directions(lesson) if d in drawn},
             "values": {
-                **{n: value_of(n, lesson.teller, self.drawing) for n in values(lesson)},
+                **{n: slot_value(n, lesson.teller, self.drawing) for n in page_values(lesson)},
                 **numbers,
-                **lesson.practice.senses(self.drawing),
+                **lesson.practice.tangential_moments(self.drawing),
             },
             "sharp": self.sharp,
             "holds": {str(k): ok for k, (_, _, ok, _) in enumerate(self.tool.failures)},
             "slips": wrong,
         }
 
-    def another(self, kept: Mapping[str, Thing] = MappingProxyType({})) -> _KeepingTool:
+    def continuing_tool(self, kept: Mapping[str, Thing] = MappingProxyType({})) -> _KeepingTool:
         """Another tool that continues the tape; marks that are ``kept`` stay, whatever they depend on."""
-        return _KeepingTool(PlainRecording(), True, tape=self.tape, plans=FEW, settled=NEAR, kept=kept)
+        return _KeepingTool(
+            PlainRecording(),
+            True,
+            tape=self.tape,
+            plans=MOST_SUCCESSIVE_PLANS,
+            settled=SETTLED_TOLERANCE_RATIO,
+            kept=kept,
+        )
 
-    def mistakes(self, practice: Practice, progress: Progress | None) -> Iterator[tuple[Json, Thing]]:
+    def mistakes_on_tape(self, practice: Practice, progress: Progress | None) -> Iterator[tuple[Json, Thing]]:
         """Every mistake at every mark asked for, and the place on the tape where it puts the mark."""
         plans, drawn = practice.plans, self.drawing
-        asked = {item["what"] for item in practice.items() if item["kind"] == "mark"}
+        asked = {item["what"] for item in practice.practice_items() if item["kind"] == "mark"}
         for k, plan in enumerate(names := known_plans(plans)):
             if progress:
                 progress(k + 1, len(names))
-            own = {s.makes for s in plans.program.marks[plan]}
-            tool = self.another({m: drawn[m] for m in own})
-            ways = PlanSteps(plans, plans.program.sliced([*own]), plan)
-            for variant in catalogue(ways, {}, complex(practice.given[mu_of(plan)]).real):
-                mark = at(plan, variant.blames)
-                made = variant.drawn(ways.program, drawn.things, tool, own) if mark in asked else {}
+            own = {s.makes for s in plans.program.mark_steps_by_plan[plan]}
+            tool = self.continuing_tool({m: drawn[m] for m in own})
+            ways = PlanSteps(plans, plans.program.cut_to_names([*own]), plan)
+            for variant in catalogue_mistakes(ways, {}, complex(practice.given[mu_name(plan)]).real):
+                mark = full_mark_name(plan, variant.blames)
+                made = variant.draw_affected_steps(ways.program, drawn.things, tool, own) if mark in asked else {}
                 if mark in made:
-                    yield practice.slip(variant, mark), made[mark]
+                    yield practice.mistake_at_mark(variant, mark), made[mark]
 
-    def numbers_of(self, things: Mapping[str, Thing], given: Mapping[str, Floats]) -> dict[str, complex]:
+    def evaluate_on_tape(self, things: Mapping[str, Thing], given: Mapping[str, Floats]) -> dict[str, complex]:
         """Marks and values of the tape with those numbers."""
-        places = {n: self._places(z) for n, z in things.items()}
-        numbers = reckoned(
-            self.tape, self.tape.needed([p for own in places.values() for p in own]), given, float, PLAIN
+        places = {n: self._tape_coordinates(z) for n, z in things.items()}
+        numbers = compute_places(
+            self.tape,
+            self.tape.places_needed([p for own in places.values() for p in own]),
+            given,
+            float,
+            FLOAT_OPERATIONS,
         )
         return {n: complex(*(float(numbers[p]) for p in own)) for n, own in places.items()}
 
-    def failures(self, plans: Plans, named: Env) -> Iterator[dict[Lang, str]]:
+    def failure_sentences(self, plans: Plans, named: Env) -> Iterator[dict[Lang, str]]:
         """The sentences for the failure of each condition, in drawing order; their numbers get names."""
         turns = plans.drive.rotates
         for k, (reason, step, _, numbers) in enumerate(self.tool.failures):
-            details = {**getattr(step, "ends", {}), **{n: slot(f"!{n}_{k}") for n in numbers}}
+            details = {**getattr(step, "ends", {}), **{n: value_slot(f"!{n}_{k}") for n in numbers}}
             named |= {f"!{n}_{k}": x if n == "value" else abs(x) for n, x in numbers.items()}
-            why = Phrase(reason, **names_of(step), **details)
-            where = slot(plans.drive_given, "k") + "°" * turns
-            yield spoken("at", name="φ" if turns else "s", value=where, why=why, nearest="")
+            why = Phrase(reason, **names_for_step_sentence(step), **details)
+            where = value_slot(plans.drive_given_name, "k") + "°" * turns
+            yield sentence_in_lesson_languages("at", name="φ" if turns else "s", value=where, why=why, nearest="")
 
-    def exported(self, things: Mapping[str, Mapping[str, Thing]]) -> tuple[Json, Json]:
+    def tape_and_places(self, things: Mapping[str, Mapping[str, Thing]]) -> tuple[Json, Json]:
         """The tape, and the places on it of all results by group and name: one for a number, two for a mark."""
-        old = {group: {n: self._places(z) for n, z in them.items()} for group, them in things.items()}
-        exported_tape, new = exported(
+        old = {group: {n: self._tape_coordinates(z) for n, z in them.items()} for group, them in things.items()}
+        exported_tape, new = export_operations(
             self.tape, [p for them in old.values() for places in them.values() for p in places]
         )
         del exported_tape["sources"]
@@ -130,37 +143,41 @@ class Live:
         }
         return exported_tape, flat
 
-    def _places(self, thing: Thing) -> list[int]:
+    def _tape_coordinates(self, thing: Thing) -> list[int]:
         """The two coordinates of a mark or a direction."""
         parts = [thing.real, thing.imag] if hasattr(thing, "conjugate") and not isinstance(thing, float) else [thing]
-        return [place_of(self.tape, x) for x in parts]
+        return [place_of_number(self.tape, x) for x in parts]
 
 
-def loaded(lesson: Told) -> list[Json]:
+def moments_and_free_bodies(lesson: SceneLesson) -> list[Json]:
     """The moment equations and the free bodies of a lesson, with the forces and couples on each."""
-    return [*arms(lesson.plans), *lesson.teller.bodies.drawn.values()]
+    return [*moment_arms(lesson.plans), *lesson.teller.bodies.forces_by_polygon.values()]
 
 
-def directions(lesson: Told) -> list[str]:
+def page_directions(lesson: SceneLesson) -> list[str]:
     """The directions that a page draws: of guides and their lines, and of forces."""
     plans = lesson.plans
     ways = [f"∥{g}" for g in plans.mechanism.owners]
     ways += [f.along for f in plans.acting.every if plans.figure and f.spot]
     ways += [line.along for c in plans.centres for line in c.lines]
-    ways += [f["along"] for one in loaded(lesson) for f in one["forces"]]
-    return [*dict.fromkeys([*ways, *lesson.practice.lines()])]
+    ways += [f["along"] for one in moments_and_free_bodies(lesson) for f in one["forces"]]
+    return [*dict.fromkeys([*ways, *lesson.practice.named_directions()])]
 
 
-def values(lesson: Told) -> list[str]:
+def page_values(lesson: SceneLesson) -> list[str]:
     """The values that a page shows or draws with."""
     plans = lesson.plans
-    sizes = [f["size"] for one in loaded(lesson) for kind in ("forces", "couples") for f in one[kind]]
-    known = [size for size in sizes if size in plans.program.made or size in plans.given]
-    shown = needed([*lesson.frames, *(lesson.leaning or {}).values()])
-    return [*dict.fromkeys([*shown, *results(plans), *known, *map(mu_of, plans.drawn), plans.drive_given])]
+    sizes = [f["size"] for one in moments_and_free_bodies(lesson) for kind in ("forces", "couples") for f in one[kind]]
+    known = [size for size in sizes if size in plans.program.result_names or size in plans.given]
+    shown = values_of_frames([*lesson.frames, *(lesson.leaning or {}).values()])
+    return [
+        *dict.fromkeys(
+            [*shown, *rates_and_balancing_loads(plans), *known, *map(mu_name, plans.plan_names), plans.drive_given_name]
+        )
+    ]
 
 
-def results(plans: Plans) -> list[str]:
+def rates_and_balancing_loads(plans: Plans) -> list[str]:
     """Angular velocities and accelerations, and balancing loads, shown beneath the plans at every position."""
     rates = [*(link.omega for link in plans.links.values()), *(link.epsilon for link in plans.links.values())]
-    return [n for n in dict.fromkeys([*rates, plans.balancing, plans.zhukovsky]) if n in plans.program.made]
+    return [n for n in dict.fromkeys([*rates, plans.balancing, plans.zhukovsky]) if n in plans.program.result_names]

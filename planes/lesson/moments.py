@@ -7,26 +7,31 @@ from typing import Any
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Moments
 from planes.drafting.steps.reckoning import Calculate, Product
-from planes.geometry.listed import Listed, each, greater
-from planes.lesson.formulas import by_sense, slot
-from planes.lesson.free_bodies import links_told
+from planes.geometry.listed import Listed, greater_or_nan, map_elementwise
+from planes.lesson.formulas import signed_moment_terms, value_slot
+from planes.lesson.free_bodies import links_phrase
 from planes.lesson.rows import Row
 from planes.lesson.steps import Names
 from planes.words import Phrase
-from planes.words.names import lettered, parts_of
+from planes.words.names import name_without_plan, split_value_name
 
-NOISE = 1e-9  # of the largest term: below this it is zero
-ARMS = ("h", "H")  # always written without a sign; other magnitudes are in bars where a value has a sign
+ZERO_TERM_SHARE = 1e-9  # of the largest term: below this it is zero
+UNSIGNED_ARM_LETTERS = (
+    "h",
+    "H",
+)  # always written without a sign; other magnitudes are in bars where a value has a sign
 
 
 def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, tuple[str, ...]]:
     """The key of the sentence, its contents, and the forces in it."""
-    dropped = nothing(step, cycle)
+    dropped = vanishing_terms(step, cycle)
     terms = tuple(name for i, (name, _) in enumerate(m.terms) if i not in dropped)
-    without = [f"⟨{name}⟩" for name, arm in m.terms if m.links != ("lever",) and passes(arm, cycle)]
+    without = [
+        f"⟨{name}⟩" for name, arm in m.terms if m.links != ("lever",) and passes_through_moment_point(arm, cycle)
+    ]
     through = Phrase("lesson_through", forces=", ".join(without)) if without else ""
-    links = Phrase("lesson_lever_of") if m.links == ("lever",) else links_told(m.links, ", ")
-    names = {"about": lettered(m.about), "links": links, "through": through}
+    links = Phrase("lesson_lever_of") if m.links == ("lever",) else links_phrase(m.links, ", ")
+    names = {"about": name_without_plan(m.about), "links": links, "through": through}
     if len(dropped) == len(step.terms):
         force = step.means.of if step.means else m.unknown
         return "moments_none" if step.means else "moments_zero", {**names, "force": force}, (force,)
@@ -35,35 +40,39 @@ def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Name
     forces = {term.factors[0][0]: force for (force, _), term in zip(m.terms, step.terms, strict=False)}
 
     def size(name: str) -> str:
-        bar = "∣" if parts_of(name)[0] not in ARMS and any(x < 0 for x in many(cycle[name])) else ""
+        bar = (
+            "∣"
+            if split_value_name(name)[0] not in UNSIGNED_ARM_LETTERS and any(x < 0 for x in as_positions(cycle[name]))
+            else ""
+        )
         return f"{bar}⟨{forces.get(name, name)}⟩{bar}"
 
     reaction = m.unknown if over and over == m.arm else ""  # along the force; a couple counter-clockwise
-    letters, numbers = by_sense(step, size, over, m.arm, dropped, reaction)
+    letters, numbers = signed_moment_terms(step, size, over, m.arm, dropped, reaction)
     head = f"⟨{m.unknown}⟩ · ⟨{over}⟩" if over else ""
-    found_here = over if over in cycle.program.made else ""  # an arm that exists in every position
-    row = Row(m.unknown, letters, numbers, slot(m.unknown, "a" if reaction else "v"), "moments", head, found_here)
+    found_here = over if over in cycle.program.result_names else ""  # an arm that exists in every position
+    row = Row(m.unknown, letters, numbers, value_slot(m.unknown, "a" if reaction else "v"), "moments", head, found_here)
     return "moments", {**names, "rows": (row,)}, (*terms, m.unknown) if m.arm else terms
 
 
-def nothing(step: Calculate, cycle: Drawing) -> frozenset[int]:
+def vanishing_terms(step: Calculate, cycle: Drawing) -> frozenset[int]:
     """The terms that vanish beside the largest, in every position."""
-    sizes = [_size(term, cycle) for term in step.terms]
-    most = NOISE * reduce(partial(each, greater), sizes, 0.0)
-    return frozenset(i for i, size in enumerate(sizes) if many((size <= most) | (most != most)).all())
+    sizes = [_term_magnitude(term, cycle) for term in step.terms]
+    most = ZERO_TERM_SHARE * reduce(partial(map_elementwise, greater_or_nan), sizes, 0.0)
+    return frozenset(i for i, size in enumerate(sizes) if as_positions((size <= most) | (most != most)).all())
 
 
-def passes(arm: str, cycle: Drawing) -> bool:
+def passes_through_moment_point(arm: str, cycle: Drawing) -> bool:
     """Whether a force passes through the moment point in every position: its arm is zero there."""
-    known = [x for x in many(abs(cycle[arm])) if math.isfinite(x)] if arm else []
-    return bool(known) and max(known) <= NOISE
+    known = [x for x in as_positions(abs(cycle[arm])) if math.isfinite(x)] if arm else []
+    return bool(known) and max(known) <= ZERO_TERM_SHARE
 
 
-def many(thing: Any) -> Listed:
+def as_positions(thing: Any) -> Listed:
     """A value for many positions, from one of either shape."""
     return thing if isinstance(thing, Listed) else Listed([thing])
 
 
-def _size(term: Product, cycle: Drawing) -> Any:
+def _term_magnitude(term: Product, cycle: Drawing) -> Any:
     """The magnitude of a term, before its division."""
     return abs(math.prod((cycle[name] ** power for name, power in term.factors if power > 0), start=term.coefficient))

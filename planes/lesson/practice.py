@@ -16,20 +16,20 @@ from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
 from planes.drafting.tools import Env, Thing
 from planes.geometry.arrays import Floats
-from planes.lesson.choices import CHOICES, Choices
-from planes.lesson.formulas import in_both, spoken
-from planes.lesson.frame import CENTRES, Frame
-from planes.lesson.reckoning import plain
-from planes.lesson.scheme import arms
-from planes.words import Phrase, table
+from planes.lesson.choices import CHOICE_KINDS, Choices
+from planes.lesson.formulas import in_lesson_languages, sentence_in_lesson_languages
+from planes.lesson.frame import CENTRES_CHAPTER, Frame
+from planes.lesson.reckoning import displayed_name
+from planes.lesson.scheme import moment_arms
+from planes.words import Phrase, sentence_table
 from planes.words.frozen import frozen
-from planes.words.names import letter_of, mu_of
+from planes.words.names import letter_of, mu_name
 from planes.words.records import Json
 
 Progress = Callable[[int, int], None]
-SHORT_MM = 2.0  # shorter vectors are not asked for
-NOTHING = 1e-7  # a smaller value is zero
-PARTS = [
+LEAST_VECTOR_MM = 2.0  # shorter vectors are not asked for
+LEAST_NONZERO_VALUE = 1e-7  # a smaller value is zero
+SENTENCE_PLACEHOLDERS = [
     "mark",
     "line",
     "other",
@@ -44,11 +44,13 @@ PARTS = [
     "vector",
     "which",
 ]
-NUMBERS = {m: f"mistake_{m}" for m in ("mm_for_value", "mu_inverted", "omega_without_mu_l", "sense_wrong")}
-SENSE, MOMENTS = "↺", ("M", "MI")
-LENGTHS = {m: f"lesson_{m}" for m in ("value_for_mm", "value_over_mu")}
+VALUE_MISTAKE_SENTENCES = {
+    m: f"mistake_{m}" for m in ("mm_for_value", "mu_inverted", "omega_without_mu_l", "sense_wrong")
+}
+SENSE_PREFIX, MOMENT_LETTERS = "↺", ("M", "MI")
+LENGTH_MISTAKE_SENTENCES = {m: f"lesson_{m}" for m in ("value_for_mm", "value_over_mu")}
 """Errors of calculation: in values, in lengths laid off."""
-JUDGING: Json = {
+JUDGING_TOLERANCES: Json = {
     "fits_mm": 1.0,
     "fits_share": 0.01,
     "least_mm": 0.5,
@@ -61,7 +63,7 @@ JUDGING: Json = {
 """How answers are judged, in a page and where a code is read again: the tolerance of a mark, of its plan's size, but at
 least that of a hand; of a number; of a ruler reading, which also sets the smallest plan. Then the range of fresh
 numbers, and the attempts to draw them."""
-CONSTRUCTED = Cross | CrossArc | CrossArcs | Choose | Similar | Image
+CONSTRUCTED_STEP_TYPES = Cross | CrossArc | CrossArcs | Choose | Similar | Image
 
 
 @frozen
@@ -72,47 +74,54 @@ class Practice(Choices):
     values: Mapping[str, float]
     spans: Mapping[str, tuple[str, str, str]]
 
-    def items(self) -> list[Json]:
+    def practice_items(self) -> list[Json]:
         """The questions, in the order of the lesson: choices (:class:`Choices`), the known data of an equation's
         vectors (``known``), a sense (``sense``), numbers (``number``), marks (``mark``)."""
         asked, items = set[object](), list[Json]()
         for k, f in enumerate(self.frames):
-            for kind, name in self.of_frame(f):
-                question = kind, plain(str(name))
+            for kind, name in self.questions_of_frame(f):
+                question = kind, displayed_name(str(name))
                 if question in asked:
                     continue
                 asked.add(question)
-                more = self.offered(kind, name, k) if kind in CHOICES else self.number(str(name), kind)
+                more = (
+                    self.options_of_choice(kind, name, k)
+                    if kind in CHOICE_KINDS
+                    else self.number_question(str(name), kind)
+                )
                 if more is not None:
                     items.append({"frame": k, "kind": kind, "what": name, **more})
         return items
 
-    def number(self, name: str, kind: str) -> Json:
+    def number_question(self, name: str, kind: str) -> Json:
         """The scale at which the number of a question is measured, and whether its sign is asked too."""
-        own: Json = {"mu": self.read_at(name)} if kind == "number" else {}
-        return own | {"signed": True} if own and letter_of(name) in MOMENTS else own
+        own: Json = {"mu": self.scale_of_measured_number(name)} if kind == "number" else {}
+        return own | {"signed": True} if own and letter_of(name) in MOMENT_LETTERS else own
 
-    def of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
+    def questions_of_frame(self, f: Frame) -> Iterator[tuple[str, str | int]]:
         """The kinds and names of the questions that a frame allows."""
-        if f.chapter == CENTRES:
+        if f.chapter == CENTRES_CHAPTER:
             return
         if f.key == "free_body":
             yield "order", f.plan
             yield "reason", f.plan
         if f.equation is not None and f.plan == "velocity":
             yield "first", f.equation
-        if f.equation is not None and f.plan != "position" and goal(self.equations[f.equation]):
+        if f.equation is not None and f.plan != "position" and known_data_digits(self.equations[f.equation]):
             yield "known", f.equation
-        mark = f.makes[0] if f.makes and f.key != "fixed" and self.drawn(f.makes[0]) else ""
-        if f.turns and abs(self.values.get(f.turns["rate"], 0.0)) > NOTHING:
+        mark = f.makes[0] if f.makes and f.key != "fixed" and self.can_be_drawn(f.makes[0]) else ""
+        if f.turns and abs(self.values.get(f.turns["rate"], 0.0)) > LEAST_NONZERO_VALUE:
             yield "sense", f.turns["rate"]
         for how, name in f.numbers:
             given = {name, f"{name}_given"} & {*self.plans.given}
-            if how in ("v", "a") and not given and abs(self.values.get(name, 0.0)) > NOTHING:
+            if how in ("v", "a") and not given and abs(self.values.get(name, 0.0)) > LEAST_NONZERO_VALUE:
                 yield "number", name
-        if f.moments is not None and (sense := f"{SENSE}{self.plans.moments[f.moments].unknown}") in self.turning:
+        if (
+            f.moments is not None
+            and (sense := f"{SENSE_PREFIX}{self.plans.moments[f.moments].unknown}") in self.turning
+        ):
             yield "sense", sense
-        if mark and f.plan in known_plans(self.plans) and mu_of(f.plan) in self.given:
+        if mark and f.plan in known_plans(self.plans) and mu_name(f.plan) in self.given:
             yield "mu", f.plan
         if mark:
             yield "mark", mark
@@ -120,78 +129,83 @@ class Practice(Choices):
     @cached_property
     def turning(self) -> dict[str, Floats]:
         """The sense in which each tangential reaction turns its link about the moment point, if it does."""
-        return {n: z for n, z in self.senses(self.drawing).items() if abs(z) > NOTHING}
+        return {n: z for n, z in self.tangential_moments(self.drawing).items() if abs(z) > LEAST_NONZERO_VALUE}
 
-    def senses(self, drawn: Drawing) -> Env:
+    def tangential_moments(self, drawn: Drawing) -> Env:
         """The moments of tangential reactions on paper, in a drawing: plus is counter-clockwise."""
         senses = {}
-        for moment, equation in zip(self.plans.moments, arms(self.plans), strict=True):
+        for moment, equation in zip(self.plans.moments, moment_arms(self.plans), strict=True):
             for f in equation["forces"]:
                 if f["name"] == moment.unknown and f["foot"] is None and f["mark"] in drawn:
                     lever = drawn[f["mark"]] - drawn[equation["about"]]
-                    senses[f"{SENSE}{f['name']}"] = (lever.conjugate() * drawn[f["along"]]).imag * drawn[f["size"]]
+                    senses[f"{SENSE_PREFIX}{f['name']}"] = (lever.conjugate() * drawn[f["along"]]).imag * drawn[
+                        f["size"]
+                    ]
         return senses
 
-    def drawn(self, mark: str) -> bool:
+    def can_be_drawn(self, mark: str) -> bool:
         """Whether a reader can draw a mark."""
-        step = self.plans.program.makers[mark]
+        step = self.plans.program.steps_by_result[mark]
         if isinstance(step, LayOff):
-            return bool(abs(self.drawing[mark] - self.drawing[step.start]) >= SHORT_MM)
-        return isinstance(step, CONSTRUCTED)
+            return bool(abs(self.drawing[mark] - self.drawing[step.start]) >= LEAST_VECTOR_MM)
+        return isinstance(step, CONSTRUCTED_STEP_TYPES)
 
-    def read_at(self, name: str) -> str:
+    def scale_of_measured_number(self, name: str) -> str:
         """The scale of the plan that a number is measured on, "" for a computed one."""
-        step = self.plans.program.makers.get(name)
+        step = self.plans.program.steps_by_result.get(name)
         return self.spans[name][2] if name in self.spans else getattr(step, "mu", None) or ""
 
     @property
-    def id(self) -> str:
+    def practice_id(self) -> str:
         """Eight letters that distinguish this practice from those of other scenes."""
         free = sorted({*self.plans.given} - {*self.plans.reckoned})
-        content = [(item["kind"], item["what"]) for item in self.items()], free
+        content = [(item["kind"], item["what"]) for item in self.practice_items()], free
         return sha256(repr(content).encode()).hexdigest()[:8]
 
-    def lines(self) -> dict[str, str]:
+    def named_directions(self) -> dict[str, str]:
         """Directions of the drawing for a set square, each with the line that names it."""
         lines_of_directions: dict[str, str] = {}
         for step in self.plans.program.steps:
             for name in (getattr(step, "along", ""), getattr(step, "across", "")):
-                own = self.base(name or "")
+                own = self.base_direction(name or "")
                 means = self.plans.means.get(own)
-                line = means and own in self.drawing and (means.line or means.action)
+                line = means and own in self.drawing and (means.line_name or means.written_action)
                 if line and own not in lines_of_directions and line not in lines_of_directions.values():
                     lines_of_directions[own] = line
         return lines_of_directions
 
-    def base(self, direction: str) -> str:
+    def base_direction(self, direction: str) -> str:
         """The direction to which a perpendicular was drawn, or the direction itself."""
-        step = self.plans.program.makers.get(direction)
+        step = self.plans.program.steps_by_result.get(direction)
         return step.of if isinstance(step, Turn) and step.quarter and not step.angle else direction
 
-    def slip(self, variant: Variant, mark: str) -> Json:
+    def mistake_at_mark(self, variant: Variant, mark: str) -> Json:
         """A mistake at a mark, with the names in the order of its sentence."""
-        along = getattr(self.plans.program.makers[mark], "along", "")
-        line = self.plans.means[along].line if along else ""
+        along = getattr(self.plans.program.steps_by_result[mark], "along", "")
+        line = self.plans.means[along].line_name if along else ""
         names = {"mark": variant.blames, "line": line, **variant.about}
-        parts = (names.get(part, "") for part in parts_of_sentence(f"mistake_{variant.mistake}"))
-        names_said = [in_both(p.told) if isinstance(p, Phrase) else str(p).lstrip("°") for p in parts]
+        parts = (names.get(part, "") for part in sentence_placeholders(f"mistake_{variant.mistake}"))
+        names_said = [in_lesson_languages(p.told) if isinstance(p, Phrase) else str(p).lstrip("°") for p in parts]
         return {"m": variant.mistake, "at": mark, "names": names_said}
 
 
-def sentences(slips: Sequence[Json]) -> Json:
+def mistake_sentences(slips: Sequence[Json]) -> Json:
     """The sentences of the possible mistakes, with placeholders for names, and the contents of these in order."""
-    keys = {slip["m"]: f"mistake_{slip['m']}" for slip in slips} | NUMBERS | LENGTHS
-    places = {part: f"{{{part}}}" for part in PARTS}
-    return {m: {"said": spoken(key, **places), "parts": parts_of_sentence(key)} for m, key in keys.items()}
+    keys = {slip["m"]: f"mistake_{slip['m']}" for slip in slips} | VALUE_MISTAKE_SENTENCES | LENGTH_MISTAKE_SENTENCES
+    places = {part: f"{{{part}}}" for part in SENTENCE_PLACEHOLDERS}
+    return {
+        m: {"said": sentence_in_lesson_languages(key, **places), "parts": sentence_placeholders(key)}
+        for m, key in keys.items()
+    }
 
 
-def parts_of_sentence(key: str) -> list[str]:
+def sentence_placeholders(key: str) -> list[str]:
     """The placeholders of a sentence."""
-    used = set(re.findall(r"{(\w+)", table("en")[key]))
-    return [part for part in PARTS if part in used]
+    used = set(re.findall(r"{(\w+)", sentence_table("en")[key]))
+    return [part for part in SENTENCE_PLACEHOLDERS if part in used]
 
 
-def goal(equation: Json) -> str:
+def known_data_digits(equation: Json) -> str:
     """The known data of each vector of an equation, a digit each, in the order of the terms; that of the sum if all
     else is known."""
     total = equation["total"]
@@ -201,8 +215,8 @@ def goal(equation: Json) -> str:
     return "".join(str(t["known"]) for t in terms if t["action"] != "=0")
 
 
-def told_values(frame: Frame) -> list[str]:
+def revealed_values(frame: Frame) -> list[str]:
     """The values that a question about a number reveals: those of its sentence except its own, unless that is the only
     one."""
-    values = sorted({*frame.values})
+    values = sorted({*frame.needed_values})
     return values if len(values) == 1 else [n for n in values if n not in frame.terms[:1]]

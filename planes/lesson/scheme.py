@@ -11,32 +11,36 @@ from planes.geometry.arrays import Points
 from planes.plans import Plans
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import Mechanism
-from planes.words.names import at, label_of, parts_of, plan_of
+from planes.words.names import full_mark_name, label_of, plan_of, split_value_name
 from planes.words.records import Json
 
 
-def scheme(plans: Plans, drawing: Drawing) -> Json:
+def scheme_data(plans: Plans, drawing: Drawing) -> Json:
     """Links by their points, guides by a mark and a direction, and the signs on them."""
     m = plans.mechanism
     links = []
     for x in m.links.values():
-        guide, owner = m.round_guide(x) or (None, "")
+        guide, owner = m.round_guide_of_link(x) or (None, "")
         links.append(
             {
                 "name": x.name,
-                "points": [at("position", p) for p in m.joined(x)],
-                "round": {"centre": at("position", guide.centre), "link": owner} if guide else None,
+                "points": [full_mark_name("position", p) for p in m.points_without_guide_centre(x)],
+                "round": {"centre": full_mark_name("position", guide.centre), "link": owner} if guide else None,
                 "slides": x.slides.guide if x.slides else None,
             }
         )
-    marks = {name: at("position", x.guides[name].through_point or f"°{name}") for name, x in m.owners.items()}
+    marks = {
+        name: full_mark_name("position", x.guides[name].through_point or f"°{name}") for name, x in m.owners.items()
+    }
     return {
         "links": links,
-        "guides": [{"name": n, "link": m.owner(n), "mark": mark} for n, mark in marks.items() if mark in drawing],
+        "guides": [
+            {"name": n, "link": m.owner_of_guide(n), "mark": mark} for n, mark in marks.items() if mark in drawing
+        ],
         "signs": [*_supports(plans), *_sliders(m), *_hinges(plans)],
-        "pivots": [at("position", p) for p in pivots(m)],
+        "pivots": [full_mark_name("position", p) for p in frame_hinges(m)],
         "driver": m.drive.link,
-        "drawn": drawn_beside(plans.figure, plans) if plans.figure else None,
+        "drawn": statics_figure_data(plans.figure, plans) if plans.figure else None,
     }
 
 
@@ -48,8 +52,8 @@ def _supports(plans: Plans) -> Iterator[Json]:
         others = [p for p in body.points if p != s.point] if body and s.kind == "clamp" else []
         towards = min(others, key=lambda p: abs(spots[p] - spots[s.point]), default=None)
         if s.kind in ("roller", "clamp"):
-            sign = {"sign": s.kind, "mark": at("position", s.point), "turn": s.normal_deg - 90}
-            yield {**sign, "towards": at("position", towards)} if towards else sign
+            sign = {"sign": s.kind, "mark": full_mark_name("position", s.point), "turn": s.normal_deg - 90}
+            yield {**sign, "towards": full_mark_name("position", towards)} if towards else sign
 
 
 def _sliders(m: Mechanism) -> list[Json]:
@@ -59,8 +63,15 @@ def _sliders(m: Mechanism) -> list[Json]:
         if x.slides:
             point, guide = x.first_point, x.slides.guide
             other = next((y for y in m.links.values() if y.slides and y != x and y.first_point == point), None)
-            size = "block" if other is None else "large" if m.rank(x) > m.rank(other) else "small"
-            signs.append({"sign": size, "mark": at("position", point), "along": f"∥{guide}", "name": f"link:{x.name}"})
+            size = "block" if other is None else "large" if m.slider_rank(x) > m.slider_rank(other) else "small"
+            signs.append(
+                {
+                    "sign": size,
+                    "mark": full_mark_name("position", point),
+                    "along": f"∥{guide}",
+                    "name": f"link:{x.name}",
+                }
+            )
     return sorted(signs, key=lambda sign: ("large", "block", "small").index(sign["sign"]))
 
 
@@ -69,16 +80,16 @@ def _hinges(plans: Plans) -> Iterator[Json]:
     m = plans.mechanism
     moving = [p for x in m.links.values() for p in x.points]
     rollers = [s.point for s in plans.figure.supports if s.kind == "roller"] if plans.figure else []
-    centres = [guides[0].centre for x in m.links.values() if (guides := m.round_guide(x))]
-    yield from ({"sign": "ground", "mark": at("position", p)} for p in pivots(m))
-    joined = dict.fromkeys(p for x in m.links.values() for p in m.joined(x))
+    centres = [guides[0].centre for x in m.links.values() if (guides := m.round_guide_of_link(x))]
+    yield from ({"sign": "ground", "mark": full_mark_name("position", p)} for p in frame_hinges(m))
+    joined = dict.fromkeys(p for x in m.links.values() for p in m.points_without_guide_centre(x))
     for p in dict.fromkeys([*joined, *centres, *special_points(plans)]):
         hinged = p in rollers or (p in joined and (moving.count(p) > 1 or p in m.frame.points))
-        mark = at("position", p)
+        mark = full_mark_name("position", p)
         yield {"sign": "hinge" if hinged else "point", "mark": mark, "name": mark}
 
 
-def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
+def statics_figure_data(figure: StaticsFigure, plans: Plans) -> Json:
     """The parts of statics beside links: lines, loads at their points, rollers and walls, and the plan with the letters
     of regions, with the members as its lines."""
     return {
@@ -89,46 +100,46 @@ def drawn_beside(figure: StaticsFigure, plans: Plans) -> Json:
     }
 
 
-def pivots(m: Mechanism) -> list[str]:
+def frame_hinges(m: Mechanism) -> list[str]:
     """The fixed points that are hinges of a moving link, without mere centres of a slider's arc."""
-    hinged = {p for x in m.links.values() for p in m.joined(x)}
+    hinged = {p for x in m.links.values() for p in m.points_without_guide_centre(x)}
     return [p for p in m.frame.points if p in hinged]
 
 
-def arms(plans: Plans) -> list[Json]:
+def moment_arms(plans: Plans) -> list[Json]:
     """For each moment equation its forces: the point, the direction and the foot of the arm of each."""
     return [
         {
-            "about": at(plan, m.about),
+            "about": full_mark_name(plan, m.about),
             "plan": plan,
             "links": list(m.links),
-            "forces": [*_forces(plans, m)],
-            "couples": [*_couples(plans, m)],
+            "forces": [*_forces_with_arms(plans, m)],
+            "couples": [*_couples_on_links(plans, m)],
         }
         for m in plans.moments
         for plan in ["lever" if m.links == ("lever",) else "position"]
     ]
 
 
-def _forces(plans: Plans, m: Moments) -> Iterator[Json]:
+def _forces_with_arms(plans: Plans, m: Moments) -> Iterator[Json]:
     """The forces of an equation with their arms; then the tangential reaction found from it."""
-    steps = plans.program.makers
+    steps = plans.program.steps_by_result
     equation = steps.get(m.unknown)
     terms = equation.terms if isinstance(equation, Calculate) else ()
     for (name, arm), term in zip(m.terms, terms, strict=False):
         drop = steps.get(arm)
         if isinstance(drop, Drop):
             own = {"name": name, "mark": drop.point, "along": drop.along, "size": term.factors[0][0]}
-            yield {**own, "arm": arm, "foot": foot_of(drop)}
+            yield {**own, "arm": arm, "foot": arm_foot_mark(drop)}
     laid = next((s for s in steps.values() if isinstance(s, LayOff) and s.length == m.unknown), None)
-    letter, index, _ = parts_of(m.unknown)
+    letter, index, _ = split_value_name(m.unknown)
     reaction = plans.reactions.get(f"{letter}_{index}")
     if laid and reaction:
-        mark = at("position", reaction.pair.point)
+        mark = full_mark_name("position", reaction.pair.point)
         yield {"name": m.unknown, "mark": mark, "along": laid.along, "size": m.unknown, "foot": None}
 
 
-def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
+def _couples_on_links(plans: Plans, m: Moments) -> Iterator[Json]:
     """The couples of an equation of links, each at the middle of its link."""
     for link in m.links:
         for c in plans.acting.couples.get(link, ()):
@@ -136,38 +147,38 @@ def _couples(plans: Plans, m: Moments) -> Iterator[Json]:
                 yield c.shown
 
 
-def foot_of(drop: Drop) -> str:
+def arm_foot_mark(drop: Drop) -> str:
     """The mark of an arm's foot."""
-    return at(plan_of(drop.point), f"⊥{drop.makes}")
+    return full_mark_name(plan_of(drop.point), f"⊥{drop.makes}")
 
 
-def feet(plans: Plans, cycle: Drawing) -> dict[str, Points]:
+def arm_foot_marks(plans: Plans, cycle: Drawing) -> dict[str, Points]:
     """The feet of the arms as marks."""
     foot_places = {}
     for step in plans.program.steps:
         if isinstance(step, Drop) and step.makes in cycle and plan_of(step.point) != "motion":
             way = ((cycle[step.about] - cycle[step.point]) * cycle[step.along].conjugate()).real
-            foot_places[foot_of(step)] = cycle[step.point] + way * cycle[step.along]
+            foot_places[arm_foot_mark(step)] = cycle[step.point] + way * cycle[step.along]
     return foot_places
 
 
-def acting(plans: Plans) -> dict[str, str]:
+def points_of_application(plans: Plans) -> dict[str, str]:
     """The mark of the scheme at which each force acts; for a slider's reaction its point, whatever its arm."""
     marks = {f.name: f.point for f in plans.acting.every}
     for r in plans.reactions.values():
-        point = at("position", r.pair.point or plans.mechanism.links[r.pair.link].first_point)
-        marks |= {f"{name}{part}": point for name in r.names for part in ("", "^t", "^n")}
+        point = full_mark_name("position", r.pair.point or plans.mechanism.links[r.pair.link].first_point)
+        marks |= {f"{name}{part}": point for name in r.both_reaction_names for part in ("", "^t", "^n")}
     return marks
 
 
-def related(plans: Plans, under: Mapping[str, str]) -> dict[str, list[str]]:
+def owners_by_name(plans: Plans, under: Mapping[str, str]) -> dict[str, list[str]]:
     """Links and points of the scheme by the names of their vectors and values; ``under`` are the links of points under
     sliders."""
-    names = {s.name for s in plans.segments} | {t.name for e in plans.equations for t in e.terms}
-    names |= {*plans.links, *plans.program.made}
-    acted_on = {name: link for r in plans.reactions.values() for name, link in r.names.items()}
+    names = {s.name for s in plans.segments} | {t.name for e in plans.equations for t in e.all_terms}
+    names |= {*plans.links, *plans.program.result_names}
+    acted_on = {name: link for r in plans.reactions.values() for name, link in r.both_reaction_names.items()}
     own = {**under, **special_points(plans)}
-    return {name: [owner] for name in sorted(names) if (owner := _owner(plans, name, acted_on, own))}
+    return {name: [owner] for name in sorted(names) if (owner := _owner_of_name(plans, name, acted_on, own))}
 
 
 def special_points(plans: Plans) -> dict[str, str]:
@@ -175,22 +186,22 @@ def special_points(plans: Plans) -> dict[str, str]:
     return {label_of(n): m.of for n, m in plans.means.items() if m.quantity == "special"}
 
 
-def _owner(plans: Plans, name: str, acted_on: Mapping[str, str], under: Mapping[str, str]) -> str:
+def _owner_of_name(plans: Plans, name: str, acted_on: Mapping[str, str], under: Mapping[str, str]) -> str:
     """The owner of a vector or value, a point or a link; "" where there is none."""
     links = plans.mechanism.links
-    letter, index, _ = parts_of(name)
+    letter, index, _ = split_value_name(name)
     if letter in ("v", "a", "r") and any(index in link.points for link in links.values()):
-        return at("position", index)
+        return full_mark_name("position", index)
     if letter in ("v", "a"):
-        return f"link:{under[index]}" if index in under else _pair(plans, index, under)
+        return f"link:{under[index]}" if index in under else _link_of_pair(plans, index, under)
     if letter == "F":
         link = acted_on.get(f"F_{index}", "")
     else:
-        link = parts_of(index)[0] if letter in ("omega", "epsilon", "G", "I", "MI", "P", "M") else ""
+        link = split_value_name(index)[0] if letter in ("omega", "epsilon", "G", "I", "MI", "P", "M") else ""
     return f"link:{link}" if link in links else ""
 
 
-def _pair(plans: Plans, symbol: str, more: Mapping[str, str]) -> str:
+def _link_of_pair(plans: Plans, symbol: str, more: Mapping[str, str]) -> str:
     """The link that carries both points of "CB", or the slider of a relative motion "HL"."""
     links = plans.mechanism.links.values()
     points = ((x, [*x.points, *(p for p, link in more.items() if link == x.name)]) for x in links)

@@ -8,36 +8,37 @@ from planes.lesson.scheme import special_points
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.frozen import replace
-from planes.words.names import POLE, lettered, plan_of
+from planes.words.names import POLE_LABEL, name_without_plan, plan_of
 
-STILL_MM = 1e-4
+MOST_STILL_OFFSET_MM = 1e-4
 """Tolerance of a mark at its pole: a page's drive is known to a millionth of a degree."""
 
 
-def standing(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
+def with_zero_vector_sentences(frames: Iterable[Frame], plans: Plans) -> list[Frame]:
     """The frames; those that end the vector of a point get the sentence for a zero vector."""
     named = {
-        mark: p for p, m in plans.points.items() if p not in plans.standing for mark in (m.velocity, m.acceleration)
+        mark: p for p, m in plans.points.items() if p not in plans.fixed_points for mark in (m.velocity, m.acceleration)
     }
     special = special_points(plans)
     for s in plans.segments:
-        if s.start == POLE and s.name[:2] in ("v_", "a_") and s.name[2:] in special:
+        if s.start == POLE_LABEL and s.name[:2] in ("v_", "a_") and s.name[2:] in special:
             named[s.ends[1]] = s.name[2:]
     return [
-        replace(f, still=told(f.makes[0], named, special)) if f.makes and f.makes[0] in named else f for f in frames
+        replace(f, still=zero_vector_sentence(f.makes[0], named, special)) if f.makes and f.makes[0] in named else f
+        for f in frames
     ]
 
 
-def told(mark: str, named: dict[str, str], special: dict[str, str]) -> dict[str, str]:
+def zero_vector_sentence(mark: str, named: dict[str, str], special: dict[str, str]) -> dict[str, str]:
     """The sentence, and its names."""
     plan, point = plan_of(mark), named[mark]
     key = "special" if point in special and plan == "velocity" else plan
-    names = {"said": key, "point": point, "mark": lettered(mark), "vector": f"{plan[0]}_{point}"}
+    names = {"said": key, "point": point, "mark": name_without_plan(mark), "vector": f"{plan[0]}_{point}"}
     return {**names, "link": special[point]} if key == "special" else names
 
 
-def still_said(frame: Frame, drawing: Drawing, lang: Lang) -> str:
+def point_at_rest_sentence(frame: Frame, drawing: Drawing, lang: Lang) -> str:
     """The sentence, where the point is at rest."""
-    if not frame.still or not abs(complex(drawing[frame.makes[0]])) < STILL_MM:
+    if not frame.still or not abs(complex(drawing[frame.makes[0]])) < MOST_STILL_OFFSET_MM:
         return ""
     return say(f"lesson_still_{frame.still['said']}", lang, **frame.still)

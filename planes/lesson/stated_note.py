@@ -3,13 +3,13 @@
 from collections.abc import Iterator, Sequence
 
 from planes.lesson.note import Note
-from planes.plans.statements.of_scene import found_of
+from planes.plans.statements.of_scene import names_to_find
 from planes.scene import Scene
 from planes.solving import Position
 from planes.solving.document import Block, Heading, Paragraph
-from planes.solving.text_tables import NOISE, largest
+from planes.solving.text_tables import ZERO_RESULT_RATIO, largest_equilibrium_result
 from planes.words import Lang
-from planes.words.units import number
+from planes.words.units import number_text
 
 
 class StatedNote(Note):
@@ -19,33 +19,43 @@ class StatedNote(Note):
     given_table = "note_stated_table"
     alone = "note_link_forces"
 
-    def blocks(self) -> list[Block]:
-        return [*self.opening(), *self.plans(), *self.vectors()]
+    def document_blocks(self) -> list[Block]:
+        return [*self.opening_blocks(), *self.plan_blocks(), *self.vectors_table()]
 
-    def answers(self) -> Iterator[Block]:
-        return self.vectors()
+    def answer_blocks(self) -> Iterator[Block]:
+        return self.vectors_table()
 
-    def sought(self) -> Sequence[str]:
+    def wanted_results(self) -> Sequence[str]:
         """The requested results, or all vectors without given data, and the values."""
         plans, given = self.position.plans, self.given_vectors()
-        return found_of(self.scene) or [*(n for n in plans.vectors if n not in given), *plans.values]
+        return names_to_find(self.scene) or [*(n for n in plans.vectors if n not in given), *plans.values]
 
     def given_vectors(self) -> set[str]:
         """The vectors with given length and direction."""
-        return {t.name for e in self.position.plans.equations for t in e.terms if t.known == 2 and not t.drawn}
+        return {
+            t.name
+            for e in self.position.plans.equations
+            for t in e.all_terms
+            if t.known_part_count == 2 and not t.drawn
+        }
 
-    def vectors(self) -> Iterator[Block]:
+    def vectors_table(self) -> Iterator[Block]:
         """The results of a scene of vectors."""
         yield Heading(self.say("note_results"))
         vectors, values = (self.position.of(group).values() for group in ("vectors", "values"))
         head = tuple(map(self.say, ("note_vector", "value", "note_angle", "note_unit")))
-        rows = [(f"⟨{f.quantity.name}⟩", *self.vector(f), self.say(f.unit)) for f in vectors]
-        yield from self.table("note_vectors_table", head, rows)
-        noise, head = NOISE * largest(self.position), tuple(map(self.say, ("quantity", "value", "note_unit")))
+        rows = [(f"⟨{f.quantity.name}⟩", *self.vector_cells(f), self.say(f.unit)) for f in vectors]
+        yield from self.numbered_table("note_vectors_table", head, rows)
+        noise, head = (
+            ZERO_RESULT_RATIO * largest_equilibrium_result(self.position),
+            tuple(map(self.say, ("quantity", "value", "note_unit"))),
+        )
         rounded = ((f, f.number if abs(f.number) > noise else 0.0) for f in values)
-        computed = [(f"⟨{f.quantity.name}⟩", number(x, self.lang), f.unit and self.say(f.unit)) for f, x in rounded]
-        yield from self.table("note_values_table", head, computed)
-        yield from self.warned()
+        computed = [
+            (f"⟨{f.quantity.name}⟩", number_text(x, self.lang), f.unit and self.say(f.unit)) for f, x in rounded
+        ]
+        yield from self.numbered_table("note_values_table", head, computed)
+        yield from self.result_warnings()
 
 
 class StaticsNote(StatedNote):
@@ -57,21 +67,25 @@ class StaticsNote(StatedNote):
         """The loads."""
         return {f.name for f in self.position.plans.acting.every}
 
-    def blocks(self) -> list[Block]:
+    def document_blocks(self) -> list[Block]:
         figure = self.position.plans.figure
         assert figure
-        blocks = [*self.opening(), *(Paragraph(x.told(self.lang)) for x in figure.counted), *self.plans()]
-        blocks += [self.figure("beam", self.say("beam_diagrams"))] if figure.moments else []
-        return [*blocks, *self.vectors()]
+        blocks = [*self.opening_blocks(), *(Paragraph(x.told(self.lang)) for x in figure.counted), *self.plan_blocks()]
+        blocks += [self.numbered_figure("beam", self.say("beam_diagrams"))] if figure.moments else []
+        return [*blocks, *self.vectors_table()]
 
-    def heading(self, plan: str) -> str:
-        return self.say("space_diagram") if plan == "position" else super().heading(plan)
+    def plan_heading(self, plan: str) -> str:
+        return self.say("space_diagram") if plan == "position" else super().plan_heading(plan)
 
-    def caption(self, plan: str, group: str = "") -> str:
-        return self.say("note_space", mu=self.mu(plan)) if plan == "position" else super().caption(plan, group)
+    def plan_caption(self, plan: str, group: str = "") -> str:
+        return (
+            self.say("note_space", mu=self.scale_text(plan))
+            if plan == "position"
+            else super().plan_caption(plan, group)
+        )
 
 
-def note_of(scene: Scene, position: Position, lang: Lang) -> Note:
+def position_note(scene: Scene, position: Position, lang: Lang) -> Note:
     """The note of a position, for any kind of scene."""
     plain = StaticsNote if position.plans.figure else StatedNote
-    return (Note if position.plans.moves else plain)(scene, position, lang)
+    return (Note if position.plans.has_mechanism else plain)(scene, position, lang)

@@ -4,18 +4,18 @@ plan."""
 from collections.abc import Collection, Iterator
 
 from planes.drafting.steps.reckoning import Measure
-from planes.lesson.reckoning import quotients
+from planes.lesson.reckoning import quotients_by_name
 from planes.plans.quantities import Measured
-from planes.plans.transfers import PLAN, driver_vector
+from planes.plans.transfers import TRANSFER_PLAN, vector_of_driver_rate
 from planes.solving import Position
 from planes.words import say
 from planes.words.frozen import frozen
-from planes.words.lettering import greek
+from planes.words.lettering import parameter_lettering
 from planes.words.names import label_of
 from planes.words.naming import Naming
-from planes.words.read_off import measured
+from planes.words.read_off import read_off_text
 
-NOISE = 1e-9  # relative to the driver's: a smaller vector is rounding noise
+ZERO_VECTOR_SHARE = 1e-9  # relative to the driver's: a smaller vector is rounding noise
 
 
 @frozen
@@ -29,38 +29,43 @@ class TransferFunctions:
     position: Position
     naming: Naming
 
-    def rows(self) -> Iterator[list[str]]:
+    def transfer_rows(self) -> Iterator[list[str]]:
         """Name, relation of segments, value and unit of each."""
         plans, transfers = self.position.plans, self.position.of("transfers")
-        drive = driver_vector(plans)
+        drive = vector_of_driver_rate(plans)
         if drive is None:
             return
-        segment, times = self.ends(drive.start, drive.end), f"·{greek(drive.length)}" if drive.length else ""
+        segment, times = (
+            self.segment_letters(drive.start, drive.end),
+            f"·{parameter_lettering(drive.length)}" if drive.length else "",
+        )
         for alike, ends, arm in self.turning(transfers.values()):
-            yield self.row(alike, f"{ends}{times}/({segment}·{greek(arm)})")
-        noise = NOISE * (abs(self.position.drawing[drive.length]) if drive.length else 1.0)
-        still = {marks.velocity for p, marks in plans.points.items() if p in plans.standing}
+            yield self.transfer_row(alike, f"{ends}{times}/({segment}·{parameter_lettering(arm)})")
+        noise = ZERO_VECTOR_SHARE * (abs(self.position.drawing[drive.length]) if drive.length else 1.0)
+        still = {marks.velocity for p, marks in plans.points.items() if p in plans.fixed_points}
         for one in transfers.values():
             column = one.quantity.columns[0]
             if column.part and column.end not in still:
-                yield self.row([one], f"{self.ends(*column.needs[:2])}{times}/{segment}", noise)
+                yield self.transfer_row(
+                    [one], f"{self.segment_letters(*column.needed_names[:2])}{times}/{segment}", noise
+                )
 
-    def row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:
+    def transfer_row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:
         """A row of the table, for equal quantities; one below ``noise`` is zero."""
-        name = " = ".join(self.naming.curve(f.quantity.name) for f in alike)
+        name = " = ".join(self.naming.lettered_curve(f.quantity.name) for f in alike)
         unit, value = alike[0].unit, alike[0].number
-        shown = measured(value if abs(value) > noise else 0.0, self.naming.lang)
+        shown = read_off_text(value if abs(value) > noise else 0.0, self.naming.lang)
         return [name, relation, shown, "" if unit == "1" else say(unit, self.naming.lang)]
 
     def turning(self, transfers: Collection[Measured]) -> Iterator[tuple[list[Measured], str, str]]:
         """Ratios of links whose angular velocity is measured on the plan, equal ones together, with the segment and the
         length for each."""
         program = self.position.drawing.program
-        for rate, (vector, length) in quotients(program).items():
+        for rate, (vector, length) in quotients_by_name(program).items():
             alike = [f for f in transfers if f.quantity.columns[0].value == rate]
-            if alike and isinstance(step := program.makers.get(vector), Measure):
-                yield alike, self.ends(step.start, step.end), length
+            if alike and isinstance(step := program.steps_by_result.get(vector), Measure):
+                yield alike, self.segment_letters(step.start, step.end), length
 
-    def ends(self, start: str, end: str) -> str:
+    def segment_letters(self, start: str, end: str) -> str:
         """The letters of a segment of the plan."""
-        return "".join(self.naming.mark(label_of(x), PLAN) for x in (start, end))
+        return "".join(self.naming.mark(label_of(x), TRANSFER_PLAN) for x in (start, end))

@@ -5,10 +5,10 @@ from collections.abc import Iterator
 from planes.drafting.drawing import Drawing
 from planes.drafting.equations import Equation, Term
 from planes.plans import Plans
-from planes.plans.force.loads import force_name
+from planes.plans.force.loads import name_of_force
 from planes.plans.force.reactions import Reaction
 from planes.words.frozen import frozen
-from planes.words.names import POLE, end_of, force_plan, links_of, mu_of
+from planes.words.names import POLE_LABEL, force_plan_links, force_plan_name, mu_name, vector_end_label
 
 
 @frozen
@@ -25,7 +25,7 @@ class LinkApart:
     @property
     def plan(self) -> str:
         """The plan of this link, at the scale of its group's plan."""
-        return force_plan(self.link)
+        return force_plan_name(self.link)
 
     @property
     def polygon(self) -> bool:
@@ -33,7 +33,7 @@ class LinkApart:
         return len(self.known) > 1
 
     @property
-    def drawn(self) -> tuple[str, ...]:
+    def closed_vector_names(self) -> tuple[str, ...]:
         """The names of its vectors on the group's plan, where they already form a closed polygon there."""
         own = {n: r.key for n, (r, _) in self.reactions.items() if r.plan == self.group}
         return tuple(own.get(n, n) for n in (self.force, *self.known))
@@ -41,23 +41,23 @@ class LinkApart:
     @property
     def equation(self) -> Equation:
         """The sum of its vectors is zero."""
-        ends = [POLE, *map(end_of, self.known), POLE]
-        last = Term(self.force, ends[-2], POLE)
+        ends = [POLE_LABEL, *map(vector_end_label, self.known), POLE_LABEL]
+        last = Term(self.force, ends[-2], POLE_LABEL)
         given = (Term(n, a, b, n, n) for n, a, b in zip(self.known, ends, ends[1:], strict=False))
         return Equation(self.plan, ((*given, last), ()))
 
-    def marks(self, plans: Plans, drawing: Drawing) -> dict[str, complex] | None:
+    def vector_end_marks(self, plans: Plans, drawing: Drawing) -> dict[str, complex] | None:
         """The end marks of its vectors, mm from the pole; None where one is not drawn."""
-        marks, place = {POLE: 0j}, 0j
+        marks, place = {POLE_LABEL: 0j}, 0j
         for name in self.known:
-            vector = self._vector(name, plans, drawing)
+            vector = self._vector_end_mark(name, plans, drawing)
             if vector is None:
                 return None
             place += vector
-            marks[end_of(name)] = place
-        return marks if self._vector(self.force, plans, drawing) is not None else None
+            marks[vector_end_label(name)] = place
+        return marks if self._vector_end_mark(self.force, plans, drawing) is not None else None
 
-    def _vector(self, name: str, plans: Plans, drawing: Drawing) -> complex | None:
+    def _vector_end_mark(self, name: str, plans: Plans, drawing: Drawing) -> complex | None:
         if name in self.reactions:
             r, back = self.reactions[name]
             if r.start not in drawing or r.end not in drawing:
@@ -65,26 +65,28 @@ class LinkApart:
             return complex((drawing[r.end] - drawing[r.start]) * (-1 if back else 1))
         load = next(f for f in plans.acting.forces[self.link] if f.name == name)
         drawn = load.size in drawing and load.along in drawing
-        return complex(drawing[load.size] * drawing[load.along] * drawing[mu_of(self.group)]) if drawn else None
+        return complex(drawing[load.size] * drawing[load.along] * drawing[mu_name(self.group)]) if drawn else None
 
 
-def links_apart(plans: Plans, plan: str) -> Iterator[LinkApart]:
+def links_with_own_polygon(plans: Plans, plan: str) -> Iterator[LinkApart]:
     """A link for every reaction inside the group of a force plan: preferably one without another such reaction, and of
     two such links the one with fewer forces."""
-    drives = plans.structure.drives
-    links, own = links_of(plan), {k: r for k, r in plans.reactions.items() if r.plan == plan}
+    drives = plans.structure.drive_pairs
+    links, own = force_plan_links(plan), {k: r for k, r in plans.reactions.items() if r.plan == plan}
     inner = {k: r for k, r in own.items() if {r.pair.link, r.pair.other} <= set(links)}
 
     def apart(r: Reaction, link: str) -> LinkApart:
-        here = [x for x in own.values() if x is not r and x.pair.joins(link)]
-        reactions = {force_name(link, x.pair.mate(link)): (x, x.pair.link != link) for x in (*here, r)}
+        here = [x for x in own.values() if x is not r and x.pair.has_link(link)]
+        reactions = {name_of_force(link, x.pair.other_link_of_pair(link)): (x, x.pair.link != link) for x in (*here, r)}
         *known, force = reactions
         loads = (f.name for f in plans.acting.forces[link] if f.quantity != "tangential" and f.name not in reactions)
         return LinkApart(link, plan, force, (*known, *loads), reactions)
 
     shown = {}  # a link that closes two reactions is shown once
     for r in inner.values():
-        candidates = [apart(r, x) for x in reversed(links) if r.pair.joins(x) and not any(p.joins(x) for p in drives)]
-        one = min(candidates, key=lambda one: (sum(x.pair.joins(one.link) for x in inner.values()), len(one.known)))
+        candidates = [
+            apart(r, x) for x in reversed(links) if r.pair.has_link(x) and not any(p.has_link(x) for p in drives)
+        ]
+        one = min(candidates, key=lambda one: (sum(x.pair.has_link(one.link) for x in inner.values()), len(one.known)))
         shown[one.link] = one
     yield from shown.values()

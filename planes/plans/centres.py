@@ -41,7 +41,7 @@ class Check:
     slides: str = ""
 
 
-def centre_name(one: str, two: str, frame: str) -> str:
+def instant_centre_name(one: str, two: str, frame: str) -> str:
     """P_13; P_16 for a link and the ``frame`` with the number 6."""
     said = (two, frame) if one == FRAME else (one, two)
     return f"P_{('' if max(map(len, said)) == 1 else ',').join(said)}"

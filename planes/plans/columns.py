@@ -5,7 +5,7 @@ from typing import NamedTuple
 from planes.drafting.tools import Things
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real, Truth
-from planes.words.names import mu_of, plan_of
+from planes.words.names import mu_name, plan_of
 
 
 class DriverVector(NamedTuple):
@@ -16,9 +16,9 @@ class DriverVector(NamedTuple):
     along: str
     length: str
 
-    def rate(self, things: Things) -> Real:
+    def driver_speed(self, things: Things) -> Real:
         """The driver's speed as drawn: rad/s, or m/s where it slides."""
-        drawn, mu = things[self.end] - things[self.start], things[mu_of(plan_of(self.start))]
+        drawn, mu = things[self.end] - things[self.start], things[mu_name(plan_of(self.start))]
         speed = plane.dot(things[self.along], drawn) / mu
         return speed / things[self.length] if self.length else speed
 
@@ -38,37 +38,41 @@ class Column(NamedTuple):
     per: DriverVector | None = None
 
     @property
-    def kind(self) -> str:
+    def comparison_class(self) -> str:
         """The class of numbers it is compared with: those of its unit; an arm only with others like it."""
         return "arm" if self.beside else self.unit
 
     @property
-    def needs(self) -> tuple[str, ...]:
+    def needed_names(self) -> tuple[str, ...]:
         """The names of the program it needs."""
         return tuple(n for n in (self.value, self.start, self.end, *self.beside, *(self.per or ())) if n)
 
-    def take(self, things: Things, ar: Arithmetic) -> Real:
+    def read_from_drawing(self, things: Things, ar: Arithmetic) -> Real:
         """The column's number (or numbers) from the drawing."""
         if self.per is None:
-            return self.own(things, ar)
-        rate = self.per.rate(things)
+            return self.undivided_number(things, ar)
+        rate = self.per.driver_speed(things)
         rate = ar.where(rate == 0, float("nan"), rate)  # for a speed that underflows
-        return self.own(things, ar) / (abs(rate) if self.part else rate)
+        return self.undivided_number(things, ar) / (abs(rate) if self.part else rate)
 
-    def own(self, things: Things, ar: Arithmetic) -> Real:
+    def undivided_number(self, things: Things, ar: Arithmetic) -> Real:
         """The number itself, not divided by the driver's speed."""
         if self.part:
             segment = things[self.end] - things[self.start]
             size = {"x": lambda: segment.real, "y": lambda: segment.imag, "size": lambda: abs(segment)}[self.part]()
-            return size / things[mu_of(plan_of(self.start))]
+            return size / things[mu_name(plan_of(self.start))]
         if not self.value:
             return 0.0
-        return ar.where(self.empty(things, ar), float("nan"), things[self.value]) if self.beside else things[self.value]
+        return (
+            ar.where(self.has_no_normal_force(things, ar), float("nan"), things[self.value])
+            if self.beside
+            else things[self.value]
+        )
 
-    def empty(self, things: Things, ar: Arithmetic) -> Truth:
+    def has_no_normal_force(self, things: Things, ar: Arithmetic) -> Truth:
         """Where the normal force vanishes beside the largest drawn mark of its plan."""
         normal, *marks = (n for n in self.beside if n in things)
         largest: Real = 0.0
         for mark in marks:
             largest = ar.maximum(largest, abs(things[mark]))
-        return abs(things[normal]) <= 1e-12 * largest / things[mu_of(plan_of(marks[0]))]
+        return abs(things[normal]) <= 1e-12 * largest / things[mu_name(plan_of(marks[0]))]

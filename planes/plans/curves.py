@@ -17,23 +17,23 @@ from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.columns import Column
-from planes.plans.force.loads import force_name
-from planes.plans.quantities import MOTION, Quantity, catalogue, results_of
-from planes.plans.transfers import analogue_units, ratio_name, turning
+from planes.plans.force.loads import name_of_force
+from planes.plans.quantities import MOTION_GROUPS, Quantity, quantities_by_name, results_wanted
+from planes.plans.transfers import analogue_units, transfer_ratio_name, turning_links
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
-from planes.words.names import as_indexed
-from planes.words.units import RATE_UNITS
+from planes.words.names import with_analogue_in_index
+from planes.words.units import UNIT_OF_RATE_LETTER
 
 Sample = Mapping[str, Array]
 """Columns of many positions by name: "v_C_x", and "q:v_C_x" of the unit drive."""
 Reading = Callable[[Sample], Real]
 
 Group = Literal["place", "analogue", "rate", "force"]
-UNIT = "q:"
+UNIT_DRIVE_PREFIX = "q:"
 T = TypeVar("T", bound="Curve | CycleVector")
-FULL = 360.0
-ROUNDING = 1e-15  # of the numbers a curve is computed from, where they are several: four last places
+FULL_TURN_DEG = 360.0
+CURVE_ROUNDING_RATIO = 1e-15  # of the numbers a curve is computed from, where they are several: four last places
 
 
 @frozen
@@ -48,15 +48,15 @@ class Curve:
     slope: Reading | None = None
     angular: bool = False
 
-    def off(self, sample: Sample, margins: Sample) -> Real:
+    def error_bounds_of_curve(self, sample: Sample, margins: Sample) -> Real:
         """± at every position, by the ``margins`` of the columns it reads. None of them moves it by more than it moves
         itself; an angle moves a place along a guide by as much as it turns the lengths read."""
-        names = needs_of([self], False)
+        names = columns_needed([self], False)
         if len(names) == 1:
             return margins[names[0]]
         lengths = sum(np.abs(sample[n]) for n in names)
         turned = (np.radians(margins[n]) * lengths if n[0] == "p" else margins[n] for n in names)
-        return sum(turned) + ROUNDING * lengths
+        return sum(turned) + CURVE_ROUNDING_RATIO * lengths
 
 
 @frozen
@@ -72,7 +72,7 @@ class CycleVector:
         return s[f"{self.base}_x"] + 1j * s[f"{self.base}_y"]
 
 
-def needs_of(things: Iterable[Curve | CycleVector], slopes: bool = True) -> list[str]:
+def columns_needed(things: Iterable[Curve | CycleVector], slopes: bool = True) -> list[str]:
     """The columns for curves, with their ``slopes`` or without, and for vectors."""
     asked = AskedFor()
     for one in things:
@@ -82,95 +82,120 @@ def needs_of(things: Iterable[Curve | CycleVector], slopes: bool = True) -> list
     return list(asked)
 
 
-def curves_of(plans: Plans) -> dict[str, Curve]:
+def curves_by_name(plans: Plans) -> dict[str, Curve]:
     """Every curve of a mechanism by its name, in listing order; a reaction's second name is included too, as is the
     lettered name of an analogue."""
-    curves = {c.name: c for c in (*_places(plans), *_motions(plans, "q"), *_motions(plans), *_forces(plans))}
+    curves = {
+        c.name: c
+        for c in (*_position_curves(plans), *_rate_curves(plans, "q"), *_rate_curves(plans), *_force_curves(plans))
+    }
     for r in plans.reactions.values():
-        curves.setdefault(force_name(r.pair.other, r.pair.link), curves[r.key])
-    for link in turning(plans):
-        curves.setdefault(f"omegaq_{link}", curves[ratio_name(plans, link)])
-    return {as_indexed(name): curve for name, curve in curves.items()} | curves
+        curves.setdefault(name_of_force(r.pair.other, r.pair.link), curves[r.key])
+    for link in turning_links(plans):
+        curves.setdefault(f"omegaq_{link}", curves[transfer_ratio_name(plans, link)])
+    return {with_analogue_in_index(name): curve for name, curve in curves.items()} | curves
 
 
-def arrows_of(plans: Plans) -> dict[str, CycleVector]:
+def vectors_by_name(plans: Plans) -> dict[str, CycleVector]:
     """Every vector of a mechanism by its name: r_C, v_C, vq_C, a_C, aq_C, F_21."""
     units = analogue_units(plans.drive.rotates)
-    own = [q for q in results_of(plans) if q.group in ("points", "reactions")]
+    own = [q for q in results_wanted(plans) if q.group in ("points", "reactions")]
     vectors = {q.name: CycleVector(q.name, q.columns[0].unit, q.name) for q in own}
     named = ((f"{letter}q_{p}", letter, p) for p in plans.points for letter in "va")
-    return vectors | {name: CycleVector(name, units[letter], f"{UNIT}{letter}_{p}") for name, letter, p in named}
+    return vectors | {
+        name: CycleVector(name, units[letter], f"{UNIT_DRIVE_PREFIX}{letter}_{p}") for name, letter, p in named
+    }
 
 
-def meant(plans: Plans, name: str) -> list[Curve]:
+def curves_meant_by_name(plans: Plans, name: str) -> list[Curve]:
     """What a name means as curves: the columns of a quantity, or a curve that is none. :class:`PlanesError` where it
     means nothing."""
-    quantities = catalogue(plans)
-    names = plans.naming.names(quantities, poles=False)
-    if names.meant(name):
-        return read_as(quantities[names.one(name, "no_quantity", lambda n: quantities[n].path)])
-    curves = askable(plans)
-    name = plans.naming.names(curves, poles=False).one(name, "no_quantity", lambda n: curves[n].name)
+    quantities = quantities_by_name(plans)
+    names = plans.default_naming.name_finder(quantities, poles=False)
+    if names.possible_names(name):
+        return curves_of_quantity(
+            quantities[names.require_name(name, "no_quantity", lambda n: quantities[n].json_path)]
+        )
+    curves = askable_curves(plans)
+    name = plans.default_naming.name_finder(curves, poles=False).require_name(
+        name, "no_quantity", lambda n: curves[n].name
+    )
     return [replace(curves[name], name=name)]  # an analogue has two names
 
 
-def curves_meant(plans: Plans, names: Iterable[str] | None) -> list[Curve]:
+def curves_meant_by_names(plans: Plans, names: Iterable[str] | None) -> list[Curve]:
     """The curves that names mean (None: those of all results), each once."""
-    read = map(read_as, results_of(plans)) if names is None else (meant(plans, name) for name in names)
+    read = (
+        map(curves_of_quantity, results_wanted(plans))
+        if names is None
+        else (curves_meant_by_name(plans, name) for name in names)
+    )
     return list({c.name: c for some in read for c in some}.values())
 
 
-def names_of(plans: Plans) -> list[str]:
+def askable_names(plans: Plans) -> list[str]:
     """Every name that can be asked for, as it is typed."""
-    return list(dict.fromkeys(map(plans.naming.typed, (*catalogue(plans), *askable(plans)))))
+    return list(
+        dict.fromkeys(map(plans.default_naming.typed_name, (*quantities_by_name(plans), *askable_curves(plans))))
+    )
 
 
-def askable(plans: Plans) -> dict[str, Curve]:
+def askable_curves(plans: Plans) -> dict[str, Curve]:
     """The curves, with numbers and parts of vectors that are none."""
-    return {c.name: c for q in catalogue(plans).values() for c in read_as(q)} | curves_of(plans)
+    return {c.name: c for q in quantities_by_name(plans).values() for c in curves_of_quantity(q)} | curves_by_name(
+        plans
+    )
 
 
-def read_as(q: Quantity) -> list[Curve]:
+def curves_of_quantity(q: Quantity) -> list[Curve]:
     """The columns of a quantity as curves: of F_12 those of F_21, opposite."""
     if len(q.columns) == 1:
         return [Curve(q.name, q.columns[0].unit, "rate", itemgetter(q.columns[0].name))]
-    parts = ((f"{q.name}_{c.name[len(q.name) + 1 :]}", c) for c in q.columns if c.part or not q.reversed)
-    return [Curve(n, c.unit, "rate", _opposite(c.name) if q.reversed else itemgetter(c.name)) for n, c in parts]
+    parts = ((f"{q.name}_{c.name[len(q.name) + 1 :]}", c) for c in q.columns if c.part or not q.is_reversed)
+    return [
+        Curve(n, c.unit, "rate", _negated_column(c.name) if q.is_reversed else itemgetter(c.name)) for n, c in parts
+    ]
 
 
-def all_columns(plans: Plans) -> dict[str, Column]:
+def columns_by_name(plans: Plans) -> dict[str, Column]:
     """What curves are read from, by name."""
-    return {c.name: c for q in reversed(catalogue(plans).values()) for c in q.columns}
+    return {c.name: c for q in reversed(quantities_by_name(plans).values()) for c in q.columns}
 
 
-def named(written: str, known: Mapping[str, T], plans: Plans, file: str) -> T:
+def curve_or_vector_by_name(written: str, known: Mapping[str, T], plans: Plans, file: str) -> T:
     """The curve or vector for a typed name. :class:`PlanesError` lists the valid ones."""
-    names = plans.naming.names(known, poles=False)
-    return known[names.one(written, "no_curve", lambda name: known[name].name, file=file)]
+    names = plans.default_naming.name_finder(known, poles=False)
+    return known[names.require_name(written, "no_curve", lambda name: known[name].name, file=file)]
 
 
 # the groups of the list
 
 
-def _places(plans: Plans) -> Iterator[Curve]:
+def _position_curves(plans: Plans) -> Iterator[Curve]:
     m = plans.mechanism
     for link, names in plans.links.items():
         if link != FRAME:
-            slope = itemgetter(f"{UNIT}omega_{link}") if names.omega else None
+            slope = itemgetter(f"{UNIT_DRIVE_PREFIX}omega_{link}") if names.omega else None
             yield Curve(f"phi_{link}", "°", "place", itemgetter(f"phi_{link}"), slope, True)
     for link in plans.velocity_slides:
-        yield Curve(f"s_{link}", "m", "place", _along(plans, link), itemgetter(f"{UNIT}v_slide_{link}"))
+        yield Curve(
+            f"s_{link}",
+            "m",
+            "place",
+            _slider_position_curve(plans, link),
+            itemgetter(f"{UNIT_DRIVE_PREFIX}v_slide_{link}"),
+        )
     for p in plans.points:
         if p not in m.frame.points:
             for axis in "xy":
                 name = f"r_{p}_{axis}"
-                yield Curve(name, "m", "place", itemgetter(name), itemgetter(f"{UNIT}v_{p}_{axis}"))
+                yield Curve(name, "m", "place", itemgetter(name), itemgetter(f"{UNIT_DRIVE_PREFIX}v_{p}_{axis}"))
 
 
-def _along(plans: Plans, link: str) -> Reading:
+def _slider_position_curve(plans: Plans, link: str) -> Reading:
     """The position of a slider's first point along its guide, from the point that defines the guide."""
     m = plans.mechanism
-    guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner(plans.velocity_slides[link].guide)
+    guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner_of_guide(plans.velocity_slides[link].guide)
     first, way = m.links[link].first_point, np.exp(1j * math.radians(guide.angle_deg))
     base = m.links[owner].first_point if owner != FRAME else ""
     place, start = CycleVector("", "m", f"r_{first}"), CycleVector("", "m", f"r_{base}")
@@ -185,48 +210,50 @@ def _along(plans: Plans, link: str) -> Reading:
     return read
 
 
-def _motions(plans: Plans, q: str = "") -> Iterator[Curve]:
+def _rate_curves(plans: Plans, q: str = "") -> Iterator[Curve]:
     """Rates of links, sliders and points, or with "q" their analogues: the same columns of the run with a unit drive.
     The derivative of a velocity is that run's acceleration."""
-    rate, run, units = plans.drive.velocity, "", RATE_UNITS
+    rate, run, units = plans.drive.velocity, "", UNIT_OF_RATE_LETTER
     if q:
-        rate, run, units = 1.0, UNIT, analogue_units(plans.drive.rotates)
+        rate, run, units = 1.0, UNIT_DRIVE_PREFIX, analogue_units(plans.drive.rotates)
     group: Group = "analogue" if q else "rate"
-    slope = UNIT if rate else ""
-    for link in turning(plans):
-        name, quick = ratio_name(plans, link) if q else f"omega_{link}", f"epsilon_{link}"
-        yield _scalar(name, units["omega"], group, f"{run}omega_{link}", slope and slope + quick, rate)
-        yield _scalar(f"epsilon{q}_{link}", units["epsilon"], group, run + quick)
+    slope = UNIT_DRIVE_PREFIX if rate else ""
+    for link in turning_links(plans):
+        name, quick = transfer_ratio_name(plans, link) if q else f"omega_{link}", f"epsilon_{link}"
+        yield _scalar_curve(name, units["omega"], group, f"{run}omega_{link}", slope and slope + quick, rate)
+        yield _scalar_curve(f"epsilon{q}_{link}", units["epsilon"], group, run + quick)
     for link in (n for n in plans.velocity_slides if n != plans.drive.link):
         need, quick = f"{run}v_slide_{link}", f"a_slide_{link}"
-        yield _scalar(f"v{q}_slide_{link}", units["v"], group, need, slope and slope + quick, rate)
-        yield _scalar(f"a{q}_slide_{link}", units["a"], group, run + quick)
+        yield _scalar_curve(f"v{q}_slide_{link}", units["v"], group, need, slope and slope + quick, rate)
+        yield _scalar_curve(f"a{q}_slide_{link}", units["a"], group, run + quick)
     for p in (p for p in plans.points if p not in plans.mechanism.frame.points):
-        yield from _vector(f"v{q}_{p}", units["v"], group, f"{run}v_{p}", slope and f"{slope}a_{p}", rate)
-        yield from _vector(f"a{q}_{p}", units["a"], group, f"{run}a_{p}")
+        yield from _vector_curves(f"v{q}_{p}", units["v"], group, f"{run}v_{p}", slope and f"{slope}a_{p}", rate)
+        yield from _vector_curves(f"a{q}_{p}", units["a"], group, f"{run}a_{p}")
     for link, slide in plans.acceleration_slides.items():
         if slide.coriolis and not q:
-            yield from _vector(f"coriolis_{link}", units["a"], group, f"coriolis_{link}")
+            yield from _vector_curves(f"coriolis_{link}", units["a"], group, f"coriolis_{link}")
 
 
-def _forces(plans: Plans) -> Iterator[Curve]:
-    for q in (q for q in results_of(plans) if q.group not in MOTION):
+def _force_curves(plans: Plans) -> Iterator[Curve]:
+    for q in (q for q in results_wanted(plans) if q.group not in MOTION_GROUPS):
         vector = len(q.columns) > 1
         if vector:
-            yield from _vector(q.name, q.columns[0].unit, "force", q.name)
+            yield from _vector_curves(q.name, q.columns[0].unit, "force", q.name)
         for c in q.columns[2:] if vector else q.columns:
-            yield _scalar(c.name, c.unit, "force", c.name)
+            yield _scalar_curve(c.name, c.unit, "force", c.name)
 
 
-def _opposite(name: str) -> Reading:
+def _negated_column(name: str) -> Reading:
     return lambda s: -s[name]
 
 
-def _scalar(name: str, unit: str, group: Group, need: str, slope: str = "", factor: float = 1.0) -> Curve:
+def _scalar_curve(name: str, unit: str, group: Group, need: str, slope: str = "", factor: float = 1.0) -> Curve:
     return Curve(name, unit, group, itemgetter(need), (lambda s: factor * s[slope]) if slope else None)
 
 
-def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", factor: float = 1.0) -> Iterator[Curve]:
+def _vector_curves(
+    name: str, unit: str, group: Group, base: str, slope: str = "", factor: float = 1.0
+) -> Iterator[Curve]:
     """The magnitude of a vector, then its components."""
     speed = slope.replace(":a_", ":v_")  # the vector is ``factor`` times its analogue, and so are their slopes
 
@@ -235,37 +262,39 @@ def _vector(name: str, unit: str, group: Group, base: str, slope: str = "", fact
 
     yield Curve(name, unit, group, lambda s: np.hypot(s[f"{base}_x"], s[f"{base}_y"]), growing if slope else None)
     for axis in "xy":
-        yield _scalar(f"{name}_{axis}", unit, group, f"{base}_{axis}", f"{slope}_{axis}" if slope else "", factor)
+        yield _scalar_curve(f"{name}_{axis}", unit, group, f"{base}_{axis}", f"{slope}_{axis}" if slope else "", factor)
 
 
-def output_curves(plans: Plans) -> tuple[str, ...]:
+def driven_link_curves(plans: Plans) -> tuple[str, ...]:
     """The principal curves of a mechanism's driven link: its position, velocity and acceleration; none without one."""
-    if not plans.moves:
+    if not plans.has_mechanism:
         return ()
-    link, slides = driven(plans)
+    link, slides = driven_link_and_sliding(plans)
     letters = ("s", "v_slide", "a_slide") if slides else ("phi", "omega", "epsilon")
     return tuple(f"{letter}_{link}" for letter in letters)
 
 
-def transfer_curves(plans: Plans) -> tuple[str, ...]:
+def driven_link_analogues(plans: Plans) -> tuple[str, ...]:
     """The analogues of the driven link: of velocity (or its transfer ratio), and of acceleration."""
-    link, slides = driven(plans)
-    return (f"vq_slide_{link}", f"aq_slide_{link}") if slides else (ratio_name(plans, link), f"epsilonq_{link}")
+    link, slides = driven_link_and_sliding(plans)
+    return (
+        (f"vq_slide_{link}", f"aq_slide_{link}") if slides else (transfer_ratio_name(plans, link), f"epsilonq_{link}")
+    )
 
 
-def driven(plans: Plans) -> tuple[str, bool]:
+def driven_link_and_sliding(plans: Plans) -> tuple[str, bool]:
     """The output link of a mechanism, and whether it slides on the frame: that of the last group."""
     m, structure = plans.mechanism, plans.structure
-    group = next(g for g in reversed(structure.groups) if not structure.is_drive(g))
-    for name in group.ends:
+    group = next(g for g in reversed(structure.groups) if not structure.is_driving_cylinder(g))
+    for name in group.output_link_candidates:
         slides = m.links[name].slides
-        if slides and m.owner(slides.guide) == FRAME:
+        if slides and m.owner_of_guide(slides.guide) == FRAME:
             return name, True
-    on_frame = [p for p in plans.structure.pairs if p.joins(FRAME)]
-    grounded = [n for n in group.ends if any(p.joins(n) for p in on_frame)]
-    slid = {n: m.links[n].slides for n in group.ends}  # on the driver's guide it only turns with it
-    free = [n for n, slides in slid.items() if not slides or m.owner(slides.guide) != m.drive.link]
-    return (grounded or free or [*group.ends])[0], False
+    on_frame = [p for p in plans.structure.pairs if p.has_link(FRAME)]
+    grounded = [n for n in group.output_link_candidates if any(p.has_link(n) for p in on_frame)]
+    slid = {n: m.links[n].slides for n in group.output_link_candidates}  # on the driver's guide it only turns with it
+    free = [n for n, slides in slid.items() if not slides or m.owner_of_guide(slides.guide) != m.drive.link]
+    return (grounded or free or [*group.output_link_candidates])[0], False
 
 
 @frozen
@@ -276,11 +305,11 @@ class WorkingRange:
     end: float
     whole: bool = False
 
-    def inner(self, margin: float) -> Self:
+    def range_without_ends(self, margin: float) -> Self:
         """The range without a part at each end, where rates grow without bound."""
         away = margin * (self.end - self.start)
         return replace(self, start=self.start + away, end=self.end - away, whole=False)
 
-    def values(self, count: int) -> list[float]:
+    def evenly_spaced_values(self, count: int) -> list[float]:
         """So many values plus one, evenly spaced from end to end."""
         return [self.start + (self.end - self.start) * k / count for k in range(count + 1)]

@@ -12,14 +12,14 @@ from planes.plans.assur.structure import Structure
 from planes.plans.columns import Column
 from planes.plans.quantities import Measured, Quantity
 from planes.scene import Scene
-from planes.words import Lang, capital
+from planes.words import Lang, capitalize_first_letter
 from planes.words.errors import PlanFailure
 from planes.words.lettering import plan_phrase
-from planes.words.names import at, kind_of, label_of, mu_of
+from planes.words.names import full_mark_name, label_of, mu_name, plan_kind
 from planes.words.records import Json
-from planes.words.units import UNIT, mu_text
+from planes.words.units import UNIT_OF_PLAN, mu_text
 
-BLUNT = math.sin(math.radians(15))
+BLUNT_CROSSING_SINE = math.sin(math.radians(15))
 
 
 class DrawingReader:
@@ -29,28 +29,32 @@ class DrawingReader:
         self.stated, self.drawing, self.scales = stated, drawing, scales
         self.own = {f"{letter}_{point}" for letter in "va" for point in stated.points}  # vectors of points
 
-    def finite(self, value: float, name: str) -> float:
+    def finite_number(self, value: float, name: str) -> float:
         """The number itself, never NaN or infinite."""
         if not math.isfinite(value):
             raise PlanFailure("no_digits", makes=label_of(name))
         return float(value) + 0.0
 
-    def read(self, quantity: Quantity) -> Measured:
+    def read_quantity(self, quantity: Quantity) -> Measured:
         """One quantity in SI; the length of a segment of a plan."""
-        return Measured(quantity, tuple(map(self.column, quantity.columns)))
+        return Measured(quantity, tuple(map(self.read_column, quantity.columns)))
 
-    def column(self, c: Column) -> float | None:
+    def read_column(self, c: Column) -> float | None:
         """One number; None for the arm of no force."""
         things, ar = self.drawing.things, self.drawing.tool.ar
-        return None if c.beside and c.empty(things, ar) else self.finite(c.take(things, ar), c.value or c.end)
+        return (
+            None
+            if c.beside and c.has_no_normal_force(things, ar)
+            else self.finite_number(c.read_from_drawing(things, ar), c.value or c.end)
+        )
 
-    def plan_segments(self, plan: str, names: set[str] | None = None) -> dict[str, Segment]:
+    def measured_segments_of_plan(self, plan: str, names: set[str] | None = None) -> dict[str, Segment]:
         """The measured segments of a plan by their ends ("bc"), each once, only those of ``names`` if given.
 
         Where one segment is two vectors (v_C and v_CD of a fixed D), it is named as the point's own.
         """
         segments: dict[str, Segment] = {}
-        for s in self.stated.segments_of.get(plan, ()):
+        for s in self.stated.segments_by_plan.get(plan, ()):
             there = all(end in self.drawing for end in s.ends)
             if s.start != s.end and there and (names is None or s.name in names):
                 key = s.start + s.end
@@ -58,69 +62,69 @@ class DrawingReader:
                     segments[key] = s
         return segments
 
-    def plans(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> Json:
+    def measurements_by_plan(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> Json:
         """The measurements on each plan: μ, segments in mm and in SI, sharpness of the crossings."""
         out: Json = {}
-        for plan in self.stated.drawn:
+        for plan in self.stated.plan_names:
             if plan in ("lever", "motion"):
                 continue
-            sharpness, bluntest = self.sharpness(plan), self.bluntest(plan)
+            sharpness, bluntest = self.crossing_sharpness(plan), self.bluntest_sharpness(plan)
             segments = {
-                key: self.segment(s, bluntest, (errors or {}).get(f"{plan}:{key}"))
-                for key, s in self.plan_segments(plan, names).items()
+                key: self.measure_segment(s, bluntest, (errors or {}).get(f"{plan}:{key}"))
+                for key, s in self.measured_segments_of_plan(plan, names).items()
             }
             if segments:
-                mu = mu_text(self.scales[mu_of(plan)], kind_of(plan))
+                mu = mu_text(self.scales[mu_name(plan)], plan_kind(plan))
                 out[plan] = {"mu": mu, "segments": segments, "sharpness": sharpness}
         return out
 
-    def segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> Json:
+    def measure_segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> Json:
         """One segment as measured with the instrument, on a plan whose bluntest crossing has this sharpness."""
-        tool, mu = self.drawing.tool, self.scales[mu_of(s.plan)]
-        start, end = (self.drawing[at(s.plan, end)] for end in (s.start, s.end))
-        length = self.finite(tool.read(abs(end - start)), s.name)
+        tool, mu = self.drawing.tool, self.scales[mu_name(s.plan)]
+        start, end = (self.drawing[full_mark_name(s.plan, end)] for end in (s.start, s.end))
+        length = self.finite_number(tool.read_length(abs(end - start)), s.name)
         if error_mm is None:
             error_mm = 8 * tool.ar.eps * (abs(start) + abs(end)) / bluntest
         sizes = {"mm": float(length), "value": float(length / mu)}
-        return {**sizes, "unit": UNIT[kind_of(s.plan)], "error_mm": float(error_mm), "name": s.name}
+        return {**sizes, "unit": UNIT_OF_PLAN[plan_kind(s.plan)], "error_mm": float(error_mm), "name": s.name}
 
-    def sharpness(self, plan: str) -> dict[str, float]:
+    def crossing_sharpness(self, plan: str) -> dict[str, float]:
         """Sine of the angle at which the lines of each crossed mark meet."""
-        program, sharpness = self.drawing.program, self.drawing.sharpness
-        crossed = (s.makes for s in program.marks.get(plan, ()) if s.makes in sharpness)
-        return {label_of(name): float(sharpness[name]) for name in crossed if name not in program.trials}
+        program, sharpness = self.drawing.program, self.drawing.crossing_sharpness
+        crossed = (s.makes for s in program.mark_steps_by_plan.get(plan, ()) if s.makes in sharpness)
+        return {label_of(name): float(sharpness[name]) for name in crossed if name not in program.trial_marks}
 
-    def bluntest(self, plan: str) -> float:
+    def bluntest_sharpness(self, plan: str) -> float:
         """The smallest sharpness, by which errors grow. Touching arcs have none, and their error is the root of a
         rounding error."""
-        return max(min([1.0, *self.sharpness(plan).values()]), 2 * math.sqrt(self.drawing.tool.ar.eps))
+        return max(min([1.0, *self.crossing_sharpness(plan).values()]), 2 * math.sqrt(self.drawing.tool.ar.eps))
 
 
-def polar(z: complex) -> Json:
+def polar_json(z: complex) -> Json:
     """A stated vector as in the JSON output."""
     return {"value": abs(z), "direction_deg": math.degrees(cmath.phase(z)), "xy": [z.real, z.imag]}
 
 
-def say_plan(plan: str, lang: Lang) -> str:
+def plan_name_in_words(plan: str, lang: Lang) -> str:
     """The name of a plan in words."""
     return plan_phrase(plan).told(lang)
 
 
-def title_of(plan: str, lang: Lang) -> str:
+def plan_title(plan: str, lang: Lang) -> str:
     """The name of a plan for the beginning of a title."""
-    return capital(say_plan(plan, lang))
+    return capitalize_first_letter(plan_name_in_words(plan, lang))
 
 
-def counted(s: Structure) -> tuple[str, str]:
+def counted_structure_numbers(s: Structure) -> tuple[str, str]:
     """W and q with numbers filled in; p_{1} are pairs of one freedom."""
     n, p = 1 + sum(len(g.links) for g in s.groups), len(s.pairs)
     redundant = f"q = W − 6n + 5p_{{1}} = {s.W} − 6·{n} + 5·{p} = {s.q}"
     return f"W = 3n − 2p_{{1}} = 3·{n} − 2·{p} = {s.W}", redundant.replace("-", "−")
 
 
-def lettering(scene: Scene, plans: Plans | None = None) -> Json:
+def scene_lettering(scene: Scene, plans: Plans | None = None) -> Json:
     """The lettering of a scene's names, on a sheet as on a page. Only its plans know which vectors end at a point of
     the frame under a slider; the vectors of force plans do not need that."""
     drive = scene.mechanism.drive.link if scene.mechanism else ""
-    own = plans.lettering if plans else {"frame": scene.frame_number, "driver": drive}
+    own = plans.lettering_settings if plans else {"frame": scene.frame_number, "driver": drive}
     return {**own, "from_on": scene.sheet.get("reactions") == "from-on", "convention": scene.mu_convention}

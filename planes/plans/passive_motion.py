@@ -2,8 +2,8 @@
 
 from planes.drafting.steps.reckoning import Protractor
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME, Bodies
-from planes.plans.position.reckoned import OwnPlace, angle_deg
+from planes.plans.position.bodies import SCHEME_PLAN, Bodies
+from planes.plans.position.reckoned import OwnPlace, direction_between_points
 from planes.scene.mechanism import Link
 from planes.words.frozen import frozen
 from planes.words.names import Meaning
@@ -18,22 +18,22 @@ class LinkValues:
     epsilon: str
 
 
-def values_of(b: Bodies, link: Link) -> LinkValues:
+def passive_link_values(b: Bodies, link: Link) -> LinkValues:
     """The values of a link held by two hinges, or by a hinge and a guide of the frame; their steps are added to the
     draft."""
-    held = [p for p in link.points if p in b.mechanism.names]
+    held = [p for p in link.points if p in b.mechanism.point_names]
     if link.slides:
         angle = b.mechanism.guide(link.slides.guide).angle_deg + (link.slides.angle_deg or 0.0)
-        axis = b.draft.aim(f"x_{link.name}", angle, Meaning("own", link.name))
-        return LinkValues(b.draft.step(Protractor(f"phi_{link.name}", axis)), "", "")
+        axis = b.draft.draw_direction_at_angle(f"x_{link.name}", angle, Meaning("own", link.name))
+        return LinkValues(b.draft.add_step(Protractor(f"phi_{link.name}", axis)), "", "")
     one, two = held
-    turned = angle_deg(b.shape, OwnPlace(link.name, one), OwnPlace(link.name, two))
-    ray = b.draft.ray(SCHEME, one, two)
-    axis = b.draft.turn(f"x_{link.name}", ray, -turned, Meaning("own", link.name))
-    across, length = b.draft.square(ray), b.length(link, one, two)
-    angle_name, rates = b.draft.step(Protractor(f"phi_{link.name}", axis)), []
+    turned = direction_between_points(b.link_dimensions, OwnPlace(link.name, one), OwnPlace(link.name, two))
+    ray = b.draft.direction_between_marks(SCHEME_PLAN, one, two)
+    axis = b.draft.draw_turned_direction(f"x_{link.name}", ray, -turned, Meaning("own", link.name))
+    across, length = b.draft.draw_perpendicular(ray), b.given_distance(link, one, two)
+    angle_name, rates = b.draft.add_step(Protractor(f"phi_{link.name}", axis)), []
     for plan in (Rates(b, "velocity"), Rates(b, "acceleration")):
         ends = plan.mark(one), plan.mark(two)
-        rate = b.draft.measure(f"Δ{plan.letter}{link.name}", *ends, across)
-        rates.append(b.draft.product(plan.spin(link.name), **{rate: 1, length: -1}))
+        rate = b.draft.measure_segment(f"Δ{plan.letter}{link.name}", *ends, across)
+        rates.append(b.draft.add_product(plan.spin(link.name), **{rate: 1, length: -1}))
     return LinkValues(angle_name, *rates)

@@ -16,17 +16,17 @@ from planes.plans.force.loads import Loads
 from planes.plans.force.reactions import Reaction
 from planes.plans.motion.legs import SlideReading
 from planes.plans.other_leads import Leads, Restating
-from planes.plans.passive_motion import LinkValues, values_of
+from planes.plans.passive_motion import LinkValues, passive_link_values
 from planes.plans.position.decimals import AsWritten, Lost
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import FRAME, Drive, Link, Mechanism
 from planes.words.errors import SceneError
 from planes.words.frozen import frozen
-from planes.words.names import HELPERS, Meaning, at, force_plan, kind_of, links_of
+from planes.words.names import HELPER_MARK_KINDS, Meaning, force_plan_links, force_plan_name, full_mark_name, plan_kind
 from planes.words.naming import Naming
 from planes.words.records import Json
 
-STILL = "°still"
+STILL_DRIVE_GIVEN = "°still"
 """Takes the place of the drive's given where nothing moves."""
 
 
@@ -74,31 +74,31 @@ class Plans:
     checks: tuple[Check, ...] = ()
 
     @cached_property
-    def naming(self) -> Naming:
+    def default_naming(self) -> Naming:
         """The lettering of these plans where no sheet sets another."""
-        return Naming(**self.lettering)
+        return Naming(**self.lettering_settings)
 
     @property
-    def lettering(self) -> Json:
+    def lettering_settings(self) -> Json:
         """The part of the mechanism that sets the lettering: the frame's number, the driver, the vectors that end at a
         point of the frame under a slider."""
         grounded = [name for name, m in self.means.items() if m.quantity == "rate" and m.link == FRAME]
         return {"frame": self.mechanism.frame_number, "driver": self.drive.link, "grounded": grounded}
 
-    def restated(self, leads: Mapping[str, Leads]) -> "Plans":
+    def restated_with_leads(self, leads: Mapping[str, Leads]) -> "Plans":
         """The same mechanism, unsliced, with other leads meeting in special points."""
         assert self.restating
-        own = self.restating.plans(leads)
+        own = self.restating.plans_with_meeting_leads(leads)
         plans = replace(own, restating=self.restating, structure=self.structure, passive=self.passive)
-        return with_passive(plans) if self.passive else plans
+        return plans_with_passive_links(plans) if self.passive else plans
 
     @cached_property
-    def lost(self) -> dict[str, Lost]:
+    def decimal_rounding_errors(self) -> dict[str, Lost]:
         """The difference between the decimals of the scene and their doubles, where known, and its uncertainty; the
         drive's is unknown, since it varies."""
         written = AsWritten(self.mechanism, self.passive)
-        named = ((n, z) for n, z in self.given.items() if n != self.drive_given)
-        return {n: lost for n, z in named if (lost := written.lost(z, self.reckoned.get(n)))}
+        named = ((n, z) for n, z in self.given.items() if n != self.drive_given_name)
+        return {n: lost for n, z in named if (lost := written.decimal_rounding_error(z, self.reckoned.get(n)))}
 
     @property
     def drive(self) -> Drive:
@@ -106,21 +106,23 @@ class Plans:
         return self.mechanism.drive
 
     @property
-    def moves(self) -> bool:
+    def has_mechanism(self) -> bool:
         """Whether there is a mechanism: only that has other positions."""
         return self.drive.link != FRAME
 
     @property
-    def turns(self) -> bool:
+    def depends_on_drive(self) -> bool:
         """Whether anything depends on a drive: a mechanism, or laws of stated vectors and loads."""
-        return self.moves or self.drive.given in self.given
+        return self.has_mechanism or self.drive.coordinate_name in self.given
 
     @cached_property
-    def drive_given(self) -> str:
+    def drive_given_name(self) -> str:
         """Name of the given that moves the driver: its angle in degrees, or s in m; an unused name without a drive."""
-        return self.drive.given if self.turns else STILL
+        return self.drive.coordinate_name if self.depends_on_drive else STILL_DRIVE_GIVEN
 
-    def at(self, value: Real, program: Program | None = None, known: Container[str] = ()) -> dict[str, Thing]:
+    def drive_givens_at(
+        self, value: Real, program: Program | None = None, known: Container[str] = ()
+    ) -> dict[str, Thing]:
         """The given of the drive at one position or many, for a program that overrides the ``known`` givens.
 
         Raises :class:`SceneError` where the program reads a number that would have to change with the drive, and
@@ -129,80 +131,84 @@ class Plans:
         moved = value != self.drive.position
         if self.laws and (moved.any() if hasattr(moved, "any") else moved):
             cut = program or self.program
-            reads = {*cut.givens, *cut.made}
+            reads = {*cut.given_names, *cut.result_names}
             for name, error in self.laws.items():
                 if name in reads and name not in known:
                     raise error
-        return {self.drive_given: value}
+        return {self.drive_given_name: value}
 
     @cached_property
-    def standing(self) -> frozenset[str]:
+    def fixed_points(self) -> frozenset[str]:
         """The points that never move: those of the frame, and of links that have a hinge on it and never turn."""
         fixed = {*self.mechanism.frame.points}
         links = [x for n, x in self.mechanism.links.items() if n in self.links and not self.links[n].omega]
         return frozenset(fixed.union(*(x.points for x in links if fixed & {*x.points} and not x.slides)))
 
     @cached_property
-    def segments_of(self) -> dict[str, list[Segment]]:
+    def segments_by_plan(self) -> dict[str, list[Segment]]:
         """The measured segments of each plan."""
         segments: dict[str, list[Segment]] = {}
         for segment in self.segments:
             segments.setdefault(segment.plan, []).append(segment)
         return segments
 
-    def moments_of(self, links: tuple[str, ...]) -> list[Moments]:
+    def moment_equations_of_plan(self, links: tuple[str, ...]) -> list[Moments]:
         """The moment equations for the plan of some links, or else those of these links alone."""
-        plan, plan_of_term = force_plan(*links), {t.name: e.plan for e in self.equations for t in e.terms}
-        alone = self.on(links)
+        plan, plan_of_term = force_plan_name(*links), {t.name: e.plan for e in self.equations for t in e.all_terms}
+        alone = self.moment_equations_on_links(links)
         return [m for m in self.moments if plan_of_term.get(m.unknown, plan if m in alone else "") == plan]
 
-    def on(self, links: tuple[str, ...]) -> list[Moments]:
+    def moment_equations_on_links(self, links: tuple[str, ...]) -> list[Moments]:
         """The moment equations for forces on some links, or on more where these have no plan."""
-        fewer = [f for f in map(set, map(links_of, self.forces)) if f < set(links)]
+        fewer = [f for f in map(set, map(force_plan_links, self.force_plans)) if f < set(links)]
         return [m for m in self.moments if set(m.links) <= set(links) and not any(set(m.links) <= f for f in fewer)]
 
     @property
-    def helpers(self) -> frozenset[str]:
+    def auxiliary_marks(self) -> frozenset[str]:
         """Auxiliary marks, which are never asked for."""
-        return frozenset(n for n, m in self.means.items() if m.quantity in HELPERS)
+        return frozenset(n for n, m in self.means.items() if m.quantity in HELPER_MARK_KINDS)
 
     @property
-    def lengths(self) -> dict[str, float]:
+    def link_lengths(self) -> dict[str, float]:
         """The given lengths of the links, m, by name."""
         return {n: abs(v) for n, v in self.given.items() if n in self.means and self.means[n].quantity == "length"}
 
     @property
-    def reach(self) -> float:
+    def longest_link_length(self) -> float:
         """The longest of them; 1 m where there is none."""
-        return max(self.lengths.values(), default=1.0)
+        return max(self.link_lengths.values(), default=1.0)
 
     @property
-    def drawn(self) -> tuple[str, ...]:
+    def plan_names(self) -> tuple[str, ...]:
         """Plans in drawing order: position, velocity, acceleration, force:2-3, …, force:1."""
-        return tuple(self.program.marks)
+        return tuple(self.program.mark_steps_by_plan)
 
     @property
-    def forces(self) -> tuple[str, ...]:
+    def force_plans(self) -> tuple[str, ...]:
         """The force plans in drawing order."""
-        return tuple(plan for plan in self.drawn if kind_of(plan) == "force")
+        return tuple(plan for plan in self.plan_names if plan_kind(plan) == "force")
 
 
-def with_passive(plans: Plans) -> Plans:
+def plans_with_passive_links(plans: Plans) -> Plans:
     """The plans with the motion of the passive links that were left out."""
     assert plans.acting.motion
     b = replace(plans.acting.motion.bodies, passive=plans.passive)
-    links = {**plans.links, **{link.name: values_of(b, link) for link in plans.passive}}
+    links = {**plans.links, **{link.name: passive_link_values(b, link) for link in plans.passive}}
     program = Program(tuple(b.draft.steps.values()), plans.program.proofs)
     means = {**plans.means, **b.draft.means}
     return replace(plans, program=program, given=b.draft.given, links=links, means=means, reckoned=b.draft.reckoned)
 
 
-def sliced(plans: Plans, wanted: list[str]) -> Plans:
+def plans_cut_to_names(plans: Plans, wanted: list[str]) -> Plans:
     """The same plans with a program that draws only what the wanted names, the directions of drawn vectors, and their
     measurements need."""
-    made = plans.program.sliced(wanted).made
-    terms = ((e.plan, t) for e in plans.equations for t in e.terms)
-    lying = [t.direction for plan, t in terms if t.direction and {at(plan, t.start), at(plan, t.end)} <= made]
-    program = plans.program.sliced([*wanted, *lying])
-    segments = tuple(s for s in plans.segments if {*s.ends} <= program.made)
+    made = plans.program.cut_to_names(wanted).result_names
+    terms = ((e.plan, t) for e in plans.equations for t in e.all_terms)
+    lying = [
+        t.direction
+        for plan, t in terms
+        if t.direction and {full_mark_name(plan, t.start), full_mark_name(plan, t.end)} <= made
+    ]
+    program = plans.program.cut_to_names([*wanted, *lying])
+    segments = tuple(s for s in plans.segments if {*s.ends} <= program.result_names)
     return replace(plans, program=program, segments=segments)

@@ -6,102 +6,121 @@ One choice for a scene and a position, independent of a sheet: results, note, le
 import cmath
 from collections.abc import Mapping
 
-from planes.drafting.drawing import Drawing, reached, run
+from planes.drafting.drawing import Drawing, draw_program, draw_until_failure
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
 from planes.plans import Plans
-from planes.words.names import POLE, kind_of, label_of, mu_of
+from planes.words.names import POLE_LABEL, label_of, mu_name, plan_kind
 from planes.words.units import standard_mu, standard_scale
 
-FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 140.0, "motion": 100.0}
-FIT_MM |= {"contour": 100.0, "vectors": 100.0, "cremona": 140.0}
+PLAN_FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 140.0, "motion": 100.0}
+PLAN_FIT_MM |= {"contour": 100.0, "vectors": 100.0, "cremona": 140.0}
 """The usual size of a plan on paper."""
-SHARES = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
+PLAN_SIZE_RATIO_BY_FORMAT = {"A4": 0.5, "A3": 0.7, "A2": 1.0, "A1": 1.4, "A0": 2.0}
 """The size of plans on a format named in the scene, relative to the usual: the ratio of the formats' sides."""
-BESIDE = dict(zip(SHARES, [*SHARES.values(), 2.8][1:], strict=True))
+PLAN_SIZE_RATIO_BY_JOINED = dict(
+    zip(PLAN_SIZE_RATIO_BY_FORMAT, [*PLAN_SIZE_RATIO_BY_FORMAT.values(), 2.8][1:], strict=True)
+)
 """For several formats side by side, as A3x4: their height is that of the next larger format."""
-USUAL_GROUPS, MORE = 2, 1.2  # plans are larger by this for more groups: room for labels, on larger sheets
-NOTHING = 1e-12  # of mass times acceleration: a force that is only rounding
-ZERO_MM = 0.05  # a vector shorter than this has no length on paper
-LEAST_MM = 50.0  # a force plan that would be smaller than this at the common μ gets a second one
+USUAL_GROUP_COUNT, MORE_GROUPS_SIZE_RATIO = (
+    2,
+    1.2,
+)  # plans are larger by this for more groups: room for labels, on larger sheets
+ROUNDING_FORCE_RATIO = 1e-12  # of mass times acceleration: a force that is only rounding
+ZERO_VECTOR_MM = 0.05  # a vector shorter than this has no length on paper
+LEAST_FORCE_PLAN_MM = 50.0  # a force plan that would be smaller than this at the common μ gets a second one
 
 
-def fits_on(sheet: Mapping[str, object], plans: Plans) -> dict[str, float]:
+def plan_sizes_on_format(sheet: Mapping[str, object], plans: Plans) -> dict[str, float]:
     """The size of each kind of plan on the format named for the sheets of a scene, or on one that holds plans for so
     many groups."""
-    usual = MORE if len(plans.structure.groups) > USUAL_GROUPS else 1.0
+    usual = MORE_GROUPS_SIZE_RATIO if len(plans.structure.groups) > USUAL_GROUP_COUNT else 1.0
     name = str(sheet.get("format", ""))
-    share = (BESIDE if "x" in name else SHARES).get(name[:2], usual)
-    return {kind: share * mm for kind, mm in FIT_MM.items()}
+    share = (PLAN_SIZE_RATIO_BY_JOINED if "x" in name else PLAN_SIZE_RATIO_BY_FORMAT).get(name[:2], usual)
+    return {kind: share * mm for kind, mm in PLAN_FIT_MM.items()}
 
 
-def leaders(sizes: Mapping[str, float], fit_mm: Mapping[str, float] = FIT_MM) -> dict[str, str]:
+def scale_leaders(sizes: Mapping[str, float], fit_mm: Mapping[str, float] = PLAN_FIT_MM) -> dict[str, str]:
     """For each plan, given the sizes in SI, the plan whose μ it shares. Force plans share one, since forces are carried
     from one to another: that of the largest plan. Those too small at it share the μ of the largest among them."""
-    forces = sorted((p for p in sizes if kind_of(p) == "force"), key=lambda p: -sizes[p])
-    small = [p for p in forces if 0.0 < sizes[p] * fitting(p, sizes[forces[0]], fit_mm["force"]) < LEAST_MM]
+    forces = sorted((p for p in sizes if plan_kind(p) == "force"), key=lambda p: -sizes[p])
+    small = [
+        p
+        for p in forces
+        if 0.0 < sizes[p] * largest_fitting_scale(p, sizes[forces[0]], fit_mm["force"]) < LEAST_FORCE_PLAN_MM
+    ]
     leader_of = {plan: forces[0] if plan in forces else plan for plan in sizes}
     return leader_of | dict.fromkeys(small, next(iter(small), ""))
 
 
-def unit_scales(plans: Plans) -> dict[str, float]:
+def unit_scales_of_plans(plans: Plans) -> dict[str, float]:
     """Every μ as 1 mm per SI unit: a drawing in SI, to find the sizes."""
-    return {mu_of(plan): 1.0 for plan in plans.drawn}
+    return {mu_name(plan): 1.0 for plan in plans.plan_names}
 
 
 def drawn_in_si(plans: Plans, value: Real, program: Program | None = None) -> Drawing:
     """All plans, or some of them, drawn in SI at one position of the drive or many."""
-    return run(program or plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: value})
+    return draw_program(
+        program or plans.program, {**plans.given, **unit_scales_of_plans(plans), plans.drive_given_name: value}
+    )
 
 
-def scales(
+def plan_scales(
     plans: Plans,
     said: Mapping[str, float | None],
     given: Mapping[str, object] | None = None,
-    fit_mm: Mapping[str, float] = FIT_MM,
+    fit_mm: Mapping[str, float] = PLAN_FIT_MM,
 ) -> dict[str, float]:
     """μ of every plan of one position (names to mm per SI unit). Raises the same errors as drawing that position.
 
     ``fit_mm`` is the size of each kind of plan.
     """
-    fixed = {p: said.get(kind_of(p)) for p in plans.drawn if p != "lever"}
-    chosen = {mu_of(p): mu for p, mu in fixed.items() if mu}
+    fixed = {p: said.get(plan_kind(p)) for p in plans.plan_names if p != "lever"}
+    chosen = {mu_name(p): mu for p, mu in fixed.items() if mu}
     if len(chosen) < len(fixed):
-        now = {**plans.given, **unit_scales(plans), **(given or {})}
-        drawing, failed = reached(plans.program, now)
-        sizes = {plan: _size(plans, drawing, plan) for plan, mu in fixed.items() if not mu}
-        for plan, leader in leaders(sizes, fit_mm).items():
-            chosen[mu_of(plan)] = fitting(plan, sizes[leader], fit_mm[kind_of(plan)])
+        now = {**plans.given, **unit_scales_of_plans(plans), **(given or {})}
+        drawing, failed = draw_until_failure(plans.program, now)
+        sizes = {plan: _plan_size_si(plans, drawing, plan) for plan, mu in fixed.items() if not mu}
+        for plan, leader in scale_leaders(sizes, fit_mm).items():
+            chosen[mu_name(plan)] = largest_fitting_scale(plan, sizes[leader], fit_mm[plan_kind(plan)])
         if failed:  # give it in millimetres of the paper
-            run(plans.program, {**now, **chosen})
+            draw_program(plans.program, {**now, **chosen})
             raise failed
-    if "lever" in plans.drawn:
-        chosen[mu_of("lever")] = chosen[mu_of("motion" if plans.at_rest else "velocity")]
+    if "lever" in plans.plan_names:
+        chosen[mu_name("lever")] = chosen[mu_name("motion" if plans.at_rest else "velocity")]
     return chosen
 
 
-def fitting(plan: str, size: float, fit_mm: float) -> float:
+def largest_fitting_scale(plan: str, size: float, fit_mm: float) -> float:
     """The largest standard μ, mm per SI unit, at which a plan of this size in SI fits into so many millimetres."""
     return (standard_scale if plan == "position" else standard_mu)(size, fit_mm)
 
 
-def _size(plans: Plans, drawing: Drawing, plan: str) -> float:
+def _plan_size_si(plans: Plans, drawing: Drawing, plan: str) -> float:
     """The size of a plan in SI; zero for a force polygon with only the rounding of inertia and weight."""
-    size, m = extent(drawing, plan), plans.mechanism
-    if kind_of(plan) == "force" and "acceleration" in plans.drawn:
+    size, m = plan_extent(drawing, plan), plans.mechanism
+    if plan_kind(plan) == "force" and "acceleration" in plans.plan_names:
         mass = sum(link.mass or 0.0 for link in m.links.values())
-        return size if size > NOTHING * mass * ((m.gravity or 0.0) + extent(drawing, "acceleration")) else 0.0
+        return (
+            size
+            if size > ROUNDING_FORCE_RATIO * mass * ((m.gravity or 0.0) + plan_extent(drawing, "acceleration"))
+            else 0.0
+        )
     return size
 
 
-def extent(drawing: Drawing, plan: str) -> float:
+def plan_extent(drawing: Drawing, plan: str) -> float:
     """The larger side of the box around a plan's marks, in SI when drawn at unit scale."""
-    return max(sides(drawing, plan))
+    return max(plan_width_and_height(drawing, plan))
 
 
-def sides(drawing: Drawing, plan: str) -> tuple[float, float]:
+def plan_width_and_height(drawing: Drawing, plan: str) -> tuple[float, float]:
     """The width and the height of the box around a plan's marks."""
-    made = (s for s in drawing.program.marks.get(plan, ()) if not s.loose and label_of(s.makes) != POLE)
+    made = (
+        s
+        for s in drawing.program.mark_steps_by_plan.get(plan, ())
+        if not s.is_outside_plan and label_of(s.makes) != POLE_LABEL
+    )
     marks = [drawing[s.makes] for s in made]
     if plan != "position":
         marks.append(0j)

@@ -14,8 +14,8 @@ from planes.drafting.draft import Draft
 from planes.drafting.program import Program
 from planes.drafting.steps import Same
 from planes.drafting.steps.apart import CrossApart, ThroughApart
-from planes.plans.centres import Centre, CentreLine, Check, centre_name
-from planes.plans.position.bodies import on_scheme
+from planes.plans.centres import Centre, CentreLine, Check, instant_centre_name
+from planes.plans.position.bodies import scheme_mark
 from planes.plans.record import Plans
 from planes.scene.mechanism import FRAME
 from planes.words.names import Meaning, plan_of
@@ -33,116 +33,120 @@ class Centres:
     def links(self) -> tuple[str, ...]:
         """The frame and the links that have pairs."""
         pairs = self.plans.structure.pairs
-        return (FRAME, *(x for x in self.plans.mechanism.links if any(p.joins(x) for p in pairs)))
+        return (FRAME, *(x for x in self.plans.mechanism.links if any(p.has_link(x) for p in pairs)))
 
-    def name(self, one: str, two: str) -> str:
+    def centre_name_of_links(self, one: str, two: str) -> str:
         """The name of their centre."""
-        return centre_name(one, two, self.plans.mechanism.frame_number)
+        return instant_centre_name(one, two, self.plans.mechanism.frame_number)
 
-    def draw(self) -> None:
+    def draw_centres(self) -> None:
         """Draw those of pairs, then the crossings of two lines, until no more are found."""
-        self.seen()
+        self.record_centres_of_pairs()
         before = -1
         while before < len(self.found):
             before = len(self.found)
             for i, j in combinations(self.links, 2):
                 if frozenset((i, j)) not in self.found:
-                    self.meet(i, j)
+                    self.find_centre_by_lines(i, j)
 
-    def seen(self) -> None:
+    def record_centres_of_pairs(self) -> None:
         """The hinges, and sliders' centres at infinity across their guides."""
         for pair in self.plans.structure.pairs:
             links = self.links.index(pair.other), self.links.index(pair.link)
             i, j = (self.links[k] for k in sorted(links))
             if pair.kind == "R":
-                self.put(i, j, point=pair.point)
+                self.record_centre(i, j, point=pair.point)
             elif f"∥{pair.guide}" in self.draft.steps:
-                self.put(i, j, self.draft.square(f"∥{pair.guide}"))
+                self.record_centre(i, j, self.draft.draw_perpendicular(f"∥{pair.guide}"))
 
-    def put(self, i: str, j: str, along: str = "", lines: tuple[CentreLine, ...] = (), point: str = "") -> None:
+    def record_centre(
+        self, i: str, j: str, along: str = "", lines: tuple[CentreLine, ...] = (), point: str = ""
+    ) -> None:
         """Record a centre: at an existing hinge, at infinity, or where its lines cross."""
-        name = self.name(i, j)
-        mark, means = on_scheme(name), Meaning("centre", i, j)
+        name = self.centre_name_of_links(i, j)
+        mark, means = scheme_mark(name), Meaning("centre", i, j)
         if point:
-            self.draft.step(Same(mark, on_scheme(point), means=means))
+            self.draft.add_step(Same(mark, scheme_mark(point), means=means))
         elif not along:
             one, two = lines
-            self.draft.step(CrossApart(mark, one.mark, one.along, two.mark, two.along, means=means))
+            self.draft.add_step(CrossApart(mark, one.mark, one.along, two.mark, two.along, means=means))
         self.found[frozenset((i, j))] = Centre((i, j), name, "" if along else mark, along, lines, point)
 
-    def meet(self, i: str, j: str) -> None:
+    def find_centre_by_lines(self, i: str, j: str) -> None:
         """The centre of two links from the known ones, if they determine it."""
         between = [(k, self.found.get(frozenset((i, k))), self.found.get(frozenset((k, j)))) for k in self.links]
         ways = [(k, one, two) for k, one, two in between if one and two]
         for _, one, two in ways:
             if one.point and one.point == two.point:
-                self.put(i, j, point=one.point)
+                self.record_centre(i, j, point=one.point)
                 return
         lines, far = dict[tuple[str, ...], CentreLine](), False
         for k, one, two in ways:
             if one.along and two.along:
                 far = True
             else:
-                line = self.line(k, one, two)
+                line = self.line_of_three_centres(k, one, two)
                 lines.setdefault(tuple(sorted((line.mark, line.other or line.along))), line)
         first, *more = [*lines.values(), None]
         if first and (far or more[0]):
-            self.put(i, j, *((first.along, (first,)) if far else ("", (first, *filter(None, more[:1])))))
+            self.record_centre(i, j, *((first.along, (first,)) if far else ("", (first, *filter(None, more[:1])))))
 
-    def line(self, third: str, one: Centre, two: Centre) -> CentreLine:
+    def line_of_three_centres(self, third: str, one: Centre, two: Centre) -> CentreLine:
         """The line of three centres by two of them, not both at infinity."""
         if one.along or two.along:
             return CentreLine(third, one.mark or two.mark, one.along or two.along)
         along = ThroughApart(f"{one.name}{two.name}", one.mark, two.mark, means=Meaning("along", one.name, two.name))
-        return CentreLine(third, one.mark, self.draft.step(along), two.mark)
+        return CentreLine(third, one.mark, self.draft.add_step(along), two.mark)
 
-    def checks(self) -> Iterator[Check]:
+    def velocity_checks_by_centres(self) -> Iterator[Check]:
         """For every centre not known at once, the velocities of its links by it."""
         for c in (c for c in list(self.found.values()) if c.mark and c.lines):
             if c.links[0] == FRAME:
-                for point in self.moving(c.links[1]):
-                    own = self.side(c.links[1], point, on_scheme(point))
+                for point in self.moving_points_of_link(c.links[1]):
+                    own = self.spin_and_centre_distance(c.links[1], point, scheme_mark(point))
                     yield from [Check(f"v_{point}", c, (own,), True)] if own else []
                 continue
-            turning = [s for s in (self.side(x, c.name, c.mark) for x in c.links) if s]
-            sliding = [(p, x) for x in c.links if self.pole(x).along for p in self.moving(x)]
+            turning = [s for s in (self.spin_and_centre_distance(x, c.name, c.mark) for x in c.links) if s]
+            sliding = [
+                (p, x) for x in c.links if self.centre_with_frame(x).along for p in self.moving_points_of_link(x)
+            ]
             if len(turning) == 2:
                 yield Check(f"v_{c.name.replace('_', '')}", c, (turning[0], turning[1]))
             elif turning and sliding:
                 point, link = sliding[0]
                 yield Check(f"v_{point}", c, (turning[0],), True, link)
 
-    def pole(self, link: str) -> Centre:
+    def centre_with_frame(self, link: str) -> Centre:
         """The centre of a link and the frame."""
         return self.found.get(frozenset((FRAME, link)), Centre((FRAME, link), ""))
 
-    def moving(self, link: str) -> list[str]:
+    def moving_points_of_link(self, link: str) -> list[str]:
         """A point of a link with a measured velocity, if there is one."""
         shown = {s.name for s in self.plans.segments if s.plan == "velocity"}
-        own = (p for p in self.plans.mechanism.links[link].points if p not in self.plans.standing)
-        return [p for p in own if f"v_{p}" in shown and on_scheme(p) in self.draft.steps][:1]
+        own = (p for p in self.plans.mechanism.links[link].points if p not in self.plans.fixed_points)
+        return [p for p in own if f"v_{p}" in shown and scheme_mark(p) in self.draft.steps][:1]
 
-    def side(self, link: str, label: str, mark: str) -> tuple[str, str] | None:
+    def spin_and_centre_distance(self, link: str, label: str, mark: str) -> tuple[str, str] | None:
         """ω of a turning link and the distance of a mark from its centre with the frame, where that is a mark."""
-        omega, pole = self.plans.links[link].omega, self.pole(link)
+        omega, pole = self.plans.links[link].omega, self.centre_with_frame(link)
         if not omega or not pole.mark:
             return None
         ends = f"{pole.name}{label}".replace("_", "")
-        return omega, self.draft.measure(f"l_{ends}", pole.mark, mark)
+        return omega, self.draft.measure_segment(f"l_{ends}", pole.mark, mark)
 
 
-def with_centres(plans: Plans) -> Plans:
+def plans_with_instant_centres(plans: Plans) -> Plans:
     """The plans with the instantaneous centres of their links and the checks by them; unchanged where there is no
     velocity plan, or nothing moves."""
-    if not plans.moves or "velocity" not in plans.drawn or plans.at_rest or not plans.acting.motion:
+    if not plans.has_mechanism or "velocity" not in plans.plan_names or plans.at_rest or not plans.acting.motion:
         return plans
-    draft = plans.acting.motion.bodies.draft.apart()
+    draft = plans.acting.motion.bodies.draft.copy_for_trial()
     before = {*draft.steps}
     centres = Centres(plans, draft)
-    centres.draw()
-    checks = tuple(centres.checks())
+    centres.draw_centres()
+    checks = tuple(centres.velocity_checks_by_centres())
     new = [s for name, s in draft.steps.items() if name not in before]
-    reads = {name for s in new for name, _ in s.reads()}
+    reads = {name for s in new for name, _ in s.input_names()}
     steps = plans.program.steps
     last = max(k for k, s in enumerate(steps) if s.makes in reads or plan_of(s.makes) == "velocity")
     program = Program((*steps[: last + 1], *new, *steps[last + 1 :]), plans.program.proofs)

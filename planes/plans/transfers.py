@@ -11,12 +11,12 @@ from planes.plans import Plans
 from planes.plans.columns import DriverVector
 from planes.plans.force.derived import Derived
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, as_indexed, at, label_of
+from planes.words.names import POLE_LABEL, full_mark_name, label_of, with_analogue_in_index
 
-PLAN = "velocity"
+TRANSFER_PLAN = "velocity"
 
 
-def driver_vector(plans: Plans) -> DriverVector | None:
+def vector_of_driver_rate(plans: Plans) -> DriverVector | None:
     """The vector from which the driver's rate is computed; None where the driver is at rest or its vector is not
     drawn."""
     drive, steps = plans.drive, {s.makes: s for s in plans.program.steps}
@@ -25,34 +25,47 @@ def driver_vector(plans: Plans) -> DriverVector | None:
     if drive.kind == "s":
         slide = plans.velocity_slides.get(drive.link)
         return DriverVector(*slide.ends, slide.along, "") if slide else None
-    for laid in (s for s in steps.values() if isinstance(s, LayOff) and s.start == at(PLAN, POLE)):
+    for laid in (
+        s for s in steps.values() if isinstance(s, LayOff) and s.start == full_mark_name(TRANSFER_PLAN, POLE_LABEL)
+    ):
         value = steps.get(laid.length)
         factors = value.terms[0].factors if isinstance(value, Calculate) and len(value.terms) == 1 else ()
-        if len(factors) == 2 and factors[0] == (drive.rates[0], 1) and factors[1][1] == 1:
+        if len(factors) == 2 and factors[0] == (drive.rate_names[0], 1) and factors[1][1] == 1:
             length = factors[1][0]
             return DriverVector(laid.start, laid.makes, laid.along, length) if plans.given.get(length, 1.0) else None
     return None
 
 
-def transfers(plans: Plans) -> Iterator[Derived]:
+def transfer_functions(plans: Plans) -> Iterator[Derived]:
     """Ratios for all turning links (u_31; with a drive that slides or is inside, omega_q3), and analogues of the
     velocities for all points with vectors from the pole, those of guides too (v_qC, v_qB3); without the driver's
     own."""
-    vector = driver_vector(plans)
+    vector = vector_of_driver_rate(plans)
     if vector is None:
         return
     units = analogue_units(plans.drive.rotates)
-    for link in turning(plans):
-        names = dict.fromkeys((as_indexed(ratio_name(plans, link)), f"omega_q{link}", f"omegaq_{link}"))
+    for link in turning_links(plans):
+        names = dict.fromkeys(
+            (with_analogue_in_index(transfer_ratio_name(plans, link)), f"omega_q{link}", f"omegaq_{link}")
+        )
         yield Derived((*names,), units["omega"], plans.links[link].omega, "transfers", per=vector)
     named = {label_of(marks.velocity): point for point, marks in plans.points.items()}
-    parts = {t.end for e in plans.equations for t in e.terms if t.means and t.means.quantity == "relative"}
+    parts = {t.end for e in plans.equations for t in e.all_terms if t.means and t.means.quantity == "relative"}
     supposed = {mark for mark, meant in plans.means.items() if meant.quantity == "false"}
-    for end in dict.fromkeys(s.end for s in plans.segments_of.get(PLAN, ()) if s.start == POLE != s.end not in parts):
-        mark = at(PLAN, end)
+    for end in dict.fromkeys(
+        s.end for s in plans.segments_by_plan.get(TRANSFER_PLAN, ()) if s.start == POLE_LABEL != s.end not in parts
+    ):
+        mark = full_mark_name(TRANSFER_PLAN, end)
         if mark != vector.end and mark not in supposed:
             name = f"vq_{named.get(end) or end.upper()}"
-            yield Derived((as_indexed(name), name), units["v"], "", "transfers", (at(PLAN, POLE), mark), vector)
+            yield Derived(
+                (with_analogue_in_index(name), name),
+                units["v"],
+                "",
+                "transfers",
+                (full_mark_name(TRANSFER_PLAN, POLE_LABEL), mark),
+                vector,
+            )
 
 
 def analogue_units(turns: bool) -> dict[str, str]:
@@ -62,7 +75,7 @@ def analogue_units(turns: bool) -> dict[str, str]:
     return {"v": "1", "a": "1/m", "omega": "1/m", "epsilon": "1/m²"}
 
 
-def ratio_name(plans: Plans, link: str) -> str:
+def transfer_ratio_name(plans: Plans, link: str) -> str:
     """The name of the transfer ratio ω_link/ω_driver: u_31; with a drive that slides or is inside, omegaq_3."""
     drive = plans.drive
     if not drive.rotates or drive.on != FRAME:
@@ -71,7 +84,7 @@ def ratio_name(plans: Plans, link: str) -> str:
     return f"u_{link}{driver}" if len(link) == len(driver) == 1 else f"u_{link}_{driver}"
 
 
-def turning(plans: Plans) -> list[str]:
+def turning_links(plans: Plans) -> list[str]:
     """Links that turn, without a driver whose rotation is given."""
     drive = plans.drive
     given = drive.link if drive.rotates and drive.on == FRAME else ""

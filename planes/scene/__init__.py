@@ -7,24 +7,32 @@ from pathlib import Path
 from types import MappingProxyType
 
 from planes.scene import settings, source
-from planes.scene.doubts import check_lengths, idle_parameters, read_doubts
+from planes.scene.doubts import check_rod_lengths, parameters_used_only_under, read_doubts
 from planes.scene.friction import read_friction
 from planes.scene.links import read_frame, read_links
-from planes.scene.load_laws import LawReader, read_turning
+from planes.scene.load_laws import LawReader, law_reader_without_mechanism
 from planes.scene.mechanism import FRAME, Drive, Mechanism, Where, nothing
 from planes.scene.motion import read_assembly, read_drive, read_loads
 from planes.scene.outline import check_outline
-from planes.scene.parameters import TOLD, choose, read_laws, read_parameters, read_variants, used_values, with_numbers
-from planes.scene.paths import entries_of, line_of
+from planes.scene.parameters import (
+    KEYS_WITHOUT_EFFECT,
+    choose_variant,
+    parameter_values_in_use,
+    read_laws,
+    read_parameters,
+    read_variants,
+    variant_with_numbers,
+)
+from planes.scene.paths import entries_of_table, line_of_path
 from planes.scene.reader import Fields, Reader
 from planes.scene.source import Node
 from planes.scene.structures import FrameworkReader
 from planes.scene.vector_equations import VectorEquation
-from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_own
+from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_own_equations
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
-from planes.words.names import CREMONA, latin
+from planes.words.names import CREMONA_PLAN, with_latin_letters
 from planes.words.records import Pictured
 from planes.words.units import Convention
 
@@ -85,7 +93,7 @@ class Scene(Pictured):
     @cached_property
     def used(self) -> Mapping[str, float]:
         """The parameters in use, directly or through one another."""
-        return used_values(self.reading.source, self.file, self.parameters)
+        return parameter_values_in_use(self.reading.source, self.file, self.parameters)
 
     @property
     def frame_number(self) -> str:
@@ -118,12 +126,12 @@ class Scene(Pictured):
     def to_yaml(self) -> str:
         """The text of its scene file. Where a variant was chosen or parameters were changed, their numbers are in its
         parameters, and variants and remarks are not kept."""
-        from planes.scene.writing import own_scene
+        from planes.scene.writing import scene_text_with_numbers
 
         changed = {name: repr(float(value)) for name, value in self.reading.changed.items()}
         if not changed and self.variant is None:
             return self.reading.source
-        return own_scene(self.reading.source, self.file, self.variant, changed, {})
+        return scene_text_with_numbers(self.reading.source, self.file, self.variant, changed, {})
 
 
 def load(path: str | Path, variant: str | None = None, **parameters: float) -> Scene:
@@ -132,47 +140,47 @@ def load(path: str | Path, variant: str | None = None, **parameters: float) -> S
     Raises :class:`~planes.words.errors.SceneError`, with file and line, for a mistake in the file or an unknown
     parameter.
     """
-    return loads(source.read(path), str(path), variant, **parameters)
+    return loads(source.read_file_text(path), str(path), variant, **parameters)
 
 
 def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **parameters: float) -> Scene:
     """Read the text of a scene file, as :func:`load` does."""
-    table = source.parse(text, file)
+    table = source.parse_yaml(text, file)
     reader = Reader(file)
     check_outline(reader, table)
     variant = variant and unicodedata.normalize("NFC", variant[:1000])
     scene = Fields(reader, table, Phrase("the_scene"))
-    given = scene.optional("parameters")
-    tables = read_variants(reader, scene.optional("variants"), given)
-    variant, chosen = choose(reader, tables, variant, table.lines.get("variants", 1))
-    changed = with_numbers(reader, given, chosen, parameters)
+    given = scene.optional_node("parameters")
+    tables = read_variants(reader, scene.optional_node("variants"), given)
+    variant, chosen = choose_variant(reader, tables, variant, table.lines.get("variants", 1))
+    changed = variant_with_numbers(reader, given, chosen, parameters)
     reader.parameters = MappingProxyType(read_parameters(reader, given, changed))
-    stated = {**entries_of(given), **entries_of(changed)}
-    if idle := parameters.keys() & idle_parameters(table, stated, TOLD):
-        raise SceneError(Phrase("parameter_idle", name=min(idle)), file, line_of(table, ("parameters", min(idle))))
+    stated = {**entries_of_table(given), **entries_of_table(changed)}
+    if idle := parameters.keys() & parameters_used_only_under(table, stated, KEYS_WITHOUT_EFFECT):
+        raise SceneError(Phrase("parameter_idle", name=min(idle)), file, line_of_path(table, ("parameters", min(idle))))
     reading = ReadWith(variant, tuple(tables), reader.parameters, text, MappingProxyType(parameters))
-    return _scene(scene, reading, stated)
+    return _scene_from_fields(scene, reading, stated)
 
 
-def _scene(scene: Fields, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
+def _scene_from_fields(scene: Fields, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
     reader, table = scene.reader, scene.table
-    where = MappingProxyType({path: line for path, _, line in source.walk(table) if path})
+    where = MappingProxyType({path: line for path, _, line in source.walk_nodes(table) if path})
     of_vectors = "vectors" in scene
-    laws = read_turning(scene, stated) if of_vectors or "points" in scene else None
-    statics = FrameworkReader(scene, laws).read() if "points" in scene else None
-    mechanism = None if of_vectors or statics else _mechanism(scene, where, stated)
-    mu, quantity = settings.read_plans(reader, scene.optional("plans")), None
+    laws = law_reader_without_mechanism(scene, stated) if of_vectors or "points" in scene else None
+    statics = FrameworkReader(scene, laws).read_framework() if "points" in scene else None
+    mechanism = None if of_vectors or statics else _mechanism_from_fields(scene, where, stated)
+    mu, quantity = settings.read_plan_scales(reader, scene.optional_node("plans")), None
     if of_vectors:
-        mu, quantity = settings.read_vector_mu(scene, mu)
-    mu = {**mu, CREMONA: mu["force"]} if statics else mu
+        mu, quantity = settings.read_vector_scales(scene, mu)
+    mu = {**mu, CREMONA_PLAN: mu["force"]} if statics else mu
     if "note" in scene and "text" in scene:
-        scene.one_of("note", "text")
-    said = {key: scene.optional(key) for key in ("title", "note", "missing")}
-    said["note"] = said["note"] or scene.optional("text")
-    statement = StatementReader(scene, laws).read(quantity) if of_vectors else None
+        scene.require_one_key("note", "text")
+    said = {key: scene.optional_node(key) for key in ("title", "note", "missing")}
+    said["note"] = said["note"] or scene.optional_node("text")
+    statement = StatementReader(scene, laws).read_statement(quantity) if of_vectors else None
     if statics:
         statement = Statement(parameters=reader.parameters, statics=statics, drive=laws.drive if laws else None)
-    words = {key: MappingProxyType(settings.read_words(reader, node, key)) for key, node in said.items()}
+    words = {key: MappingProxyType(settings.read_text_by_language(reader, node, key)) for key, node in said.items()}
     return Scene(
         file=reader.file,
         title=words["title"],
@@ -181,31 +189,33 @@ def _scene(scene: Fields, reading: ReadWith, stated: Mapping[str, Node]) -> Scen
         mechanism=mechanism,
         statement=statement,
         mu=MappingProxyType(mu),
-        find=settings.read_find(reader, scene.optional("find")),
-        sheet=MappingProxyType(dict(settings.read_sheet(reader, scene.optional("sheet")))),
+        find=settings.read_names_to_find(reader, scene.optional_node("find")),
+        sheet=MappingProxyType(dict(settings.read_sheet_settings(reader, scene.optional_node("sheet")))),
         where=where,
-        crank_slider=scene.optional("crank_slider"),
+        crank_slider=scene.optional_node("crank_slider"),
         missing=words["missing"],
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
-        mu_written=settings.convention_written(table),
-        equations=read_own(reader, table.entries["equations"]) if mechanism and "equations" in scene else (),
+        mu_written=settings.written_mu_convention(table),
+        equations=read_own_equations(reader, table.entries["equations"]) if mechanism and "equations" in scene else (),
     )
 
 
-def _mechanism(scene: Fields, where: Where, stated: Mapping[str, Node]) -> Mechanism:
+def _mechanism_from_fields(scene: Fields, where: Where, stated: Mapping[str, Node]) -> Mechanism:
     reader, table = scene.reader, scene.table
-    reader.taken = {latin(path[-1]) for path in where if path[-2:-1] == ("points",)}
+    reader.taken = {with_latin_letters(path[-1]) for path in where if path[-2:-1] == ("points",)}
     frame = read_frame(reader, table.entries["frame"])
     links = read_links(reader, table.entries["links"], frame)
     drive = read_drive(reader, table.entries["drive"], links)
-    assembly, loads = scene.optional("assembly"), scene.optional("loads")
-    friction, journals = read_friction(reader, f, frame, links) if (f := scene.optional("friction")) else ({}, {})
+    assembly, loads = scene.optional_node("assembly"), scene.optional_node("loads")
+    friction, journals = read_friction(reader, f, frame, links) if (f := scene.optional_node("friction")) else ({}, {})
     mechanism = Mechanism(
         frame,
         MappingProxyType(links),
         drive,
         () if loads is None else read_loads(LawReader(scene, links, drive, stated), loads, links),
-        None if (gravity := scene.optional("gravity")) is None else reader.positive(gravity, Phrase("gravity")),
+        None
+        if (gravity := scene.optional_node("gravity")) is None
+        else reader.read_non_negative(gravity, Phrase("gravity")),
         MappingProxyType(friction),
         MappingProxyType(journals),
         MappingProxyType({} if assembly is None else read_assembly(reader, assembly, frame, links)),
@@ -214,5 +224,5 @@ def _mechanism(scene: Fields, where: Where, stated: Mapping[str, Node]) -> Mecha
         settings.read_number_of_frame(reader, table.entries["frame"]),
         reader.written,
     )
-    check_lengths(reader, mechanism)
+    check_rod_lengths(reader, mechanism)
     return mechanism

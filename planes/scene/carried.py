@@ -8,39 +8,42 @@ import hashlib
 import struct
 import zlib
 
-PNG = b"\x89PNG\r\n\x1a\n"
-_CHUNK, _PIXELS = b"plAN", b"IDAT"
-_PACKED = 4  # of 9: a twelfth more bytes than 9 in a quarter of the time
-_DIGEST = hashlib.sha256().digest_size
+PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+_DRAWING_CHUNK_KIND, _PIXEL_CHUNK_KIND = b"plAN", b"IDAT"
+_COMPRESSION_LEVEL = 4  # of 9: a twelfth more bytes than 9 in a quarter of the time
+_DIGEST_BYTES = hashlib.sha256().digest_size
 
 
-def carrying(png: bytes, svg: bytes) -> bytes:
+def png_with_drawing(png: bytes, svg: bytes) -> bytes:
     """A PNG file with its drawing."""
-    at = png.index(_PIXELS) - 4  # a chunk begins with its length
-    held = hashlib.sha256(png[at:]).digest() + zlib.compress(svg, _PACKED)
-    return png[:at] + chunk(_CHUNK, held) + png[at:]
+    at = png.index(_PIXEL_CHUNK_KIND) - 4  # a chunk begins with its length
+    held = hashlib.sha256(png[at:]).digest() + zlib.compress(svg, _COMPRESSION_LEVEL)
+    return png[:at] + png_chunk(_DRAWING_CHUNK_KIND, held) + png[at:]
 
 
-def chunk(kind: bytes, held: bytes) -> bytes:
+def png_chunk(kind: bytes, held: bytes) -> bytes:
     """A chunk of a PNG file: its length, its kind, what it holds, a checksum."""
     return struct.pack(">I", len(held)) + kind + held + struct.pack(">I", zlib.crc32(kind + held))
 
 
-def carried(png: bytes, most: int) -> bytes | None:
+def drawing_in_png(png: bytes, most: int) -> bytes | None:
     """The drawing in a PNG file, if it belongs to exactly these pixels and has no more than ``most`` bytes."""
-    place = len(PNG)
-    while png.startswith(PNG) and place + 12 <= len(png):
+    place = len(PNG_SIGNATURE)
+    while png.startswith(PNG_SIGNATURE) and place + 12 <= len(png):
         long, kind = struct.unpack_from(">I4s", png, place)
-        if kind == _PIXELS:
+        if kind == _PIXEL_CHUNK_KIND:
             break
         end = place + 12 + long
-        if kind == _CHUNK and hashlib.sha256(png[end:]).digest() == png[place + 8 : place + 8 + _DIGEST]:
-            return _opened(png[place + 8 + _DIGEST : end - 4], most)
+        if (
+            kind == _DRAWING_CHUNK_KIND
+            and hashlib.sha256(png[end:]).digest() == png[place + 8 : place + 8 + _DIGEST_BYTES]
+        ):
+            return _decompress_drawing(png[place + 8 + _DIGEST_BYTES : end - 4], most)
         place = end
     return None
 
 
-def _opened(held: bytes, most: int) -> bytes | None:
+def _decompress_drawing(held: bytes, most: int) -> bytes | None:
     reader = zlib.decompressobj()
     try:
         data = reader.decompress(held, most)

@@ -10,28 +10,28 @@ from pathlib import Path
 from secrets import token_hex
 from tempfile import TemporaryDirectory
 
-from planes.scene.source import STANDARD
+from planes.scene.source import STANDARD_STREAM_PATH
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
-PART = ".part"  # suffix of a file while it is being written
+DRAFT_SUFFIX = ".part"  # suffix of a file while it is being written
 
 
 @contextmanager
-def whole(path: str | Path, draft: Path | None = None) -> Iterator[Path]:
+def draft_replacing_file(path: str | Path, draft: Path | None = None) -> Iterator[Path]:
     """A draft to write to; it takes the file's name once it is safely on disk, and is deleted if anything fails.
 
     The draft lies beside the file under a unique name. A symbolic link at that name is replaced; its target is not
     written to.
     """
     target = Path(path)
-    if is_output(target):
+    if is_standard_output(target):
         with TemporaryDirectory() as folder:
             yield (piped := Path(folder) / f"piped{target.suffix}")
             sys.stdout.buffer.write(piped.read_bytes())
         return
-    draft = draft or target.parent / f".planes-{token_hex(8)}{PART}"
-    mode = _mode(target)
+    draft = draft or target.parent / f".planes-{token_hex(8)}{DRAFT_SUFFIX}"
+    mode = _file_permissions(target)
     try:
         os.close(os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
         yield draft
@@ -45,12 +45,12 @@ def whole(path: str | Path, draft: Path | None = None) -> Iterator[Path]:
         raise
 
 
-def is_output(target: Path) -> bool:
+def is_standard_output(target: Path) -> bool:
     """Whether the path is standard output: a minus, with the suffix of the format (``-.svg``) where that matters."""
-    return target.stem == STANDARD and target.parent == Path()
+    return target.stem == STANDARD_STREAM_PATH and target.parent == Path()
 
 
-def _mode(target: Path) -> int | None:
+def _file_permissions(target: Path) -> int | None:
     """The permissions of an existing file, None where there is none; an impossible file name is refused at once."""
     try:
         mode = target.lstat().st_mode
@@ -61,18 +61,18 @@ def _mode(target: Path) -> int | None:
     return stat.S_IMODE(mode) if stat.S_ISREG(mode) else None
 
 
-def save(data: bytes, path: str | Path | None) -> bytes:
+def save_bytes(data: bytes, path: str | Path | None) -> bytes:
     """Return the bytes unchanged and write them to the path, if given: the whole file or nothing."""
     if path is not None:
-        if _flows(Path(path)):
+        if _is_terminal_or_pipe(Path(path)):
             Path(path).write_bytes(data)
             return data
-        with whole(path) as draft:
+        with draft_replacing_file(path) as draft:
             draft.write_bytes(data)
     return data
 
 
-def _flows(target: Path) -> bool:
+def _is_terminal_or_pipe(target: Path) -> bool:
     """Whether the path is a terminal or a pipe, which is written to and never replaced."""
     try:
         mode = target.stat().st_mode
@@ -82,20 +82,20 @@ def _flows(target: Path) -> bool:
 
 
 @contextmanager
-def sayable(path: str | Path) -> Iterator[None]:
+def writing_errors_in_words(path: str | Path) -> Iterator[None]:
     """A system error while a file is written, as a sentence."""
     try:
         yield
     except OSError as error:
-        raise cannot_write(error, path) from None
+        raise cannot_write_error(error, path) from None
 
 
-def cannot_write(error: OSError, path: str | Path) -> PlanesError:
+def cannot_write_error(error: OSError, path: str | Path) -> PlanesError:
     """The sentence that says a file cannot be written, and why."""
     return PlanesError(Phrase("cannot_write", file=str(path), reason=error.strerror or str(error)))
 
 
-def keep(data: bytes, path: str | Path) -> None:
+def save_file_or_refuse(data: bytes, path: str | Path) -> None:
     """Write the whole file, or refuse with a sentence."""
-    with sayable(path):
-        save(data, path)
+    with writing_errors_in_words(path):
+        save_bytes(data, path)

@@ -15,34 +15,34 @@ def read_friction(
     reader: Reader, node: Node, frame: Link, links: Mapping[str, Link]
 ) -> tuple[dict[str, float], dict[str, Journal]]:
     """Coefficients of straight guides by guide; pins of hinges, and circular guides, by their names."""
-    table, bodies = reader.table(node, "friction"), (frame, *links.values())
+    table, bodies = reader.read_table(node, "friction"), (frame, *links.values())
     radii = {name: guide.radius for link in bodies for name, guide in link.round_guides.items()}
-    slid, hinges = set(_slid(links)), set(_hinges(bodies))
+    slid, hinges = set(_guides_slid_on(links)), set(_hinge_points(bodies))
     guides, journals = dict[str, float](), dict[str, Journal]()
     for name, entry in table.entries.items():
         what = Phrase("friction_of", name=name[:60])
         if name in hinges and isinstance(entry, SourceTable):
             pin = Fields(reader, entry, what, PIN_KEYS)
-            journals[name] = Journal(pin.positive("coefficient"), pin.positive("radius"))
+            journals[name] = Journal(pin.read_non_negative("coefficient"), pin.read_non_negative("radius"))
         elif name in slid and name in radii:
-            journals[name] = Journal(reader.positive(entry, what), radii[name], round=True)
+            journals[name] = Journal(reader.read_non_negative(entry, what), radii[name], round=True)
         elif name in slid:
-            guides[name] = reader.positive(entry, what)
+            guides[name] = reader.read_non_negative(entry, what)
         elif name in hinges:
-            raise reader.fault("friction_of_pin", entry, what=what, name=name)
+            raise reader.error_by_key("friction_of_pin", entry, what=what, name=name)
         else:
             idle = {*radii, *(guide for link in bodies for guide in link.guides)}
-            valid = reader.offer(name, sorted(slid | hinges))
+            valid = reader.valid_names_in_words(name, sorted(slid | hinges))
             why = Phrase("friction_no_slide" if name in idle else "friction_no_pair", name=name[:60], valid=valid)
             raise reader.error(why, table.lines[name])
     return guides, journals
 
 
-def _slid(links: Mapping[str, Link]) -> Iterator[str]:
+def _guides_slid_on(links: Mapping[str, Link]) -> Iterator[str]:
     for link in links.values():
         yield from (slide.guide for slide in (link.slides, link.slides_round) if slide)
 
 
-def _hinges(bodies: tuple[Link, ...]) -> Iterator[str]:
+def _hinge_points(bodies: tuple[Link, ...]) -> Iterator[str]:
     held = Counter(point for link in bodies for point in list(link.points)[: -1 if link.slides_round else None])
     return (point for point, count in held.items() if count > 1)

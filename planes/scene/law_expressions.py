@@ -13,7 +13,7 @@ from planes.scene.expressions import ExpressionParser
 from planes.scene.mechanism import Pairs
 from planes.words import Phrase
 
-STEEPEST = 20  # a power of a variable is multiplied out
+MOST_MULTIPLIED_POWER = 20  # a power of a variable is multiplied out
 
 
 class LawParser(ExpressionParser):
@@ -25,48 +25,48 @@ class LawParser(ExpressionParser):
         self.ok: Truth = True
         self.read = 0  # count of names so far
 
-    def named(self, name: str) -> Real:
+    def value_of_name(self, name: str) -> Real:
         self.read += name in self.names
-        return super().named(name)
+        return super().value_of_name(name)
 
-    def where(self, ok: Truth, x: Real, instead: float) -> Real:
+    def choose_where(self, ok: Truth, x: Real, instead: float) -> Real:
         """A number where the condition holds, an arbitrary one elsewhere."""
         self.ok = ok & self.ok
         return self.ar.where(ok, x, instead)
 
-    def divided(self, value: Real, by: Real) -> Real:
-        return value / self.where(abs(by) > 0, by, 1.0)
+    def divide_values(self, value: Real, by: Real) -> Real:
+        return value / self.choose_where(abs(by) > 0, by, 1.0)
 
-    def power(self) -> Real:
+    def parse_power(self) -> Real:
         """A number to any power; a variable only to a whole power or a multiple of one half."""
         before = self.read
-        base = self.atom()
-        if not self.sign("^", "**"):
+        base = self.parse_atom()
+        if not self.take_sign("^", "**"):
             return base
         moves, before = self.read > before, self.read
-        exponent = self.signed()
+        exponent = self.parse_signed_power()
         if not moves and self.read == before:
-            return super().raised(float(base), float(exponent))
+            return super().raise_to_power(float(base), float(exponent))
         halves = 0.0 if self.read > before else 2 * float(exponent)
-        if self.read > before or not halves.is_integer() or abs(halves) > 2 * STEEPEST:
-            raise self.fail(Phrase("law_power", most=STEEPEST))
+        if self.read > before or not halves.is_integer() or abs(halves) > 2 * MOST_MULTIPLIED_POWER:
+            raise self.error_quoting_expression(Phrase("law_power", most=MOST_MULTIPLIED_POWER))
         odd = halves % 2 == 1
-        power = self.ar.power(self._root(base) if odd else base, int(abs(halves)) // (1 if odd else 2))
-        return power if halves >= 0 else self.divided(1.0, power)
+        power = self.ar.power(self._square_root(base) if odd else base, int(abs(halves)) // (1 if odd else 2))
+        return power if halves >= 0 else self.divide_values(1.0, power)
 
-    def _root(self, x: Real) -> Real:
-        return self.ar.sqrt(self.where(x >= 0, x, 0.0))
+    def _square_root(self, x: Real) -> Real:
+        return self.ar.sqrt(self.choose_where(x >= 0, x, 0.0))
 
-    def _sine(self, x: Real) -> tuple[Real, Real]:
+    def _sine_and_cosine(self, x: Real) -> tuple[Real, Real]:
         """A sine and its cosine."""
-        x = self.where(abs(x) <= 1, x, 0.0)
+        x = self.choose_where(abs(x) <= 1, x, 0.0)
         return x, self.ar.sqrt(1 - x * x)
 
-    def called(self, name: str, function: Callable[..., float], given: list[Real]) -> Real:
+    def value_of_function(self, name: str, function: Callable[..., float], given: list[Real]) -> Real:
         ar, x = self.ar, given[0]
         match name:
             case "sqrt":
-                return self._root(x)
+                return self._square_root(x)
             case "min" | "max":
                 return reduce(ar.minimum if name == "min" else ar.maximum, given)
             case "hypot":
@@ -77,16 +77,16 @@ class LawParser(ExpressionParser):
                 return ar.cis_deg(x).real
             case "tan":
                 turn = ar.cis_deg(x)
-                return self.divided(turn.imag, turn.real)
+                return self.divide_values(turn.imag, turn.real)
             case "asin" | "acos":
-                one, other = self._sine(x)
+                one, other = self._sine_and_cosine(x)
                 return ar.angle_deg(other + 1j * one if name == "asin" else one + 1j * other)
             case "atan" | "atan2":
                 return ar.angle_deg(given[1] + 1j * x if name == "atan2" else 1 + 1j * x)
         return abs(x)
 
 
-def between(table: Pairs, x: Real, ar: Arithmetic) -> Real:
+def interpolate_table(table: Pairs, x: Real, ar: Arithmetic) -> Real:
     """The value of a table at x, linear between its pairs; beyond the ends, the value at the end."""
     value: Real = table[0][1]
     for (x0, y0), (x1, y1) in pairwise(table):
@@ -95,13 +95,13 @@ def between(table: Pairs, x: Real, ar: Arithmetic) -> Real:
     return value
 
 
-def within(table: Pairs, x: Real, slack: float) -> Truth:
+def is_within_table(table: Pairs, x: Real, slack: float) -> Truth:
     """Whether x lies within a table, or outside it by at most ``slack`` of its length."""
     beside = slack * (table[-1][0] - table[0][0])
     return (x >= table[0][0] - beside) & (x <= table[-1][0] + beside)
 
 
-def folded(table: Pairs, phi: Real, ar: Arithmetic) -> Real:
+def fold_angle_into_turn(table: Pairs, phi: Real, ar: Arithmetic) -> Real:
     """An angle reduced to the turn that a table covers."""
     start = table[0][0] + 180.0
     return ar.angle_deg(ar.cis_deg(phi - start)) + start

@@ -14,7 +14,7 @@ from planes.scene.written_numbers import WrittenNumbers
 from planes.words.frozen import field, frozen
 
 FRAME = "0"
-RATES = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
+DRIVE_RATE_KEYS = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
 """The keys of a drive's rates in a scene, by its kind."""
 Sense = Literal["along", "against"]
 DriveKind = Literal["phi", "s"]
@@ -56,7 +56,7 @@ class Journal:
     round: bool = False
 
     @property
-    def circle(self) -> float:
+    def friction_circle_radius(self) -> float:
         """The radius of the friction circle, to which the reaction is tangent."""
         return self.radius * self.coefficient / (math.hypot(1.0, self.coefficient) if self.round else 1.0)
 
@@ -122,23 +122,23 @@ class Drive:
         return self.link if self.on == FRAME else f"{self.link}_{self.on}"
 
     @property
-    def given(self) -> str:
+    def coordinate_name(self) -> str:
         """The name of its coordinate: the angle of its link's axis, absolute or relative to another link; or s."""
         turned = f"angle_x_{self.link}" if self.on == FRAME else f"angle_{self.turning}"
         return turned if self.rotates else "s"
 
     @property
-    def letters(self) -> tuple[str, str, str]:
+    def motion_names(self) -> tuple[str, str, str]:
         """Names of its position, velocity and acceleration: phi_1, omega_1, epsilon_1; of a slider s_1, v_1, a_1; where
         it moves no link, phi or s."""
         if self.link == FRAME:
             return self.kind, "", ""
         if self.rotates:
-            return f"phi_{self.turning}", *self.rates
+            return f"phi_{self.turning}", *self.rate_names
         return f"s_{self.link}", f"v_{self.link}", f"a_{self.link}"
 
     @property
-    def rates(self) -> tuple[str, str]:
+    def rate_names(self) -> tuple[str, str]:
         """The names of its given velocity and acceleration."""
         turning = f"omega_{self.turning}", f"epsilon_{self.turning}"
         return turning if self.rotates else ("v_drive", "a_drive")
@@ -247,7 +247,7 @@ class Mechanism:
         """The link that carries each guide, the frame's guides first."""
         return {guide: link for link in self.bodies for guide in link.guides}
 
-    def owner(self, guide: str) -> str:
+    def owner_of_guide(self, guide: str) -> str:
         """Name of the link that carries the guide."""
         return self.owners[guide].name
 
@@ -255,27 +255,27 @@ class Mechanism:
         """The guide of that name, on any link."""
         return self.owners[name].guides[name]
 
-    def rank(self, link: Link) -> tuple[bool, int]:
+    def slider_rank(self, link: Link) -> tuple[bool, int]:
         """Of two sliders in one place the one of higher rank holds the other: the frame's, or the later one."""
-        return bool(link.slides and self.owner(link.slides.guide) == FRAME), [*self.links].index(link.name)
+        return bool(link.slides and self.owner_of_guide(link.slides.guide) == FRAME), [*self.links].index(link.name)
 
-    def round_guide(self, link: Link) -> tuple[RoundGuide, str] | None:
+    def round_guide_of_link(self, link: Link) -> tuple[RoundGuide, str] | None:
         """The circular guide that a link slides on, and the link that carries it."""
         name = link.slides_round.guide if link.slides_round else ""
         return next(((x.round_guides[name], x.name) for x in self.bodies if name in x.round_guides), None)
 
-    def joined(self, link: Link) -> list[str]:
+    def points_without_guide_centre(self, link: Link) -> list[str]:
         """The points of a link, without the centre of the circle it slides on."""
-        guides = self.round_guide(link)
+        guides = self.round_guide_of_link(link)
         return [p for p in link.points if not guides or p != guides[0].centre]
 
-    def rubs(self, point: str, *links: str) -> str | None:
+    def journal_key_of_hinge(self, point: str, *links: str) -> str | None:
         """The key of ``journals`` for the hinge of two links at a point, or for the circular guide of one of them."""
-        round_guides = (self.round_guide(self.link(x)) for x in links)
+        round_guides = (self.round_guide_of_link(self.link(x)) for x in links)
         name = next((g[0].name for g in round_guides if g and g[0].centre == point), point)
         return name if name in self.journals else None
 
     @cached_property
-    def names(self) -> tuple[str, ...]:
+    def point_names(self) -> tuple[str, ...]:
         """Names of all points, each once, those of the frame first."""
         return tuple(dict.fromkeys(p for link in self.bodies for p in link.points))

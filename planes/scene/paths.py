@@ -2,27 +2,27 @@
 
 from collections.abc import Iterator, Mapping
 
-from planes.scene.source import Items, Node, SourceScalar, SourceTable, walk
+from planes.scene.source import Items, Node, SourceScalar, SourceTable, walk_nodes
 
 Keys = tuple[str, ...]
 
 
-def entries_of(node: Node | None) -> Mapping[str, Node]:
+def entries_of_table(node: Node | None) -> Mapping[str, Node]:
     """The entries of a table; empty where the node is not a table."""
     return node.entries if isinstance(node, SourceTable) else {}
 
 
-def texts(node: Node) -> Iterator[tuple[Keys, SourceScalar]]:
+def texts_with_paths(node: Node) -> Iterator[tuple[Keys, SourceScalar]]:
     """All texts beneath a node, each with its path."""
-    return ((path, one) for path, one, _ in walk(node) if isinstance(one, SourceScalar))
+    return ((path, one) for path, one, _ in walk_nodes(node) if isinstance(one, SourceScalar))
 
 
-def line_of(table: SourceTable, path: Keys) -> int:
+def line_of_path(table: SourceTable, path: Keys) -> int:
     """The line of the deepest existing key of a path."""
-    return [table.line, *(line for _, line in down(table, path))][-1]
+    return [table.line, *(line for _, line in nodes_along_path(table, path))][-1]
 
 
-def down(node: Node, path: Keys) -> Iterator[tuple[Node, int]]:
+def nodes_along_path(node: Node, path: Keys) -> Iterator[tuple[Node, int]]:
     """The nodes along a path, each with the line of its key; missing keys are left out."""
     for key in path:
         if isinstance(node, Items):

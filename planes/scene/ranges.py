@@ -5,15 +5,15 @@ from typing import Any, TypeVar
 
 from planes.geometry.arrays import Array
 from planes.scene import Scene
-from planes.scene.parameters import finite
-from planes.scene.reader import MOST_TURNS
+from planes.scene.parameters import require_finite_numbers
+from planes.scene.reader import MOST_ANGLE_TURNS
 from planes.words import Phrase
 from planes.words.errors import PlanesError, SceneError
 from planes.words.frozen import frozen
 
 T = TypeVar("T")
-MOST = 10_000_000  # positions held in memory at once
-MOST_ROWS = 1_000_000_000  # positions of a table, which is written piece by piece
+MOST_POSITIONS_IN_MEMORY = 10_000_000  # positions held in memory at once
+MOST_TABLE_POSITIONS = 1_000_000_000  # positions of a table, which is written piece by piece
 
 
 @frozen
@@ -25,7 +25,7 @@ class Span:
     count: int
 
     @property
-    def ends(self) -> tuple[float, float]:
+    def first_and_last(self) -> tuple[float, float]:
         """The first value and the last."""
         return self.start, self.start + self.step * (self.count - 1)
 
@@ -42,7 +42,7 @@ class Span:
         return values
 
 
-def asked_of_drive(scene: Scene, phi: T | None, s: T | None, sign: str = "") -> T | None:
+def driver_coordinate_asked(scene: Scene, phi: T | None, s: T | None, sign: str = "") -> T | None:
     """Of an angle and a place the one the drive is moved by; the other may not be asked for. ``sign`` stands before
     the names of both."""
     kind = scene.drive.kind if scene.drive else ""
@@ -54,16 +54,16 @@ def asked_of_drive(scene: Scene, phi: T | None, s: T | None, sign: str = "") -> 
     return asked.get(kind)
 
 
-def places_of(scene: Scene, phi: Any, s: Any, several: bool = True) -> Any:
+def drive_positions_asked(scene: Scene, phi: Any, s: Any, several: bool = True) -> Any:
     """Where the drive is asked to be, as :func:`finite` takes it; None where nothing is asked."""
-    at = asked_of_drive(scene, phi, s)
-    return None if at is None else finite(at, "s" if phi is None else "phi", several)
+    at = driver_coordinate_asked(scene, phi, s)
+    return None if at is None else require_finite_numbers(at, "s" if phi is None else "phi", several)
 
 
 def read_range(text: str, option: str = "--phi") -> list[float]:
     """The values of "a", or of "a:b:step" with b included when it falls on it."""
     span = read_span(text, option)
-    _check_count(span.count, MOST, text, option)
+    _check_count(span.count, MOST_POSITIONS_IN_MEMORY, text, option)
     return [span.start + i * span.step for i in range(span.count)]
 
 
@@ -78,19 +78,19 @@ def read_span(text: str, option: str = "--phi") -> Span:
     if len(numbers) not in (1, 3) or not all(math.isfinite(n) for n in numbers):
         raise SceneError(Phrase("range_parts", option=option, text=repr(text)))
     if len(numbers) == 1:
-        return _near(Span(numbers[0], 0.0, 1), text, option)
+        return _require_near_angles(Span(numbers[0], 0.0, 1), text, option)
     start, end, step = numbers
     if step == 0 or (end - start) * step < 0:
         raise SceneError(Phrase("range_endless", option=option, text=repr(text), step=step, start=start, end=end))
     steps = (end - start) / step * (1 + 1e-12) + 1e-9
-    _check_count(steps, MOST_ROWS, text, option)
-    return _near(Span(start, step, math.floor(steps) + 1), text, option)
+    _check_count(steps, MOST_TABLE_POSITIONS, text, option)
+    return _require_near_angles(Span(start, step, math.floor(steps) + 1), text, option)
 
 
-def _near(span: Span, text: str, option: str) -> Span:
+def _require_near_angles(span: Span, text: str, option: str) -> Span:
     """Refuse angles of so many turns that too few of their digits are left."""
-    if option == "--phi" and max(map(abs, span.ends)) > 360.0 * MOST_TURNS:
-        raise SceneError(Phrase("range_far", option=option, text=repr(text), most=MOST_TURNS))
+    if option == "--phi" and max(map(abs, span.first_and_last)) > 360.0 * MOST_ANGLE_TURNS:
+        raise SceneError(Phrase("range_far", option=option, text=repr(text), most=MOST_ANGLE_TURNS))
     return span
 
 

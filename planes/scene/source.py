@@ -18,21 +18,21 @@ from pathlib import Path
 
 import yaml
 
-from planes.scene.unit_words import IN_SI
-from planes.scene.yaml_faults import explained
+from planes.scene.unit_words import SI_REPLACEMENTS
+from planes.scene.yaml_faults import explain_yaml_error
 from planes.words import Phrase
-from planes.words.errors import SceneError, near_file, shown
+from planes.words.errors import SceneError, quoted_excerpt, suggest_file
 from planes.words.frozen import field, frozen
-from planes.words.records import table_text
+from planes.words.records import decode_table
 
-MAX_BYTES = 1_000_000
-STANDARD = "-"
+MAX_FILE_BYTES = 1_000_000
+STANDARD_STREAM_PATH = "-"
 """The path of standard input, and, with the suffix of a format, of standard output."""
-MAX_BYTES_SLOW = 100_000  # limit where only the slow YAML reader is installed
-MAX_DEPTH = 50
-MAX_PARTS = 200_000  # words, numbers, beginnings and ends of tables and lists
-_NOTHING = ("", "~", "null", "Null", "NULL")
-_REASONS = {errno.EACCES: "no_permission", errno.ENAMETOOLONG: "name_too_long", None: "bad_file_name"}
+MAX_SLOW_READER_BYTES = 100_000  # limit where only the slow YAML reader is installed
+MAX_NESTING_DEPTH = 50
+MAX_YAML_PARTS = 200_000  # words, numbers, beginnings and ends of tables and lists
+_BLANK_VALUES = ("", "~", "null", "Null", "NULL")
+_REASONS_BY_ERRNO = {errno.EACCES: "no_permission", errno.ENAMETOOLONG: "name_too_long", None: "bad_file_name"}
 
 
 @frozen
@@ -45,9 +45,9 @@ class SourceScalar:
     glued: bool = False
 
     @property
-    def absent(self) -> bool:
+    def is_blank(self) -> bool:
         """Whether it is blank: an empty value, ``~`` or ``null``."""
-        return self.plain and self.text in _NOTHING
+        return self.plain and self.text in _BLANK_VALUES
 
 
 @frozen
@@ -70,23 +70,23 @@ class SourceTable:
 Node = SourceScalar | Items | SourceTable
 
 
-def walk(node: Node, path: tuple[str, ...] = (), line: int = 0) -> Iterator[tuple[tuple[str, ...], Node, int]]:
+def walk_nodes(node: Node, path: tuple[str, ...] = (), line: int = 0) -> Iterator[tuple[tuple[str, ...], Node, int]]:
     """Every node of the tree with its path of keys (and indices in lists, from "0") and the line of its key."""
     yield path, node, line or node.line
     if isinstance(node, SourceTable):
         for key, value in node.entries.items():
-            yield from walk(value, (*path, key), node.lines.get(key, 0))
+            yield from walk_nodes(value, (*path, key), node.lines.get(key, 0))
     elif isinstance(node, Items):
         for index, value in enumerate(node.items):
-            yield from walk(value, (*path, str(index)))
+            yield from walk_nodes(value, (*path, str(index)))
 
 
-def read(path: str | Path, table: bool = False) -> str:
+def read_file_text(path: str | Path, table: bool = False) -> str:
     """The text of a file (a ``table``: in whichever way a spreadsheet saves it), of what is piped in where it is ``-``,
     or a SceneError that says why it cannot be read."""
     name = str(path)
-    if name == STANDARD:
-        return decoded(sys.stdin.buffer.read(MAX_BYTES + 1), name)
+    if name == STANDARD_STREAM_PATH:
+        return decode_utf8(sys.stdin.buffer.read(MAX_FILE_BYTES + 1), name)
     try:
         mode = Path(path).stat().st_mode
         if stat.S_ISDIR(mode):
@@ -94,25 +94,25 @@ def read(path: str | Path, table: bool = False) -> str:
         if not stat.S_ISREG(mode):
             raise SceneError(Phrase("not_ordinary"), name)
         with open(path, "rb") as stream:
-            data = stream.read(MAX_BYTES + 1)
+            data = stream.read(MAX_FILE_BYTES + 1)
     except SceneError:
         raise
     except FileNotFoundError:
-        raise SceneError(Phrase("no_file", near=near_file(path)), name) from None
+        raise SceneError(Phrase("no_file", near=suggest_file(path)), name) from None
     except (OSError, TypeError, ValueError) as error:
-        key = _REASONS.get(getattr(error, "errno", None))
+        key = _REASONS_BY_ERRNO.get(getattr(error, "errno", None))
         reason = Phrase(key) if key else getattr(error, "strerror", None) or str(error)
         raise SceneError(Phrase("unreadable_file", reason=reason), name) from None
-    if table and len(data) <= MAX_BYTES:
+    if table and len(data) <= MAX_FILE_BYTES:
         with suppress(UnicodeDecodeError):
-            return table_text(data)
-    return decoded(data, name)
+            return decode_table(data)
+    return decode_utf8(data, name)
 
 
-def decoded(data: bytes, file: str) -> str:
+def decode_utf8(data: bytes, file: str) -> str:
     """UTF-8 bytes, with or without a byte order mark, as text."""
-    if len(data) > MAX_BYTES:
-        raise SceneError(Phrase("file_large", size=MAX_BYTES // 1_000_000), file)
+    if len(data) > MAX_FILE_BYTES:
+        raise SceneError(Phrase("file_large", size=MAX_FILE_BYTES // 1_000_000), file)
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise SceneError(Phrase("utf_16"), file, 1)
     try:
@@ -122,27 +122,27 @@ def decoded(data: bytes, file: str) -> str:
         raise SceneError(Phrase("not_utf_8", byte=byte), file, line) from None
 
 
-def parse(text: str, file: str) -> SourceTable:
+def parse_yaml(text: str, file: str) -> SourceTable:
     """The tree of a document whose outermost node is a table."""
     text = text.removeprefix("\ufeff")
-    _check_text(text, file)
+    _check_text_size(text, file)
     loader: type = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
     try:
-        root = _Builder(file, yaml.parse(text, Loader=loader)).root()
+        root = _Builder(file, yaml.parse(text, Loader=loader)).outermost_node()
     except yaml.YAMLError as error:
-        phrase, line = explained(error, text)
+        phrase, line = explain_yaml_error(error, text)
         raise SceneError(phrase, file, line) from None
     except RecursionError:
-        raise SceneError(Phrase("deep_file", most=MAX_DEPTH), file) from None
-    if root is None or (isinstance(root, SourceScalar) and root.absent):
+        raise SceneError(Phrase("deep_file", most=MAX_NESTING_DEPTH), file) from None
+    if root is None or (isinstance(root, SourceScalar) and root.is_blank):
         raise SceneError(Phrase("empty_file"), file, 1)
     if not isinstance(root, SourceTable):
         raise SceneError(Phrase("not_keys"), file, root.line)
     return root
 
 
-def _check_text(text: str, file: str) -> None:
-    limit = MAX_BYTES if hasattr(yaml, "CSafeLoader") else MAX_BYTES_SLOW
+def _check_text_size(text: str, file: str) -> None:
+    limit = MAX_FILE_BYTES if hasattr(yaml, "CSafeLoader") else MAX_SLOW_READER_BYTES
     if len(text) > limit:
         raise SceneError(Phrase("text_long", limit=limit), file)
     if not text.strip():
@@ -159,97 +159,97 @@ class _Builder:
     def __init__(self, file: str, events: Iterator[yaml.Event]) -> None:
         self.file, self.events = file, events
         self.line, self.end = 1, -2  # where the last event begins, and where the last scalar ends
-        self.left = MAX_PARTS
+        self.left = MAX_YAML_PARTS
 
-    def fault(self, words: str, line: int, /, **parts: object) -> SceneError:
+    def error_at_line(self, words: str, line: int, /, **parts: object) -> SceneError:
         """An error at a line."""
         return SceneError(Phrase(words, **parts), self.file, line)
 
-    def root(self) -> Node | None:
+    def outermost_node(self) -> Node | None:
         """The outermost node of the only document."""
         root, documents = None, 0
-        while not isinstance(event := self._next(), yaml.StreamEndEvent):
+        while not isinstance(event := self._next_event(), yaml.StreamEndEvent):
             if isinstance(event, yaml.NodeEvent):
-                root = self._node(event, 0)
+                root = self._build_node(event, 0)
             elif isinstance(event, yaml.DocumentStartEvent):
                 documents += 1
                 if documents > 1:
-                    raise self.fault("second_document", self.line)
+                    raise self.error_at_line("second_document", self.line)
         return root
 
-    def _next(self) -> yaml.Event:
+    def _next_event(self) -> yaml.Event:
         event = next(self.events)
         self.line = event.start_mark.line + 1 if event.start_mark else self.line
         self.left -= 1
         if self.left < 0:
-            raise self.fault("full_file", self.line, most=MAX_PARTS)
+            raise self.error_at_line("full_file", self.line, most=MAX_YAML_PARTS)
         if isinstance(event, yaml.NodeEvent):
             self._refuse_marks(event)
         return event
 
     def _refuse_marks(self, event: yaml.NodeEvent) -> None:
         if isinstance(event, yaml.AliasEvent):
-            raise self.fault("alias", self.line, name=_brief(event.anchor or ""))
+            raise self.error_at_line("alias", self.line, name=_shortened_text(event.anchor or ""))
         if event.anchor is not None:
-            raise self.fault("anchor", self.line, name=_brief(event.anchor))
+            raise self.error_at_line("anchor", self.line, name=_shortened_text(event.anchor))
         if (tag := getattr(event, "tag", None)) is not None:
-            raise self.fault("tag", self.line, name=_brief(tag.replace("tag:yaml.org,2002:", "!!")))
+            raise self.error_at_line("tag", self.line, name=_shortened_text(tag.replace("tag:yaml.org,2002:", "!!")))
 
-    def _node(self, event: yaml.Event, depth: int) -> Node:
+    def _build_node(self, event: yaml.Event, depth: int) -> Node:
         """The node that begins with an event."""
         if isinstance(event, yaml.ScalarEvent):
-            return self._scalar(event)
-        if depth >= MAX_DEPTH:
-            raise self.fault("deep_file", self.line, most=MAX_DEPTH)
+            return self._build_scalar(event)
+        if depth >= MAX_NESTING_DEPTH:
+            raise self.error_at_line("deep_file", self.line, most=MAX_NESTING_DEPTH)
         if isinstance(event, yaml.MappingStartEvent):
-            return self._table(event, depth)
+            return self._build_table(event, depth)
         items = Items([], self.line)
-        while not isinstance(event := self._next(), yaml.SequenceEndEvent):
-            items.items.append(self._node(event, depth + 1))
+        while not isinstance(event := self._next_event(), yaml.SequenceEndEvent):
+            items.items.append(self._build_node(event, depth + 1))
         return items
 
-    def _scalar(self, event: yaml.ScalarEvent) -> SourceScalar:
+    def _build_scalar(self, event: yaml.ScalarEvent) -> SourceScalar:
         text = unicodedata.normalize("NFC", event.value) if len(event.value) <= 1000 else event.value
         start, end = (mark.index if mark else 0 for mark in (event.start_mark, event.end_mark))
         glued, self.end = start == self.end + 1, end
         return SourceScalar(text, self.line, event.style in (None, ""), glued)
 
-    def _table(self, event: yaml.MappingStartEvent, depth: int) -> SourceTable:
+    def _build_table(self, event: yaml.MappingStartEvent, depth: int) -> SourceTable:
         table, last = SourceTable({}, self.line), None
-        while not isinstance(one := self._next(), yaml.MappingEndEvent):
-            key = self._key(one, table)
-            value = self._node(self._next(), depth + 1)
+        while not isinstance(one := self._next_event(), yaml.MappingEndEvent):
+            key = self._build_key(one, table)
+            value = self._build_node(self._next_event(), depth + 1)
             if event.flow_style and isinstance(value, SourceScalar) and isinstance(last, SourceScalar):
-                self._decimal_comma(last, key, value)
+                self._refuse_decimal_comma(last, key, value)
             table.entries[key] = last = value
         return table
 
-    def _key(self, event: yaml.Event, table: SourceTable) -> str:
+    def _build_key(self, event: yaml.Event, table: SourceTable) -> str:
         if not isinstance(event, yaml.ScalarEvent):
-            raise self.fault("key_not_word", self.line)
-        text = self._scalar(event).text
+            raise self.error_at_line("key_not_word", self.line)
+        text = self._build_scalar(event).text
         if not text:
-            raise self.fault("key_absent", self.line)
+            raise self.error_at_line("key_absent", self.line)
         first = table.lines.setdefault(text, self.line)
         if text in table.entries:
             key = "key_twice" if first == self.line else "key_twice_apart"
-            raise self.fault(key, self.line, key=shown(text), line=first, second=self.line)
+            raise self.error_at_line(key, self.line, key=quoted_excerpt(text), line=first, second=self.line)
         return text
 
-    def _decimal_comma(self, last: SourceScalar, key: str, value: SourceScalar) -> None:
+    def _refuse_decimal_comma(self, last: SourceScalar, key: str, value: SourceScalar) -> None:
         """In {a: 0,5} the comma ends the value and 5 becomes a key: explain the decimal comma."""
         if value.text:
             return
         if last.text.count("(") > last.text.count(")"):
-            written = shown(f"{last.text}, {key}")
-            raise self.fault("quotes_needed", last.line, written=written)
+            written = quoted_excerpt(f"{last.text}, {key}")
+            raise self.error_at_line("quotes_needed", last.line, written=written)
         if key[0].isdigit() and last.text[-1:].isdigit():
             figures, unit = [*re.split(r"(?<=\d)\s*(?=\D)", key, maxsplit=1), ""][:2]
-            in_si = IN_SI.get(unit.lower())
+            in_si = SI_REPLACEMENTS.get(unit.lower())
             number = f"{last.text}.{figures}{in_si}" if in_si else f"{last.text}.{key}"
-            why = Phrase("decimal_point", number=_brief(number))
-            raise self.fault("about", last.line, what=shown(f"{last.text},{key}"), why=why)
+            why = Phrase("decimal_point", number=_shortened_text(number))
+            raise self.error_at_line("about", last.line, what=quoted_excerpt(f"{last.text},{key}"), why=why)
 
 
-def _brief(text: str) -> str:
-    return shown(text)[1:-1]
+def _shortened_text(text: str) -> str:
+    return quoted_excerpt(text)[1:-1]

@@ -6,7 +6,7 @@ from typing import Literal, get_args
 
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import LoadLaw
-from planes.scene.reader import MOST, Fields, section
+from planes.scene.reader import LARGEST_SCENE_NUMBER, Fields, section_in_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told
 from planes.words.frozen import field, frozen
@@ -15,11 +15,11 @@ SupportKind = Literal["hinge", "roller", "rod", "rope", "clamp"]
 SUPPORT_KINDS: tuple[SupportKind, ...] = get_args(SupportKind)
 SUPPORT_KEYS = ("roller", "rod", "rope")  # by the normal, or by the fixed point at the other end
 POLE_KEYS = ("through",)
-METHODS = ("moments", "string", "three-forces", "composition", "culmann")
+SOLUTION_METHODS = ("moments", "string", "three-forces", "composition", "culmann")
 STATIC_LOAD_KEYS = ("point", "force", "direction", "body", "moment", "from", "to", "intensity")
-MOST_POINTS = 60
+MOST_FRAMEWORK_POINTS = 60
 Bodies = Mapping[str, tuple[str, ...]]  # the points of each
-ALONE = "1"
+ONLY_BODY_NAME = "1"
 """The name of the only body of a scene that names no bodies."""
 
 
@@ -34,7 +34,7 @@ class Support:
     to: str = ""
 
     @property
-    def held(self) -> int:
+    def unknown_count(self) -> int:
         """The number of unknowns in its reaction."""
         return {"hinge": 2, "clamp": 3}.get(self.kind, 1)
 
@@ -54,7 +54,7 @@ class StaticLoad:
     intensity: tuple[float, float] = (0.0, 0.0)  # N/m at both ends
 
     @property
-    def steady_deg(self) -> float:
+    def constant_direction_deg(self) -> float:
         """The direction of a distributed load, which is constant."""
         assert isinstance(self.direction_deg, float | int)
         return float(self.direction_deg) + (180.0 if sum(self.intensity) < 0 else 0.0)
@@ -82,162 +82,173 @@ class FrameworkReader:
     def __init__(self, scene: Fields, laws: LawReader | None) -> None:
         self.scene, self.laws = scene, laws
         self.reader = reader = scene.reader
-        table = reader.names(scene.table.entries["points"], "points", Phrase("a_point"))
-        if len(table.entries) > MOST_POINTS:
-            raise reader.fault("points_many", table, count=len(table.entries), most=MOST_POINTS)
-        self.points = {n: reader.place(x, Phrase("point_of", name=n)) for n, x in table.entries.items()}
+        table = reader.read_table_of_names(scene.table.entries["points"], "points", Phrase("a_point"))
+        if len(table.entries) > MOST_FRAMEWORK_POINTS:
+            raise reader.error_by_key("points_many", table, count=len(table.entries), most=MOST_FRAMEWORK_POINTS)
+        self.points = {n: reader.read_place(x, Phrase("point_of", name=n)) for n, x in table.entries.items()}
         self.taken: dict[str, int] = {}
 
-    def read(self) -> Framework:
-        members = tuple(self.members())
-        supports = tuple(s for name, node in self.table("supports") for s in self.held(name, node))
+    def read_framework(self) -> Framework:
+        members = tuple(self.read_members())
+        supports = tuple(
+            s for name, node in self.named_entries("supports") for s in self.read_supports_at_point(name, node)
+        )
         fixed = frozenset(s.to for s in supports if s.to)
         bodies = self.bodies(members, fixed)
-        loads = tuple(self.load(node, Phrase("load", number=k), bodies) for k, node in self.listed("loads"))
-        method = self.scene.optional("method")
-        way = None if method is None else self.reader.word(method, section("method"), METHODS)
-        pole, through = self.pole()
+        loads = tuple(
+            self.read_load(node, Phrase("load", number=k), bodies) for k, node in self.numbered_entries("loads")
+        )
+        method = self.scene.optional_node("method")
+        way = None if method is None else self.reader.read_word(method, section_in_words("method"), SOLUTION_METHODS)
+        pole, through = self.read_string_pole()
         places = MappingProxyType(self.points)
         return Framework(places, MappingProxyType(bodies), members, supports, loads, way, pole, through, fixed)
 
-    def listed(self, key: str) -> Iterator[tuple[int, Node]]:
+    def numbered_entries(self, key: str) -> Iterator[tuple[int, Node]]:
         """The entries of a list in the scene, with their numbers."""
-        node = self.scene.optional(key)
-        yield from enumerate([] if node is None else self.reader.items(node, key), 1)
+        node = self.scene.optional_node(key)
+        yield from enumerate([] if node is None else self.reader.read_list(node, key), 1)
 
-    def table(self, key: str) -> Iterator[tuple[str, Node]]:
+    def named_entries(self, key: str) -> Iterator[tuple[str, Node]]:
         """The entries under a key of the scene, by name."""
-        node = self.scene.optional(key)
-        yield from () if node is None else self.reader.table(node, section(key)).entries.items()
+        node = self.scene.optional_node(key)
+        yield from () if node is None else self.reader.read_table(node, section_in_words(key)).entries.items()
 
-    def named(self, node: Node, what: Told) -> str:
+    def read_point_name(self, node: Node, what: Told) -> str:
         """A point of the scene."""
-        return self.reader.known(node, what, self.points, Phrase("points_all"))
+        return self.reader.read_known_name(node, what, self.points, Phrase("points_all"))
 
-    def free(self, name: str) -> str:
+    def unused_name(self, name: str) -> str:
         """An unused name: numbered where the plain one is taken."""
         self.taken[name] = self.taken.get(name, 0) + 1
         return name if self.taken[name] == 1 else f"{name}_{self.taken[name]}"
 
     def bodies(self, members: tuple[tuple[str, str], ...], fixed: frozenset[str]) -> dict[str, tuple[str, ...]]:
         """The rigid bodies by their points: a truss is one; where no body is named, one body has all points."""
-        own = {name: self.list_of(node, Phrase("body_of", name=name)) for name, node in self.table("bodies")}
+        own = {
+            name: self.read_point_list(node, Phrase("body_of", name=name))
+            for name, node in self.named_entries("bodies")
+        }
         if own and members:
-            self.scene.one_of("bodies", "members")
-        return own or {ALONE: tuple(p for p in self.points if p not in fixed)}
+            self.scene.require_one_key("bodies", "members")
+        return own or {ONLY_BODY_NAME: tuple(p for p in self.points if p not in fixed)}
 
-    def list_of(self, node: Node, what: Told) -> tuple[str, ...]:
+    def read_point_list(self, node: Node, what: Told) -> tuple[str, ...]:
         """Points in a list."""
-        return tuple(dict.fromkeys(self.named(x, what) for x in self.reader.items(node, what)))
+        return tuple(dict.fromkeys(self.read_point_name(x, what) for x in self.reader.read_list(node, what)))
 
-    def members(self) -> Iterator[tuple[str, str]]:
+    def read_members(self) -> Iterator[tuple[str, str]]:
         """The members of a truss: [AB, BC] or [[A1, B], …]."""
         seen = set[frozenset[str]]()
-        for k, entry in self.listed("members"):
-            what = Phrase("entry", number=k, what=section("members"))
-            ends = self.list_of(entry, what) if isinstance(entry, Items) else self.split(entry, what)
+        for k, entry in self.numbered_entries("members"):
+            what = Phrase("entry", number=k, what=section_in_words("members"))
+            ends = (
+                self.read_point_list(entry, what) if isinstance(entry, Items) else self.split_member_name(entry, what)
+            )
             if len(ends) != 2 or frozenset(ends) in seen:
-                raise self.reader.fault("member_ends", entry, what=what, names=ends)
+                raise self.reader.error_by_key("member_ends", entry, what=what, names=ends)
             seen.add(frozenset(ends))
             yield ends
 
-    def split(self, node: Node, what: Told) -> tuple[str, ...]:
+    def split_member_name(self, node: Node, what: Told) -> tuple[str, ...]:
         """The two points of a member's name."""
-        text = self.reader.text(node, what)
+        text = self.reader.read_text(node, what)
         ways = [(text[:k], text[k:]) for k in range(1, len(text)) if {text[:k], text[k:]} <= self.points.keys()]
         if len(ways) != 1:
-            raise self.reader.fault("member_name", node, what=what, name=text[:60])
+            raise self.reader.error_by_key("member_name", node, what=what, name=text[:60])
         return ways[0]
 
-    def held(self, point: str, node: Node) -> Iterator[Support]:
+    def read_supports_at_point(self, point: str, node: Node) -> Iterator[Support]:
         """The supports at a point, one or several."""
-        name = self.reader.known(SourceScalar(point, node.line), section("supports"), self.points, Phrase("points_all"))
+        name = self.reader.read_known_name(
+            SourceScalar(point, node.line), section_in_words("supports"), self.points, Phrase("points_all")
+        )
         for entry in node.items if isinstance(node, Items) else [node]:
-            yield self.support(name, entry)
+            yield self.read_support(name, entry)
 
-    def support(self, point: str, node: Node) -> Support:
+    def read_support(self, point: str, node: Node) -> Support:
         what, reader = Phrase("support_of", name=point), self.reader
         if not isinstance(node, SourceTable):
-            kind = reader.word(node, what, SUPPORT_KINDS)
+            kind = reader.read_word(node, what, SUPPORT_KINDS)
             if kind in ("rod", "rope"):
-                raise reader.fault("rod_to", node, what=what, kind=kind)
-            return Support(kind, point, self.free(f"R_{point}"))  # type: ignore[arg-type]  # one of its words
+                raise reader.error_by_key("rod_to", node, what=what, kind=kind)
+            return Support(kind, point, self.unused_name(f"R_{point}"))  # type: ignore[arg-type]  # one of its words
         support = Fields(reader, node, what, SUPPORT_KEYS)
-        kind = support.one_of(*SUPPORT_KEYS)
+        kind = support.require_one_key(*SUPPORT_KEYS)
         if kind == "roller":
-            normal = reader.number(node.entries[kind], support.named(kind))
-            return Support("roller", point, self.free(f"R_{point}"), normal)
-        to = self.named(node.entries[kind], support.named(kind))
+            normal = reader.read_number(node.entries[kind], support.phrase_of_key(kind))
+            return Support("roller", point, self.unused_name(f"R_{point}"), normal)
+        to = self.read_point_name(node.entries[kind], support.phrase_of_key(kind))
         if self.points[to] == self.points[point]:
-            raise reader.fault("rod_to", node, what=what, kind=kind)
-        return Support(kind, point, self.free(f"S_{point}{to}"), to=to)  # type: ignore[arg-type]  # one of its words
+            raise reader.error_by_key("rod_to", node, what=what, kind=kind)
+        return Support(kind, point, self.unused_name(f"S_{point}{to}"), to=to)  # type: ignore[arg-type]  # one of its words
 
-    def load(self, node: Node, what: Phrase, bodies: Bodies) -> StaticLoad:
+    def read_load(self, node: Node, what: Phrase, bodies: Bodies) -> StaticLoad:
         load = Fields(self.reader, node, what, STATIC_LOAD_KEYS)
-        kind = load.one_of("force", "moment", "intensity")
+        kind = load.require_one_key("force", "moment", "intensity")
         if kind == "moment":
             alone = next(iter(bodies)) if len(bodies) == 1 and "body" not in load else None
-            body = alone or self.of_body(load, bodies)
-            return StaticLoad(self.free(f"M_{body}"), body, self.number(load, kind))
-        if load.optional("direction") is None and kind == "force":
-            raise load.fault("force_no_direction", what=what)
-        angle = -90.0 if load.optional("direction") is None else self.number(load, "direction")
+            body = alone or self.read_load_body(load, bodies)
+            return StaticLoad(self.unused_name(f"M_{body}"), body, self.read_number_or_law(load, kind))
+        if load.optional_node("direction") is None and kind == "force":
+            raise load.error_by_key("force_no_direction", what=what)
+        angle = -90.0 if load.optional_node("direction") is None else self.read_number_or_law(load, "direction")
         if kind == "intensity":
             if isinstance(angle, LoadLaw):
-                raise load.fault("intensity_turns", "direction", what=what)
-            return self.spread(load, bodies, angle)
-        point = self.point(load, "point")
-        size = self.number(load, kind)
-        body = self.of_body(load, bodies) if "body" in load else self.owner(load, bodies, point)
-        return StaticLoad(self.free(f"P_{point}"), body, size, angle, self.points[point], point)
+                raise load.error_by_key("intensity_turns", "direction", what=what)
+            return self.read_distributed_load(load, bodies, angle)
+        point = self.read_load_point(load, "point")
+        size = self.read_number_or_law(load, kind)
+        body = self.read_load_body(load, bodies) if "body" in load else self.body_of_points(load, bodies, point)
+        return StaticLoad(self.unused_name(f"P_{point}"), body, size, angle, self.points[point], point)
 
-    def number(self, load: Fields, key: str) -> float | LoadLaw:
+    def read_number_or_law(self, load: Fields, key: str) -> float | LoadLaw:
         """A number, or a law of the drive."""
-        node = load.required(key)
-        if not (self.laws and self.laws.follows(node)):
-            return load.number(key)
-        amount = self.laws.amount(node, load.named(key))
+        node = load.required_node(key)
+        if not (self.laws and self.laws.changes_with_drive(node)):
+            return load.read_number(key)
+        amount = self.laws.read_amount_or_law(node, load.phrase_of_key(key))
         return amount if isinstance(amount, LoadLaw) else float(amount)
 
-    def point(self, load: Fields, key: str) -> str:
+    def read_load_point(self, load: Fields, key: str) -> str:
         """The named point of a load."""
-        return self.named(load.required(key), load.named(key))
+        return self.read_point_name(load.required_node(key), load.phrase_of_key(key))
 
-    def of_body(self, load: Fields, bodies: Bodies) -> str:
+    def read_load_body(self, load: Fields, bodies: Bodies) -> str:
         """The named body of a load."""
-        return load.known("body", bodies, Phrase("bodies_all"))
+        return load.read_known_name("body", bodies, Phrase("bodies_all"))
 
-    def owner(self, load: Fields, bodies: Bodies, *points: str) -> str:
+    def body_of_points(self, load: Fields, bodies: Bodies, *points: str) -> str:
         """The first body that has all the points."""
         own = next((name for name, its_points in bodies.items() if {*points} <= {*its_points}), None)
         if own is None:
-            raise load.fault("point_loose", what=load.what, name=points[-1])
+            raise load.error_by_key("point_loose", what=load.what, name=points[-1])
         return own
 
-    def spread(self, load: Fields, bodies: Bodies, angle: float) -> StaticLoad:
+    def read_distributed_load(self, load: Fields, bodies: Bodies, angle: float) -> StaticLoad:
         """The resultant of a distributed load: N/m, constant or from one value to another."""
         reader, what = self.reader, load.what
-        ends = self.point(load, "from"), self.point(load, "to")
-        node = load.required("intensity")
-        nodes = reader.items(node, what) if isinstance(node, Items) else [node, node]
+        ends = self.read_load_point(load, "from"), self.read_load_point(load, "to")
+        node = load.required_node("intensity")
+        nodes = reader.read_list(node, what) if isinstance(node, Items) else [node, node]
         if len(nodes) != 2:
-            raise reader.fault("intensity_pair", node, what=what, count=len(nodes))
-        first, last = (reader.number(x, load.named("intensity")) for x in nodes)
+            raise reader.error_by_key("intensity_pair", node, what=what, count=len(nodes))
+        first, last = (reader.read_number(x, load.phrase_of_key("intensity")) for x in nodes)
         start, end = (self.points[p] for p in ends)
         size = abs(end - start) * (first + last) / 2
-        if not 0.0 < abs(size) < MOST or first * last < 0.0:
-            raise load.fault("intensity_none", what=what, one=ends[0], two=ends[1])
+        if not 0.0 < abs(size) < LARGEST_SCENE_NUMBER or first * last < 0.0:
+            raise load.error_by_key("intensity_none", what=what, one=ends[0], two=ends[1])
         place = start + (end - start) * (first + 2 * last) / (3 * (first + last))
-        body, name = self.owner(load, bodies, *ends), self.free(f"Q_{''.join(ends)}")
+        body, name = self.body_of_points(load, bodies, *ends), self.unused_name(f"Q_{''.join(ends)}")
         return StaticLoad(name, body, size, angle, place, spread=ends, intensity=(first, last))
 
-    def pole(self) -> tuple[complex | None, tuple[str, ...]]:
+    def read_string_pole(self) -> tuple[complex | None, tuple[str, ...]]:
         """The pole of a string polygon, or the points its strings must pass through."""
-        node = self.scene.optional("pole")
+        node = self.scene.optional_node("pole")
         if not isinstance(node, SourceTable) or "through" not in node.entries:
-            return None if node is None else self.reader.place(node, section("pole")), ()
-        pole = Fields(self.reader, node, section("pole"), POLE_KEYS)
-        names = self.list_of(pole.required("through"), pole.named("through"))
+            return None if node is None else self.reader.read_place(node, section_in_words("pole")), ()
+        pole = Fields(self.reader, node, section_in_words("pole"), POLE_KEYS)
+        names = self.read_point_list(pole.required_node("through"), pole.phrase_of_key("through"))
         if len(names) not in (2, 3):
-            raise self.reader.fault("through_count", node, count=len(names))
+            raise self.reader.error_by_key("through_count", node, count=len(names))
         return None, names

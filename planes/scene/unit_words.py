@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-_UNITS = {
+_FACTOR_BY_UNITS = {
     "rpm rev/min об/мин об/хв аб/хв": "pi/30",
     "deg/s град/с": "pi/180",
     "rev/s об/с аб/с": "2*pi",
@@ -16,11 +16,13 @@ _UNITS = {
     "lbf": "4.448",
 }
 """Each row has a different factor, by which units of one kind are known."""
-FACTORS = {unit: factor for units, factor in _UNITS.items() for unit in units.split()}
-IN_SI = {unit: f"*{factor}" for unit, factor in FACTORS.items()} | dict.fromkeys(("n", "н", "m", "м", "kg", "кг"), "")
+UNIT_FACTORS = {unit: factor for units, factor in _FACTOR_BY_UNITS.items() for unit in units.split()}
+SI_REPLACEMENTS = {unit: f"*{factor}" for unit, factor in UNIT_FACTORS.items()} | dict.fromkeys(
+    ("n", "н", "m", "м", "kg", "кг"), ""
+)
 """What is written instead of a unit: a factor, or nothing where it is of SI."""
 
 
-def unit_of(words: Sequence[str]) -> str:
+def unit_at_start(words: Sequence[str]) -> str:
     """The unit that words begin with; "" of one that is not known."""
-    return next((unit for unit in ("".join(words[:3]), words[0]) if unit.lower() in FACTORS), "")
+    return next((unit for unit in ("".join(words[:3]), words[0]) if unit.lower() in UNIT_FACTORS), "")

@@ -10,8 +10,8 @@ from planes.words import Phrase
 from planes.words.frozen import frozen
 
 Factors = tuple[tuple[str, int], ...]
-MOST_TERMS = 200
-HAT = "ˆ"
+MOST_AMOUNT_TERMS = 200
+CARET_REPLACEMENT = "ˆ"
 """Replaces ^ in the name of a vector while an expression is read, where ^ is a power."""
 
 
@@ -24,7 +24,7 @@ class VectorAmount:
     terms: tuple[tuple[float, Factors], ...]
 
     @property
-    def names(self) -> tuple[str, ...]:
+    def names_read(self) -> tuple[str, ...]:
         """The names it is computed from."""
         return tuple(dict.fromkeys(name for _, factors in self.terms for name, _ in factors))
 
@@ -36,11 +36,11 @@ class _Sum:
         self.terms, self.number = {f: c for f, c in terms.items() if c}, number
 
     @classmethod
-    def of(cls, x: "_Sum | float") -> "_Sum":
+    def as_sum(cls, x: "_Sum | float") -> "_Sum":
         return x if isinstance(x, _Sum) else cls({(): float(x)}, float(x))
 
     def __add__(self, other: "_Sum | float") -> "_Sum":
-        other = _Sum.of(other)
+        other = _Sum.as_sum(other)
         terms = {f: self.terms.get(f, 0.0) + other.terms.get(f, 0.0) for f in (*self.terms, *other.terms)}
         return _Sum(terms, None if None in (self.number, other.number) else self.number + other.number)  # type: ignore[operator]
 
@@ -48,24 +48,24 @@ class _Sum:
         return self * -1.0
 
     def __sub__(self, other: "_Sum | float") -> "_Sum":
-        return self + _Sum.of(other) * -1.0
+        return self + _Sum.as_sum(other) * -1.0
 
     def __mul__(self, other: "_Sum | float") -> "_Sum":
-        other, terms = _Sum.of(other), dict[Factors, float]()
-        if len(self.terms) * len(other.terms) > MOST_TERMS:
+        other, terms = _Sum.as_sum(other), dict[Factors, float]()
+        if len(self.terms) * len(other.terms) > MOST_AMOUNT_TERMS:
             raise OverflowError
         for f, c in self.terms.items():
             for g, d in other.terms.items():
-                terms[_product(f, g)] = terms.get(_product(f, g), 0.0) + c * d
+                terms[_product_of_factors(f, g)] = terms.get(_product_of_factors(f, g), 0.0) + c * d
         return _Sum(terms, None if None in (self.number, other.number) else self.number * other.number)  # type: ignore[operator]
 
     def __rsub__(self, other: float) -> "_Sum":
-        return _Sum.of(other) - self
+        return _Sum.as_sum(other) - self
 
     __radd__, __rmul__ = __add__, __mul__
 
 
-def _product(f: Factors, g: Factors) -> Factors:
+def _product_of_factors(f: Factors, g: Factors) -> Factors:
     powers = dict(f)
     for name, power in g:
         powers[name] = powers.get(name, 0) + power
@@ -77,59 +77,59 @@ class AmountParser(ExpressionParser):
 
     def __init__(self, text: str, parameters: Mapping[str, float], named: Iterable[str]) -> None:
         names: dict[str, Real] = {n: _Sum({((n, 1),): 1.0}, x) for n, x in parameters.items()}
-        names |= {hatted(n): _Sum({((n, 1),): 1.0}, None) for n in named}
-        super().__init__(_without_powers(text, named), names, [*parameters, *named])
+        names |= {name_without_caret(n): _Sum({((n, 1),): 1.0}, None) for n in named}
+        super().__init__(_replace_carets_in_names(text, named), names, [*parameters, *named])
 
-    def divided(self, value: Real, by: Real) -> Real:
+    def divide_values(self, value: Real, by: Real) -> Real:
         """Divided by a single product; by a sum only where that is a number."""
-        value, by = _Sum.of(value), _Sum.of(by)
+        value, by = _Sum.as_sum(value), _Sum.as_sum(by)
         if len(by.terms) > 1 and by.number is not None:
-            by = _Sum.of(by.number)
+            by = _Sum.as_sum(by.number)
         if len(by.terms) > 1:
-            raise self.fail(Phrase("amount_divided"))
+            raise self.error_quoting_expression(Phrase("amount_divided"))
         if not by.terms or by.number == 0.0:
-            raise self.fail(Phrase("division_by_zero"))
+            raise self.error_quoting_expression(Phrase("division_by_zero"))
         ((factors, c),) = by.terms.items()
         quotient = value * _Sum({tuple((n, -p) for n, p in factors): 1.0 / c}, None)
         return _Sum(quotient.terms, None if None in (value.number, by.number) else value.number / by.number)
 
-    def raised(self, base: Real, exponent: Real) -> Real:
+    def raise_to_power(self, base: Real, exponent: Real) -> Real:
         """To a small whole power, or a number to any power."""
-        base, power = _Sum.of(base), _Sum.of(exponent).number
+        base, power = _Sum.as_sum(base), _Sum.as_sum(exponent).number
         if power is None or (base.number is None and not (power.is_integer() and 0 < power <= 9)):
-            raise self.fail(Phrase("amount_power"))
+            raise self.error_quoting_expression(Phrase("amount_power"))
         if not (power.is_integer() and 0 < power <= 9):
-            return _Sum.of(super().raised(base.number, power))
+            return _Sum.as_sum(super().raise_to_power(base.number, power))
         product = base
         for _ in range(int(power) - 1):
             product = product * base
         return product
 
-    def called(self, name: str, function: Callable[..., float], given: list[Real]) -> Real:
+    def value_of_function(self, name: str, function: Callable[..., float], given: list[Real]) -> Real:
         """A function of numbers."""
-        numbers = [_Sum.of(x).number for x in given]
+        numbers = [_Sum.as_sum(x).number for x in given]
         if None in numbers:
-            raise self.fail(Phrase("amount_function", name=name))
-        return _Sum.of(super().called(name, function, numbers))
+            raise self.error_quoting_expression(Phrase("amount_function", name=name))
+        return _Sum.as_sum(super().value_of_function(name, function, numbers))
 
 
-def hatted(name: str) -> str:
+def name_without_caret(name: str) -> str:
     """The name of a vector as one word of an expression."""
-    return name.replace("^", HAT)
+    return name.replace("^", CARET_REPLACEMENT)
 
 
-def _without_powers(text: str, named: Iterable[str]) -> str:
+def _replace_carets_in_names(text: str, named: Iterable[str]) -> str:
     """The text with the ^ in names replaced, the longest name first."""
     for name in sorted((n for n in named if "^" in n), key=len, reverse=True):
-        text = re.sub(rf"(?<![\w{HAT}]){re.escape(name)}(?![\w'′″])", hatted(name), text)
+        text = re.sub(rf"(?<![\w{CARET_REPLACEMENT}]){re.escape(name)}(?![\w'′″])", name_without_caret(name), text)
     return text
 
 
 def read_amount(text: str, parameters: Mapping[str, float], named: Iterable[str]) -> VectorAmount | float:
     """A number, or the amount that the plans will give; :class:`ExpressionError` in words."""
-    total = _Sum.of(AmountParser(text, parameters, tuple(named)).value())
+    total = _Sum.as_sum(AmountParser(text, parameters, tuple(named)).parse_expression())
     if not all(math.isfinite(c) for c in total.terms.values()):
-        raise AmountParser(text, parameters, tuple(named)).fail(Phrase("value_large"))
+        raise AmountParser(text, parameters, tuple(named)).error_quoting_expression(Phrase("value_large"))
     plain = total.number is not None and sum(abs(p) for f in total.terms for _, p in f) < 2
     if plain and total.number is not None:
         return total.number

@@ -4,14 +4,14 @@ import re
 from collections.abc import Callable
 from itertools import pairwise
 
-from planes.scene.expressions import evaluate
+from planes.scene.expressions import evaluate_expression
 from planes.words import Phrase
 from planes.words.errors import EquationError
 from planes.words.frozen import field, frozen
-from planes.words.names import POLE
+from planes.words.names import POLE_LABEL
 
-VECTOR = r"[^\W\d][\w^'′″]*"
-_RATE = re.compile(r"([va])_([^\W\d_]\d*)([^\W\d_]\d*)?(?:\^([ntkr]))?")
+VECTOR_NAME_PATTERN = r"[^\W\d][\w^'′″]*"
+_RATE_VECTOR_PATTERN = re.compile(r"([va])_([^\W\d_]\d*)([^\W\d_]\d*)?(?:\^([ntkr]))?")
 Number = Callable[[str], float]
 
 
@@ -23,7 +23,7 @@ class SideTerm:
     times: float = 1.0
 
     @property
-    def text(self) -> str:
+    def term_text(self) -> str:
         """The term as written, without the sign."""
         return self.name if abs(self.times) == 1 else f"{abs(self.times):.4g}·{self.name}"
 
@@ -41,17 +41,19 @@ class VectorEquation:
     plan: str = ""  # the plan it is drawn on, if the scene names one: "force:2-3"
 
     @property
-    def names(self) -> tuple[str, ...]:
+    def vector_names(self) -> tuple[str, ...]:
         """Its vectors, in order."""
         return tuple(t.name for side in self.sides for t in side)
 
 
-def _plain(text: str) -> float:
+def _plain_coefficient(text: str) -> float:
     """A coefficient of plain numbers."""
-    return evaluate(text, {})
+    return evaluate_expression(text, {})
 
 
-def read_equation(text: str, number: Number = _plain, line: int = 0, chained: bool = True) -> VectorEquation:
+def read_equation(
+    text: str, number: Number = _plain_coefficient, line: int = 0, chained: bool = True
+) -> VectorEquation:
     """Read "v_S = v_B + 0.4*v_CB", "F_1 + F_30 - F_03 = 0" or "a_C = a_B + a_CB^n + a_CB^t = a_D + …"; ``number``
     evaluates a coefficient; in an equation that is not ``chained`` the vectors need not follow one another.
 
@@ -60,31 +62,31 @@ def read_equation(text: str, number: Number = _plain, line: int = 0, chained: bo
     parts = text.split("=")
     if len(parts) < 2:
         raise EquationError(Phrase("one_equals", text=text))
-    sides = tuple(tuple(_terms(part, text, number)) for part in parts)
+    sides = tuple(tuple(_terms_of_side(part, text, number)) for part in parts)
     equation = VectorEquation(text, sides, line)
-    for name in equation.names:
-        if equation.names.count(name) > 1:
+    for name in equation.vector_names:
+        if equation.vector_names.count(name) > 1:
             raise EquationError(Phrase("vector_twice", text=text, name=name))
-    if not equation.names:
+    if not equation.vector_names:
         raise EquationError(Phrase("no_vectors", text=text))
     if sides.count(()) > (len(sides) == 2):
         raise EquationError(Phrase("zero_between", text=text))
     if chained:
-        check_chains(equation)
+        check_vector_chains(equation)
     return equation
 
 
-def _terms(part: str, text: str, number: Number) -> list[SideTerm]:
+def _terms_of_side(part: str, text: str, number: Number) -> list[SideTerm]:
     part = part.strip().replace("−", "-").replace("·", "*")
     if part == "0":
         return []
-    pieces = _parted(part)
+    pieces = _split_at_signs(part)
     if not pieces:
         raise EquationError(Phrase("side_empty", text=text))
-    return [_term(sign, piece, text, number) for sign, piece in pieces]
+    return [_read_term(sign, piece, text, number) for sign, piece in pieces]
 
 
-def _parted(part: str) -> list[tuple[str, str]]:
+def _split_at_signs(part: str) -> list[tuple[str, str]]:
     """The side split at the signs outside brackets."""
     pieces, depth, piece, sign = list[tuple[str, str]](), 0, "", "+"
     for char in part:
@@ -97,9 +99,9 @@ def _parted(part: str) -> list[tuple[str, str]]:
     return [*pieces, (sign, piece)] if piece.strip() or pieces else []
 
 
-def _term(sign: str, piece: str, text: str, number: Number) -> SideTerm:
+def _read_term(sign: str, piece: str, text: str, number: Number) -> SideTerm:
     piece = piece.strip()
-    match = re.fullmatch(rf"(?:(.*)\*)?\s*({VECTOR})\s*(/.*)?", piece)
+    match = re.fullmatch(rf"(?:(.*)\*)?\s*({VECTOR_NAME_PATTERN})\s*(/.*)?", piece)
     if not match:
         word = repr(piece) if piece else Phrase("nothing")
         raise EquationError(Phrase("not_vector", text=text, name=word))
@@ -110,14 +112,14 @@ def _term(sign: str, piece: str, text: str, number: Number) -> SideTerm:
     return SideTerm(name, times if sign == "+" else -times)
 
 
-def ends(name: str) -> tuple[str, str] | None:
+def rate_vector_end_marks(name: str) -> tuple[str, str] | None:
     """The end marks of a velocity or acceleration, by its name: v_C p→c, v_CB b→c, a_CB^n b'→n_CB; else None."""
-    match = _RATE.fullmatch(name)
+    match = _RATE_VECTOR_PATTERN.fullmatch(name)
     if not match:
         return None
     letter, one, other, part = match.groups()
     prime = "'" if letter == "a" else ""
-    start = other.lower() + prime if other else POLE
+    start = other.lower() + prime if other else POLE_LABEL
     end = one.lower() + prime
     middle = f"{'n' if part in 'nt' else 'k'}_{one}{other or ''}" if part else ""
     if part in ("n", "k"):
@@ -125,17 +127,17 @@ def ends(name: str) -> tuple[str, str] | None:
     return (middle, end) if part else (start, end)
 
 
-def span(term: SideTerm) -> tuple[str, str] | None:
+def term_end_marks(term: SideTerm) -> tuple[str, str] | None:
     """The marks at the ends of a term; None where neither its name nor its coefficient gives any."""
-    marks = ends(term.name) if abs(term.times) == 1 else None
+    marks = rate_vector_end_marks(term.name) if abs(term.times) == 1 else None
     return marks[::-1] if marks and term.times < 0 else marks
 
 
-def check_chains(equation: VectorEquation) -> None:
+def check_vector_chains(equation: VectorEquation) -> None:
     """Each vector of a side must start at the end of the one before, and all sides must join the same marks."""
     reached, text = [], equation.text
     for side in equation.sides:
-        spans = [(term.name, span(term)) for term in side]
+        spans = [(term.name, term_end_marks(term)) for term in side]
         if not spans or any(span is None for _, span in spans):
             return
         for (_, before), (name, after) in pairwise(spans):

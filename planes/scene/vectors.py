@@ -5,25 +5,25 @@ import re
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from planes.scene.expressions import evaluate, is_name
+from planes.scene.expressions import evaluate_expression, is_parameter_name
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import Drive, LoadLaw, nothing
-from planes.scene.reader import MAX_NAME, MOST, Fields, Reader, part
+from planes.scene.reader import LARGEST_SCENE_NUMBER, MAX_NAME_LENGTH, Fields, Reader, part_in_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.structures import Framework
 from planes.scene.vector_amounts import VectorAmount, read_amount
-from planes.scene.vector_equations import VECTOR, VectorEquation, read_equation
+from planes.scene.vector_equations import VECTOR_NAME_PATTERN, VectorEquation, read_equation
 from planes.words import Phrase, Told
-from planes.words.errors import EquationError, ExpressionError, SceneError, choices, shown
+from planes.words.errors import EquationError, ExpressionError, SceneError, list_valid_choices, quoted_excerpt
 from planes.words.frozen import field, frozen, replace
-from planes.words.names import turned_back
+from planes.words.names import split_reversal_sign
 
 VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "ratio", "angle", "as")
-_NAME = re.compile(VECTOR)
-_FACTOR = re.compile(r"\s*[*(·]")  # a coefficient, or a function in one
-_FORCES = re.compile(r"force:\w+(?:-\w+)*")
+_VECTOR_NAME_REGEX = re.compile(VECTOR_NAME_PATTERN)
+_FACTOR_PATTERN = re.compile(r"\s*[*(·]")  # a coefficient, or a function in one
+_FORCE_PLAN_PATTERN = re.compile(r"force:\w+(?:-\w+)*")
 Amount = float | VectorAmount | LoadLaw
-MOST_VECTORS = 300  # with the values
+MOST_VECTORS_AND_VALUES = 300  # with the values
 
 
 @frozen
@@ -67,15 +67,19 @@ class Statement:
     drive: Drive | None = None  # the variable of the laws among them
 
 
-def read_own(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
+def read_own_equations(reader: Reader, node: Node) -> tuple[VectorEquation, ...]:
     """The user's equations beside a mechanism, whether they hold or not."""
     equations = []
-    for n, entry in enumerate(reader.items(node, "equations") if isinstance(node, Items) else [node], 1):
-        text = reader.text(entry, Phrase("equation", number=n)).strip()
+    for n, entry in enumerate(reader.read_list(node, "equations") if isinstance(node, Items) else [node], 1):
+        text = reader.read_text(entry, Phrase("equation", number=n)).strip()
         try:
-            own = read_equation(text, lambda times: evaluate(times, reader.parameters), entry.line, chained=False)
+            own = read_equation(
+                text, lambda times: evaluate_expression(times, reader.parameters), entry.line, chained=False
+            )
         except (EquationError, ExpressionError) as error:
-            raise SceneError(Phrase("about", what=shown(text), why=error.phrase), reader.file, entry.line) from None
+            raise SceneError(
+                Phrase("about", what=quoted_excerpt(text), why=error.phrase), reader.file, entry.line
+            ) from None
         equations.append(own)
     return tuple(equations)
 
@@ -86,38 +90,38 @@ class StatementReader:
     def __init__(self, scene: Fields, laws: LawReader | None) -> None:
         self.scene, self.laws = scene.table, laws
         self.reader = reader = scene.reader
-        self.vectors = reader.table(scene.table.entries["vectors"], "vectors")
-        values = scene.optional("values")
-        self.values = reader.table(values, "values") if values else SourceTable({}, 0, {})
+        self.vectors = reader.read_table(scene.table.entries["vectors"], "vectors")
+        values = scene.optional_node("values")
+        self.values = reader.read_table(values, "values") if values else SourceTable({}, 0, {})
         if not self.vectors.entries:
-            raise reader.fault("vectors_empty", self.vectors)
+            raise reader.error_by_key("vectors_empty", self.vectors)
         self._check_count()
         self._check_names()
         self.names = (*self.vectors.entries, *self.values.entries)
 
     def _check_count(self) -> None:
         count = len(self.vectors.entries) + len(self.values.entries)
-        if count > MOST_VECTORS:
-            raise self.reader.fault("vectors_many", self.vectors, count=count, most=MOST_VECTORS)
+        if count > MOST_VECTORS_AND_VALUES:
+            raise self.reader.error_by_key("vectors_many", self.vectors, count=count, most=MOST_VECTORS_AND_VALUES)
 
     def _check_names(self) -> None:
         taken = {n: Phrase("a_parameter") for n in self.reader.parameters}
         for table, key, kind in ((self.vectors, "bad_vector", "a_vector"), (self.values, "bad_value_name", "a_value")):
             for name, line in table.lines.items():
-                fits = _NAME.fullmatch(name) if table is self.vectors else is_name(name)
-                if len(name) > MAX_NAME or not fits:
-                    raise self.reader.fault(key, line, name=shown(name), most=MAX_NAME)
+                fits = _VECTOR_NAME_REGEX.fullmatch(name) if table is self.vectors else is_parameter_name(name)
+                if len(name) > MAX_NAME_LENGTH or not fits:
+                    raise self.reader.error_by_key(key, line, name=quoted_excerpt(name), most=MAX_NAME_LENGTH)
                 if name in taken:
-                    raise self.reader.fault("name_taken", line, name=name, one=taken[name], other=Phrase(kind))
+                    raise self.reader.error_by_key("name_taken", line, name=name, one=taken[name], other=Phrase(kind))
                 taken[name] = Phrase(kind)
 
-    def read(self, quantity: str | None) -> Statement:
-        vectors = {name: self.vector(name, node) for name, node in self.vectors.entries.items()}
+    def read_statement(self, quantity: str | None) -> Statement:
+        vectors = {name: self.read_vector(name, node) for name, node in self.vectors.entries.items()}
         values = {
-            name: self.amount(node, part(name, Phrase("section", name="values")))
+            name: self.read_vector_amount(node, part_in_words(name, Phrase("section", name="values")))
             for name, node in self.values.entries.items()
         }
-        equations = self.equations(self.scene.entries["equations"])
+        equations = self.read_equations(self.scene.entries["equations"])
         return Statement(
             MappingProxyType(vectors),
             equations,
@@ -127,102 +131,115 @@ class StatementReader:
             drive=self.laws.drive if self.laws else None,
         )
 
-    def amount(self, node: Node, what: Phrase) -> Amount:
+    def read_vector_amount(self, node: Node, what: Phrase) -> Amount:
         """A number, an expression of vectors, values and parameters, or a law of the drive."""
-        if self.laws and self.laws.follows(node):
-            return self.laws.amount(node, what)
-        if not isinstance(node, SourceScalar) or node.absent:
-            return self.reader.number(node, what)
+        if self.laws and self.laws.changes_with_drive(node):
+            return self.laws.read_amount_or_law(node, what)
+        if not isinstance(node, SourceScalar) or node.is_blank:
+            return self.reader.read_number(node, what)
         try:
             amount = read_amount(node.text, self.reader.parameters, self.names)
         except ExpressionError as error:
-            raise self.reader.fault("about", node, what=what, why=error.phrase) from None
+            raise self.reader.error_by_key("about", node, what=what, why=error.phrase) from None
         if isinstance(amount, VectorAmount):
             return amount
-        if abs(amount) > MOST:
-            raise self.reader.fault("out_of_range", node, what=what, value=amount, most=MOST)
+        if abs(amount) > LARGEST_SCENE_NUMBER:
+            raise self.reader.error_by_key("out_of_range", node, what=what, value=amount, most=LARGEST_SCENE_NUMBER)
         return amount
 
-    def vector(self, name: str, node: Node) -> VectorGiven:
+    def read_vector(self, name: str, node: Node) -> VectorGiven:
         what = Phrase("vector", name=name)
-        if isinstance(node, SourceScalar) and node.absent:
+        if isinstance(node, SourceScalar) and node.is_blank:
             return VectorGiven()
         vector = Fields(self.reader, node, what, VECTOR_KEYS)
         if {"similar", "ratio", "angle", "as"} & {*vector.table.entries}:
-            return VectorGiven(like=self.similarity(vector))
+            return VectorGiven(like=self.read_similarity(vector))
         if "direction" in vector and "perpendicular_to" in vector:
-            vector.one_of("direction", "perpendicular_to")
-        value = vector.optional("value")
-        size = None if value is None else self.amount(value, vector.named("value"))
-        direction = self.direction(vector, "direction", 0)
+            vector.require_one_key("direction", "perpendicular_to")
+        value = vector.optional_node("value")
+        size = None if value is None else self.read_vector_amount(value, vector.phrase_of_key("value"))
+        direction = self.read_vector_direction(vector, "direction", 0)
         if direction is None:
-            direction = self.direction(vector, "perpendicular_to", 1)
-        return VectorGiven(size, direction, vector.said("near"))
+            direction = self.read_vector_direction(vector, "perpendicular_to", 1)
+        return VectorGiven(size, direction, vector.number_if_given("near"))
 
-    def direction(self, vector: Fields, key: str, quarter: int) -> float | AlongVector | LoadLaw | None:
+    def read_vector_direction(self, vector: Fields, key: str, quarter: int) -> float | AlongVector | LoadLaw | None:
         """Degrees, the direction of another vector (r_BC, or -r_BC reversed), or a law of the drive."""
-        node = vector.optional(key)
-        if node is not None and quarter == 0 and self.laws and self.laws.follows(node):
-            law = self.laws.amount(node, vector.named(key))
+        node = vector.optional_node(key)
+        if node is not None and quarter == 0 and self.laws and self.laws.changes_with_drive(node):
+            law = self.laws.read_amount_or_law(node, vector.phrase_of_key(key))
             return law if isinstance(law, LoadLaw) else float(law)
-        name, back = turned_back(node.text if isinstance(node, SourceScalar) else "")
+        name, back = split_reversal_sign(node.text if isinstance(node, SourceScalar) else "")
         if name in self.vectors.entries:
             return AlongVector(name, quarter + 2 * back)
-        if node is not None and _NAME.fullmatch(name) and name not in self.reader.parameters and name != "pi":
-            self.named(node, name, vector.named(key))
-        degrees = vector.said(key)
+        if (
+            node is not None
+            and _VECTOR_NAME_REGEX.fullmatch(name)
+            and name not in self.reader.parameters
+            and name != "pi"
+        ):
+            self.read_vector_name(node, name, vector.phrase_of_key(key))
+        degrees = vector.number_if_given(key)
         return None if degrees is None else degrees + 90.0 * quarter
 
-    def named(self, node: Node, name: str, what: Told) -> str:
+    def read_vector_name(self, node: Node, name: str, what: Told) -> str:
         """The name of a vector of the scene."""
         if name not in self.vectors.entries:
-            valid, name_shown = choices(name, self.vectors.entries), name if len(name) <= MAX_NAME else shown(name)
-            raise self.reader.fault("no_vector", node, text=what, name=name_shown, valid=valid)
+            valid, name_shown = (
+                list_valid_choices(name, self.vectors.entries),
+                name if len(name) <= MAX_NAME_LENGTH else quoted_excerpt(name),
+            )
+            raise self.reader.error_by_key("no_vector", node, text=what, name=name_shown, valid=valid)
         return name
 
-    def similarity(self, vector: Fields) -> Similarity:
+    def read_similarity(self, vector: Fields) -> Similarity:
         """{similar: v_CB, ratio: 0.4, angle: 30} or {similar: v_CB, as: [r_BS, r_BC]}."""
         for key in ("value", "direction", "perpendicular_to", "near"):
             if key in vector:
-                raise vector.fault("both_keys", key, what=vector.what, one="similar", two=key)
-        pattern = self.named(vector.required("similar"), vector.text("similar"), vector.named("similar"))
-        if vector.one_of("ratio", "as") == "ratio":
-            ratio, turn = vector.number("ratio"), vector.said("angle") or 0.0
-            return Similarity(pattern, ratio * complex(evaluate(f"cos({turn!r})", {}), evaluate(f"sin({turn!r})", {})))
-        shape, label = vector.required("as"), vector.named("as")
+                raise vector.error_by_key("both_keys", key, what=vector.what, one="similar", two=key)
+        pattern = self.read_vector_name(
+            vector.required_node("similar"), vector.read_text("similar"), vector.phrase_of_key("similar")
+        )
+        if vector.require_one_key("ratio", "as") == "ratio":
+            ratio, turn = vector.read_number("ratio"), vector.number_if_given("angle") or 0.0
+            return Similarity(
+                pattern,
+                ratio * complex(evaluate_expression(f"cos({turn!r})", {}), evaluate_expression(f"sin({turn!r})", {})),
+            )
+        shape, label = vector.required_node("as"), vector.phrase_of_key("as")
         if "angle" in vector:
-            raise vector.fault("both_keys", "angle", what=vector.what, one="as", two="angle")
-        items = self.reader.items(shape, label)
+            raise vector.error_by_key("both_keys", "angle", what=vector.what, one="as", two="angle")
+        items = self.reader.read_list(shape, label)
         if len(items) != 2:
-            raise self.reader.fault("similar_pair", shape, what=label, count=len(items))
-        one, two = (self.named(item, self.reader.text(item, label), label) for item in items)
+            raise self.reader.error_by_key("similar_pair", shape, what=label, count=len(items))
+        one, two = (self.read_vector_name(item, self.reader.read_text(item, label), label) for item in items)
         return Similarity(pattern, shape=(one, two))
 
-    def equations(self, node: Node) -> tuple[VectorEquation, ...]:
+    def read_equations(self, node: Node) -> tuple[VectorEquation, ...]:
         """The equations with their lines."""
-        nodes = self.reader.items(node, "equations") if isinstance(node, Items | SourceTable) else [node]
+        nodes = self.reader.read_list(node, "equations") if isinstance(node, Items | SourceTable) else [node]
         if not nodes:
-            raise self.reader.fault("equations_empty", node)
-        return tuple(self.equation(entry, Phrase("equation", number=n)) for n, entry in enumerate(nodes, 1))
+            raise self.reader.error_by_key("equations_empty", node)
+        return tuple(self.read_one_equation(entry, Phrase("equation", number=n)) for n, entry in enumerate(nodes, 1))
 
-    def equation(self, node: Node, what: Told) -> VectorEquation:
+    def read_one_equation(self, node: Node, what: Told) -> VectorEquation:
         if isinstance(node, SourceTable):  # under the name of its plan
             (plan, own), *more = node.entries.items() or [("", node)]
-            if more or not _FORCES.fullmatch(plan):
-                raise self.reader.fault("no_such_plan", node, plan=shown(plan))
-            return replace(self.equation(own, what), plan=plan)
-        text = self.reader.text(node, what).strip()
+            if more or not _FORCE_PLAN_PATTERN.fullmatch(plan):
+                raise self.reader.error_by_key("no_such_plan", node, plan=quoted_excerpt(plan))
+            return replace(self.read_one_equation(own, what), plan=plan)
+        text = self.reader.read_text(node, what).strip()
         if "=" not in text:
-            raise self.reader.fault("not_equation", node, text=shown(text))
-        for match in _NAME.finditer(text):
-            if not _FACTOR.match(text, match.end()) and match[0] not in self.reader.parameters:
-                self.named(node, match[0], text)
+            raise self.reader.error_by_key("not_equation", node, text=quoted_excerpt(text))
+        for match in _VECTOR_NAME_REGEX.finditer(text):
+            if not _FACTOR_PATTERN.match(text, match.end()) and match[0] not in self.reader.parameters:
+                self.read_vector_name(node, match[0], text)
         try:
-            equation = read_equation(text, lambda times: evaluate(times, self.reader.parameters), node.line)
+            equation = read_equation(text, lambda times: evaluate_expression(times, self.reader.parameters), node.line)
         except (EquationError, ExpressionError) as error:
             phrase = error.phrase
             sentence = phrase if isinstance(error, EquationError) else Phrase("about", what=text, why=phrase)
             raise SceneError(sentence, self.reader.file, node.line) from None
-        for name in equation.names:  # a parameter in place of a vector
-            self.named(node, name, text)
+        for name in equation.vector_names:  # a parameter in place of a vector
+            self.read_vector_name(node, name, text)
         return equation

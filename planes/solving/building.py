@@ -9,10 +9,10 @@ from typing import Any, Self
 
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, loads
-from planes.scene.doubts import OF_UNITS
-from planes.scene.writing import written
+from planes.scene.doubts import UNIT_DOUBT_KEYS
+from planes.scene.writing import scene_file_text
 from planes.words import Phrase, home_lang
-from planes.words.errors import PlanesError, choices, shown
+from planes.words.errors import PlanesError, list_valid_choices, quoted_excerpt
 
 Place = float | str | complex | Sequence[float | str] | Mapping[str, float | str]
 """A place in a link's axes: x alone (m), [x, y] or x + iy, or ``{"r": …, "angle": …}``; texts are expressions."""
@@ -79,13 +79,17 @@ class Linkage:
         ``x`` is a vertical guide through (x, 0), directed to +y, ``y`` a horizontal one, directed to +x; ``through`` is
         a point or its name, with an ``angle`` in degrees; ``centre`` and ``radius`` give an arc.
         """
-        _refuse(self.guide, more)
+        _refuse_unknown_keywords(self.guide, more)
         links = self.parts["links"]
         if link is not None and str(link) not in links:
-            words = {"what": Phrase("guide_named", name=name), "of": Phrase("links_all"), "name": shown(str(link))}
-            raise PlanesError(Phrase("unknown_name", **words, valid=choices(str(link), links)))
+            words = {
+                "what": Phrase("guide_named", name=name),
+                "of": Phrase("links_all"),
+                "name": quoted_excerpt(str(link)),
+            }
+            raise PlanesError(Phrase("unknown_name", **words, valid=list_valid_choices(str(link), links)))
         owner = self.parts["frame"] if link is None else links[str(link)]
-        line = _given(x=x, y=y, through=through, angle=angle, centre=centre, radius=radius)
+        line = _drop_missing_values(x=x, y=y, through=through, angle=angle, centre=centre, radius=radius)
         owner.setdefault("guides", {})[name] = line
         return self
 
@@ -104,7 +108,7 @@ class Linkage:
         A point named in two links is a hinge. ``slides`` names the guide on which the link's first point slides, or
         ``{"guide": …, "angle": …, "offset": …}``. ``centre`` is the mass centre, by default the first point.
         """
-        own = _given(slides=slides, centre=centre, mass=mass, inertia=inertia)
+        own = _drop_missing_values(slides=slides, centre=centre, mass=mass, inertia=inertia)
         for point in places:
             if near := get_close_matches(point, ("slides", "centre", "center", "mass", "inertia"), 1, 0.75):
                 raise PlanesError(Phrase("link_keyword", word=point, near="centre" if near[0] == "center" else near[0]))
@@ -134,9 +138,9 @@ class Linkage:
     ) -> Self:
         """Set the driver: a crank at ``phi`` degrees, ``omega`` rad/s, ``epsilon`` rad/s², or a slider at ``s`` m,
         ``velocity`` m/s, ``acceleration`` m/s²; ``on`` a moving link, if it does not hang on the frame."""
-        _refuse(self.drive, more)
-        turning = _given(phi=phi, omega=omega, epsilon=epsilon, on=on)
-        sliding = _given(s=s, velocity=velocity, acceleration=acceleration)
+        _refuse_unknown_keywords(self.drive, more)
+        turning = _drop_missing_values(phi=phi, omega=omega, epsilon=epsilon, on=on)
+        sliding = _drop_missing_values(s=s, velocity=velocity, acceleration=acceleration)
         self.parts["drive"] = {"link": str(link), **turning, **sliding}
         return self
 
@@ -158,8 +162,10 @@ class Linkage:
         ``{"link": 3, "angle": 90}`` to turn with a link.
         A magnitude may be a law of the motion: ``"3000*sin(phi)"``, ``{"working": 6000, "idle": 200}``.
         """
-        _refuse(self.load, more)
-        said = _given(point=point, force=force, moment=moment, against=against, along=along, direction=direction)
+        _refuse_unknown_keywords(self.load, more)
+        said = _drop_missing_values(
+            point=point, force=force, moment=moment, against=against, along=along, direction=direction
+        )
         self.parts["loads"].append({"link": str(link), **said})
         return self
 
@@ -176,7 +182,7 @@ class Linkage:
     def to_yaml(self) -> str:
         """The text of a scene file of this mechanism."""
         frame = {key: value for key, value in self.parts["frame"].items() if value}
-        return written({key: value for key, value in (self.parts | {"frame": frame}).items() if value})
+        return scene_file_text({key: value for key, value in (self.parts | {"frame": frame}).items() if value})
 
     def scene(self, **parameters: float) -> Scene:
         """The scene, with other numbers for its ``parameters`` (SI, degrees).
@@ -186,28 +192,28 @@ class Linkage:
         """
         scene = loads(self.to_yaml(), f"<{self.parts['title'] or 'Linkage'}>", None, **parameters)
         scene_plans(scene)
-        return doubted(scene)
+        return scene_with_doubts_warned(scene)
 
     def __repr__(self) -> str:
         links = ", ".join(self.parts["links"])
         return f"<Linkage {self.parts['title']!r}: {f'links {links}' if links else 'no links'}>"
 
 
-def doubted(scene: Scene) -> Scene:
+def scene_with_doubts_warned(scene: Scene) -> Scene:
     """The scene; the caller is warned of numbers that seem to be in other units."""
     for doubt in scene.doubts:
-        if doubt.phrase.key in OF_UNITS:
+        if doubt.phrase.key in UNIT_DOUBT_KEYS:
             warnings.warn(doubt.told(home_lang()), stacklevel=3)
     return scene
 
 
-def _given(**parts: Any) -> dict[str, Any]:
+def _drop_missing_values(**parts: Any) -> dict[str, Any]:
     """The given values of a part."""
     return {key: value for key, value in parts.items() if value is not None}
 
 
-def _refuse(call: Callable[..., object], more: Mapping[str, object]) -> None:
+def _refuse_unknown_keywords(call: Callable[..., object], more: Mapping[str, object]) -> None:
     """Refuse keywords that a call does not have."""
     for word in more:
         known = [*call.__annotations__][:-2]  # but "more" and "return"
-        raise PlanesError(Phrase("call_keyword", call=call.__name__, word=word, valid=choices(word, known)))
+        raise PlanesError(Phrase("call_keyword", call=call.__name__, word=word, valid=list_valid_choices(word, known)))

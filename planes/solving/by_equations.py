@@ -7,19 +7,19 @@ from itertools import permutations
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, loads
-from planes.scene.writing import written
+from planes.scene.writing import scene_file_text
 from planes.solving import Position
-from planes.solving.own_equations import kind_shown, own_equations, vectors_of
-from planes.words import Phrase, Written, langs, say
+from planes.solving.own_equations import check_own_equations, mechanism_vectors, plan_kind_of_vector
+from planes.words import Phrase, Written, available_languages, say
 from planes.words.errors import SceneError
-from planes.words.names import kind_of, mu_of
+from planes.words.names import mu_name, plan_kind
 from planes.words.records import Json
 from planes.words.units import mu_text
 
-DIGITS = 12  # of the numbers handed over: more than equations are held to, fewer than rounding has spoilt
+HANDED_OVER_DIGITS = 12  # of the numbers handed over: more than equations are held to, fewer than rounding has spoilt
 
 
-def by_equations(scene: Scene, position: Position) -> str:
+def scene_text_by_equations(scene: Scene, position: Position) -> str:
     """The text of that scene, for one position of the mechanism.
 
     Where equations would have more than two unknowns, vectors of the mechanism's plans are given whole, in the order in
@@ -28,31 +28,31 @@ def by_equations(scene: Scene, position: Position) -> str:
     """
     if not scene.equations:
         raise SceneError(Phrase("own_none"), scene.file)
-    for one in own_equations(position.plans, position.drawing, position.scales, scene.equations, scene.file):
-        if not one.closes:
-            why = Phrase("about", what=one.equation.text, why=Written(one.fault))
+    for one in check_own_equations(position.plans, position.drawing, position.scales, scene.equations, scene.file):
+        if not one.is_closed:
+            why = Phrase("about", what=one.equation.text, why=Written(one.closing_fault_in_words))
             raise SceneError(why, scene.file, one.equation.line)
-    vectors = dict(vectors_of(position.plans, position.drawing, position.scales))
-    known = {name: _known(position, name, vectors) for e in scene.equations for name in e.names}
+    vectors = dict(mechanism_vectors(position.plans, position.drawing, position.scales))
+    known = {name: _known_vector_data(position, name, vectors) for e in scene.equations for name in e.vector_names}
     alone = {side[0].name for e in scene.equations for side in e.sides if len(side) == 1}
     more = sorted((n for n in known if n in vectors and len(known[n]) < 2), key=lambda n: n in alone)
     given = known
-    fault = _fault(scene, position, known)
+    fault = _undrawable_error(scene, position, known)
     while fault and more:
         name = more.pop(0)
-        given = {**given, name: _whole(vectors[name])}
-        fault = _fault(scene, position, given)
+        given = {**given, name: _fully_known_vector(vectors[name])}
+        fault = _undrawable_error(scene, position, given)
     if fault:
         raise fault
     for name in (n for n in known if given[n] != known[n]):  # it was given whole for another equation's sake
         less = {**given, name: known[name]}
-        given = given if _fault(scene, position, less) else less
-    return _text(scene, position, given)
+        given = given if _undrawable_error(scene, position, less) else less
+    return _scene_text(scene, position, given)
 
 
-def _fault(scene: Scene, position: Position, given: Mapping[str, Json]) -> SceneError | None:
+def _undrawable_error(scene: Scene, position: Position, given: Mapping[str, Json]) -> SceneError | None:
     """Why the equations cannot be drawn with these data, at the line of the user's equation."""
-    text = _text(scene, position, given)
+    text = _scene_text(scene, position, given)
     try:
         scene_plans(loads(text, scene.file))
     except SceneError as error:
@@ -62,57 +62,59 @@ def _fault(scene: Scene, position: Position, given: Mapping[str, Json]) -> Scene
     return None
 
 
-def _text(scene: Scene, position: Position, given: Mapping[str, Json]) -> str:
+def _scene_text(scene: Scene, position: Position, given: Mapping[str, Json]) -> str:
     """The scene with these data of its vectors, at the scales of the mechanism's plans; last an equation a line."""
-    title = {lang: say("own_title", lang, title=scene.title.get(lang, scene.file)) for lang in langs()}
-    own = {kind_shown(e.names[0]) for e in scene.equations}
+    title = {lang: say("own_title", lang, title=scene.title.get(lang, scene.file)) for lang in available_languages()}
+    own = {plan_kind_of_vector(e.vector_names[0]) for e in scene.equations}
     mus = position.scales
-    scales = {k: {"mu": mu_text(mus[mu_of(p)], k)} for p in position.plans.segments_of if (k := kind_of(p)) in own}
-    vectors = {**_lines(position, given), **given}
-    head = written({"planes": 1, "title": title, "vectors": vectors, "plans": scales})
+    scales = {
+        k: {"mu": mu_text(mus[mu_name(p)], k)} for p in position.plans.segments_by_plan if (k := plan_kind(p)) in own
+    }
+    vectors = {**_vectors_with_directions(position, given), **given}
+    head = scene_file_text({"planes": 1, "title": title, "vectors": vectors, "plans": scales})
     return f"{head}equations:\n" + "".join(f'  - "{e.text}"\n' for e in scene.equations)
 
 
-def _known(position: Position, name: str, vectors: Mapping[str, complex]) -> Json:
+def _known_vector_data(position: Position, name: str, vectors: Mapping[str, complex]) -> Json:
     """What the program knows of a vector before it draws the equation that gives it; nothing of a new one."""
     equations = position.plans.equations
     things = position.drawing
-    term = next((t for e in equations for t in e.terms if t.name == name and not t.drawn), None)
-    if term and term.known < 2:
+    term = next((t for e in equations for t in e.all_terms if t.name == name and not t.drawn), None)
+    if term and term.known_part_count < 2:
         if not term.direction:
             return {}
-        return _line(position, term.direction) or {"direction": _angle(things[term.direction])}
+        return _line_of_action(position, term.direction) or {"direction": _rounded_angle_deg(things[term.direction])}
     sought = not term and name in [e.total for e in equations]
-    return {} if sought or name not in vectors else _whole(vectors[name])
+    return {} if sought or name not in vectors else _fully_known_vector(vectors[name])
 
 
-def _line(position: Position, direction: str) -> Json:
+def _line_of_action(position: Position, direction: str) -> Json:
     """A line of action along or across that of two points of the scheme, by their vector r_BC; empty for any other."""
     means = position.plans.means.get(direction)
     key = {"along": "direction", "across": "perpendicular_to"}.get(means.quantity if means else "")
     known = position.plans.points
-    return {key: f"r_{means.line}"} if key and means and {means.of, means.about} <= known.keys() else {}
+    return {key: f"r_{means.line_name}"} if key and means and {means.of, means.about} <= known.keys() else {}
 
 
-def _lines(position: Position, given: Mapping[str, Json]) -> Json:
+def _vectors_with_directions(position: Position, given: Mapping[str, Json]) -> Json:
     """Those vectors, each with its direction."""
     names = {str(way) for one in given.values() for way in one.values() if isinstance(way, str)}
     lines = {}
     for one, two in permutations(position.plans.points, 2):
         if (name := f"r_{one}{two}") in names:
             start, end = (position.drawing[position.plans.points[n].position] for n in (one, two))
-            lines[name] = {"direction": _angle(end - start)}
+            lines[name] = {"direction": _rounded_angle_deg(end - start)}
     return lines
 
 
-def _whole(value: complex) -> Json:
+def _fully_known_vector(value: complex) -> Json:
     """A vector of which everything is known."""
-    return {"value": _rounded(abs(value)), "direction": _angle(value)}
+    return {"value": _round_to_digits(abs(value)), "direction": _rounded_angle_deg(value)}
 
 
-def _angle(value: complex) -> float:
-    return _rounded(Arithmetic().angle_deg(complex(value)))
+def _rounded_angle_deg(value: complex) -> float:
+    return _round_to_digits(Arithmetic().angle_deg(complex(value)))
 
 
-def _rounded(number: float) -> float:
-    return float(f"{number:.{DIGITS}g}")
+def _round_to_digits(number: float) -> float:
+    return float(f"{number:.{HANDED_OVER_DIGITS}g}")

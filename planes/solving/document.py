@@ -59,7 +59,7 @@ class Formula:
     number: str = ""
 
     @property
-    def tex(self) -> str:
+    def tex_source(self) -> str:
         """The whole of it."""
         return "".join(self.parts)
 

@@ -7,10 +7,10 @@ from typing import Any, overload
 from planes import scene as scenes
 from planes.drafting.instruments import Instrument
 from planes.scene import Scene
-from planes.scene.ranges import places_of
-from planes.solving import Position, Solved, plans_of, position
+from planes.scene.ranges import drive_positions_asked
+from planes.solving import Position, Solved, plans_for_requested_results, solve_position
 from planes.solving import solve as solve_each
-from planes.solving.building import Linkage, doubted
+from planes.solving.building import Linkage, scene_with_doubts_warned
 from planes.words import Phrase, home_lang
 from planes.words.errors import PlanesError
 
@@ -19,7 +19,7 @@ AnyScene = Scene | Linkage | str | Path
 """A scene, a mechanism built in Python, or the path of a file."""
 
 
-def read(scene: AnyScene) -> Scene:
+def scene_from(scene: AnyScene) -> Scene:
     """The scene that is given in one of these ways."""
     if isinstance(scene, str | Path):
         return load(scene)
@@ -35,12 +35,12 @@ def load(path: str | Path, variant: str | None = None, **parameters: float) -> S
     Raises :class:`~planes.words.errors.SceneError`, with file and line, for a mistake in the file or an unknown
     parameter; warns (``UserWarning``) of numbers that seem to be in other units, as the command line does.
     """
-    return doubted(scenes.load(path, variant, **parameters))
+    return scene_with_doubts_warned(scenes.load(path, variant, **parameters))
 
 
 def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **parameters: float) -> Scene:
     """Read the text of a scene file, as :func:`load` does."""
-    return doubted(scenes.loads(text, file, variant, **parameters))
+    return scene_with_doubts_warned(scenes.loads(text, file, variant, **parameters))
 
 
 @overload
@@ -69,10 +69,10 @@ def solve(
     >>> [round(p.value("omega_2"), 3) for p in planes.solve(scene, range(0, 90, 30)).positions]  # rad/s
     [-0.902, 0.684, 2.553]
     """
-    scene = read(scene)
-    at = places_of(scene, phi, s)
+    scene = scene_from(scene)
+    at = drive_positions_asked(scene, phi, s)
     if isinstance(at, list):
         return solve_each(scene, at, instrument, home_lang())
-    plans, wanted = plans_of(scene)
+    plans, wanted = plans_for_requested_results(scene)
     value = plans.drive.position if at is None else at
-    return position(scene, plans, wanted, value, instrument, home_lang())
+    return solve_position(scene, plans, wanted, value, instrument, home_lang())

@@ -4,21 +4,31 @@ from collections.abc import Callable, Collection, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from planes.words import Phrase
-from planes.words.errors import PlanesError, UnknownName, choices
+from planes.words.errors import PlanesError, UnknownName, list_valid_choices
 from planes.words.naming import Naming
 
 S = TypeVar("S")
 T = TypeVar("T")
-_OF_MOTION = ("points.r", "points.v", "points.a", "links.omega", "links.epsilon")
-KINDS = (*_OF_MOTION, "reactions", "transfers", "friction", "edges", "bearings", "loads", "vectors", "values")
+_MOTION_RESULT_KINDS = ("points.r", "points.v", "points.a", "links.omega", "links.epsilon")
+RESULT_KINDS = (
+    *_MOTION_RESULT_KINDS,
+    "reactions",
+    "transfers",
+    "friction",
+    "edges",
+    "bearings",
+    "loads",
+    "vectors",
+    "values",
+)
 """Kinds of results there may be, or none of."""
-LOADS = ("balancing_moment", "balancing_force", "zhukovsky_moment", "zhukovsky_force")
+BALANCING_LOAD_NAMES = ("balancing_moment", "balancing_force", "zhukovsky_moment", "zhukovsky_force")
 
 
-def known(name: str, names: Collection[str]) -> None:
+def require_known_name(name: str, names: Collection[str]) -> None:
     """An :class:`UnknownName` for a name that is not among these; it lists them."""
     if name not in names:
-        raise UnknownName(Phrase("no_reading", name=name, valid=choices(name, names)))
+        raise UnknownName(Phrase("no_reading", name=name, valid=list_valid_choices(name, names)))
 
 
 class Readings(dict[str, T]):
@@ -46,12 +56,12 @@ class Readings(dict[str, T]):
             return other
 
     def __missing__(self, name: object) -> T:
-        names = self.naming.names(self, poles=False, more={own: (f"{self.letter}_{own}",) for own in self})
+        names = self.naming.name_finder(self, poles=False, more={own: (f"{self.letter}_{own}",) for own in self})
         try:
-            return self[names.one(str(name), "no_reading")]
+            return self[names.require_name(str(name), "no_reading")]
         except PlanesError as error:
             raise UnknownName(error.phrase) from None
 
-    def each(self, take: Callable[[T], S]) -> "Readings[S]":
+    def attribute_of_each(self, take: Callable[[T], S]) -> "Readings[S]":
         """One attribute of each result."""
         return Readings({name: take(one) for name, one in self.items()}, self.naming, self.letter)

@@ -5,29 +5,37 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from planes.plans.columns import Column
-from planes.plans.measuring import BLUNT, DrawingReader, say_plan
-from planes.plans.quantities import MOTION, Measured
-from planes.plans.scales import FIT_MM, extent
+from planes.plans.measuring import BLUNT_CROSSING_SINE, DrawingReader, plan_name_in_words
+from planes.plans.quantities import MOTION_GROUPS, Measured
+from planes.plans.scales import PLAN_FIT_MM, plan_extent
 from planes.scene import Scene
-from planes.solving import Position, Solved, as_json, failed, key_of, plans_of, told
-from planes.solving.nearest import works
+from planes.solving import (
+    Position,
+    Solved,
+    drive_position_in_words,
+    drive_position_key,
+    failed_position_sentence,
+    plans_for_requested_results,
+    results_json,
+)
+from planes.solving.nearest import can_be_drawn
 from planes.words import Lang, Written, say
 from planes.words.errors import PlanFailure
-from planes.words.names import kind_of, mu_of
+from planes.words.names import mu_name, plan_kind
 from planes.words.records import Json
 from planes.words.units import mu_text
 
-ASIDE_DEG, BESIDE_DEG = 5.0, 0.01
-LARGE = 2.0  # times its usual size on the paper: a larger plan does not fit
-APART = 0.25  # relative: neighbours that extrapolate further apart than this are useless
+FAR_NEIGHBOUR_DEG, NEAR_NEIGHBOUR_DEG = 5.0, 0.01
+MOST_PLAN_SIZE_RATIO = 2.0  # times its usual size on the paper: a larger plan does not fit
+MOST_NEIGHBOUR_DIFFERENCE_RATIO = 0.25  # relative: neighbours that extrapolate further apart than this are useless
 
 
-def remedy(solved: Solved) -> None:
+def remedy_positions(solved: Solved) -> None:
     """Correct what can be corrected: positions at given scales too large for blunt crossings, and failed positions."""
-    solved.positions = [rescaled(solved, p) for p in solved.positions]
+    solved.positions = [position_at_released_scales(solved, p) for p in solved.positions]
     left: list[Json] = []
     for failure in solved.failed:
-        between = interpolated(solved, failure[key_of(solved.plans)], failure["error"])
+        between = interpolate_position(solved, failure[drive_position_key(solved.plans)], failure["error"])
         if between:
             solved.positions.append(between)
         else:
@@ -37,98 +45,104 @@ def remedy(solved: Solved) -> None:
     solved.positions.sort(key=lambda p: order[p.at])
 
 
-def rescaled(solved: Solved, p: Position) -> Position:
+def position_at_released_scales(solved: Solved, p: Position) -> Position:
     """The position with the given μ released for each plan that is blunt and does not fit; unchanged if there is
     none."""
     scene, lang = solved.scene, solved.lang
     large: dict[str, tuple[str, str, float, float]] = {}
     reader = DrawingReader(p.plans, p.drawing, p.scales)
-    for plan in p.plans.drawn:
-        stated, size = scene.mu.get(kind_of(plan)), extent(p.drawing, plan)
-        blunt = {label: s for label, s in reader.sharpness(plan).items() if s < BLUNT}
-        if stated and blunt and size > LARGE * FIT_MM[kind_of(plan)]:
+    for plan in p.plans.plan_names:
+        stated, size = scene.mu.get(plan_kind(plan)), plan_extent(p.drawing, plan)
+        blunt = {label: s for label, s in reader.crossing_sharpness(plan).items() if s < BLUNT_CROSSING_SINE}
+        if stated and blunt and size > MOST_PLAN_SIZE_RATIO * PLAN_FIT_MM[plan_kind(plan)]:
             angle = math.degrees(math.asin(min(blunt.values())))
-            large.setdefault(kind_of(plan), (plan, ", ".join(blunt), angle, size))
+            large.setdefault(plan_kind(plan), (plan, ", ".join(blunt), angle, size))
     if not large:
         return p
-    again = replace(solved, scene=_open(scene, large)).at(p.at)
+    again = replace(solved, scene=_scene_with_open_scales(scene, large)).at(p.at)
     again.results["remedied"] = sorted(large)
     for kind, (plan, marks, angle, size) in large.items():
-        said, now = (mu_text(x[mu_of(plan)], kind, lang, scene.mu_convention) for x in (p.scales, again.scales))
+        said, now = (mu_text(x[mu_name(plan)], kind, lang, scene.mu_convention) for x in (p.scales, again.scales))
         parts = {
             "marks": marks,
             "angle_deg": Written(f"{angle:.2g}"),
             "size_mm": f"{size:.0f}",
-            "plan": say_plan(plan, lang),
+            "plan": plan_name_in_words(plan, lang),
         }
         again.results["warnings"].append(say("remedy_scale", lang, said=said, mu=now, **parts))
     return again
 
 
-def for_sheet(scene: Scene, values: list[float] | None, lang: Lang) -> tuple[Scene, list[float] | None, list[str]]:
+def position_for_sheet(
+    scene: Scene, values: list[float] | None, lang: Lang
+) -> tuple[Scene, list[float] | None, list[str]]:
     """The position to draw on a sheet instead, and sentences about it: released scales, or the neighbour used."""
-    solved = Solved(scene, *plans_of(scene), lang=lang)
+    solved = Solved(scene, *plans_for_requested_results(scene), lang=lang)
     drive = solved.plans.drive
     asked = [drive.position] if values is None else values
     if len(asked) != 1:
         return scene, values, []
     try:
-        p = rescaled(solved, solved.at(asked[0]))
+        p = position_at_released_scales(solved, solved.at(asked[0]))
     except PlanFailure as failure:
-        near = interpolated(solved, asked[0], "")
+        near = interpolate_position(solved, asked[0], "")
         if near is None:
             return scene, values, []
         there, kind = near.results["interpolated"][1], drive.kind
-        why = failed(failure, asked[0], kind)
-        return scene, [there], [say("remedy_beside", lang, why=why, there=told(there, kind, lang))]
+        why = failed_position_sentence(failure, asked[0], kind)
+        return scene, [there], [say("remedy_beside", lang, why=why, there=drive_position_in_words(there, kind, lang))]
     kinds = p.results.get("remedied", [])
     said = p.results["warnings"][len(p.results["warnings"]) - len(kinds) :]
-    return _open(scene, kinds), values, said
+    return _scene_with_open_scales(scene, kinds), values, said
 
 
-def _open(scene: Scene, kinds: Collection[str]) -> Scene:
+def _scene_with_open_scales(scene: Scene, kinds: Collection[str]) -> Scene:
     """The scene with the scales of some plans left to the program."""
     return replace(scene, mu={k: v for k, v in scene.mu.items() if k not in kinds})
 
 
-def interpolated(solved: Solved, value: float, why: str) -> Position | None:
+def interpolate_position(solved: Solved, value: float, why: str) -> Position | None:
     """Values at a position that cannot be drawn, from neighbours that can; None where they give no answer.
 
     They are the means of the positions 5° to either side, where the motion is smooth; where it turns back at a change
     point, the extrapolation from 10° and 5° before it, in the driver's direction.
     """
     plans, lang, drive = solved.plans, solved.lang, solved.plans.drive
-    near = [value - BESIDE_DEG, value + BESIDE_DEG]
-    if not drive.rotates or not all(works(plans, v) for v in near):
+    near = [value - NEAR_NEIGHBOUR_DEG, value + NEAR_NEIGHBOUR_DEG]
+    if not drive.rotates or not all(can_be_drawn(plans, v) for v in near):
         return None
-    way = math.copysign(ASIDE_DEG, drive.velocity)
+    way = math.copysign(FAR_NEIGHBOUR_DEG, drive.velocity)
     ways = {
-        "remedy_between": ((value - ASIDE_DEG, 0.5), (value + ASIDE_DEG, 0.5), near),
-        "remedy_carried": ((value - 2 * way, -1.0), (value - way, 2.0), [value - math.copysign(BESIDE_DEG, way)]),
+        "remedy_between": ((value - FAR_NEIGHBOUR_DEG, 0.5), (value + FAR_NEIGHBOUR_DEG, 0.5), near),
+        "remedy_carried": (
+            (value - 2 * way, -1.0),
+            (value - way, 2.0),
+            [value - math.copysign(NEAR_NEIGHBOUR_DEG, way)],
+        ),
     }
     for key, ((one, first), (two, second), ends) in ways.items():
         try:
             a, b = solved.at(one), solved.at(two)
-            measured = _blend(a.found, b.found, first, second)
+            measured = _weighted_sums(a.found, b.found, first, second)
             beside = [solved.at(v).found for v in ends]
         except PlanFailure:
             continue
-        steady = tuple(f for f in measured if f.quantity.group in (*MOTION, "transfers"))
-        apart = max(_apart(steady, x) for x in beside)
-        if apart <= APART:
-            loose = max(_apart(measured, x) for x in beside) > APART
+        steady = tuple(f for f in measured if f.quantity.group in (*MOTION_GROUPS, "transfers"))
+        apart = max(_relative_difference(steady, x) for x in beside)
+        if apart <= MOST_NEIGHBOUR_DIFFERENCE_RATIO:
+            loose = max(_relative_difference(measured, x) for x in beside) > MOST_NEIGHBOUR_DIFFERENCE_RATIO
             measured, why = (steady, why + say("remedy_no_forces", lang)) if loose else (measured, why)
-            low, high = (told(v, drive.kind, lang) for v in (one, two))
+            low, high = (drive_position_in_words(v, drive.kind, lang) for v in (one, two))
             said = say(key, lang, why=why, low=low, high=high, apart=f"{100 * apart:.2g} %")
-            empty = (k for k, v in a.results.items() if v == {} and (k in MOTION or not loose))
-            shaped = as_json(plans, measured, empty)
-            results = {key_of(plans): value, **{k: shaped[k] for k in a.results if k in shaped}}
+            empty = (k for k, v in a.results.items() if v == {} and (k in MOTION_GROUPS or not loose))
+            shaped = results_json(plans, measured, empty)
+            results = {drive_position_key(plans): value, **{k: shaped[k] for k in a.results if k in shaped}}
             results |= {"interpolated": [one, two], "warnings": [said]}
             return Position(value, plans, b.drawing, b.scales, measured, results)
     return None
 
 
-def _blend(a: Sequence[Measured], b: Sequence[Measured], one: float, two: float) -> tuple[Measured, ...]:
+def _weighted_sums(a: Sequence[Measured], b: Sequence[Measured], one: float, two: float) -> tuple[Measured, ...]:
     """Weighted sums of all results; angles go the short way round."""
 
     def blended(c: Column, x: float | None, y: float | None) -> float | None:
@@ -145,15 +159,15 @@ def _blend(a: Sequence[Measured], b: Sequence[Measured], one: float, two: float)
     )
 
 
-def _apart(a: Sequence[Measured], b: Sequence[Measured]) -> float:
+def _relative_difference(a: Sequence[Measured], b: Sequence[Measured]) -> float:
     """The difference of two results: the largest relative to the largest number of its kind."""
     sizes: dict[str, float] = {}
     gaps: dict[str, float] = {}
-    others = {f.quantity.path: f.numbers for f in b}
-    rows = [(f.quantity, zip(f.quantity.columns, f.numbers, others[f.quantity.path], strict=True)) for f in a]
+    others = {f.quantity.json_path: f.numbers for f in b}
+    rows = [(f.quantity, zip(f.quantity.columns, f.numbers, others[f.quantity.json_path], strict=True)) for f in a]
     for q, c, x, y in ((q, *row) for q, numbers in rows for row in numbers):
         if x is not None and y is not None:
-            kind, turns = q.key or f"{q.group} {c.kind}", c.unit == "°"
+            kind, turns = q.key or f"{q.group} {c.comparison_class}", c.unit == "°"
             gap = abs(math.remainder(x - y, 360.0)) if turns else abs(x - y)
             sizes[kind] = max(sizes.get(kind, 0.0), 180.0 if turns else abs(y))
             gaps[kind] = max(gaps.get(kind, 0.0), gap)

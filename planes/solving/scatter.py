@@ -2,19 +2,19 @@
 
 from collections.abc import Mapping
 
-from planes.drafting.drawing import run
-from planes.drafting.instruments import PENCILS, Pencil
+from planes.drafting.drawing import draw_program
+from planes.drafting.instruments import DRAUGHTSMEN_COUNT, Pencil
 from planes.drafting.program import Program
 from planes.drafting.tools import Thing
 
 
-def scatter_mm(
+def length_scatter_mm(
     program: Program, given: Mapping[str, Thing], repeated: str, pencil: Pencil, spans: Mapping[str, tuple[str, str]]
 ) -> dict[str, float]:
     """Standard deviation, in mm, of the length between marks over many draughtsmen with the same pencil; a single
     drawing is ``repeated`` for each of them."""
     import numpy
 
-    crowd = run(program, {**given, repeated: numpy.full(PENCILS, given[repeated])}, pencil)
+    crowd = draw_program(program, {**given, repeated: numpy.full(DRAUGHTSMEN_COUNT, given[repeated])}, pencil)
     scatter = {name: numpy.nanstd(abs(crowd[end] - crowd[start])) for name, (start, end) in spans.items()}
     return {name: float(size) for name, size in scatter.items()}

@@ -12,73 +12,80 @@ from typing import Any
 
 from planes.lesson.data import lesson_data, practice_data
 from planes.scene import loads
-from planes.studio.message_shapes import checked
-from planes.studio.numbers_back import with_numbers
-from planes.studio.renaming import renamed
-from planes.studio.sketch_texts import Unfinished, drawn, offers_of
+from planes.studio.message_shapes import checked_message
+from planes.studio.numbers_back import text_with_numbers
+from planes.studio.renaming import text_with_renamed_part
+from planes.studio.sketch_texts import Unfinished, assembly_offers, text_of_changed_sketch
 from planes.studio.sketches import sketch_of
-from planes.studio.text_edits import FILE, Edited
-from planes.words import Lang, Phrase, langs, say
+from planes.studio.text_edits import SCENE_FILE_NAME, Edited
+from planes.words import Lang, Phrase, available_languages, say
 from planes.words.errors import PlanesError, SceneError
 from planes.words.records import Json
 
-LONGEST = 200_000  # longest scene, in letters
-LACKS, TOOLS = ("part_missing", "part_empty"), {"frame": "fix", "links": "link", "drive": "drive"}
+MOST_SCENE_LETTERS = 200_000  # longest scene, in letters
+MISSING_PART_SENTENCES, TOOLS_BY_MISSING_PART = (
+    ("part_missing", "part_empty"),
+    {"frame": "fix", "links": "link", "drive": "drive"},
+)
 """Sentences about what a mechanism lacks, and the tool of the canvas that draws it."""
 
 
-def answer(message: Json) -> Json:
+def answer_to_message(message: Json) -> Json:
     """The answer to a message; errors of the text are in its ``problems``."""
-    text, lang = str(message.get("text", ""))[:LONGEST], lang_of(message)
-    act = ACTS.get(str(message.get("ask")))
+    text, lang = str(message.get("text", ""))[:MOST_SCENE_LETTERS], message_lang(message)
+    act = ANSWERS_BY_MESSAGE_KIND.get(str(message.get("ask")))
     own: Json = {"id": message.get("id"), "ask": message.get("ask"), "problems": []}
     if act is None:
-        return {**own, "problems": [_plain("studio_unknown", lang)]}
+        return {**own, "problems": [_plain_problem("studio_unknown", lang)]}
     try:
-        return {**own, **act(text, checked(message))}
+        return {**own, **act(text, checked_message(message))}
     except PlanesError as error:
         more = {"text": error.text} if isinstance(error, Unfinished) else {}
-        return {**own, **more, "problems": [problem(error, more.get("text", text), lang)]}
+        return {**own, **more, "problems": [problem_report(error, more.get("text", text), lang)]}
     except ImportError as error:
-        return {**own, "problems": [_plain("studio_needs", lang, name=error.name)]}
+        return {**own, "problems": [_plain_problem("studio_needs", lang, name=error.name)]}
 
 
-def _plain(key: str, lang: Lang, **parts: object) -> Json:
+def _plain_problem(key: str, lang: Lang, **parts: object) -> Json:
     return {"line": 1, "said": say(key, lang, **parts), "help": []}
 
 
-def lang_of(message: Json) -> Lang:
+def message_lang(message: Json) -> Lang:
     """The language of a message; English where it names none."""
     said = message.get("lang")
-    return said if isinstance(said, str) and said in langs() else "en"
+    return said if isinstance(said, str) and said in available_languages() else "en"
 
 
-def problem(error: PlanesError, text: str, lang: Lang) -> Json:
+def problem_report(error: PlanesError, text: str, lang: Lang) -> Json:
     """An error: its line and column, the sentence, and the corrections, each as a part to be put into the text."""
     line = getattr(error, "line", None) or 1
     said = error.phrase.told(lang) if isinstance(error.phrase, Phrase) else str(error.phrase)
     report: Json = {"line": line, "column": 1, "said": said, "help": []}
-    parts = error.parts
+    parts = error.phrase_parts
     row = "".join(text.splitlines()[line - 1 : line])
-    valid = _valid(parts)
+    valid = _valid_names(parts)
     quoted = [str(part) for part in parts.values() if isinstance(part, str) and part and part in row]
     if quoted:
-        meant = max(quoted, key=lambda part: max((alike(part, name) for name in valid), default=0.0))
+        meant = max(quoted, key=lambda part: max((name_similarity(part, name) for name in valid), default=0.0))
         report["column"] = row.rindex(meant) + 1
         report["help"] = [{"label": name, "from": meant, "to": name} for name in valid]
-    if isinstance(error.phrase, Phrase) and error.phrase.key in LACKS and (act := TOOLS.get(str(parts.get("key", "")))):
+    if (
+        isinstance(error.phrase, Phrase)
+        and error.phrase.key in MISSING_PART_SENTENCES
+        and (act := TOOLS_BY_MISSING_PART.get(str(parts.get("key", ""))))
+    ):
         report["help"].append({"label": say(f"studio_add_{act}", lang), "act": act})
     if isinstance(error, SceneError):
-        report["help"] += [_offer(text, path, value) for path, value in offers_of(error)]
+        report["help"] += [_assembly_offer(text, path, value) for path, value in assembly_offers(error)]
     return report
 
 
-def alike(one: str, other: str) -> float:
+def name_similarity(one: str, other: str) -> float:
     """The similarity of two names, 0 to 1."""
     return SequenceMatcher(None, one, other).ratio()
 
 
-def _valid(parts: dict[str, object]) -> list[str]:
+def _valid_names(parts: dict[str, object]) -> list[str]:
     """The valid names, the nearest first."""
     valid = parts.get("valid")
     offered = valid.parts if isinstance(valid, Phrase) else {}
@@ -87,45 +94,45 @@ def _valid(parts: dict[str, object]) -> list[str]:
     return [*dict.fromkeys(map(str, (*near, *(names if isinstance(names, tuple) else ()))))][:6]
 
 
-def _offer(text: str, path: tuple[str, ...], value: str) -> Json:
+def _assembly_offer(text: str, path: tuple[str, ...], value: str) -> Json:
     """One of several assemblies, with its picture."""
     own: Json = {"label": f"{path[-1]}: {value}", "path": path, "value": value}
     try:
-        return {**own, "sketch": sketch_of(loads(Edited(text).put(path, value).text))}
+        return {**own, "sketch": sketch_of(loads(Edited(text).with_value(path, value).text))}
     except PlanesError:
         return own
 
 
-def _lesson(text: str, message: Json) -> Json:
-    scene = loads(text, FILE)
-    lang = lang_of(message)
+def _lesson_answer(text: str, message: Json) -> Json:
+    scene = loads(text, SCENE_FILE_NAME)
+    lang = message_lang(message)
     plain: Json = {"column": 1, "help": [], "doubt": True}
     doubts = [{**plain, "line": d.line, "said": d.phrase.told(lang)} for d in scene.doubts]
     return {"data": lesson_data(scene, practice=bool(message.get("all"))), "problems": doubts}
 
 
-def _edited(edited: Edited) -> Json:
+def _edited_answer(edited: Edited) -> Json:
     return {"text": edited.text, "lines": edited.lines}
 
 
-def _drawn(edited: Edited) -> Json:
+def _drawn_answer(edited: Edited) -> Json:
     """A text for a changed sketch, and the sketch with the numbers that were written."""
-    return {**_edited(edited), "sketch": sketch_of(loads(edited.text, FILE))}
+    return {**_edited_answer(edited), "sketch": sketch_of(loads(edited.text, SCENE_FILE_NAME))}
 
 
-def _path(message: Json) -> tuple[str, ...]:
+def _message_path(message: Json) -> tuple[str, ...]:
     return tuple(map(str, message["path"]))
 
 
-ACTS: dict[str, Callable[[str, Json], dict[str, Any]]] = {
-    "lesson": _lesson,
-    "numbers": lambda text, m: _edited(with_numbers(text, m["numbers"], m.get("said") or {})),
-    "practice": lambda text, _: {"data": practice_data(loads(text, FILE))},
-    "sketch": lambda text, _: {"sketch": sketch_of(loads(text, FILE))},
-    "drawn": lambda text, m: _drawn(drawn(text, m["sketch"], m.get("was"))),
-    "rename": lambda text, m: _edited(renamed(text, m["path"][0], m["path"][-1], m["value"])),
-    "put": lambda text, m: _edited(Edited(text).put(_path(m), str(m["value"]))),
-    "append": lambda text, m: _edited(Edited(text).appended(_path(m), str(m["value"]))),
-    "leave out": lambda text, m: _edited(Edited(text).without(_path(m))),
+ANSWERS_BY_MESSAGE_KIND: dict[str, Callable[[str, Json], dict[str, Any]]] = {
+    "lesson": _lesson_answer,
+    "numbers": lambda text, m: _edited_answer(text_with_numbers(text, m["numbers"], m.get("said") or {})),
+    "practice": lambda text, _: {"data": practice_data(loads(text, SCENE_FILE_NAME))},
+    "sketch": lambda text, _: {"sketch": sketch_of(loads(text, SCENE_FILE_NAME))},
+    "drawn": lambda text, m: _drawn_answer(text_of_changed_sketch(text, m["sketch"], m.get("was"))),
+    "rename": lambda text, m: _edited_answer(text_with_renamed_part(text, m["path"][0], m["path"][-1], m["value"])),
+    "put": lambda text, m: _edited_answer(Edited(text).with_value(_message_path(m), str(m["value"]))),
+    "append": lambda text, m: _edited_answer(Edited(text).with_item(_message_path(m), str(m["value"]))),
+    "leave out": lambda text, m: _edited_answer(Edited(text).without_key(_message_path(m))),
 }
 """The kinds of messages, by name."""

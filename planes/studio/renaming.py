@@ -5,36 +5,44 @@ from collections.abc import Callable
 from itertools import permutations
 
 from planes.plans import Plans
-from planes.plans.quantities import catalogue
+from planes.plans.quantities import quantities_by_name
 from planes.scene import loads
-from planes.scene.source import SourceScalar, parse, walk
-from planes.scene.vector_equations import VECTOR
-from planes.solving import plans_of
-from planes.studio.message_shapes import NAME
-from planes.studio.text_edits import FILE, Edited
+from planes.scene.source import SourceScalar, parse_yaml, walk_nodes
+from planes.scene.vector_equations import VECTOR_NAME_PATTERN
+from planes.solving import plans_for_requested_results
+from planes.studio.message_shapes import NAME_PATTERN
+from planes.studio.text_edits import SCENE_FILE_NAME, Edited
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
-KINDS = {
+NAME_PLACES_BY_KIND = {
     "point": ("(frame|links/[^/]+)/points/[^/]+|(assembly|friction)/[^/]+", "x|y|v|a", ("centre", "through", "point")),
     "link": ("links/[^/]+", "phi|omega|epsilon|s|v|a", ("link", "on", "slider")),
 }
 """The places of keys that are names; the letters of the motion in laws of loads; keys whose values are names."""
-PARTS = "(frame|links/[^/]+)/(points|guides)/[^/]+|links/[^/]+"
-ASKED = ("find",), ("sheet", "diagrams"), ("sheet", "hodographs")
+NAMED_PART_PATTERN = "(frame|links/[^/]+)/(points|guides)/[^/]+|links/[^/]+"
+ASKED_NAME_PATHS = ("find",), ("sheet", "diagrams"), ("sheet", "hodographs")
 """The places of names of quantities and curves."""
-LETTERS = "v", "a", "aq", "phi", "s", "epsilonq"
+LETTERS_NOT_ASKED_FOR = "v", "a", "aq", "phi", "s", "epsilonq"
 """Of vectors and curves that are no quantities to be found."""
 Path = tuple[str, ...]
 
 
-def renamed(text: str, kind: str, name: str, to: str) -> Edited:
+def text_with_renamed_part(text: str, kind: str, name: str, to: str) -> Edited:
     """The text with a point or a link under another name. :class:`PlanesError` where that name is taken, or is none, or
     the mechanism cannot have it."""
-    keys, letters, valued = KINDS["point" if kind == "point" else "link"]
-    places = {"/".join(path): path for path, _, _ in walk(parse(text, FILE))}
-    names = {path[-1] for place, path in places.items() if re.fullmatch(PARTS, place)}
-    key = "none" if name not in names else "taken" if to in (*names, "0") else "" if NAME.fullmatch(to) else "wrong"
+    keys, letters, valued = NAME_PLACES_BY_KIND["point" if kind == "point" else "link"]
+    places = {"/".join(path): path for path, _, _ in walk_nodes(parse_yaml(text, SCENE_FILE_NAME))}
+    names = {path[-1] for place, path in places.items() if re.fullmatch(NAMED_PART_PATTERN, place)}
+    key = (
+        "none"
+        if name not in names
+        else "taken"
+        if to in (*names, "0")
+        else ""
+        if NAME_PATTERN.fullmatch(to)
+        else "wrong"
+    )
     if key:
         raise PlanesError(Phrase(f"studio_name_{key}", name=name if key == "none" else to))
     law = re.compile(rf"(?<!\w)({letters})_{re.escape(name)}(?!\w)")
@@ -44,48 +52,53 @@ def renamed(text: str, kind: str, name: str, to: str) -> Edited:
             return to
         return law.sub(rf"\1_{to}", value) if path[0] == "loads" else value
 
-    edited = _changed(Edited(text), other)
+    edited = _with_replaced_values(Edited(text), other)
     for place, path in places.items():
         if path[-1:] == (name,) and re.fullmatch(keys, place):
-            edited = edited.rekeyed(path, to)
+            edited = edited.with_renamed_key(path, to)
     try:
-        before = _plans(text)
+        before = _plans_of_text(text)
     except PlanesError:
         return edited  # no mechanism yet
-    return _asked(edited, before, _plans(edited.text))
+    return _with_renamed_quantities(edited, before, _plans_of_text(edited.text))
 
 
-def _plans(text: str) -> Plans:
+def _plans_of_text(text: str) -> Plans:
     """The plans of a mechanism, whatever is asked of them."""
-    return plans_of(loads(Edited(text).without(("find",)).without(("equations",)).text, FILE), shown=True)[0]
+    return plans_for_requested_results(
+        loads(Edited(text).without_key(("find",)).without_key(("equations",)).text, SCENE_FILE_NAME), shown=True
+    )[0]
 
 
-def _asked(edited: Edited, before: Plans, after: Plans) -> Edited:
+def _with_renamed_quantities(edited: Edited, before: Plans, after: Plans) -> Edited:
     """The text with other names of the quantities and curves asked for, however they are typed, and of the vectors in
     equations, which have the program's names."""
-    pairs = dict(zip(_all_names(before), _all_names(after), strict=True))
-    names = before.naming.names(pairs, poles=False)
+    pairs = dict(zip(_names_of_quantities(before), _names_of_quantities(after), strict=True))
+    names = before.default_naming.name_finder(pairs, poles=False)
 
     def other(path: Path, value: str) -> str:
         if path[0] == "equations":
-            return re.sub(VECTOR, lambda v: pairs.get(v[0], v[0]), value)
-        meant = names.meant(value)[:1] if path[:1] in ASKED or path[:2] in ASKED else ()
-        return next((after.naming.typed(pairs[name]) for name in meant if pairs[name] != name), value)
+            return re.sub(VECTOR_NAME_PATTERN, lambda v: pairs.get(v[0], v[0]), value)
+        meant = names.possible_names(value)[:1] if path[:1] in ASKED_NAME_PATHS or path[:2] in ASKED_NAME_PATHS else ()
+        return next((after.default_naming.typed_name(pairs[name]) for name in meant if pairs[name] != name), value)
 
-    return _changed(edited, other)
+    return _with_replaced_values(edited, other)
 
 
-def _all_names(plans: Plans) -> list[str]:
+def _names_of_quantities(plans: Plans) -> list[str]:
     """The names of quantities, of vectors of one point relative to any other and of curves, in an order that no name
     changes."""
     subjects = [*plans.points, *plans.mechanism.links, *map("".join, permutations(plans.points, 2))]
-    names = [*catalogue(plans), *(f"{letter}_{subject}" for letter in LETTERS for subject in subjects)]
+    names = [
+        *quantities_by_name(plans),
+        *(f"{letter}_{subject}" for letter in LETTERS_NOT_ASKED_FOR for subject in subjects),
+    ]
     return [*names, *(f"{name}_{axis}" for name in names for axis in "xy")]
 
 
-def _changed(edited: Edited, other: Callable[[Path, str], str]) -> Edited:
+def _with_replaced_values(edited: Edited, other: Callable[[Path, str], str]) -> Edited:
     """The text with other values where they differ; a quoted one stays quoted, and one with a comma needs to be."""
-    for path, node, _ in walk(parse(edited.text, FILE)):
+    for path, node, _ in walk_nodes(parse_yaml(edited.text, SCENE_FILE_NAME)):
         if isinstance(node, SourceScalar) and (value := other(path, node.text)) != node.text:
-            edited = edited.put(path, value if node.plain and "," not in value else f'"{value}"')
+            edited = edited.with_value(path, value if node.plain and "," not in value else f'"{value}"')
     return edited

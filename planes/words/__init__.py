@@ -30,27 +30,27 @@ class Sentences(dict[str, str]):
         if not self.other:
             raise KeyError(key)
         self.borrowed.add(key)
-        return table(self.other)[key]
+        return sentence_table(self.other)[key]
 
 
 @cache
-def _words(lang: Lang, file: str) -> dict[str, str]:
+def _load_sentences(lang: Lang, file: str) -> dict[str, str]:
     files = sorted((Path(__file__).parent / lang).glob(f"{file}.json"))
     return {key: text for one in files for key, text in json.loads(one.read_text("utf-8")).items()}
 
 
 @cache
-def table(lang: Lang, file: str = "*") -> Sentences:
+def sentence_table(lang: Lang, file: str = "*") -> Sentences:
     """Every sentence of a language by its key, or those of one file of its folder."""
-    return Sentences(_words(lang, file), _words(lang, "language")["language_stand_in"])
+    return Sentences(_load_sentences(lang, file), _load_sentences(lang, "language")["language_stand_in"])
 
 
-def under(prefix: str, lang: Lang, file: str = "*") -> dict[str, str]:
+def sentences_with_prefix(prefix: str, lang: Lang, file: str = "*") -> dict[str, str]:
     """The sentences whose keys share a prefix, by the rest of the key."""
     sentences: dict[str, str] = {}
-    for one in reversed(stand_ins(lang)):
+    for one in reversed(fallback_languages(lang)):
         sentences |= {
-            key.removeprefix(prefix): text for key, text in table(one, file).items() if key.startswith(prefix)
+            key.removeprefix(prefix): text for key, text in sentence_table(one, file).items() if key.startswith(prefix)
         }
     return sentences
 
@@ -60,23 +60,23 @@ def text_in(lang: Lang, texts: Mapping[Lang, str]) -> str:
     return texts.get(lang) or next(iter(texts.values()), "")
 
 
-def stand_ins(lang: Lang) -> tuple[Lang, ...]:
+def fallback_languages(lang: Lang) -> tuple[Lang, ...]:
     """The language itself, then its fallback languages in order."""
-    other = table(lang, "language").other
-    return (lang, *stand_ins(other)) if other else (lang,)
+    other = sentence_table(lang, "language").other
+    return (lang, *fallback_languages(other)) if other else (lang,)
 
 
 @cache
-def langs(file: str = "language") -> tuple[Lang, ...]:
+def available_languages(file: str = "language") -> tuple[Lang, ...]:
     """The languages that have a file of words; those without a fallback come first."""
     names = [one.parent.name for one in Path(__file__).parent.glob(f"*/{file}.json")]
-    return tuple(sorted(names, key=lambda lang: (len(stand_ins(lang)), lang == "en", lang)))
+    return tuple(sorted(names, key=lambda lang: (len(fallback_languages(lang)), lang == "en", lang)))
 
 
 @cache
-def _of_system(lang: Lang) -> dict[str, str]:
+def _system_error_messages(lang: Lang) -> dict[str, str]:
     """Each system error message in a language."""
-    sentences = under("system_", lang, "system")
+    sentences = sentences_with_prefix("system_", lang, "system")
     return {os.strerror(getattr(errno, name)): words for name, words in sentences.items() if hasattr(errno, name)}
 
 
@@ -84,8 +84,12 @@ def home_lang() -> Lang:
     """The language of the system, or one that its speakers read; otherwise English."""
     said = next((os.environ[k] for k in ("LC_ALL", "LC_MESSAGES", "LANG") if os.environ.get(k)), "")
     home = (said or locale.getlocale()[0] or "").lower()
-    own = [one for one in langs() if home.startswith(one)]
-    read = [one for one in langs() if home.startswith(tuple(table(one, "language")["language_homes"].split()))]
+    own = [one for one in available_languages() if home.startswith(one)]
+    read = [
+        one
+        for one in available_languages()
+        if home.startswith(tuple(sentence_table(one, "language")["language_homes"].split()))
+    ]
     return next(iter(own + read), "en")
 
 
@@ -104,24 +108,27 @@ class Phrase:
 
     def told(self, lang: Lang = "en", form: str = "") -> str:
         """The text in a language."""
-        forms = table(lang)[self.key].split("|")
+        forms = sentence_table(lang)[self.key].split("|")
         return _Teller(lang).vformat(forms[-1 if form else 0], (), self.parts)
 
     __str__ = told
 
-    def in_python(self) -> "Phrase":
+    def for_python_scene(self) -> "Phrase":
         """The same sentence for a scene built in Python: a call instead of lines of a file."""
         key = f"{self.key}_in_python"
-        return Phrase(key if key in table("en") else self.key, **{name: _called(p) for name, p in self.parts.items()})
+        return Phrase(
+            key if key in sentence_table("en") else self.key,
+            **{name: _for_python_scene(p) for name, p in self.parts.items()},
+        )
 
     def __repr__(self) -> str:
         return f"Phrase({self.key!r}, {self.parts!r})"
 
 
-def _called(part: object) -> object:
+def _for_python_scene(part: object) -> object:
     if isinstance(part, tuple):
-        return tuple(map(_called, part))
-    return part.in_python() if isinstance(part, Phrase) else part
+        return tuple(map(_for_python_scene, part))
+    return part.for_python_scene() if isinstance(part, Phrase) else part
 
 
 class Written:
@@ -134,7 +141,7 @@ class Written:
 
     def told(self, lang: Lang = "en", form: str = "") -> str:
         """The number as written in a language."""
-        return decimal(self.text if isinstance(self.text, str) else self.text(lang), lang)
+        return with_decimal_sign(self.text if isinstance(self.text, str) else self.text(lang), lang)
 
     __str__ = told
 
@@ -158,19 +165,19 @@ class _Teller(Formatter):
         if isinstance(value, tuple):
             return (format_spec or ", ").join(self.format_field(v, "") for v in value)
         if isinstance(value, str):
-            return _of_system(self.lang).get(value, value)
+            return _system_error_messages(self.lang).get(value, value)
         number = format(value, format_spec or (".4g" if isinstance(value, float) else ""))
-        return decimal(number, self.lang) if isinstance(value, float) else number
+        return with_decimal_sign(number, self.lang) if isinstance(value, float) else number
 
 
-def decimal(number: str, lang: Lang) -> str:
+def with_decimal_sign(number: str, lang: Lang) -> str:
     """A printed number with the decimal sign of the language."""
-    return number.replace(".", table(lang)["decimal_sign"])
+    return number.replace(".", sentence_table(lang)["decimal_sign"])
 
 
-def decimals(text: str, lang: Lang) -> str:
+def put_decimal_signs(text: str, lang: Lang) -> str:
     """Put that decimal sign into every number of a text for people: a table or a line of results."""
-    return re.sub(r"(?<=\d)\.(?=\d)", table(lang)["decimal_sign"], text)
+    return re.sub(r"(?<=\d)\.(?=\d)", sentence_table(lang)["decimal_sign"], text)
 
 
 def say(key: str, lang: Lang = "en", **numbers: object) -> str:
@@ -178,12 +185,12 @@ def say(key: str, lang: Lang = "en", **numbers: object) -> str:
     return Phrase(key, **numbers).told(lang)
 
 
-def in_sentences(texts: Iterable[str]) -> str:
+def join_sentences(texts: Iterable[str]) -> str:
     """Texts one after another, with a full stop after each but the last unless it has its own."""
     *before, last = [text for text in texts if text] or [""]
     return " ".join([*(text if text[-1] in ".!?" else f"{text}." for text in before), last])
 
 
-def capital(text: str) -> str:
+def capitalize_first_letter(text: str) -> str:
     """A text with the capital letter of a sentence or a title."""
     return text[:1].upper() + text[1:]

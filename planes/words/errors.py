@@ -7,15 +7,20 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from planes.words import Lang, Phrase, Told, table
+from planes.words import Lang, Phrase, Told, sentence_table
 from planes.words.frozen import frozen
-from planes.words.names import latin
+from planes.words.names import with_latin_letters
 
-QUOTED, OFFERED = 60, 40  # letters of what is quoted of a file; letters of a name that is offered, and how many
-LIKE = 0.65  # how like two words of other lengths are, of 1, one of which is a misspelling of the other
-_SPELLED = "alpha beta gamma delta epsilon theta lambda mu rho tau phi psi omega"
-_GREEK = dict(zip("αβγδεθλμρτφψω", _SPELLED.split(), strict=True))
-_SYNONYMS = """
+MOST_QUOTED_LETTERS, MOST_OFFERED_NAMES = (
+    60,
+    40,
+)  # letters of what is quoted of a file; letters of a name that is offered, and how many
+LEAST_SPELLING_SIMILARITY = (
+    0.65  # how like two words of other lengths are, of 1, one of which is a misspelling of the other
+)
+_GREEK_LETTER_NAMES = "alpha beta gamma delta epsilon theta lambda mu rho tau phi psi omega"
+_GREEK_SPELLINGS = dict(zip("αβγδεθλμρτφψω", _GREEK_LETTER_NAMES.split(), strict=True))
+_SYNONYM_PAIRS = """
 название=title заголовок=title примечание=note параметры=parameters варианты=variants стойка=frame
 звенья=links звено=link сборка=assembly привод=drive ведущее=drive нагрузки=loads нагрузка=loads
 силы=loads сила=force момент=moment трение=friction планы=plans масштаб=mu найти=find лист=sheet
@@ -24,13 +29,13 @@ _SYNONYMS = """
 forces=loads opposite=against opposing=against n=omega rpm=omega angular_velocity=omega
 front=ahead forward=ahead forwards=ahead back=behind backward=behind backwards=behind rear=behind
 """
-_MEANT = dict(pair.split("=") for pair in _SYNONYMS.split())
+_KEY_BY_SYNONYM = dict(pair.split("=") for pair in _SYNONYM_PAIRS.split())
 """Keys and words of a scene by what people write for them whose spelling does not lead there."""
-_ELSEWHERE = {"alpha": "epsilon", "theta": "phi", "w": "omega"}
+_LETTERS_OF_OTHER_BOOKS = {"alpha": "epsilon", "theta": "phi", "w": "omega"}
 """Letters of this program by those of other books."""
 
 
-def place_of(file: str, line: int | None) -> str:
+def error_place_prefix(file: str, line: int | None) -> str:
     """The place that precedes a sentence; a scene built in Python, <Slider-crank>, has no line numbers."""
     return f"{file}:{line}: " if line and file[:1] != "<" else (f"{file}: " if file else "")
 
@@ -52,7 +57,7 @@ class PlanesError(Exception):
         return self.place + (self.phrase.told(lang) if isinstance(self.phrase, Phrase) else self.phrase)
 
     @property
-    def parts(self) -> dict[str, Any]:
+    def phrase_parts(self) -> dict[str, Any]:
         """The phrase behind the sentence; None for plain text."""
         return self.phrase.parts if isinstance(self.phrase, Phrase) else {}
 
@@ -67,9 +72,9 @@ class SceneError(PlanesError, ValueError):
     """The scene file contains something that makes no sense."""
 
     def __init__(self, phrase: Told, file: str = "", line: int | None = None) -> None:
-        self.place = place_of(file, line)
+        self.place = error_place_prefix(file, line)
         self.file, self.line = file, line
-        super().__init__(phrase.in_python() if file[:1] == "<" and isinstance(phrase, Phrase) else phrase)
+        super().__init__(phrase.for_python_scene() if file[:1] == "<" and isinstance(phrase, Phrase) else phrase)
 
 
 @frozen
@@ -82,8 +87,8 @@ class Doubt:
 
     def told(self, lang: Lang = "en") -> str:
         """The place and the sentence in a language."""
-        phrase = self.phrase.in_python() if self.file[:1] == "<" else self.phrase
-        return f"{place_of(self.file, self.line)}{phrase.told(lang)}"
+        phrase = self.phrase.for_python_scene() if self.file[:1] == "<" else self.phrase
+        return f"{error_place_prefix(self.file, self.line)}{phrase.told(lang)}"
 
 
 class StructureError(SceneError):
@@ -122,53 +127,57 @@ class ExpressionError(PlanesError, ValueError):
         self.parameter = parameter
 
 
-def _near(given: str, known: list[str]) -> Told:
+def _suggest_name(given: str, known: list[str]) -> Told:
     """Words that suggest a name that is nearly the same, or looks the same in other letters."""
-    meant = _MEANT.get(given.casefold(), _spelled(given))
+    meant = _KEY_BY_SYNONYM.get(given.casefold(), _spell_greek_letters(given))
     letter, _, index = meant.partition("_")
-    ways = (meant, f"{_ELSEWHERE.get(letter, letter)}_{index}")
-    if same := next((name for way in ways for name in known if _spelled(name) == way), None):
-        return Phrase(key if (key := f"meant_{given}") in table("en") else "near_name", name=same)
-    if twin := next((name for name in known if latin(name) == latin(given)), None):
+    ways = (meant, f"{_LETTERS_OF_OTHER_BOOKS.get(letter, letter)}_{index}")
+    if same := next((name for way in ways for name in known if _spell_greek_letters(name) == way), None):
+        return Phrase(key if (key := f"meant_{given}") in sentence_table("en") else "near_name", name=same)
+    if twin := next((name for name in known if with_latin_letters(name) == with_latin_letters(given)), None):
         return Phrase("near_alike", name=twin)
     alike = [name for name in known if len(name) == len(given)]
     known = [name for name in known if given in name or len(name) < 2 * len(given)]  # A5 does not mean A4x5
-    matches = get_close_matches(given, known, n=1, cutoff=LIKE) or get_close_matches(given, alike, n=1, cutoff=0.5)
+    matches = get_close_matches(given, known, n=1, cutoff=LEAST_SPELLING_SIMILARITY) or get_close_matches(
+        given, alike, n=1, cutoff=0.5
+    )
     return Phrase("near_name", name=matches[0]) if matches else ""
 
 
-def near_file(path: str | Path) -> Told:
+def suggest_file(path: str | Path) -> Told:
     """Words that suggest a file of nearly the same name in the same folder."""
     with suppress(OSError):
-        return _near(Path(path).name[:OFFERED], [one.name for one in islice(Path(path).parent.iterdir(), 2000)])
+        return _suggest_name(
+            Path(path).name[:MOST_OFFERED_NAMES], [one.name for one in islice(Path(path).parent.iterdir(), 2000)]
+        )
     return ""
 
 
-def nearest(given: str, names: Iterable[str]) -> str:
+def closest_name(given: str, names: Iterable[str]) -> str:
     """The known name closest in spelling to the given one; empty where none is close."""
-    near = _near(given[:OFFERED], [*islice(names, 2000)])
+    near = _suggest_name(given[:MOST_OFFERED_NAMES], [*islice(names, 2000)])
     return str(near.parts["name"]) if isinstance(near, Phrase) else ""
 
 
-def _spelled(name: str) -> str:
+def _spell_greek_letters(name: str) -> str:
     """The name with Greek letters spelled: phi_1 for φ_1."""
-    return "".join(_GREEK.get(letter, letter) for letter in name)
+    return "".join(_GREEK_SPELLINGS.get(letter, letter) for letter in name)
 
 
-def shown(text: str) -> str:
+def quoted_excerpt(text: str) -> str:
     """A piece of the user's file as quoted in a sentence: on one line, cut when long."""
-    short = text if len(text) <= QUOTED else text[: QUOTED - 1] + "…"
+    short = text if len(text) <= MOST_QUOTED_LETTERS else text[: MOST_QUOTED_LETTERS - 1] + "…"
     return '"' + "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in short) + '"'
 
 
-def choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
+def list_valid_choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
     """Words that list the valid choices: "; valid: a, b; did you mean a?". Time and length are bounded whatever the
     list and its names. ``what`` is their key."""
-    known, given = [name for name in islice(names, 2000) if len(name) <= OFFERED], given[:OFFERED]
+    known, given = [name for name in islice(names, 2000) if len(name) <= MOST_OFFERED_NAMES], given[:MOST_OFFERED_NAMES]
     if not known:
         return ""
-    near = _near(given, known)
-    if len(known) <= OFFERED:
+    near = _suggest_name(given, known)
+    if len(known) <= MOST_OFFERED_NAMES:
         return Phrase(what, names=tuple(known), near=near)
     meant = [near.parts["name"]] if isinstance(near, Phrase) else []
     some = tuple(dict.fromkeys((*meant, *get_close_matches(given, known, 12), *known)))[:12]
@@ -176,7 +185,7 @@ def choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
 
 
 @contextmanager
-def guarded(key: str, file: str | Path) -> Iterator[None]:
+def reporting_library_errors(key: str, file: str | Path) -> Iterator[None]:
     """Turn any library exception raised while a file is read or processed into the sentence ``key`` about the file."""
     try:
         yield

@@ -16,11 +16,13 @@ __all__ = ["field", "frozen", "replace"]
 T = TypeVar("T")
 
 
-def _closed(values: Any) -> Any:
+def _read_only_mapping(values: Any) -> Any:
     return MappingProxyType(values)
 
 
-copyreg.pickle(MappingProxyType, lambda view: (_closed, (dict(view),)))  # records go to other processes, and are copied
+copyreg.pickle(
+    MappingProxyType, lambda view: (_read_only_mapping, (dict(view),))
+)  # records go to other processes, and are copied
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -32,15 +34,15 @@ def frozen(cls: type[T]) -> type[T]:
     def same(self: T, other: object) -> bool:
         return bool(values(self) == values(other)) if other.__class__ is self.__class__ else NotImplemented
 
-    ours = {"__init__": _initialiser(cls), "__eq__": same, "__hash__": lambda self: hash(values(self))}
-    ours |= {"__repr__": _shown, "__setattr__": _refused, "__delattr__": _refused}
+    ours = {"__init__": _make_initialiser(cls), "__eq__": same, "__hash__": lambda self: hash(values(self))}
+    ours |= {"__repr__": _record_repr, "__setattr__": _refuse_assignment, "__delattr__": _refuse_assignment}
     own = {name: vars(cls)[name] for name in ours if vars(cls).get(name) is not None}
     for name, method in (ours | own).items():
         setattr(cls, name, method)
     return cls
 
 
-def _initialiser(cls: type) -> Callable[..., None]:
+def _make_initialiser(cls: type) -> Callable[..., None]:
     heads = []
     lines = []
     known: dict[str, Any] = {"put": object.__setattr__}
@@ -64,10 +66,10 @@ def _initialiser(cls: type) -> Callable[..., None]:
     return made
 
 
-def _shown(self: Any) -> str:
+def _record_repr(self: Any) -> str:
     values = (f"{f.name}={getattr(self, f.name)!r}" for f in fields(self) if f.repr)
     return f"{type(self).__qualname__}({', '.join(values)})"
 
 
-def _refused(self: object, name: str, *value: object) -> NoReturn:
+def _refuse_assignment(self: object, name: str, *value: object) -> NoReturn:
     raise FrozenInstanceError(f"cannot change field {name!r}")

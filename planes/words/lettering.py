@@ -9,52 +9,52 @@ and "→v_C".
 import re
 
 from planes.words import Phrase, Told
-from planes.words.names import kind_of, label_of, letter_of, links_of, written
+from planes.words.names import force_plan_links, label_of, letter_of, plan_kind, written_direction
 
-_SPELLED = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta", "rho")
-GREEK = dict(zip(_SPELLED, "ωεφαβγδψθρ", strict=True))
-_INDEXED = re.compile(r"([^\W\d_]+)(\d+)")
-_HELPER = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°⊥∥]+)")
+_GREEK_LETTER_NAMES = ("omega", "epsilon", "phi", "alpha", "beta", "gamma", "delta", "psi", "theta", "rho")
+GREEK_LETTER_BY_NAME = dict(zip(_GREEK_LETTER_NAMES, "ωεφαβγδψθρ", strict=True))
+_NUMBERED_LETTER_PATTERN = re.compile(r"([^\W\d_]+)(\d+)")
+_HELPER_MARK_PATTERN = re.compile(r"(?P<point>[^°⊥∥]*)(?P<sign>[°⊥∥])(?P<guide>[^°⊥∥]+)")
 
 
-def flat(text: str) -> str:
+def without_index_markup(text: str) -> str:
     """A name without its index markup, for use inside an index."""
     return "".join(c for c in text if c not in "_^{}")
 
 
-def spelt(lettered: str) -> str:
+def terminal_spelling(lettered: str) -> str:
     """A lettered name as a terminal has it: F_{56}^{t} -> F_56^t."""
     return lettered.replace("{", "").replace("}", "")
 
 
-def rate_of(letter: str) -> tuple[str, str]:
+def letter_and_analogue_index(letter: str) -> tuple[str, str]:
     """The letter as written, and the index of an analogue: omegaq -> ω, q."""
     plain = letter.removesuffix("q")
-    known = plain in ("v", "a", *GREEK)
-    return (GREEK.get(plain, plain), letter[len(plain) :]) if known else (letter, "")
+    known = plain in ("v", "a", *GREEK_LETTER_BY_NAME)
+    return (GREEK_LETTER_BY_NAME.get(plain, plain), letter[len(plain) :]) if known else (letter, "")
 
 
-def lowered(name: str) -> str:
+def with_number_as_subscript(name: str) -> str:
     """A letter with its number as a subscript: S2 -> S_{2}."""
-    match = _INDEXED.fullmatch(name)
+    match = _NUMBERED_LETTER_PATTERN.fullmatch(name)
     if match:
         return f"{match[1]}_{{{match[2]}}}"
     head, _, index = name.partition("_")
     return f"{head}_{{{index}}}" if index and head else name
 
 
-def greek(name: str) -> str:
+def parameter_lettering(name: str) -> str:
     """The name of a parameter: phi_1 -> φ_{1}, l_BS2 -> l_{BS2}."""
     letter, _, index = name.partition("_")
     if letter == "angle" and index:
         return f"∠{index.replace('_', ',')}"
-    return GREEK.get(letter, letter) + (f"_{{{index.replace('_', ',')}}}" if index else "")
+    return GREEK_LETTER_BY_NAME.get(letter, letter) + (f"_{{{index.replace('_', ',')}}}" if index else "")
 
 
-def indexed(text: str) -> str:
+def with_index_markup(text: str) -> str:
     """Sentences in which the indices of names are set as such: v_H, F21^t, phi_1."""
-    name = rf"(?<!\w)([^\W\d_]{{1,2}}\d*|{'|'.join(GREEK)})([_^])([^\W_]+)(?!\w)"
-    return re.sub(name, lambda m: f"{GREEK.get(m[1], m[1])}{m[2]}{{{m[3]}}}", text)
+    name = rf"(?<!\w)([^\W\d_]{{1,2}}\d*|{'|'.join(GREEK_LETTER_BY_NAME)})([_^])([^\W_]+)(?!\w)"
+    return re.sub(name, lambda m: f"{GREEK_LETTER_BY_NAME.get(m[1], m[1])}{m[2]}{{{m[3]}}}", text)
 
 
 def letter_of_scale(lettered: str) -> str:
@@ -64,8 +64,8 @@ def letter_of_scale(lettered: str) -> str:
 
 def name_in_words(name: str) -> Told:
     """A mark, direction or value as a sentence names it; ``name`` may include its plan."""
-    label = written(label_of(name).rstrip("′"))
-    match = _HELPER.fullmatch(label)
+    label = written_direction(label_of(name).rstrip("′"))
+    match = _HELPER_MARK_PATTERN.fullmatch(label)
     if match is None:
         return label.strip("|‖∠→").removesuffix("_given") or label
     if match["guide"] == "s" and match["point"]:
@@ -78,20 +78,20 @@ def name_in_words(name: str) -> Told:
 
 def line_in_words(along: str, start: str) -> Phrase:
     """A line through a mark, or the guide itself."""
-    mark, (_, parallel, guide) = label_of(start), written(along).partition("∥")
+    mark, (_, parallel, guide) = label_of(start), written_direction(along).partition("∥")
     point, sign, other = next((mark.partition(s) for s in "°⊥" if s in mark), ("", "", ""))
-    if parallel and sign and written(other) == guide:
+    if parallel and sign and written_direction(other) == guide:
         if sign == "°" and point:
             return Phrase("line_beside", point=point, name=guide)
         return Phrase("line_guide", name=guide)
-    return Phrase("line_through", along=written(along), start=name_in_words(start))
+    return Phrase("line_through", along=written_direction(along), start=name_in_words(start))
 
 
 def plan_phrase(plan: str) -> Phrase:
     """The name of a plan in words."""
     if plan == "force":
         return Phrase("plan_forces")
-    links = links_of(plan)
-    if kind_of(plan) == "force" and len(links) == 1:
+    links = force_plan_links(plan)
+    if plan_kind(plan) == "force" and len(links) == 1:
         return Phrase("plan_force_alone", links=links[0])
-    return Phrase(f"plan_{kind_of(plan)}", links=", ".join(links))
+    return Phrase(f"plan_{plan_kind(plan)}", links=", ".join(links))

@@ -9,10 +9,10 @@ from typing import Literal
 
 from planes.words.frozen import frozen
 
-POLE = "p"
-CREMONA = "cremona"
+POLE_LABEL = "p"
+CREMONA_PLAN = "cremona"
 """The plan of a truss, whose marks are the regions between forces."""
-AGAIN = "~"
+REPEATED_DIRECTION_SUFFIX = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
 Mark = Literal["guide", "moved", "foot", "trial", "special", "false", "centre", "normal", "coriolis", "relative"]
 Loading = Literal["weight", "inertia", "load", "couple", "tangential", "reaction", "arm"]
@@ -20,9 +20,17 @@ Size = Literal["length", "offset", "place", "angle", "rate", "circle"]
 Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
 Quantity = Literal[Mark, Loading, Size, Line]
 
-HELPERS = ("guide", "moved", "foot", "trial", "special", "false", "centre")  # drawn but never a question to the student
-_PRIMES = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
-_ALIKE = str.maketrans("АВЕКМНОРСТХУЈІаеорсхуі", "ABEKMHOPCTXYJIaeopcxyi")
+HELPER_MARK_KINDS = (
+    "guide",
+    "moved",
+    "foot",
+    "trial",
+    "special",
+    "false",
+    "centre",
+)  # drawn but never a question to the student
+_PRIME_TRANSLATION = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
+_LOOK_ALIKE_TRANSLATION = str.maketrans("АВЕКМНОРСТХУЈІаеорсхуі", "ABEKMHOPCTXYJIaeopcxyi")
 
 
 @frozen
@@ -45,30 +53,30 @@ class Meaning:
     link: str = ""
 
     @property
-    def line(self) -> str:
+    def line_name(self) -> str:
         """The line that a direction is along or across: BC, y-y, or a vector."""
         return self.of + self.about
 
     @property
-    def action(self) -> str:
+    def written_action(self) -> str:
         """A direction as written beneath a vector: ⊥BC, ∥y-y, C→B, -a_S2; "" where there is no line to name."""
         if self.quantity == "towards":
             return f"{self.of}→{self.about}"
-        sign = _SIGNS.get(self.quantity)
-        return "" if sign is None else sign + self.line
+        sign = _DIRECTION_SIGNS.get(self.quantity)
+        return "" if sign is None else sign + self.line_name
 
 
-_SIGNS = {"along": "∥", "across": "⊥", "leaning": "∠ρ ⊥", "with": "+", "against": "-", "down": "↓"}
+_DIRECTION_SIGNS = {"along": "∥", "across": "⊥", "leaning": "∠ρ ⊥", "with": "+", "against": "-", "down": "↓"}
 
 
-def parts_of(name: str) -> tuple[str, str, str]:
+def split_value_name(name: str) -> tuple[str, str, str]:
     """The name of a value taken apart: its letter, its subject and its component: a, CB and n of a_CB^n."""
     base, _, part = name.strip("|‖").partition("^")
     letter, _, index = base.partition("_")
     return letter, index, part
 
 
-def at(plan: str, label: str) -> str:
+def full_mark_name(plan: str, label: str) -> str:
     """Full name of a mark: its plan and its label."""
     return f"{plan}:{label}"
 
@@ -78,7 +86,7 @@ def label_of(mark: str) -> str:
     return mark.rpartition(":")[2]
 
 
-def lettered(name: str) -> str:
+def name_without_plan(name: str) -> str:
     """A mark, a guide or its direction by the name people use, without its plan."""
     return label_of(name).lstrip("°∥")
 
@@ -88,22 +96,22 @@ def plan_of(mark: str) -> str:
     return mark.rpartition(":")[0]
 
 
-def kind_of(plan: str) -> str:
+def plan_kind(plan: str) -> str:
     """The kind of a plan, or of the plan a mark is on: "force" of "force:2-3"."""
     return plan.partition(":")[0]
 
 
-def links_of(plan: str) -> tuple[str, ...]:
+def force_plan_links(plan: str) -> tuple[str, ...]:
     """The links in equilibrium on a force plan: 2 and 3 of "force:2-3"."""
     return tuple(plan.partition(":")[2].split("-"))
 
 
-def force_plan(*links: str) -> str:
+def force_plan_name(*links: str) -> str:
     """The force plan of a group, of a link, or of any other loaded body."""
-    return at("force", "-".join(links)) if links else "force"
+    return full_mark_name("force", "-".join(links)) if links else "force"
 
 
-def as_indexed(name: str) -> str:
+def with_analogue_in_index(name: str) -> str:
     """An analogue as its letter is written, with q in the index: v_qC of vq_C; any other name unchanged."""
     letter, _, index = name.partition("_")
     return f"{letter[:-1]}_q{index}" if letter[1:].endswith("q") else name
@@ -119,41 +127,41 @@ def guide_of(direction: str) -> str | None:
     return direction.removeprefix("∥") if direction.startswith("∥") else None
 
 
-def written(direction: str) -> str:
+def written_direction(direction: str) -> str:
     """A direction as people write it."""
-    return direction.rstrip(AGAIN).replace("⊥∥", "⊥")
+    return direction.rstrip(REPEATED_DIRECTION_SUFFIX).replace("⊥∥", "⊥")
 
 
-def parallel_to(action: str) -> str:
+def parallel_vector_name(action: str) -> str:
     """The vector that a line of action is parallel to: a_C of "-a_C", v_C of "+v_C"; "" of any other line."""
     return action[1:] if re.match(r"-a_|[-+]v_", action) else ""
 
 
-def lines(action: str) -> str:
+def written_line_of_action(action: str) -> str:
     """A line of action as written: ↓, ⊥BC, ∥x–x, C→B, ∥CL of the guide CL; "" for none."""
-    text = written(action).replace("-", "–")
+    text = written_direction(action).replace("-", "–")
     if re.match(r"[↓⊥∥]|[A-Z]\w*→[A-Z]\w*$", text):
         return text
     return f"∥{text}" if re.fullmatch(r"[A-Z]\w*", text) else ""
 
 
-def index_of(name: str) -> str:
+def name_index(name: str) -> str:
     """The index of an indexed name: AB of l_AB."""
     return name.partition("_")[2]
 
 
-def ends_of(guide: str) -> tuple[str, str]:
+def guide_end_letters(guide: str) -> tuple[str, str]:
     """The letters at the ends of a guide: x and x of "x-x"; for a single name, that name and ""."""
     first, _, second = guide.partition("-")
     return first, second
 
 
-def end_of(name: str) -> str:
+def vector_end_label(name: str) -> str:
     """The label of the mark at the end of a vector, where the vector is named by it: F_21t of F_21^t."""
     return name.replace("^", "")
 
 
-def parted(label: str) -> str:
+def component_ending_at(label: str) -> str:
     """A mark of a force plan as the vector component that ends there: F_21t, F_21^t."""
     return re.sub(r"^([FR]_[^^]*)([tn])$", r"\1^\2", label)
 
@@ -168,48 +176,48 @@ def plan_of_scale(name: str) -> str:
     return name.removeprefix("mu_")
 
 
-def said_of_given(name: str) -> str:
+def given_name_without_suffix(name: str) -> str:
     """The name of a given number without the program's suffix: P_5 of P_5_given."""
     return name.removesuffix("_given")
 
 
-def turned_back(name: str) -> tuple[str, bool]:
+def split_reversal_sign(name: str) -> tuple[str, bool]:
     """A vector, and whether it is reversed: r_BC of -r_BC."""
     name = name.strip().replace("−", "-")
     return name.removeprefix("-").strip(), name.startswith("-")
 
 
-def component_of(name: str) -> str:
+def component_axis(name: str) -> str:
     """The axis of a component: x of aq_S2_x; "" of a whole vector."""
     last = name.rpartition("_")[2]
     return last if last in ("x", "y") and name.count("_") > 1 else ""
 
 
-def aimed(given: str) -> str:
+def direction_of_given_angle(given: str) -> str:
     """The direction set by the given angle of a stated vector, "∠v_B" of angle_∠v_B; "" of any other number."""
     return given.removeprefix("angle_") if given.startswith("angle_∠") else ""
 
 
-def given_of(name: str) -> str:
+def given_name_of_number(name: str) -> str:
     """The given that a number belongs to; that of a place is written with .x and .y."""
     return name.removesuffix(".x").removesuffix(".y")
 
 
-def mu_of(plan: str) -> str:
+def mu_name(plan: str) -> str:
     """Name of the scale of a plan; every plan has one (mm per SI unit)."""
     return f"mu_{plan}"
 
 
-def latin(name: str) -> str:
+def with_latin_letters(name: str) -> str:
     """The name with look-alike Cyrillic letters replaced by Latin ones."""
-    return name.translate(_ALIKE)
+    return name.translate(_LOOK_ALIKE_TRANSLATION)
 
 
 @lru_cache(4096)
-def tidy(name: str) -> str:
+def without_markup(name: str) -> str:
     """A name without markup: Latin letters, straight primes, no signs of indices."""
-    text = unicodedata.normalize("NFKC", name).strip().translate(_PRIMES).replace("″", "''")
-    text = text if text == "полюс" else latin(text)
+    text = unicodedata.normalize("NFKC", name).strip().translate(_PRIME_TRANSLATION).replace("″", "''")
+    text = text if text == "полюс" else with_latin_letters(text)
     for old, new in (("Φ", "I"), ("ω", "omega"), ("ε", "epsilon"), ("φ", "phi"), ("τ", "t"), ("μ", "mu")):
         text = text.replace(old, new)
     return "".join(c for c in text if c not in "_^{} .·*")

@@ -12,7 +12,7 @@ Json = dict[str, Any]
 """An object of JSON: names to numbers, texts, lists and objects again."""
 
 
-def or_none(value: float) -> float | None:
+def finite_or_none(value: float) -> float | None:
     """A number for JSON; None where it is infinite or not a number."""
     return value if math.isfinite(value) else None
 
@@ -41,19 +41,19 @@ class Tabulated:
         return text
 
 
-FORMULA = tuple("=+-@\t＝＋－＠")  # a cell that begins so is evaluated by a spreadsheet
+FORMULA_STARTS = tuple("=+-@\t＝＋－＠")  # a cell that begins so is evaluated by a spreadsheet
 
 
-def as_csv(rows: Iterable[Iterable[str]]) -> str:
+def csv_text(rows: Iterable[Iterable[str]]) -> str:
     """Rows with commas between the cells, begun so that a spreadsheet knows the letters; no text of somebody else's is
     worked out as a formula."""
     out = io.StringIO()
     out.write("\ufeff")
-    csv.writer(out, lineterminator="\n").writerows([cell(text) for text in row] for row in rows)
+    csv.writer(out, lineterminator="\n").writerows([safe_spreadsheet_cell(text) for text in row] for row in rows)
     return out.getvalue()
 
 
-def table_text(data: bytes) -> str:
+def decode_table(data: bytes) -> str:
     """The text of a table as spreadsheets save it: in UTF-8, UTF-16 or, in Russian, Windows-1251. UnicodeDecodeError
     where it may be none of these: words would have letters of two alphabets, or capitals within."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
@@ -62,21 +62,23 @@ def table_text(data: bytes) -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = data.decode("cp1251")
-        if _NOT_RUSSIAN.search(text):
+        if _NOT_RUSSIAN_PATTERN.search(text):
             raise
         return text
 
 
-_RUSSIAN = "А-Яа-яЁёІіЇїЄєЎўҐґ"
-_SIGNS = "«»–—№°±·²µ’…\xa0"
-_NOT_RUSSIAN = re.compile(rf"[A-Za-z][{_RUSSIAN}]|[{_RUSSIAN}][A-Za-z]|[а-яё][А-ЯЁ]|[^\x00-\x7f{_RUSSIAN}{_SIGNS}]")
+_CYRILLIC_LETTERS = "А-Яа-яЁёІіЇїЄєЎўҐґ"
+_RUSSIAN_TEXT_SIGNS = "«»–—№°±·²µ’…\xa0"
+_NOT_RUSSIAN_PATTERN = re.compile(
+    rf"[A-Za-z][{_CYRILLIC_LETTERS}]|[{_CYRILLIC_LETTERS}][A-Za-z]|[а-яё][А-ЯЁ]|[^\x00-\x7f{_CYRILLIC_LETTERS}{_RUSSIAN_TEXT_SIGNS}]"
+)
 
 
-def cell(text: str) -> str:
+def safe_spreadsheet_cell(text: str) -> str:
     """The text on one line, with an apostrophe where a spreadsheet would see a formula; a number is unchanged."""
     text = re.sub(r"[\r\n]+", " ", text)
     try:
         float(text)
     except ValueError:
-        return f"'{text}" if text.startswith(FORMULA) or text.lstrip().startswith(FORMULA) else text
+        return f"'{text}" if text.startswith(FORMULA_STARTS) or text.lstrip().startswith(FORMULA_STARTS) else text
     return text

@@ -7,21 +7,21 @@ from contextlib import contextmanager
 from threading import Event, Thread
 from typing import Any
 
-PATIENCE_S = 2.0  # before a clock is shown
-TICK_S = 0.5
-_BAR = Event()
+CLOCK_DELAY_S = 2.0  # before a clock is shown
+CLOCK_STEP_S = 0.5
+_BAR_IS_SHOWN = Event()
 """Set while a bar is there, which the clock would disturb."""
 
 
 @contextmanager
-def bar(**how: Any) -> Iterator[Callable[[int, int], None] | None]:
+def progress_bar(**how: Any) -> Iterator[Callable[[int, int], None] | None]:
     """A progress bar for a user at a terminal."""
     if not sys.stderr.isatty():
         yield None
         return
     from tqdm import tqdm
 
-    _BAR.set()
+    _BAR_IS_SHOWN.set()
     try:
         with tqdm(leave=False, **how) as shown:
 
@@ -31,17 +31,17 @@ def bar(**how: Any) -> Iterator[Callable[[int, int], None] | None]:
 
             yield step
     finally:
-        _BAR.clear()
+        _BAR_IS_SHOWN.clear()
 
 
 @contextmanager
-def waiting() -> Iterator[None]:
+def waiting_clock() -> Iterator[None]:
     """A clock at a terminal, shown after the first second, wherever there is no progress bar."""
     if not (sys.stderr and sys.stderr.isatty()):
         yield
         return
     over = Event()
-    clock = Thread(target=_ticking, args=(over,), daemon=True)
+    clock = Thread(target=_show_clock, args=(over,), daemon=True)
     clock.start()
     try:
         yield
@@ -50,11 +50,11 @@ def waiting() -> Iterator[None]:
         clock.join()
 
 
-def _ticking(over: Event) -> None:
+def _show_clock(over: Event) -> None:
     begun, shown = time.monotonic(), False
-    while not over.wait(TICK_S):
+    while not over.wait(CLOCK_STEP_S):
         passed = time.monotonic() - begun
-        if passed >= PATIENCE_S and not _BAR.is_set():
+        if passed >= CLOCK_DELAY_S and not _BAR_IS_SHOWN.is_set():
             print(f"\r… {passed:.0f} s", end="", file=sys.stderr, flush=True)
             shown = True
     if shown:

@@ -16,10 +16,10 @@ from planes.scene import files
 from planes.solving.document import Chart
 from planes.words import Lang
 from render.charts.strokes import Picture, StrokeRenderer
-from render.paper.letters import decimal
+from render.paper.letters import with_minus_and_decimal_sign
 
-MM = 72 / 25.4
-LOOKS = (
+POINTS_PER_MM = 72 / 25.4
+CURVE_LOOKS = (
     ("#000000", "-"),
     ("#c1440e", "--"),
     ("#1f5fa8", "-."),
@@ -27,7 +27,7 @@ LOOKS = (
     ("#7a3b8f", (0, (8, 2))),
     ("#777777", "-"),
 )
-STYLE: Any = {
+CHART_STYLE: Any = {
     "font.family": "DejaVu Sans",
     "font.size": 8.0,
     "axes.linewidth": 0.7,
@@ -40,33 +40,33 @@ STYLE: Any = {
     "axes.unicode_minus": True,
     "path.simplify": False,
 }
-OF_FILES = {**STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
+FILE_CHART_STYLE = {**CHART_STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "svg.fonttype": "path"}
 
 
-def chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
+def draw_chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
     """Draw a chart."""
-    width, height = width_mm * MM, shown.height_mm * MM
-    with rc_context(STYLE):
+    width, height = width_mm * POINTS_PER_MM, shown.height_mm * POINTS_PER_MM
+    with rc_context(CHART_STYLE):
         figure = Figure(figsize=(width / 72, height / 72), dpi=72, layout=TightLayoutEngine(pad=0.4))
         plot = figure.add_subplot()
         for c in shown.curves:
-            colour, dashes = LOOKS[c.style % len(LOOKS)]
+            colour, dashes = CURVE_LOOKS[c.style % len(CURVE_LOOKS)]
             plot.plot(c.x, c.y, color=colour, linestyle=dashes, label=c.label or None)
-        _frame(plot, shown, lang)
+        _set_up_axes(plot, shown, lang)
         for x, y, text in shown.notes:
             plot.plot([x], [y], "o", color="#000000", markersize=2.5)
-            beside(plot, text, (x, y), (3, 3), fontsize=7)
+            annotate_beside(plot, text, (x, y), (3, 3), fontsize=7)
         renderer = StrokeRenderer(width, height)
         figure.draw(renderer)
     return renderer.picture
 
 
-def beside(plot: Axes, text: str, place: tuple[float, float], by: tuple[float, float], **looks: Any) -> None:
+def annotate_beside(plot: Axes, text: str, place: tuple[float, float], by: tuple[float, float], **looks: Any) -> None:
     """Words at a distance of so many points from a place."""
     plot.annotate(text, place, by, textcoords="offset points", **looks)
 
 
-def _frame(plot: Axes, axes: Chart, lang: Lang) -> None:
+def _set_up_axes(plot: Axes, axes: Chart, lang: Lang) -> None:
     plot.set_xlabel(axes.x)
     plot.set_ylabel(axes.y)
     plot.axhline(0.0, color="#000000", linewidth=0.6, zorder=1)
@@ -79,23 +79,25 @@ def _frame(plot: Axes, axes: Chart, lang: Lang) -> None:
         plot.set_xlim(low, high)
     if axes.ticks:
         plot.xaxis.set_major_locator(MultipleLocator(axes.ticks))
-    formatter = FuncFormatter(lambda v, _: decimal(f"{v:.6g}", lang))
+    formatter = FuncFormatter(lambda v, _: with_minus_and_decimal_sign(f"{v:.6g}", lang))
     plot.xaxis.set_major_formatter(formatter)
     plot.yaxis.set_major_formatter(formatter)
     if any(c.label for c in axes.curves):
         plot.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), handlelength=3.2)
 
 
-METADATA = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
-NAME = re.compile(rb"\b[pmh][0-9a-f]{10}\b")  # of a clip, a marker or a hatch: varies with the last bit
+METADATA_OF_SUFFIX = {".png": {"Software": None}, ".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+GENERATED_NAME_PATTERN = re.compile(
+    rb"\b[pmh][0-9a-f]{10}\b"
+)  # of a clip, a marker or a hatch: varies with the last bit
 
 
-def save(figure: Figure, path: Path) -> None:
+def save_figure(figure: Figure, path: Path) -> None:
     """Write a figure; names within an SVG are numbered by us, so that rounding of the layout does not change them."""
     kind = path.suffix.lower()
     out = io.BytesIO()
-    figure.savefig(out, format=kind[1:], metadata=METADATA[kind])
+    figure.savefig(out, format=kind[1:], metadata=METADATA_OF_SUFFIX[kind])
     data, names = out.getvalue(), dict[bytes, bytes]()
     if kind == ".svg":
-        data = NAME.sub(lambda m: names.setdefault(m[0], b"n%d" % (len(names) + 1)), data)
-    files.save(data, path)
+        data = GENERATED_NAME_PATTERN.sub(lambda m: names.setdefault(m[0], b"n%d" % (len(names) + 1)), data)
+    files.save_bytes(data, path)

@@ -44,9 +44,9 @@ class Picture:
     height: float
     strokes: list[Stroke] = field(default_factory=list)
 
-    def svg(self, label: str) -> str:
+    def inline_svg(self, label: str) -> str:
         """An inline SVG element; ``label`` is its text for screen readers."""
-        body = "".join(_element(s, self.height) for s in self.strokes)
+        body = "".join(_svg_path_element(s, self.height) for s in self.strokes)
         size = f'width="{self.width:.1f}pt" height="{self.height:.1f}pt"'
         box = f'viewBox="0 0 {self.width:.2f} {self.height:.2f}"'
         return f'<svg {size} {box} role="img" aria-label="{escape(label)}">{body}</svg>'
@@ -67,7 +67,7 @@ class Picture:
         canvas.setDash()
 
 
-def _element(s: Stroke, height: float) -> str:
+def _svg_path_element(s: Stroke, height: float) -> str:
     flipped = []
     for kind, at in s.pieces:
         xy = (f"{height - v if i % 2 else v:.2f}".rstrip("0").rstrip(".") for i, v in enumerate(at))
@@ -80,7 +80,7 @@ def _element(s: Stroke, height: float) -> str:
     return f'<path d="{"".join(flipped)}"{looks}/>'
 
 
-def pieces_of(
+def path_pieces(
     path: Path, transform: Transform | None = None, clip: tuple[float, float, float, float] | None = None
 ) -> tuple[Piece, ...]:
     """A matplotlib path as moves, lines and cubic curves."""
@@ -116,7 +116,7 @@ class StrokeRenderer(RendererBase):
         fill = to_hex(rgbFace) if rgbFace is not None and (len(rgbFace) < 4 or rgbFace[3] > 0) else ""
         kept = tuple(map(float, np.asarray(dashes))) if dashes is not None else ()
         if line or fill:
-            self.picture.strokes.append(Stroke(pieces_of(path, transform, clip), line, float(width), kept, fill))
+            self.picture.strokes.append(Stroke(path_pieces(path, transform, clip), line, float(width), kept, fill))
 
     def draw_text(
         self, gc: GraphicsContextBase, x: float, y: float, s: str, prop: FontProperties, angle: float, *_: Any, **m: Any
@@ -124,7 +124,7 @@ class StrokeRenderer(RendererBase):
         """Text as its outlines."""
         path = TextPath((0, 0), s, size=prop.get_size_in_points(), prop=prop)
         placed = Affine2D().rotate_deg(angle).translate(x, y)
-        self.picture.strokes.append(Stroke(pieces_of(path, placed), fill=to_hex(gc.get_rgb())))
+        self.picture.strokes.append(Stroke(path_pieces(path, placed), fill=to_hex(gc.get_rgb())))
 
     def get_canvas_width_height(self) -> tuple[float, float]:
         """The paper in points."""

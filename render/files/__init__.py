@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from planes.scene.carried import carrying
-from planes.scene.files import keep
+from planes.scene.carried import png_with_drawing
+from planes.scene.files import save_file_or_refuse
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from render.files import dxf, pdf, svg
@@ -13,7 +13,7 @@ from render.files.dxf_entities import Lettered
 from render.paper.marks import Mark
 from render.paper.photo import Photo
 
-SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
+DRAWING_SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
 
 
 @dataclass(frozen=True, repr=False)
@@ -33,9 +33,9 @@ class Page:
 
     def _repr_svg_(self) -> str:
         """The picture a notebook shows."""
-        return self.rendered(".svg").decode().partition("?>\n")[2]
+        return self.file_contents(".svg").decode().partition("?>\n")[2]
 
-    def rendered(self, suffix: str, text: Lettered = "text") -> bytes:
+    def file_contents(self, suffix: str, text: Lettered = "text") -> bytes:
         """The contents of its file in the format of a suffix; the same page gives the same bytes. A PNG carries the
         page as SVG."""
         match suffix:
@@ -49,9 +49,9 @@ class Page:
                 return dxf.write(self.marks, self.size, self.title, lang=self.lang, text=text)
             case ".png":
                 picture = pdf.write_png(self.marks, self.size, self.title, under=self.under)
-                return picture if self.under else carrying(picture, self.rendered(".svg"))
+                return picture if self.under else png_with_drawing(picture, self.file_contents(".svg"))
         raise PlanesError(Phrase("bad_suffix", file=suffix or "?", known=".svg, .pdf, .png, .dxf"))
 
     def write(self, path: str | Path, text: Lettered = "text") -> None:
         """Write the file, whole or not at all."""
-        keep(self.rendered(Path(path).suffix.lower(), text), path)
+        save_file_or_refuse(self.file_contents(Path(path).suffix.lower(), text), path)

@@ -9,16 +9,16 @@ from xml.etree import ElementTree as xml
 from planes.words.frozen import frozen
 
 Kind = Literal["numeric", "point", "vector", "line", "conic", "segment", "text"]
-EPOCH = (1980, 1, 1, 0, 0, 0)
-SIZE_PX, PX_PER_MM = (1400, 800), 3.0
-FRAME = (
+ZIP_TIMESTAMP = (1980, 1, 1, 0, 0, 0)
+WINDOW_SIZE_PX, PX_PER_MM = (1400, 800), 3.0
+GEOGEBRA_XML_FRAME = (
     '<geogebra format="5.0" version="5.2.850.0" app="classic" platform="w"><euclidianView>'
     '<size width="{wide}" height="{high}"/>'
     '<coordSystem xZero="{x:.0f}" yZero="{y:.0f}" scale="{scale}" yscale="{scale}"/>'
     '<evSettings axes="false" grid="false" gridIsBold="false" pointCapturing="0"/></euclidianView><kernel>'
     '<continuous val="false"/><decimals val="4"/><angleUnit val="degree"/><coordStyle val="0"/></kernel></geogebra>'
 )
-INK, PALE, BLUE, RED = (0, 0, 0), (150, 150, 150), (20, 60, 160), (180, 30, 30)
+INK_COLOUR, PALE_COLOUR, BLUE_COLOUR, RED_COLOUR = (0, 0, 0), (150, 150, 150), (20, 60, 160), (180, 30, 30)
 
 
 @frozen
@@ -31,7 +31,7 @@ class Aspect:
     dashed: bool = False
 
 
-HIDDEN = Aspect()
+HIDDEN_ASPECT = Aspect()
 
 
 class GeogebraFile:
@@ -39,50 +39,56 @@ class GeogebraFile:
 
     def __init__(self, title: str, corner: complex) -> None:
         x, y = -corner.real * PX_PER_MM, corner.imag * PX_PER_MM
-        self.root = xml.fromstring(FRAME.format(wide=SIZE_PX[0], high=SIZE_PX[1], x=x, y=y, scale=PX_PER_MM))
+        self.root = xml.fromstring(
+            GEOGEBRA_XML_FRAME.format(wide=WINDOW_SIZE_PX[0], high=WINDOW_SIZE_PX[1], x=x, y=y, scale=PX_PER_MM)
+        )
         self.body = xml.SubElement(self.root, "construction", title=title, author="", date="")
 
-    def number(self, label: str, value: float, slider: tuple[float, float] | None = None, at: complex = 0j) -> None:
+    def add_number(self, label: str, value: float, slider: tuple[float, float] | None = None, at: complex = 0j) -> None:
         """A number; on a slider between two limits, shown ``at`` a place of the screen unless that is 0."""
-        element = self._element("numeric", label, HIDDEN)
-        element.insert(0, xml.Element("value", val=written(value)))  # before it is shown, which would limit it to ±5
+        element = self._add_element("numeric", label, HIDDEN_ASPECT)
+        element.insert(
+            0, xml.Element("value", val=geogebra_number(value))
+        )  # before it is shown, which would limit it to ±5
         if slider:
             low, high = sorted(slider)
-            drawn = xml.SubElement(element, "slider", min=written(low), max=written(high), width="240")
+            drawn = xml.SubElement(element, "slider", min=geogebra_number(low), max=geogebra_number(high), width="240")
             drawn.attrib |= {"absoluteScreenLocation": "true", "fixed": "true", "horizontal": "true"}
             drawn.attrib |= {"showAlgebra": "true", "x": f"{at.real:.0f}", "y": f"{at.imag:.0f}"}
             element.find("show").attrib["object"] = "true" if at else "false"  # type: ignore[union-attr]
             element.find("show").attrib["label"] = "true"  # type: ignore[union-attr]
-            xml.SubElement(element, "animation", step=written((high - low) / 360), speed="1", type="0", playing="false")
+            xml.SubElement(
+                element, "animation", step=geogebra_number((high - low) / 360), speed="1", type="0", playing="false"
+            )
 
-    def formula(self, kind: Kind, label: str, text: str, look: Aspect = HIDDEN) -> None:
+    def add_formula(self, kind: Kind, label: str, text: str, look: Aspect = HIDDEN_ASPECT) -> None:
         """An object given by a formula."""
         typed = {} if kind == "numeric" else {"type": kind}
         xml.SubElement(self.body, "expression", {"label": label, "exp": text, **typed})
-        self._element(kind, label, look)
+        self._add_element(kind, label, look)
 
-    def command(
-        self, kind: Kind, labels: Sequence[str], name: str, inputs: Sequence[str], look: Aspect = HIDDEN
+    def add_command(
+        self, kind: Kind, labels: Sequence[str], name: str, inputs: Sequence[str], look: Aspect = HIDDEN_ASPECT
     ) -> None:
         """The output of a GeoGebra command for its inputs."""
         made = xml.SubElement(self.body, "command", name=name)
         for tag, texts in (("input", inputs), ("output", labels)):
             xml.SubElement(made, tag, {f"a{k}": text for k, text in enumerate(texts)})
         for label in labels:
-            self._element(kind, label, look)
+            self._add_element(kind, label, look)
 
-    def caption(self, label: str, text: str, at: complex) -> None:
+    def add_caption(self, label: str, text: str, at: complex) -> None:
         """A text that starts at a place."""
         plain = text.replace('"', "")
         xml.SubElement(self.body, "expression", label=label, exp=f'"{plain}"')
-        element = self._element("text", label, Aspect(INK))
-        xml.SubElement(element, "startPoint", x=written(at.real), y=written(at.imag), z="1.0")
+        element = self._add_element("text", label, Aspect(INK_COLOUR))
+        xml.SubElement(element, "startPoint", x=geogebra_number(at.real), y=geogebra_number(at.imag), z="1.0")
 
-    def _element(self, kind: Kind, label: str, look: Aspect) -> xml.Element:
+    def _add_element(self, kind: Kind, label: str, look: Aspect) -> xml.Element:
         element = xml.SubElement(self.body, "element", type=kind, label=label)
         shown = "true" if look.colour else "false"
         xml.SubElement(element, "show", object=shown, label="true" if look.colour and look.caption else "false")
-        r, g, b = map(str, look.colour or INK)
+        r, g, b = map(str, look.colour or INK_COLOUR)
         xml.SubElement(element, "objColor", r=r, g=g, b=b, alpha="0")
         xml.SubElement(element, "layer", val="0")
         if look.caption:
@@ -94,14 +100,14 @@ class GeogebraFile:
             xml.SubElement(element, "lineStyle", thickness=str(look.thick), type="10" if look.dashed else "0")
         return element
 
-    def packed(self) -> bytes:
+    def zip_bytes(self) -> bytes:
         """The file as bytes; the same construction gives the same bytes."""
         data, out = xml.tostring(self.root, encoding="utf-8", xml_declaration=True), io.BytesIO()
         with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
-            archive.writestr(zipfile.ZipInfo("geogebra.xml", EPOCH), data, zipfile.ZIP_DEFLATED)
+            archive.writestr(zipfile.ZipInfo("geogebra.xml", ZIP_TIMESTAMP), data, zipfile.ZIP_DEFLATED)
         return out.getvalue()
 
 
-def written(value: float) -> str:
+def geogebra_number(value: float) -> str:
     """A number in GeoGebra's syntax."""
     return repr(float(value)).replace("e", "E")

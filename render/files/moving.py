@@ -15,16 +15,16 @@ from render.paper.marks import Mark
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-SUFFIXES = (".gif", ".svg", ".mp4")
-WIDE_PX = 900
+ANIMATION_SUFFIXES = (".gif", ".svg", ".mp4")
+GIF_WIDTH_PX = 900
 """Width of a GIF."""
-FILM_PX = 1600
+FILM_WIDTH_PX = 1600
 """Width of a film: more than a projector needs for the letters."""
-GREYS = 8
+GREY_LEVELS = 8
 Step = Callable[[int, int], None] | None
 
 
-def written(
+def animation_bytes(
     frames: Sequence[Sequence[Mark]],
     size_mm: tuple[float, float],
     seconds: float,
@@ -44,12 +44,14 @@ def written(
             pages.append(svg.write(marks, size_mm, title, lang=lang).decode())
             if step:
                 step(k, len(frames))
-        return _svg(pages, seconds)
-    pictures = _pictures(frames, size_mm, WIDE_PX if suffix == ".gif" else FILM_PX, step)
-    return _gif(pictures, seconds) if suffix == ".gif" else _mp4(pictures, seconds)
+        return _svg_bytes(pages, seconds)
+    pictures = _frame_pictures(frames, size_mm, GIF_WIDTH_PX if suffix == ".gif" else FILM_WIDTH_PX, step)
+    return _gif_bytes(pictures, seconds) if suffix == ".gif" else _mp4_bytes(pictures, seconds)
 
 
-def _pictures(frames: Sequence[Sequence[Mark]], size_mm: tuple[float, float], wide: int, step: Step) -> "list[Image]":
+def _frame_pictures(
+    frames: Sequence[Sequence[Mark]], size_mm: tuple[float, float], wide: int, step: Step
+) -> "list[Image]":
     from PIL.Image import open as opened
 
     pictures = []
@@ -61,15 +63,15 @@ def _pictures(frames: Sequence[Sequence[Mark]], size_mm: tuple[float, float], wi
     return pictures
 
 
-def _gif(pictures: "Sequence[Image]", seconds: float) -> bytes:
+def _gif_bytes(pictures: "Sequence[Image]", seconds: float) -> bytes:
     out = io.BytesIO()
-    first, *rest = (p.quantize(GREYS) for p in pictures)
+    first, *rest = (p.quantize(GREY_LEVELS) for p in pictures)
     lasts = round(1000 * seconds / len(pictures))
     first.save(out, format="GIF", save_all=True, append_images=rest, duration=lasts, loop=0, optimize=True)
     return out.getvalue()
 
 
-def _mp4(pictures: "Sequence[Image]", seconds: float) -> bytes:
+def _mp4_bytes(pictures: "Sequence[Image]", seconds: float) -> bytes:
     try:
         import cv2
     except ImportError:
@@ -86,7 +88,7 @@ def _mp4(pictures: "Sequence[Image]", seconds: float) -> bytes:
         return file.read_bytes()
 
 
-def _svg(pages: Sequence[str], seconds: float) -> bytes:
+def _svg_bytes(pages: Sequence[str], seconds: float) -> bytes:
     """Frames as groups, of which one at a time is seen; no script."""
     head, parts = pages[0][: pages[0].index("<g ")], []
     for k, page in enumerate(pages):

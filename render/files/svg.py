@@ -15,29 +15,29 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from render.files.writer import Lines, Writer, dashes_of
-from render.paper.ink import arc_dashes, by_layer, checked, is_circle
+from render.files.writer import Lines, Writer, fitted_dashes
+from render.paper.ink import arc_dashes, group_by_layer, is_circle, require_finite_marks
 from render.paper.marks import Arc, Arrow, Mark, Text
 from render.paper.photo import Photo
-from render.paper.style import BLACK, CAPITALS, PAPER, pen
-from render.paper.typeset import layout
+from render.paper.style import BLACK_COLOUR, CAPITALS_HEIGHT_RATIO, PAPER_COLOUR, pen_of_style
+from render.paper.typeset import lay_out_text
 
 if TYPE_CHECKING:
     from svgwrite import Drawing
     from svgwrite.container import Group
     from svgwrite.path import Path
 
-FONTS = "DejaVu Sans, Arial, sans-serif"
+FONT_FAMILIES = "DejaVu Sans, Arial, sans-serif"
 
 
 def write(
     marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: str = "ru", under: Photo | None = None
 ) -> bytes:
     """The sheet as an SVG file, UTF-8, with a picture ``under`` it."""
-    return _Sheet(size_mm, title, lang).drawn(checked(marks, size_mm), under)
+    return _Sheet(size_mm, title, lang).file_bytes(require_finite_marks(marks, size_mm), under)
 
 
-def number(value: float) -> str:
+def svg_number(value: float) -> str:
     """A coordinate in mm to the micrometre, without trailing zeros."""
     return f"{value:z.3f}".rstrip("0").rstrip(".")
 
@@ -51,83 +51,89 @@ class _Sheet(Writer):
         import svgwrite
 
         self.width, self.height = size_mm
-        wide, high = map(number, size_mm)
+        wide, high = map(svg_number, size_mm)
         self.svg: Drawing = svgwrite.Drawing(size=(f"{wide}mm", f"{high}mm"), viewBox=f"0 0 {wide} {high}", debug=False)
         self.svg.set_desc(title)
         self.svg.attribs.update({"role": "img", "aria-label": title, "xml:lang": lang, "lang": lang})
 
-    def drawn(self, marks: Iterable[Mark], under: Photo | None = None) -> bytes:
+    def file_bytes(self, marks: Iterable[Mark], under: Photo | None = None) -> bytes:
         """The file with a white background and one group for each layer."""
-        self.svg.add(self.svg.rect((0, 0), (number(self.width), number(self.height)), fill=PAPER))
+        self.svg.add(self.svg.rect((0, 0), (svg_number(self.width), svg_number(self.height)), fill=PAPER_COLOUR))
         if under:
             href = "data:image/jpeg;base64," + base64.b64encode(under.data).decode()
             x0, y0, x1, y1 = under.box
-            corner, size = (number(x0), number(self.height - y1)), (number(x1 - x0), number(y1 - y0))
+            corner, size = (svg_number(x0), svg_number(self.height - y1)), (svg_number(x1 - x0), svg_number(y1 - y0))
             self.svg.add(self.svg.image(href, corner, size, preserveAspectRatio="none"))
-        for layer, held in by_layer(marks):
+        for layer, held in group_by_layer(marks):
             self.group = self.svg.g(id=layer, fill="none", stroke_linejoin="round", stroke_linecap="round")
-            self.all(held)
+            self.write_marks(held)
             self.svg.add(self.group)
         return f'<?xml version="1.0" encoding="UTF-8"?>\n{self.svg.tostring()}\n'.encode()
 
-    def _xy(self, z: complex) -> str:
-        return f"{number(z.real)} {number(self.height - z.imag)}"
+    def _xy_text(self, z: complex) -> str:
+        return f"{svg_number(z.real)} {svg_number(self.height - z.imag)}"
 
-    def _path(self, lines: Iterable[Sequence[complex]], closed: bool = False) -> str:
+    def _path_data(self, lines: Iterable[Sequence[complex]], closed: bool = False) -> str:
         end = "Z" if closed else ""
-        return "".join("M" + "L".join(self._xy(z) for z in line) + end for line in lines)
+        return "".join("M" + "L".join(self._xy_text(z) for z in line) + end for line in lines)
 
-    def _stroke(self, path: str, style: str, dashes: Sequence[float]) -> Path:
-        used = pen(style)
-        looks = {"stroke": used.colour, "stroke_width": number(used.width)}
+    def _add_path(self, path: str, style: str, dashes: Sequence[float]) -> Path:
+        used = pen_of_style(style)
+        looks = {"stroke": used.colour, "stroke_width": svg_number(used.width)}
         if dashes:
-            looks |= {"stroke_dasharray": " ".join(map(number, dashes)), "stroke_linecap": "butt"}
+            looks |= {"stroke_dasharray": " ".join(map(svg_number, dashes)), "stroke_linecap": "butt"}
         return self.group.add(self.svg.path(d=path, **looks))
 
-    def strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
+    def write_strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
         """Polylines as one path."""
-        self._stroke(self._path(lines, closed), style, dashes_of(lines, style, closed))
+        self._add_path(self._path_data(lines, closed), style, fitted_dashes(lines, style, closed))
 
-    def filled(self, points: Sequence[complex], colour: str, layer: str) -> None:
+    def write_filled_polygon(self, points: Sequence[complex], colour: str, layer: str) -> None:
         """A filled polygon."""
-        self.group.add(self.svg.path(d=self._path([points], closed=True), fill=colour))
+        self.group.add(self.svg.path(d=self._path_data([points], closed=True), fill=colour))
 
-    def arc(self, arc: Arc) -> None:
+    def write_arc(self, arc: Arc) -> None:
         """Two halves of a circle, or an arc."""
         start, half, end = (
             arc.centre + cmath.rect(arc.radius, math.radians(a))
             for a in (arc.start_deg, (arc.start_deg + arc.end_deg) / 2, arc.end_deg)
         )
-        r = number(arc.radius)
+        r = svg_number(arc.radius)
         legs = half, start if is_circle(arc) else end
-        path = f"M{self._xy(start)}" + "".join(f"A{r} {r} 0 0 0 {self._xy(z)}" for z in legs)
-        element = self._stroke(path + ("Z" if is_circle(arc) else ""), arc.style, arc_dashes(arc))
+        path = f"M{self._xy_text(start)}" + "".join(f"A{r} {r} 0 0 0 {self._xy_text(z)}" for z in legs)
+        element = self._add_path(path + ("Z" if is_circle(arc) else ""), arc.style, arc_dashes(arc))
         if arc.fill != "none":
-            element["fill"] = PAPER if arc.fill == "paper" else BLACK
+            element["fill"] = PAPER_COLOUR if arc.fill == "paper" else BLACK_COLOUR
 
-    def arrow(self, arrow: Arrow) -> None:
+    def write_arrow(self, arrow: Arrow) -> None:
         """Shaft and head as a group with the name of the vector."""
         around, self.group = self.group, self.svg.g(**({"data-name": arrow.name} if arrow.name else {}))
-        super().arrow(arrow)
+        super().write_arrow(arrow)
         around.add(self.group)
         self.group = around
 
-    def text(self, text: Text) -> None:
+    def draw_text(self, text: Text) -> None:
         """Strokes, with the text itself over them, transparent."""
-        laid = layout(text)
+        laid = lay_out_text(text)
         if not laid.runs:
             return
         group = self.svg.g(**({"data-name": text.name} if text.name else {}))
-        for width, lines in laid.by_pen():
-            looks = {"fill": BLACK} if laid.filled else {"stroke": BLACK, "stroke_width": number(width)}
-            group.add(self.svg.path(d=self._path(lines), **looks))
-        turn = f" rotate({number(-laid.turn_deg)})" if laid.turn_deg else ""
+        for width, lines in laid.strokes_by_pen_width():
+            looks = (
+                {"fill": BLACK_COLOUR} if laid.filled else {"stroke": BLACK_COLOUR, "stroke_width": svg_number(width)}
+            )
+            group.add(self.svg.path(d=self._path_data(lines), **looks))
+        turn = f" rotate({svg_number(-laid.turn_deg)})" if laid.turn_deg else ""
         real = self.svg.text(
-            "", transform=f"translate({self._xy(laid.origin)}){turn}", fill=BLACK, fill_opacity=0, font_family=FONTS
+            "",
+            transform=f"translate({self._xy_text(laid.origin)}){turn}",
+            fill=BLACK_COLOUR,
+            fill_opacity=0,
+            font_family=FONT_FAMILIES,
         )
         for run in laid.runs:
-            size = number(run.height / CAPITALS)
-            x, y = number(run.at.real), number(-run.at.imag)
+            size = svg_number(run.height / CAPITALS_HEIGHT_RATIO)
+            x, y = svg_number(run.at.real), svg_number(-run.at.imag)
             real.add(self.svg.tspan(run.text, x=[x], y=[y], font_size=size))
         group.add(real)
         self.group.add(group)

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable
 
-GREEK = {
+LATEX_GREEK = {
     "α": "alpha",
     "β": "beta",
     "ε": "varepsilon",
@@ -18,13 +18,18 @@ GREEK = {
     "Φ": "Phi",
     "Ω": "Omega",
 }
-SIGNS = {"′": "'", "·": r"\cdot ", "−": "-", "°": r"^{\circ}", "⊥": r"\perp ", "∥": r"\parallel "}
-SPECIAL = {c: f"\\{c}" for c in "&%$#_{}"} | {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\^{}"}
-SPECIAL |= {"²": r"\textsuperscript{2}", "¹": r"\textsuperscript{1}", "⁻": r"\textsuperscript{--}", "·": r"$\cdot$"}
-SPECIAL |= {"−": "$-$", "°": r"\textdegree{}"}
-LOWERED = re.compile(r"(\w+)_\{([^{}]*)\}")
-OTHER = re.compile(r"[^\x00-\x7f]+")
-HEAD = r"""\documentclass[tikz, border=5mm]{standalone}
+LATEX_MATH_SIGNS = {"′": "'", "·": r"\cdot ", "−": "-", "°": r"^{\circ}", "⊥": r"\perp ", "∥": r"\parallel "}
+LATEX_ESCAPES = {c: f"\\{c}" for c in "&%$#_{}"} | {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\^{}"}
+LATEX_ESCAPES |= {
+    "²": r"\textsuperscript{2}",
+    "¹": r"\textsuperscript{1}",
+    "⁻": r"\textsuperscript{--}",
+    "·": r"$\cdot$",
+}
+LATEX_ESCAPES |= {"−": "$-$", "°": r"\textdegree{}"}
+INDEXED_NAME_PATTERN = re.compile(r"(\w+)_\{([^{}]*)\}")
+NON_ASCII_PATTERN = re.compile(r"[^\x00-\x7f]+")
+DOCUMENT_HEAD = r"""\documentclass[tikz, border=5mm]{standalone}
 \usepackage{amsmath, iftex}
 \ifPDFTeX
   \usepackage[T2A]{fontenc}
@@ -42,38 +47,38 @@ HEAD = r"""\documentclass[tikz, border=5mm]{standalone}
 """
 
 
-def document(lines: Iterable[str], title: str, lang: str) -> str:
+def tikz_document(lines: Iterable[str], title: str, lang: str) -> str:
     """The whole file."""
     said = f"% !TeX encoding = UTF-8\n% {' '.join(title.split())} ({lang})\n"
-    return said + HEAD + "\n".join((*lines, r"\end{tikzpicture}", r"\end{document}", ""))
+    return said + DOCUMENT_HEAD + "\n".join((*lines, r"\end{tikzpicture}", r"\end{document}", ""))
 
 
-def in_math(text: str) -> str:
+def latex_math(text: str) -> str:
     """A name with its indices, for math mode: letters unknown there become text."""
 
     def one(match: re.Match[str]) -> str:
         said, other = "", ""
         for c in match[0]:
-            known = f"\\{GREEK[c]} " if c in GREEK else SIGNS.get(c, "")
-            said, other = (said + _text(other) + known, "") if known else (said, other + c)
-        return said + _text(other)
+            known = f"\\{LATEX_GREEK[c]} " if c in LATEX_GREEK else LATEX_MATH_SIGNS.get(c, "")
+            said, other = (said + _latex_math_text(other) + known, "") if known else (said, other + c)
+        return said + _latex_math_text(other)
 
     plain = text.replace("%", r"\%").replace("#", r"\#").replace("&", r"\&")
-    return OTHER.sub(one, plain).replace(" _", "_").replace(" ^", "^").strip()
+    return NON_ASCII_PATTERN.sub(one, plain).replace(" _", "_").replace(" ^", "^").strip()
 
 
-def _text(letters: str) -> str:
+def _latex_math_text(letters: str) -> str:
     return rf"\text{{{letters}}}" if letters else ""
 
 
-def in_text(text: str) -> str:
+def latex_text(text: str) -> str:
     """Words with names among them, μ_{v} = 50 mm/(m/s), as text with mathematics."""
     said, end = "", 0
-    for name in LOWERED.finditer(text):
-        said += _escaped(text[end : name.start()]) + f"${in_math(name[0])}$"
+    for name in INDEXED_NAME_PATTERN.finditer(text):
+        said += _escape_latex(text[end : name.start()]) + f"${latex_math(name[0])}$"
         end = name.end()
-    return said + _escaped(text[end:])
+    return said + _escape_latex(text[end:])
 
 
-def _escaped(text: str) -> str:
-    return "".join(f"${in_math(c)}$" if c in GREEK else SPECIAL.get(c, c) for c in text)
+def _escape_latex(text: str) -> str:
+    return "".join(f"${latex_math(c)}$" if c in LATEX_GREEK else LATEX_ESCAPES.get(c, c) for c in text)

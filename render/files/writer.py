@@ -3,9 +3,9 @@
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 
-from render.paper.ink import arrow_parts, hatch_strokes, length_mm
+from render.paper.ink import arrow_parts, hatch_strokes, polyline_length_mm
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.paper.style import BLACK, PAPER, fitted, pen
+from render.paper.style import BLACK_COLOUR, PAPER_COLOUR, fit_dash_pattern, pen_of_style
 
 Lines = Sequence[Sequence[complex]]
 
@@ -13,7 +13,7 @@ Lines = Sequence[Sequence[complex]]
 class Writer(ABC):
     """Breaks marks down into the four elements that every format must be able to draw."""
 
-    def all(self, marks: Iterable[Mark]) -> None:
+    def write_marks(self, marks: Iterable[Mark]) -> None:
         """Every mark, in order."""
         for mark in marks:
             self.mark(mark)
@@ -22,42 +22,46 @@ class Writer(ABC):
         """One mark."""
         match mark:
             case Line():
-                self.strokes([mark.points], mark.style, mark.layer, mark.closed)
+                self.write_strokes([mark.points], mark.style, mark.layer, mark.closed)
             case Arc():
-                self.arc(mark)
+                self.write_arc(mark)
             case Arrow():
-                self.arrow(mark)
+                self.write_arrow(mark)
             case Shape():
-                self.filled(mark.points, PAPER if mark.fill == "paper" else BLACK, mark.layer)
+                self.write_filled_polygon(
+                    mark.points, PAPER_COLOUR if mark.fill == "paper" else BLACK_COLOUR, mark.layer
+                )
             case Hatch():
-                self.strokes(hatch_strokes(mark), "thin", mark.layer)
+                self.write_strokes(hatch_strokes(mark), "thin", mark.layer)
             case Text():
-                self.text(mark)
+                self.draw_text(mark)
 
-    def arrow(self, arrow: Arrow) -> None:
+    def write_arrow(self, arrow: Arrow) -> None:
         """Shaft and head."""
         shaft, head = arrow_parts(arrow)
-        self.strokes([shaft], arrow.style, arrow.layer)
+        self.write_strokes([shaft], arrow.style, arrow.layer)
         if head:
-            self.filled(head, pen(arrow.style).colour, arrow.layer)
+            self.write_filled_polygon(head, pen_of_style(arrow.style).colour, arrow.layer)
 
     @abstractmethod
-    def strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
+    def write_strokes(self, lines: Lines, style: str, layer: str, closed: bool = False) -> None:
         """Polylines in one line type."""
 
     @abstractmethod
-    def arc(self, arc: Arc) -> None:
+    def write_arc(self, arc: Arc) -> None:
         """A circle, an arc, or a filled disc."""
 
     @abstractmethod
-    def filled(self, points: Sequence[complex], colour: str, layer: str) -> None:
+    def write_filled_polygon(self, points: Sequence[complex], colour: str, layer: str) -> None:
         """A filled polygon."""
 
     @abstractmethod
-    def text(self, text: Text) -> None:
+    def draw_text(self, text: Text) -> None:
         """A text, laid out."""
 
 
-def dashes_of(lines: Lines, style: str, closed: bool = False) -> tuple[float, ...]:
+def fitted_dashes(lines: Lines, style: str, closed: bool = False) -> tuple[float, ...]:
     """The dashes of a line in its style, fitted to its length in mm."""
-    return fitted(pen(style).pattern, sum(length_mm(line, closed) for line in lines), closed)
+    return fit_dash_pattern(
+        pen_of_style(style).pattern, sum(polyline_length_mm(line, closed) for line in lines), closed
+    )

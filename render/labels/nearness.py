@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.words.frozen import frozen
 
-RUN, CELL_MM = 24, 8.0  # boxes per run; width of the strips in which they are taken
-AT_ONCE = 4000  # boxes processed together
+BOXES_PER_RUN, STRIP_WIDTH_MM = 24, 8.0  # boxes per run; width of the strips in which they are taken
+BOXES_PER_BATCH = 4000  # boxes processed together
 ROUNDING_MM = 1e-9  # a distance equal to the limit does not count as near
 Shapes = NDArray[np.object_]
 """Shapely geometries."""
@@ -33,41 +33,41 @@ class Edges:
     inside: Booleans
     shapes: Shapes
 
-    def near(self, boxes: Array, clears: Sequence[float]) -> list[Indices]:
+    def count_near_shapes(self, boxes: Array, clears: Sequence[float]) -> list[Indices]:
         """The number of shapes within a given distance of each box (n, 4), in mm, for each of ``clears``; the first is
         the greatest."""
         if not len(self.shapes):
             return [np.zeros(len(boxes), np.intp) for _ in clears]
-        order = np.lexsort((boxes[:, 1], boxes[:, 0] // CELL_MM))
+        order = np.lexsort((boxes[:, 1], boxes[:, 0] // STRIP_WIDTH_MM))
         counts = np.zeros((len(clears), len(boxes)), np.intp)
-        for part in np.split(order, range(AT_ONCE, len(order), AT_ONCE)):
-            box, edge = self._reached(boxes[part], clears[0])
-            apart = self._apart(tuple(boxes[part[box]].T), edge)
+        for part in np.split(order, range(BOXES_PER_BATCH, len(order), BOXES_PER_BATCH)):
+            box, edge = self._possibly_near_pairs(boxes[part], clears[0])
+            apart = self._box_edge_distances(tuple(boxes[part[box]].T), edge)
             for count, clear in zip(counts, clears, strict=True):
                 close = apart <= clear - ROUNDING_MM
-                count[part] = self._counted(box[close], edge[close], len(part))
+                count[part] = self._shapes_per_box(box[close], edge[close], len(part))
         return list(counts)
 
-    def _reached(self, boxes: Array, clear: float) -> tuple[Indices, Indices]:
+    def _possibly_near_pairs(self, boxes: Array, clear: float) -> tuple[Indices, Indices]:
         """Pairs of boxes and edges that may be that close."""
-        reach, runs = self._reach(clear), _runs(boxes)
-        run, edge = np.nonzero(over([side[None] for side in reach], _around(runs)))
-        row, at = np.nonzero(over([side[edge, None] for side in reach], [side[run] for side in runs]))
-        return run[row] * RUN + at, edge[row]
+        reach, runs = self._edge_neighbourhoods(clear), _box_sides_in_runs(boxes)
+        run, edge = np.nonzero(boxes_overlap([side[None] for side in reach], _boxes_around_runs(runs)))
+        row, at = np.nonzero(boxes_overlap([side[edge, None] for side in reach], [side[run] for side in runs]))
+        return run[row] * BOXES_PER_RUN + at, edge[row]
 
-    def _counted(self, boxes: Indices, edges: Indices, count: int) -> Indices:
+    def _shapes_per_box(self, boxes: Indices, edges: Indices, count: int) -> Indices:
         """The number of shapes for each box, by pairs of boxes and edges; several edges of one shape count once."""
         owners = self.owners[edges]
-        many = self._many[owners]
+        many = self._has_several_edges[owners]
         pairs = np.unique(boxes[many] * len(self.shapes) + owners[many]) // len(self.shapes)
         return np.bincount(boxes[~many], minlength=count) + np.bincount(pairs, minlength=count)
 
     @cached_property
-    def _many(self) -> Booleans:
+    def _has_several_edges(self) -> Booleans:
         """The shapes with more than one edge."""
         return np.bincount(self.owners, minlength=len(self.shapes)) > 1
 
-    def _reach(self, clear: float) -> list[Array]:
+    def _edge_neighbourhoods(self, clear: float) -> list[Array]:
         """The boxes around the neighbourhood of each edge."""
         ax, ay, bx, by = self.ends
         most = clear + self.halves
@@ -79,20 +79,20 @@ class Edges:
         ]
 
     @cached_property
-    def _ways(self) -> Array:
+    def _directions_and_lengths(self) -> Array:
         """The direction and length of edges: (3, n); zero for a point."""
         ax, ay, bx, by = self.ends
         long = np.hypot(bx - ax, by - ay)
         safe = np.where(long == 0, 1.0, long)
         return np.array([(bx - ax) / safe, (by - ay) / safe, long])
 
-    def _apart(self, boxes: Sequence[Array], edges: Indices) -> Array:
+    def _box_edge_distances(self, boxes: Sequence[Array], edges: Indices) -> Array:
         """The distances between boxes and edges, in pairs."""
         wide, high = (boxes[2] - boxes[0]) / 2, (boxes[3] - boxes[1]) / 2
         x, y = boxes[0] + wide, boxes[1] + high
-        (ax, ay, bx, by), (along, up, long) = self.ends[:, edges], self._ways[:, edges]
+        (ax, ay, bx, by), (along, up, long) = self.ends[:, edges], self._directions_and_lengths[:, edges]
         ax, ay, bx, by = ax - x, ay - y, bx - x, by - y
-        ends = np.minimum(_outside(ax, wide, ay, high), _outside(bx, wide, by, high))
+        ends = np.minimum(_distance_from_box(ax, wide, ay, high), _distance_from_box(bx, wide, by, high))
         across = ax * up - ay * along
         past = np.abs(across) - (np.abs(up) * wide + np.abs(along) * high)
         to_x, to_y = np.copysign(wide, across * up) - ax, np.copysign(high, -across * along) - ay
@@ -107,7 +107,7 @@ class Edges:
         return distances - self.halves[edges]
 
 
-def edges_of(shapes: Shapes, halves: Array) -> Edges:
+def edges_of_shapes(shapes: Shapes, halves: Array) -> Edges:
     """The edges of lines and polygons without holes, drawn with pens of these half widths."""
     areas = shapely.get_type_id(shapes) == shapely.GeometryType.POLYGON
     points, owners = shapely.get_coordinates(shapes, return_index=True)
@@ -119,23 +119,23 @@ def edges_of(shapes: Shapes, halves: Array) -> Edges:
     return Edges(np.ascontiguousarray(ends[order].T), every[order], halves[every[order]], inside, shapes)
 
 
-def _runs(boxes: Array) -> list[Array]:
+def _box_sides_in_runs(boxes: Array) -> list[Array]:
     """The sides of boxes in runs, the last one filled up with boxes at infinity."""
-    lacking = np.full((-len(boxes) % RUN, 4), np.nan)
-    return [side.reshape(-1, RUN) for side in np.ascontiguousarray(np.concatenate([boxes, lacking]).T)]
+    lacking = np.full((-len(boxes) % BOXES_PER_RUN, 4), np.nan)
+    return [side.reshape(-1, BOXES_PER_RUN) for side in np.ascontiguousarray(np.concatenate([boxes, lacking]).T)]
 
 
-def _around(runs: Sequence[Array]) -> list[Array]:
+def _boxes_around_runs(runs: Sequence[Array]) -> list[Array]:
     """The box around each run."""
     low, high = (np.fmin.reduce, np.fmax.reduce)
     return [lesser(side, axis=1)[:, None] for lesser, side in zip((low, low, high, high), runs, strict=True)]
 
 
-def over(some: Sequence[Array] | Array, others: Sequence[Array] | Array) -> Booleans:
+def boxes_overlap(some: Sequence[Array] | Array, others: Sequence[Array] | Array) -> Booleans:
     """Which boxes overlap, by broadcasting."""
     return (some[0] <= others[2]) & (others[0] <= some[2]) & (some[1] <= others[3]) & (others[1] <= some[3])
 
 
-def _outside(x: Array, wide: Array, y: Array, high: Array) -> Array:
+def _distance_from_box(x: Array, wide: Array, y: Array, high: Array) -> Array:
     """The distance of points from boxes about 0 with these half sides."""
     return np.hypot(np.maximum(np.abs(x) - wide, 0.0), np.maximum(np.abs(y) - high, 0.0))

@@ -7,19 +7,19 @@ import shapely
 
 from planes.geometry.arrays import Array, Complexes, Indices
 from planes.words.frozen import frozen
-from render.labels.candidates import CLEAR_MM, Candidates, union
+from render.labels.candidates import LEAST_INK_DISTANCE_MM, Candidates, join_candidates
 from render.labels.footprints import Bounds, InkedShapes
-from render.paper.ink import coordinates
+from render.paper.ink import xy_coordinates
 
-HARD = 200.0  # cost of one overlap, more than all minor costs together
-OUTSIDE = 1000.0  # cost of leaving the field
-TIGHT = 1.5  # cost of being closer than ROOM_MM to ink
-CROSSING = 8.0  # cost of a leader that crosses a stroke
-THROUGH = 80.0  # cost of one that crosses a text
-BROKEN = 4.0  # cost of a thin line broken for a label
-ROOM_MM = 1.3
-TOGETHER = 160  # candidates of a label examined together
-ENOUGH = 8  # crossings, or broken lines: more are hardly worse
+OVERLAP_COST = 200.0  # cost of one overlap, more than all minor costs together
+OUTSIDE_FIELD_COST = 1000.0  # cost of leaving the field
+TIGHTNESS_COST = 1.5  # cost of being closer than ROOM_MM to ink
+LEADER_CROSSING_COST = 8.0  # cost of a leader that crosses a stroke
+LEADER_THROUGH_TEXT_COST = 80.0  # cost of one that crosses a text
+BROKEN_LINE_COST = 4.0  # cost of a thin line broken for a label
+COMFORTABLE_GAP_MM = 1.3
+CANDIDATES_PER_BATCH = 160  # candidates of a label examined together
+MOST_COUNTED_DISADVANTAGES = 8  # crossings, or broken lines: more are hardly worse
 
 
 @frozen
@@ -31,54 +31,56 @@ class Surroundings:
     standing: InkedShapes
     field: Bounds | None = None
 
-    def judged(self, options: Sequence[Candidates]) -> list[Array]:
+    def candidate_costs(self, options: Sequence[Candidates]) -> list[Array]:
         """The cost of every candidate without regard to the other labels."""
-        every = union(options)
-        cost = every.wish + self._on_ink(every.boxes)
+        every = join_candidates(options)
+        cost = every.wish + self._ink_costs(every.boxes)
         if self.field is not None:
             x0, y0, x1, y1 = self.field
             boxes = every.boxes
             inside = (boxes[:, 0] >= x0) & (boxes[:, 1] >= y0) & (boxes[:, 2] <= x1) & (boxes[:, 3] <= y1)
-            cost += OUTSIDE * ~inside
+            cost += OUTSIDE_FIELD_COST * ~inside
         return np.split(cost, np.cumsum([len(option.wish) for option in options])[:-1])
 
-    def cheapest(self, options: Sequence[Candidates], counts: Sequence[int]) -> list[Array]:
+    def costs_of_cheapest(self, options: Sequence[Candidates], counts: Sequence[int]) -> list[Array]:
         """The same, but infinite for candidates outside the cheapest ones; the least preferred are evaluated only if
         too few of the others cost less than their preference alone."""
         rests = [np.argsort(option.wish, kind="stable") for option in options]
         costs = [np.full(len(option.wish), np.inf) for option in options]
         ways = list(zip(costs, options, rests, counts, strict=True))
         while ways := [(c, o, r, n) for c, o, r, n in ways if len(r) and (c < o.wish[r[0]]).sum() < n]:
-            judged = self.judged([o.some(r[:TOGETHER]) for _, o, r, _ in ways])
+            judged = self.candidate_costs([o.select_rows(r[:CANDIDATES_PER_BATCH]) for _, o, r, _ in ways])
             for (cost, _, rest, _), judged_costs in zip(ways, judged, strict=True):
-                cost[rest[:TOGETHER]] = judged_costs
-            ways = [(c, o, r[TOGETHER:], n) for c, o, r, n in ways]
+                cost[rest[:CANDIDATES_PER_BATCH]] = judged_costs
+            ways = [(c, o, r[CANDIDATES_PER_BATCH:], n) for c, o, r, n in ways]
         return costs
 
-    def _on_ink(self, boxes: Array) -> Array:
+    def _ink_costs(self, boxes: Array) -> Array:
         """Cost of the strokes that each box touches or nearly touches."""
         (roomless, struck), (broken,) = (
-            self.ground.edges.near(boxes, (ROOM_MM, CLEAR_MM)),
-            self.yielding.edges.near(boxes, (CLEAR_MM,)),
+            self.ground.shape_edges.count_near_shapes(boxes, (COMFORTABLE_GAP_MM, LEAST_INK_DISTANCE_MM)),
+            self.yielding.shape_edges.count_near_shapes(boxes, (LEAST_INK_DISTANCE_MM,)),
         )
-        return TIGHT * (roomless > 0) + HARD * struck + BROKEN * _bounded(broken)
+        return TIGHTNESS_COST * (roomless > 0) + OVERLAP_COST * struck + BROKEN_LINE_COST * _bounded_count(broken)
 
-    def crossing(self, leaders: Complexes) -> Array:
+    def leader_costs(self, leaders: Complexes) -> Array:
         """The cost of leaders that cross strokes, thin ones that yield for less, and placed texts."""
-        strokes = self._crossings(leaders, (self.ground, 1.0), (self.yielding, 0.25))
-        return CROSSING * _bounded(strokes) + THROUGH * self._crossings(leaders, (self.standing, 1.0))
+        strokes = self._count_crossings(leaders, (self.ground, 1.0), (self.yielding, 0.25))
+        return LEADER_CROSSING_COST * _bounded_count(strokes) + LEADER_THROUGH_TEXT_COST * self._count_crossings(
+            leaders, (self.standing, 1.0)
+        )
 
-    def _crossings(self, leaders: Complexes, *layers: tuple[InkedShapes, float]) -> Array:
+    def _count_crossings(self, leaders: Complexes, *layers: tuple[InkedShapes, float]) -> Array:
         """The number of shapes each leader crosses, weighted."""
-        lines = shapely.linestrings(coordinates(leaders))
+        lines = shapely.linestrings(xy_coordinates(leaders))
         counts = np.zeros(len(leaders))
         for inked, weight in layers:
             if len(inked.shapes) and len(leaders):
-                pairs = inked.tree.query(lines, predicate="intersects")
+                pairs = inked.spatial_index.query(lines, predicate="intersects")
                 counts += weight * np.bincount(pairs[0], minlength=len(leaders))
         return counts
 
 
-def _bounded(counts: Array | Indices) -> Array:
+def _bounded_count(counts: Array | Indices) -> Array:
     """Counts of disadvantages, with an upper bound beyond which they hardly matter."""
-    return np.minimum(counts, ENOUGH) + 0.02 * counts.astype(np.float64)
+    return np.minimum(counts, MOST_COUNTED_DISADVANTAGES) + 0.02 * counts.astype(np.float64)

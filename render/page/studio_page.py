@@ -6,17 +6,17 @@ Needs neither numpy nor the paper drawing code: a browser's worker runs it uncha
 
 import json
 
-from planes.studio.answers import answer
-from planes.words import langs, stand_ins, table, under
+from planes.studio.answers import answer_to_message
+from planes.words import available_languages, fallback_languages, sentence_table, sentences_with_prefix
 from planes.words.records import Json
 from render.page import packer, web_page
-from render.page.lesson_page import NOSCRIPT, letters_of, living_page
+from render.page.lesson_page import NOSCRIPT_TEXT, hosted_lesson_page, lesson_lettering
 
-ALLOWED = "connect-src 'self'; frame-src 'self' blob:; worker-src 'self'; font-src data:; "
+STUDIO_PERMISSIONS = "connect-src 'self'; frame-src 'self' blob:; worker-src 'self'; font-src data:; "
 """The studio's other requests: its server or folder, the lesson in a frame, the worker."""
 
 
-FILES = {
+COMMAND_OF_DOWNLOAD = {
     "sheet.pdf": ("sheet",),
     "sheet.svg": ("sheet",),
     "sheet.dxf": ("sheet",),
@@ -33,37 +33,42 @@ FILES = {
 """The downloads, each with its command: those of ``cycle`` are for a mechanism only."""
 
 
-def answered(message: Json) -> Json:
+def answer_message(message: Json) -> Json:
     """The answer to one message; a lesson includes the lettering of its names."""
-    reply = answer(message)
-    return {**reply, "letters": letters_of(reply["data"])} if "data" in reply else reply
+    reply = answer_to_message(message)
+    return {**reply, "letters": lesson_lettering(reply["data"])} if "data" in reply else reply
 
 
-def written(message: Json) -> str:
+def answer_as_json(message: Json) -> str:
     """The answer to one message, as JSON."""
-    return web_page.compact_json(answered(message))
+    return web_page.compact_json(answer_message(message))
 
 
 def carried(text: str) -> str:
     """A message and its answer, both as JSON: the interface of a worker."""
-    return written(json.loads(text))
+    return answer_as_json(json.loads(text))
 
 
 def studio_page(lang: str, way: Json, first: str = "") -> str:
     """The page; ``way`` says who answers: ``{"kind": "server" | "worker" | "none", "address": …, "native": …}``,
     ``first`` is the text of the first scene."""
     words = {
-        tongue: {**under("studio_", tongue, "studio"), "language": table(tongue)["language_name"]}
-        for tongue in langs("studio")
+        tongue: {
+            **sentences_with_prefix("studio_", tongue, "studio"),
+            "language": sentence_table(tongue)["language_name"],
+        }
+        for tongue in available_languages("studio")
     }
-    lang = next(one for one in stand_ins(lang) if one in words)
-    body = web_page.filled("studio.html", {"noscript": NOSCRIPT})
-    data = {"words": words, "way": way, "first": first, "takeaway": FILES}
+    lang = next(one for one in fallback_languages(lang) if one in words)
+    body = web_page.fill_template("studio.html", {"noscript": NOSCRIPT_TEXT})
+    data = {"words": words, "way": way, "first": first, "takeaway": COMMAND_OF_DOWNLOAD}
     style = "lesson.css", "studio.css"
-    return web_page.page("planes", lang, style, body, code=packer.packed("studio"), data=data, allowed=ALLOWED)
+    return web_page.fill_web_page(
+        "planes", lang, style, body, code=packer.pack_modules("studio"), data=data, allowed=STUDIO_PERMISSIONS
+    )
 
 
-def files_of(lang: str, way: Json, first: str = "") -> dict[str, bytes]:
+def studio_files(lang: str, way: Json, first: str = "") -> dict[str, bytes]:
     """The files of the studio, by name."""
-    pages = {"index.html": studio_page(lang, way, first), "lesson.html": living_page(lang)}
-    return {name: text.encode() for name, text in (pages | {"worker.js": packer.packed("worker")}).items()}
+    pages = {"index.html": studio_page(lang, way, first), "lesson.html": hosted_lesson_page(lang)}
+    return {name: text.encode() for name, text in (pages | {"worker.js": packer.pack_modules("worker")}).items()}

@@ -12,14 +12,14 @@ import re
 from collections.abc import Iterable, Mapping
 from importlib.resources import files
 
-from planes.studio.links import deflated
-from render.page.signs import pens, signs
+from planes.studio.links import deflated_text
+from render.page.signs import page_signs, pen_widths_css
 
-NONE: Mapping[str, object] = {}
-LETTERS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$()*+,-./:;=?@[]^_{|}"
+NO_DATA: Mapping[str, object] = {}
+PACKED_ALPHABET = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$()*+,-./:;=?@[]^_{|}"
 """Alphabet of packed text: 85 letters without meaning in HTML or JSON; five of them are four bytes, most significant
 first."""
-UNPACK = f"""const letters = "{LETTERS}";
+UNPACK_SCRIPT = f"""const letters = "{PACKED_ALPHABET}";
 const text = JSON.parse(document.getElementById("code").textContent), count = text.length;
 const four = k => [0, 1, 2, 3, 4].reduce((v, n) => 85 * v + letters.indexOf(text[k + n] ?? letters[84]), 0);
 const bytes = new DataView(new ArrayBuffer(count + 4));
@@ -28,19 +28,21 @@ const packed = new Blob([bytes.buffer.slice(0, Math.floor(0.8 * count))]).stream
 const whole = await new Response(packed.pipeThrough(new DecompressionStream("deflate-raw"))).json();
 for (const [id, type, textContent] of whole)
   document.head.append(Object.assign(document.createElement("script"), {{ id, type, textContent }}));"""
-OURS = str.maketrans("!#$%&()*+-;<=>?@^_`{|}~", LETTERS[62:])  # replaces the characters of Python's base 85
-_PLACE = re.compile(r"\{(\w+)\}")
-_ACTIVE = re.compile("[<>&\u2028\u2029]")
+BASE85_TRANSLATION = str.maketrans(
+    "!#$%&()*+-;<=>?@^_`{|}~", PACKED_ALPHABET[62:]
+)  # replaces the characters of Python's base 85
+_PLACEHOLDER_PATTERN = re.compile(r"\{(\w+)\}")
+_ACTIVE_CHARACTER_PATTERN = re.compile("[<>&\u2028\u2029]")
 
 
-def page(
+def fill_web_page(
     title: str,
     lang: str,
     sheets: Iterable[str],
     body: str,
     *,
     code: str = "",
-    data: Mapping[str, object] = NONE,
+    data: Mapping[str, object] = NO_DATA,
     kind: str = "",
     allowed: str = "",
     small: bool = False,
@@ -48,24 +50,24 @@ def page(
     """The whole page: ``title`` is plain text, ``sheets`` are files of its style, ``body`` is HTML; ``data`` by the ids
     under which ``code`` finds them; ``allowed`` are further permissions (a part of the page's policy). A ``small`` page
     has both packed, with a short script to unpack them."""
-    begun, data = code, {**data, "signs": signs()} if data else data
+    begun, data = code, {**data, "signs": page_signs()} if data else data
     if small:
         texts = [(key, "application/json", compact_json(one)) for key, one in data.items()]
-        begun, data = UNPACK, {"code": pressed(compact_json([*texts, ("", "module", code)]))}
-    held = (f'<script type="application/json" id="{key}">{embedded(one)}</script>\n' for key, one in data.items())
+        begun, data = UNPACK_SCRIPT, {"code": pack_text(compact_json([*texts, ("", "module", code)]))}
+    held = (f'<script type="application/json" id="{key}">{json_for_html(one)}</script>\n' for key, one in data.items())
     parts = {
         "lang": lang,
-        "policy": policy(allowed, *dict.fromkeys((begun, code))),
+        "policy": content_policy(allowed, *dict.fromkeys((begun, code))),
         "title": html.escape(title),
-        "style": f"svg {{ {pens()}}}\n{part(*sheets)}",
+        "style": f"svg {{ {pen_widths_css()}}}\n{page_files_text(*sheets)}",
         "body": body,
     }
     parts["kind"] = f' class="{html.escape(kind)}"' if kind else ""
     parts["scripts"] = "".join(held) + (f'<script type="module">{begun}</script>\n' if code else "")
-    return filled("shell.html", parts)
+    return fill_template("shell.html", parts)
 
 
-def policy(more: str = "", *scripts: str) -> str:
+def content_policy(more: str = "", *scripts: str) -> str:
     """The permissions of a page: its own styles and pictures, a picture the user opens, these scripts."""
     hashes = (base64.b64encode(hashlib.sha256(one.encode()).digest()).decode() for one in scripts if one)
     listed = "".join(f" 'sha256-{one}'" for one in hashes)
@@ -74,20 +76,20 @@ def policy(more: str = "", *scripts: str) -> str:
     return f"{allowed}{script}{more}base-uri 'none'; form-action 'none'"
 
 
-def pressed(text: str) -> str:
+def pack_text(text: str) -> str:
     """A text packed, in :data:`LETTERS`."""
-    return base64.b85encode(deflated(text)).decode().translate(OURS)
+    return base64.b85encode(deflated_text(text)).decode().translate(BASE85_TRANSLATION)
 
 
-def filled(template: str, parts: Mapping[str, str]) -> str:
+def fill_template(template: str, parts: Mapping[str, str]) -> str:
     """A template of the pages' folder with its placeholders filled in one pass: inserted text is never scanned
     again."""
-    return _PLACE.sub(lambda place: parts[place[1]], part(template))
+    return _PLACEHOLDER_PATTERN.sub(lambda place: parts[place[1]], page_files_text(template))
 
 
-def embedded(thing: object) -> str:
+def json_for_html(thing: object) -> str:
     """JSON without characters that have a meaning in HTML or end a line of a script."""
-    return _ACTIVE.sub(lambda match: f"\\u{ord(match[0]):04x}", compact_json(thing))
+    return _ACTIVE_CHARACTER_PATTERN.sub(lambda match: f"\\u{ord(match[0]):04x}", compact_json(thing))
 
 
 def compact_json(thing: object) -> str:
@@ -95,6 +97,6 @@ def compact_json(thing: object) -> str:
     return json.dumps(thing, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
 
 
-def part(*names: str) -> str:
+def page_files_text(*names: str) -> str:
     """Files of the pages' folder, one after another."""
     return "".join((files("render") / "page" / name).read_text("utf-8") for name in names)

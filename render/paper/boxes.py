@@ -8,7 +8,7 @@ Box = tuple[float, float, float, float]
 """x0, y0, x1, y1."""
 
 
-def box_around(lines: Iterable[tuple[Sequence[complex], float]]) -> Box:
+def box_around_lines(lines: Iterable[tuple[Sequence[complex], float]]) -> Box:
     """The box around lines, each with half the width of its pen; of zero size without lines."""
     held = list(lines)
     if not held:
@@ -19,7 +19,7 @@ def box_around(lines: Iterable[tuple[Sequence[complex], float]]) -> Box:
     return float((x - half).min()), float((y - half).min()), float((x + half).max()), float((y + half).max())
 
 
-def box_of_letters(
+def box_around_letters(
     letters: Sequence[tuple[float, float, float, float, float]], at: complex, narrow: float = 1.0
 ) -> Box:
     """The box around letters with these bounds of the pen path, each with half the width of its pen, moved to a place

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from fontTools.pens.basePen import BasePen
 
-from render.paper.lettering import cubic
+from render.paper.lettering import bezier_points
 
 if TYPE_CHECKING:
     from fontTools.ttLib.ttGlyphSet import _TTGlyphSet
@@ -30,7 +30,7 @@ class Flattened(BasePen):  # type: ignore[misc]
 
     def _curveToOne(self, pt1: Point, pt2: Point, pt3: Point) -> None:
         line = self.lines[-1]
-        line += cubic(line[-1], complex(*pt1), complex(*pt2), complex(*pt3), self.error)
+        line += bezier_points(line[-1], complex(*pt1), complex(*pt2), complex(*pt3), self.error)
 
     def _closePath(self) -> None:
         line = self.lines[-1]

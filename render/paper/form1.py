@@ -11,13 +11,13 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, Literal
 
-from planes.words import Lang, table
+from planes.words import Lang, sentence_table
 from planes.words.frozen import frozen, replace
 from planes.words.records import Json
 
-LEFT, EDGE = 20.0, 5.0  # margins of the frame: left, all others
-BLOCK = (185.0, 55.0)  # the title block
-TOP_CELL = (70.0, 14.0)  # graph 26
+LEFT_MARGIN_MM, EDGE_MARGIN_MM = 20.0, 5.0  # margins of the frame: left, all others
+TITLE_BLOCK_SIZE_MM = (185.0, 55.0)  # the title block
+TOP_CELL_SIZE_MM = (70.0, 14.0)  # graph 26
 
 Segment = tuple[complex, complex, Literal["thick", "thin"]]
 Size = tuple[float, float]
@@ -60,32 +60,32 @@ class Form:
     cells: Callable[[Size], dict[str, Cell]]
 
 
-_FORM: Json = json.loads(Path(__file__).with_name("form1.json").read_text("utf-8"))
+_FORM_DATA: Json = json.loads(Path(__file__).with_name("form1.json").read_text("utf-8"))
 """From the lower left corner of the title block, in mm: lines from x, y to x, y; cells of words and of values, in it
 and beneath it. Beside the frame: graphs 19–23 from the lower corner up and 24–25, the last at the upper corner, each
 with its height."""
-BESIDE: tuple[str, ...] = tuple(key for key, _ in (*_FORM["lower"], *_FORM["upper"]))
+SIDE_CELL_KEYS: tuple[str, ...] = tuple(key for key, _ in (*_FORM_DATA["lower"], *_FORM_DATA["upper"]))
 """Graphs 19–25."""
-WORD_WIDE, VALUE_WIDE = 5.0, 7.0  # the two columns of graphs 19–25
+WORD_COLUMN_WIDTH_MM, VALUE_COLUMN_WIDTH_MM = 5.0, 7.0  # the two columns of graphs 19–25
 
 
-def prompt(key: str, lang: Lang) -> str:
+def cell_prompt(key: str, lang: Lang) -> str:
     """The name of a cell in a prompt, with the number of its graph."""
-    words = table(lang, "form1")
+    words = sentence_table(lang, "form1")
     return words.get(f"cell_{key}") or ", ".join(words.get(f"cell_{word}", word) for word in key.split("_"))
 
 
-def lines(size: Size) -> Iterator[Segment]:
+def form_lines(size: Size) -> Iterator[Segment]:
     """Every line of the form except the frame itself, on a sheet of that width × height."""
-    yield from lines_of(_FORM, _corner(size))
-    for bottom, rows in _strips(size):
-        yield from _strip(bottom, [high for _, high in rows])
-    top, right = size[1] - EDGE, LEFT + TOP_CELL[0]
-    yield complex(LEFT, top - TOP_CELL[1]), complex(right, top - TOP_CELL[1]), "thick"
-    yield complex(right, top - TOP_CELL[1]), complex(right, top), "thick"
+    yield from title_block_lines(_FORM_DATA, _title_block_corner(size))
+    for bottom, rows in _side_columns(size):
+        yield from _side_column_lines(bottom, [high for _, high in rows])
+    top, right = size[1] - EDGE_MARGIN_MM, LEFT_MARGIN_MM + TOP_CELL_SIZE_MM[0]
+    yield complex(LEFT_MARGIN_MM, top - TOP_CELL_SIZE_MM[1]), complex(right, top - TOP_CELL_SIZE_MM[1]), "thick"
+    yield complex(right, top - TOP_CELL_SIZE_MM[1]), complex(right, top), "thick"
 
 
-def lines_of(form: Json, corner: Size) -> Iterator[Segment]:
+def title_block_lines(form: Json, corner: Size) -> Iterator[Segment]:
     """Lines of a title block with its lower left corner there."""
     pens: tuple[Literal["thick", "thin"], ...] = ("thick", "thin")
     for pen in pens:
@@ -93,61 +93,74 @@ def lines_of(form: Json, corner: Size) -> Iterator[Segment]:
             yield complex(*corner) + complex(x0, y0), complex(*corner) + complex(x1, y1), pen
 
 
-def _corner(size: Size) -> Size:
+def _title_block_corner(size: Size) -> Size:
     """The lower left corner of the title block."""
-    return size[0] - EDGE - BLOCK[0], EDGE
+    return size[0] - EDGE_MARGIN_MM - TITLE_BLOCK_SIZE_MM[0], EDGE_MARGIN_MM
 
 
-def _strips(size: Size) -> tuple[tuple[float, list[tuple[str, float]]], ...]:
+def _side_columns(size: Size) -> tuple[tuple[float, list[tuple[str, float]]], ...]:
     """The start of the lower and the upper column of graphs beside the frame, and their rows."""
-    lower, upper = _FORM["lower"], _FORM["upper"]
-    return (EDGE, lower), (size[1] - EDGE - sum(high for _, high in upper), upper)
+    lower, upper = _FORM_DATA["lower"], _FORM_DATA["upper"]
+    return (EDGE_MARGIN_MM, lower), (size[1] - EDGE_MARGIN_MM - sum(high for _, high in upper), upper)
 
 
-def _strip(bottom: float, heights: list[float]) -> Iterator[Segment]:
+def _side_column_lines(bottom: float, heights: list[float]) -> Iterator[Segment]:
     """Lines of a column of graphs beside the frame."""
-    left, top = LEFT - WORD_WIDE - VALUE_WIDE, bottom + sum(heights)
-    for x in (left, left + WORD_WIDE):
+    left, top = LEFT_MARGIN_MM - WORD_COLUMN_WIDTH_MM - VALUE_COLUMN_WIDTH_MM, bottom + sum(heights)
+    for x in (left, left + WORD_COLUMN_WIDTH_MM):
         yield complex(x, bottom), complex(x, top), "thick"
     for k in range(len(heights) + 1):
         y = bottom + sum(heights[:k])
-        yield complex(left, y), complex(LEFT, y), "thick"
+        yield complex(left, y), complex(LEFT_MARGIN_MM, y), "thick"
 
 
-def words(size: Size, lang: Lang) -> Iterator[tuple[str, Cell]]:
+def printed_words(size: Size, lang: Lang) -> Iterator[tuple[str, Cell]]:
     """The printed words of the form, each with its cell."""
-    texts, beside = table(lang, "form1"), _beside(size, LEFT - WORD_WIDE - VALUE_WIDE, WORD_WIDE)
+    texts, beside = (
+        sentence_table(lang, "form1"),
+        _side_column_cells(size, LEFT_MARGIN_MM - WORD_COLUMN_WIDTH_MM - VALUE_COLUMN_WIDTH_MM, WORD_COLUMN_WIDTH_MM),
+    )
     for key, cell in (
-        *cells_of(_FORM["words"], _corner(size)),
+        *title_block_cells(_FORM_DATA["words"], _title_block_corner(size)),
         *beside,
-        *cells_of(_FORM["words_beneath"], _corner(size)),
+        *title_block_cells(_FORM_DATA["words_beneath"], _title_block_corner(size)),
     ):
         yield texts[f"form_{key}"], cell
 
 
-def cells(size: Size) -> dict[str, Cell]:
+def fill_in_cells(size: Size) -> dict[str, Cell]:
     """The cells to fill in, by name, on a sheet of that width × height."""
-    named_cells = dict(cells_of(_FORM["cells"], _corner(size)))
-    for key, cell in _beside(size, LEFT - VALUE_WIDE, VALUE_WIDE):
+    named_cells = dict(title_block_cells(_FORM_DATA["cells"], _title_block_corner(size)))
+    for key, cell in _side_column_cells(size, LEFT_MARGIN_MM - VALUE_COLUMN_WIDTH_MM, VALUE_COLUMN_WIDTH_MM):
         named_cells[key] = replace(cell, letter=3.5)
-    top = size[1] - EDGE - TOP_CELL[1]
-    named_cells["designation_turned"] = Cell(LEFT, top, *TOP_CELL, 7.0, "middle", 180.0)
-    return named_cells | dict(cells_of(_FORM["cells_beneath"], _corner(size)))
+    top = size[1] - EDGE_MARGIN_MM - TOP_CELL_SIZE_MM[1]
+    named_cells["designation_turned"] = Cell(LEFT_MARGIN_MM, top, *TOP_CELL_SIZE_MM, 7.0, "middle", 180.0)
+    return named_cells | dict(title_block_cells(_FORM_DATA["cells_beneath"], _title_block_corner(size)))
 
 
-def cells_of(rows: list[Any], corner: Size) -> Iterator[tuple[str, Cell]]:
+def title_block_cells(rows: list[Any], corner: Size) -> Iterator[tuple[str, Cell]]:
     """Cells of a title block with its lower left corner there."""
     for key, x, y, wide, high, *how in rows:
         how_set = dict(zip(("letter", "anchor", "turn_deg"), how, strict=False))
         yield key, Cell(x + corner[0], y + corner[1], wide, high, **how_set)
 
 
-def _beside(size: Size, x: float, wide: float) -> Iterator[tuple[str, Cell]]:
+def _side_column_cells(size: Size, x: float, wide: float) -> Iterator[tuple[str, Cell]]:
     """The columns beside the frame: their graphs with cells of one width."""
-    for y, rows in _strips(size):
+    for y, rows in _side_columns(size):
         for key, high in rows:
             yield key, Cell(x, y, wide, height=high, letter=2.5, anchor="middle", turn_deg=90.0)
             y += high
 
 
-FORM = Form("gost", "FORM_1", LEFT, edge=EDGE, block=BLOCK, top_cell=TOP_CELL, lines=lines, words=words, cells=cells)
+GOST_FORM = Form(
+    "gost",
+    "FORM_1",
+    LEFT_MARGIN_MM,
+    edge=EDGE_MARGIN_MM,
+    block=TITLE_BLOCK_SIZE_MM,
+    top_cell=TOP_CELL_SIZE_MM,
+    lines=form_lines,
+    words=printed_words,
+    cells=fill_in_cells,
+)

@@ -9,18 +9,41 @@ from dataclasses import replace
 from planes.words.names import letter_of
 from render.paper.marks import Arrow, Line, Mark
 
-VELOCITY, ACCELERATION, LOAD, INERTIA, REACTION = "#0072B2", "#D55E00", "#009E73", "#B0548A", "#2E86B8"
-_OF_LETTERS = {"v": VELOCITY, "a": ACCELERATION, "I": INERTIA, "Φ": INERTIA, "F": REACTION, "R": REACTION}
-_OF_LETTERS |= dict.fromkeys(("G", "P"), LOAD) | {"tension S": VELOCITY, "compression S": ACCELERATION}
-BAR, PART = " bar", " in part"  # ends of the names of bars over letters, and of vectors in a detail
+VELOCITY_COLOUR, ACCELERATION_COLOUR, LOAD_COLOUR, INERTIA_COLOUR, REACTION_COLOUR = (
+    "#0072B2",
+    "#D55E00",
+    "#009E73",
+    "#B0548A",
+    "#2E86B8",
+)
+_COLOUR_OF_LETTER = {
+    "v": VELOCITY_COLOUR,
+    "a": ACCELERATION_COLOUR,
+    "I": INERTIA_COLOUR,
+    "Φ": INERTIA_COLOUR,
+    "F": REACTION_COLOUR,
+    "R": REACTION_COLOUR,
+}
+_COLOUR_OF_LETTER |= dict.fromkeys(("G", "P"), LOAD_COLOUR) | {
+    "tension S": VELOCITY_COLOUR,
+    "compression S": ACCELERATION_COLOUR,
+}
+BAR_NAME_SUFFIX, DETAIL_NAME_SUFFIX = (
+    " bar",
+    " in part",
+)  # ends of the names of bars over letters, and of vectors in a detail
 
 
-def coloured(marks: Iterable[Mark]) -> tuple[Mark, ...]:
+def colour_vectors(marks: Iterable[Mark]) -> tuple[Mark, ...]:
     """The marks, arrows and bars of vectors in the hues of their kinds."""
     return tuple(
-        replace(m, style=f"{'vector' if m.name.endswith(BAR) else m.style} {hue}")
+        replace(m, style=f"{'vector' if m.name.endswith(BAR_NAME_SUFFIX) else m.style} {hue}")
         if isinstance(m, (Arrow, Line))
-        and (hue := _OF_LETTERS.get(letter_of(m.name.removesuffix(BAR).removesuffix(PART))))
+        and (
+            hue := _COLOUR_OF_LETTER.get(
+                letter_of(m.name.removesuffix(BAR_NAME_SUFFIX).removesuffix(DETAIL_NAME_SUFFIX))
+            )
+        )
         else m
         for m in marks
     )

@@ -15,17 +15,17 @@ import shapely
 
 from planes.geometry.arrays import Array, Complexes
 from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Polyline, Shape, Text
-from render.paper.style import LAYERS, fitted, head, head_size, pen
+from render.paper.style import LAYERS_FROM_LOWEST, arrowhead_corners, arrowhead_size, fit_dash_pattern, pen_of_style
 
 
-def checked(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, ...]:
+def require_finite_marks(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, ...]:
     """The marks, after a check that all their numbers and the size of the sheet in mm are finite."""
     if not all(0 < side < math.inf for side in size_mm):
         sides = f"{size_mm[0]} × {size_mm[1]} mm"
         raise ValueError(f"a sheet of {sides} cannot be drawn: both sides must be above 0")
     marks = tuple(marks)
     for number, mark in enumerate(marks, start=1):
-        bad = [value for value in _numbers(mark) if not cmath.isfinite(value)]
+        bad = [value for value in _numbers_of_mark(mark) if not cmath.isfinite(value)]
         if bad:
             name = getattr(mark, "name", "") or getattr(mark, "text", "")
             called = f" {name!r}" if name else ""
@@ -36,7 +36,7 @@ def checked(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, 
     return marks
 
 
-def _numbers(mark: Mark) -> tuple[complex, ...]:
+def _numbers_of_mark(mark: Mark) -> tuple[complex, ...]:
     if isinstance(mark, Arc):
         return (mark.centre, mark.radius, mark.start_deg, mark.end_deg)
     if isinstance(mark, Arrow):
@@ -46,14 +46,14 @@ def _numbers(mark: Mark) -> tuple[complex, ...]:
     return (*mark.points, mark.angle_deg, mark.gap) if isinstance(mark, Hatch) else mark.points
 
 
-def by_layer(marks: Iterable[Mark]) -> list[tuple[Layer, list[Mark]]]:
+def group_by_layer(marks: Iterable[Mark]) -> list[tuple[Layer, list[Mark]]]:
     """The marks layer by layer, from the lowest up; within a layer in the order given."""
-    order = {layer: k for k, layer in enumerate(LAYERS)}
+    order = {layer: k for k, layer in enumerate(LAYERS_FROM_LOWEST)}
     held = sorted(marks, key=lambda mark: order[mark.layer])
     return [(layer, list(own)) for layer, own in groupby(held, key=lambda mark: mark.layer)]
 
 
-def length_mm(points: Sequence[complex], closed: bool = False) -> float:
+def polyline_length_mm(points: Sequence[complex], closed: bool = False) -> float:
     """Length of a polyline in mm."""
     ends = (*points, points[0]) if closed else points
     return sum(abs(b - a) for a, b in pairwise(ends))
@@ -64,7 +64,7 @@ def is_circle(arc: Arc) -> bool:
     return arc.end_deg - arc.start_deg >= 360 - 1e-9
 
 
-def flattened(arc: Arc, error_mm: float = 0.005) -> Polyline:
+def flatten_arc(arc: Arc, error_mm: float = 0.005) -> Polyline:
     """The arc as a polyline through points of it, within ``error_mm``."""
     sweep = math.radians(min(360.0, arc.end_deg - arc.start_deg))
     most = 2 * math.acos(max(0.5, 1 - error_mm / arc.radius)) if arc.radius > error_mm else 1.0
@@ -76,16 +76,16 @@ def flattened(arc: Arc, error_mm: float = 0.005) -> Polyline:
 def arc_dashes(arc: Arc) -> tuple[float, ...]:
     """The dash pattern of an arc in mm, fitted to its length."""
     length = arc.radius * math.radians(arc.end_deg - arc.start_deg)
-    return fitted(pen(arc.style).pattern, length, is_circle(arc))
+    return fit_dash_pattern(pen_of_style(arc.style).pattern, length, is_circle(arc))
 
 
 def arrow_parts(arrow: Arrow) -> tuple[Polyline, Polyline]:
     """The shaft (two points, ending inside the head) and the head (three points, or none if too short)."""
     span = arrow.end - arrow.start
-    long, wide = head_size(abs(span), pen(arrow.style).width)
+    long, wide = arrowhead_size(abs(span), pen_of_style(arrow.style).width)
     if not long:
         return (arrow.start, arrow.end), ()
-    return (arrow.start, arrow.end - 0.8 * long * span / abs(span)), head(arrow.end, span, long, wide)
+    return (arrow.start, arrow.end - 0.8 * long * span / abs(span)), arrowhead_corners(arrow.end, span, long, wide)
 
 
 def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:
@@ -94,10 +94,10 @@ def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:
         raise ValueError(f"hatching needs a gap above 0 mm between its strokes, not {hatch.gap}")
     turn = cmath.rect(1, -math.radians(hatch.angle_deg))
     level = np.array(hatch.points) * turn
-    region = shapely.make_valid(shapely.polygons(coordinates(level)))
+    region = shapely.make_valid(shapely.polygons(xy_coordinates(level)))
     x0, y0, x1, y1 = region.bounds
     rows = hatch.gap * np.arange(math.floor(y0 / hatch.gap) + 1, math.ceil(y1 / hatch.gap))
-    rays = shapely.linestrings(coordinates(rows[:, None] * 1j + np.array([x0 - 1, x1 + 1])))
+    rays = shapely.linestrings(xy_coordinates(rows[:, None] * 1j + np.array([x0 - 1, x1 + 1])))
     parts, ray = shapely.get_parts(shapely.intersection(region, rays), return_index=True)
     lines = shapely.get_type_id(parts) == shapely.GeometryType.LINESTRING
     left, low, right, top = shapely.bounds(parts[lines]).T
@@ -105,38 +105,38 @@ def hatch_strokes(hatch: Hatch) -> tuple[tuple[complex, complex], ...]:
     return tuple((a, b) for a, b in ends.tolist())
 
 
-_SAME_MM = 1e-6
+_SAME_PLACE_MM = 1e-6
 
 
-def cut(lines: Iterable[Mark], hinges: Sequence[Arc | Shape]) -> tuple[Mark, ...]:
+def cut_out_shapes(lines: Iterable[Mark], hinges: Sequence[Arc | Shape]) -> tuple[Mark, ...]:
     """The lines, arcs, arrows and hatching without the pieces inside the discs of hinges (or sliders).
 
     A hatched region becomes lines where it is cut.  An arrow whose tip would be lost stays whole.
     """
     lines = tuple(lines)
-    regions = [_region(hinge) for hinge in hinges]
+    regions = [_hinge_region(hinge) for hinge in hinges]
     strokes = [(k, mark) for k, mark in enumerate(lines) if not isinstance(mark, (Shape, Text))]
-    tracks = np.array([_line(_track(mark)) for _, mark in strokes], dtype=object)
+    tracks = np.array([_line_string(_path_of_mark(mark)) for _, mark in strokes], dtype=object)
     hits: dict[int, list[int]] = {}
     for at, region in shapely.STRtree(regions).query(tracks, predicate="intersects").T.tolist():
         hits.setdefault(at, []).append(region)
     pieces = {
-        strokes[at][0]: _without(strokes[at][1], shapely.union_all([regions[k] for k in sorted(hit)]))
+        strokes[at][0]: _mark_without_region(strokes[at][1], shapely.union_all([regions[k] for k in sorted(hit)]))
         for at, hit in hits.items()
     }
     return tuple(part for k, mark in enumerate(lines) for part in pieces.get(k, (mark,)))
 
 
-def uncovered(marks: Iterable[Mark]) -> tuple[Mark, ...]:
+def visible_marks(marks: Iterable[Mark]) -> tuple[Mark, ...]:
     """The marks as seen: parts under a later paper-white disc or shape are cut away.
 
     Paper-white discs are returned as open circles; paper-white shapes are left out.
     """
     seen: list[Mark] = []
-    for _, held in by_layer(marks):
+    for _, held in group_by_layer(marks):
         for mark in held:
             if isinstance(mark, (Arc, Shape)) and mark.fill == "paper":
-                seen = list(cut(seen, [mark]))
+                seen = list(cut_out_shapes(seen, [mark]))
                 if isinstance(mark, Shape):
                     continue
                 mark = replace(mark, fill="none")
@@ -144,25 +144,25 @@ def uncovered(marks: Iterable[Mark]) -> tuple[Mark, ...]:
     return tuple(seen)
 
 
-def coordinates(places: Complexes) -> Array:
+def xy_coordinates(places: Complexes) -> Array:
     """The coordinates of places, along a last axis."""
     return np.stack([places.real, places.imag], axis=-1)
 
 
-def _line(points: Sequence[complex]) -> shapely.LineString:
-    return shapely.linestrings(coordinates(np.array(points, dtype=complex)))
+def _line_string(points: Sequence[complex]) -> shapely.LineString:
+    return shapely.linestrings(xy_coordinates(np.array(points, dtype=complex)))
 
 
-def _region(hinge: Arc | Shape) -> shapely.Geometry:
+def _hinge_region(hinge: Arc | Shape) -> shapely.Geometry:
     if isinstance(hinge, Arc):
         return shapely.Point(hinge.centre.real, hinge.centre.imag).buffer(hinge.radius, quad_segs=64)
-    return shapely.make_valid(shapely.polygons(coordinates(np.array(hinge.points))))
+    return shapely.make_valid(shapely.polygons(xy_coordinates(np.array(hinge.points))))
 
 
-def _track(mark: Line | Arc | Arrow | Hatch) -> Polyline:
+def _path_of_mark(mark: Line | Arc | Arrow | Hatch) -> Polyline:
     """The path that decides whether a mark meets a hinge."""
     if isinstance(mark, Arc):
-        return flattened(mark)
+        return flatten_arc(mark)
     if isinstance(mark, Arrow):
         return (mark.start, mark.end)
     strokes = tuple(z for stroke in hatch_strokes(mark) for z in stroke) if isinstance(mark, Hatch) else ()
@@ -170,34 +170,37 @@ def _track(mark: Line | Arc | Arrow | Hatch) -> Polyline:
     return strokes or around
 
 
-def _left(points: Sequence[complex], region: shapely.Geometry) -> list[Polyline]:
+def _pieces_outside(points: Sequence[complex], region: shapely.Geometry) -> list[Polyline]:
     """The pieces of a path outside the region, in order along it."""
-    path = _line(points)
-    parts = [part for part in shapely.get_parts(path.difference(region)) if part.length > _SAME_MM]
+    path = _line_string(points)
+    parts = [part for part in shapely.get_parts(path.difference(region)) if part.length > _SAME_PLACE_MM]
     parts.sort(key=lambda part: path.project(part.interpolate(0.5, normalized=True)))
     return [tuple(complex(x, y) for x, y in part.coords) for part in parts]
 
 
-def _without(mark: Line | Arc | Arrow | Hatch, region: shapely.Geometry) -> list[Mark]:
+def _mark_without_region(mark: Line | Arc | Arrow | Hatch, region: shapely.Geometry) -> list[Mark]:
     if isinstance(mark, Line):
-        return [Line(piece, mark.style, mark.layer) for piece in _joined(_left(_track(mark), region), mark.closed)]
+        return [
+            Line(piece, mark.style, mark.layer)
+            for piece in _join_closed_pieces(_pieces_outside(_path_of_mark(mark), region), mark.closed)
+        ]
     if isinstance(mark, Arc):
         return _arc_pieces(mark, region)
     if isinstance(mark, Arrow):
         return _arrow_pieces(mark, region)
-    strokes = [piece for stroke in hatch_strokes(mark) for piece in _left(stroke, region)]
+    strokes = [piece for stroke in hatch_strokes(mark) for piece in _pieces_outside(stroke, region)]
     return [Line(piece, "thin", mark.layer) for piece in strokes]
 
 
-def _joined(pieces: list[Polyline], closed: bool) -> list[Polyline]:
+def _join_closed_pieces(pieces: list[Polyline], closed: bool) -> list[Polyline]:
     """The pieces of a closed line, the last one joined to the first at the start of the line."""
-    if closed and len(pieces) > 1 and abs(pieces[-1][-1] - pieces[0][0]) < _SAME_MM:
+    if closed and len(pieces) > 1 and abs(pieces[-1][-1] - pieces[0][0]) < _SAME_PLACE_MM:
         return [pieces[-1] + pieces[0][1:], *pieces[1:-1]]
     return pieces
 
 
 def _arc_pieces(arc: Arc, region: shapely.Geometry) -> list[Mark]:
-    pieces = _joined(_left(flattened(arc), region), is_circle(arc))
+    pieces = _join_closed_pieces(_pieces_outside(flatten_arc(arc), region), is_circle(arc))
     arcs: list[Mark] = []
     for piece in pieces:
         start, end = (math.degrees(cmath.phase(z - arc.centre)) for z in (piece[0], piece[-1]))
@@ -207,7 +210,7 @@ def _arc_pieces(arc: Arc, region: shapely.Geometry) -> list[Mark]:
 
 
 def _arrow_pieces(arrow: Arrow, region: shapely.Geometry) -> list[Mark]:
-    *tail, last = _left((arrow.start, arrow.end), region) or [(arrow.start, arrow.start)]
-    if abs(last[-1] - arrow.end) > _SAME_MM:
+    *tail, last = _pieces_outside((arrow.start, arrow.end), region) or [(arrow.start, arrow.start)]
+    if abs(last[-1] - arrow.end) > _SAME_PLACE_MM:
         return [arrow]
     return [*(Line(piece, arrow.style, arrow.layer) for piece in tail), replace(arrow, start=last[0])]

@@ -31,14 +31,14 @@ from pathlib import Path
 
 from render.paper.marks import Polyline
 
-PEN = 0.1  # pen width over letter height
-LETTER_GAP = 2.0  # clear distance of letters, in pen widths
-WORD_GAP = 6.0  # clear distance of words, in pen widths
-SLANT = 1 / math.tan(math.radians(75))  # shear of the slanted lettering
-SMALL = 0.7  # size of raised and lowered characters, and of their pen
-_TABLES: dict[str, dict[str, str]] = json.loads(Path(__file__).with_name("glyphs.json").read_text("utf-8"))
-GLYPHS = {char: path for table in _TABLES.values() for char, path in table.items()}
-SAME = dict(
+PEN_WIDTH_RATIO = 0.1  # pen width over letter height
+LETTER_GAP_PENS = 2.0  # clear distance of letters, in pen widths
+WORD_GAP_PENS = 6.0  # clear distance of words, in pen widths
+SLANT_SHEAR = 1 / math.tan(math.radians(75))  # shear of the slanted lettering
+SMALL_CHARACTER_RATIO = 0.7  # size of raised and lowered characters, and of their pen
+_GLYPH_TABLES: dict[str, dict[str, str]] = json.loads(Path(__file__).with_name("glyphs.json").read_text("utf-8"))
+GLYPH_PATHS = {char: path for table in _GLYPH_TABLES.values() for char, path in table.items()}
+SAME_SHAPED_CHARACTERS = dict(
     zip(
         "АВЕІЈКМНОРЅСТХаеіјорѕсухΑΒΕΖΗΙΚΜΝΟΡΤΥΧοΓΠΦκµϕ∆∙⋅‧ʼ∼⟂‑‐―",
         "ABEIJKMHOPSCTXaeijopscyxABEZHIKMNOPTYXoГПФкμφΔ···’~⊥--—",
@@ -46,25 +46,25 @@ SAME = dict(
     )
 )
 """Characters drawn exactly like another one: look-alikes of the alphabets and duplicate signs."""
-SHIFTED = {
+SHIFTED_CHARACTERS = {
     **{c: (base, 4.5) for c, base in zip("⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻⁺⁽⁾", "0123456789n−+()", strict=True)},
     "°": ("○", 6.5),
     **{c: (base, -3.0) for c, base in zip("₀₁₂₃₄₅₆₇₈₉ₙ₋₊₍₎", "0123456789n−+()", strict=True)},
 }
 """Raised and lowered characters: the character repeated at ``SMALL`` size and its shift in d."""
-_BOX = "0,0 0,6 4,6 4,0 0,0"
-_ROUND = 0.6  # handle of a quarter oval: 0.552 gives an ellipse, more is squarer
-_DOT = 0.2  # radius of the pen's path in a dot, in d
-NARROW = "\u2009\u202f\u2006\u200a"
-_IGNORED = "\u00ad\u200b\u200d\u2060\ufeff"
+_MISSING_GLYPH_PATH = "0,0 0,6 4,6 4,0 0,0"
+_OVAL_HANDLE_RATIO = 0.6  # handle of a quarter oval: 0.552 gives an ellipse, more is squarer
+_DOT_PATH_RADIUS = 0.2  # radius of the pen's path in a dot, in d
+NARROW_SPACES = "\u2009\u202f\u2006\u200a"
+_IGNORED_CHARACTERS = "\u00ad\u200b\u200d\u2060\ufeff"
 
 
-def _point(word: str) -> complex:
+def _parse_point(word: str) -> complex:
     x, y = word.split(",")
     return complex(float(x), float(y))
 
 
-def cubic(a: complex, b: complex, c: complex, e: complex, tolerance: float) -> list[complex]:
+def bezier_points(a: complex, b: complex, c: complex, e: complex, tolerance: float) -> list[complex]:
     """Points of a Bézier curve after its start, extremes of x and y included."""
     bend = max(abs(a - 2 * b + c), abs(b - 2 * c + e))
     n = max(3, math.ceil(math.sqrt(0.75 * bend / tolerance)))
@@ -83,19 +83,19 @@ def cubic(a: complex, b: complex, c: complex, e: complex, tolerance: float) -> l
     return [a + t * (3 * p + t * (3 * second + t * third)) for t in sorted(at)] + [e]
 
 
-def _quarter(a: complex, e: complex, level: bool, tolerance: float) -> list[complex]:
+def _quarter_oval_points(a: complex, e: complex, level: bool, tolerance: float) -> list[complex]:
     corner = complex(e.real, a.imag) if level else complex(a.real, e.imag)
-    return cubic(a, a + _ROUND * (corner - a), e + _ROUND * (corner - e), e, tolerance)
+    return bezier_points(a, a + _OVAL_HANDLE_RATIO * (corner - a), e + _OVAL_HANDLE_RATIO * (corner - e), e, tolerance)
 
 
-def _oval(x0: float, y0: float, x1: float, y1: float) -> str:
+def _oval_path(x0: float, y0: float, x1: float, y1: float) -> str:
     """Path of a closed oval, with short straight sides if it is taller than wide."""
     x, half = (x0 + x1) / 2, 0.25 * max(0.0, y1 - y0 - (x1 - x0))
     low, high = (y0 + y1) / 2 - half, (y0 + y1) / 2 + half
     return f"{x},{y0} h{x1},{low} {x1},{high} v{x},{y1} h{x0},{high} {x0},{low} v{x},{y0}"
 
 
-def _read(path: str, tolerance: float) -> Iterator[Polyline]:
+def _glyph_polylines(path: str, tolerance: float) -> Iterator[Polyline]:
     """Polylines of a glyph's path, in d, cell centres."""
     line: list[complex] = []
     words = iter(path.split())
@@ -105,49 +105,53 @@ def _read(path: str, tolerance: float) -> Iterator[Polyline]:
             yield tuple(line)
             line = []
         if kind == "o":
-            yield from _read(_oval(*map(float, word[1:].split(","))), tolerance)
+            yield from _glyph_polylines(_oval_path(*map(float, word[1:].split(","))), tolerance)
         elif kind == "@":
-            shift = _point(word[3:] or "0,0")
-            yield from (tuple(z + shift for z in part) for part in _read(GLYPHS[word[1]], tolerance))
+            shift = _parse_point(word[3:] or "0,0")
+            yield from (tuple(z + shift for z in part) for part in _glyph_polylines(GLYPH_PATHS[word[1]], tolerance))
         elif kind == ".":
-            yield tuple(_point(word[1:]) + _DOT * 1j ** (k / 2) for k in range(9))
+            yield tuple(_parse_point(word[1:]) + _DOT_PATH_RADIUS * 1j ** (k / 2) for k in range(9))
         elif kind == "c":
-            line += cubic(line[-1], _point(word[1:]), _point(next(words)), _point(next(words)), tolerance)
+            line += bezier_points(
+                line[-1], _parse_point(word[1:]), _parse_point(next(words)), _parse_point(next(words)), tolerance
+            )
         elif kind in "hv":
-            line += _quarter(line[-1], _point(word[1:]), kind == "h", tolerance)
+            line += _quarter_oval_points(line[-1], _parse_point(word[1:]), kind == "h", tolerance)
         elif kind != "|":
-            line.append(_point(word))
+            line.append(_parse_point(word))
     if line:
         yield tuple(line)
 
 
-def _size(char: str) -> float:
+def _character_size(char: str) -> float:
     """The relative size of a character and of its pen."""
-    return SMALL if char in SHIFTED else 1.0
+    return SMALL_CHARACTER_RATIO if char in SHIFTED_CHARACTERS else 1.0
 
 
 @lru_cache(maxsize=4096)
-def _glyph(char: str, fineness: int, slant: bool) -> tuple[float, tuple[Polyline, ...]]:
+def _glyph_width_and_paths(char: str, fineness: int, slant: bool) -> tuple[float, tuple[Polyline, ...]]:
     """Ink width and pen paths of a character in d, ink from x = 0, base line y = 0."""
-    base, rise = SHIFTED.get(char, (char, 0.0))
-    size = _size(char)
-    lines = list(_read(GLYPHS.get(SAME.get(base, base), _BOX), 0.2 / fineness))
+    base, rise = SHIFTED_CHARACTERS.get(char, (char, 0.0))
+    size = _character_size(char)
+    lines = list(
+        _glyph_polylines(GLYPH_PATHS.get(SAME_SHAPED_CHARACTERS.get(base, base), _MISSING_GLYPH_PATH), 0.2 / fineness)
+    )
     across = [z.real for line in lines for z in line]
     left, right = min(across), max(across)
     edge = complex(0.5 * size, 0.5 * size + rise)
     moved = [[size * (z - left) + edge for z in line] for line in lines]
-    shear = SLANT if slant else 0.0
+    shear = SLANT_SHEAR if slant else 0.0
     return size * (right - left + 1), tuple(
         tuple(complex(z.real + shear * z.imag, z.imag) for z in line) for line in moved
     )
 
 
 @lru_cache(maxsize=512)
-def _profile(char: str) -> dict[int, tuple[float, float]]:
+def _ink_extents_by_row(char: str) -> dict[int, tuple[float, float]]:
     """Leftmost and rightmost ink per row of the grid, in d."""
     rows: dict[int, list[float]] = {}
-    half = 0.5 * _size(char)
-    for line in _glyph(char, 5, False)[1]:
+    half = 0.5 * _character_size(char)
+    for line in _glyph_width_and_paths(char, 5, False)[1]:
         for a, b in pairwise(line):
             n = max(1, math.ceil(2 * abs(b - a)))
             for z in (a + (b - a) * k / n for k in range(n + 1)):
@@ -156,44 +160,44 @@ def _profile(char: str) -> dict[int, tuple[float, float]]:
 
 
 @lru_cache(maxsize=16384)
-def _gap(left: str, right: str) -> float:
+def _letter_gap(left: str, right: str) -> float:
     """Clear distance of two neighbours in d: 2, or 1 where the ink is still 2 apart (ГА, ТА, AV)."""
-    if left in SHIFTED or right in SHIFTED:
-        return LETTER_GAP / 2
+    if left in SHIFTED_CHARACTERS or right in SHIFTED_CHARACTERS:
+        return LETTER_GAP_PENS / 2
     if left.isdigit() and right.isdigit():
-        return LETTER_GAP
-    width, other = _glyph(left, 5, False)[0], _profile(right)
+        return LETTER_GAP_PENS
+    width, other = _glyph_width_and_paths(left, 5, False)[0], _ink_extents_by_row(right)
     near = (
         width - high + other[row + k][0]
-        for row, (_, high) in _profile(left).items()
+        for row, (_, high) in _ink_extents_by_row(left).items()
         for k in (-1, 0, 1)
         if row + k in other
     )
-    return LETTER_GAP / 2 if min(near, default=math.inf) >= LETTER_GAP / 2 else LETTER_GAP
+    return LETTER_GAP_PENS / 2 if min(near, default=math.inf) >= LETTER_GAP_PENS / 2 else LETTER_GAP_PENS
 
 
-def _clean(text: str) -> str:
-    return "".join(c for c in unicodedata.normalize("NFC", text) if c not in _IGNORED).strip()
+def _clean_text(text: str) -> str:
+    return "".join(c for c in unicodedata.normalize("NFC", text) if c not in _IGNORED_CHARACTERS).strip()
 
 
 @lru_cache(maxsize=4096)
-def _layout(text: str) -> tuple[float, tuple[tuple[str, float], ...]]:
+def _line_width_and_places(text: str) -> tuple[float, tuple[tuple[str, float], ...]]:
     """Total width in d and the place of every character."""
     x, blank, last = 0.0, 0.0, ""
     placed = []
-    for char in _clean(text):
+    for char in _clean_text(text):
         if char.isspace():
-            blank += WORD_GAP / 2 if char in NARROW else WORD_GAP
+            blank += WORD_GAP_PENS / 2 if char in NARROW_SPACES else WORD_GAP_PENS
             continue
         if last:
-            x += blank or _gap(last, char)
+            x += blank or _letter_gap(last, char)
         placed.append((char, x))
-        x, blank, last = x + _glyph(char, 5, False)[0], 0.0, char
+        x, blank, last = x + _glyph_width_and_paths(char, 5, False)[0], 0.0, char
     return x, tuple(placed)
 
 
 @lru_cache(maxsize=2048)
-def strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Polyline, ...]:
+def letter_strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Polyline, ...]:
     """Pen paths of one line of text as polylines x + iy in mm.
 
     The origin is the left end of the base line (left edge of the first letter's ink, lower edge of the capitals), y is
@@ -202,8 +206,12 @@ def strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Polyline,
     """
     if not 0 < height_mm < math.inf:
         raise ValueError(f"letter height must be a positive number of mm, not {height_mm!r}")
-    d, fineness = height_mm * PEN, max(2, math.ceil(height_mm))
-    paths = ((x, line) for char, x in _layout(text)[1] for line in _glyph(char, fineness, slant)[1])
+    d, fineness = height_mm * PEN_WIDTH_RATIO, max(2, math.ceil(height_mm))
+    paths = (
+        (x, line)
+        for char, x in _line_width_and_places(text)[1]
+        for line in _glyph_width_and_paths(char, fineness, slant)[1]
+    )
     return tuple(tuple([(z + x) * d for z in line]) for x, line in paths)
 
 
@@ -211,28 +219,32 @@ Extent = tuple[float, float, float, float, float]
 
 
 @lru_cache(maxsize=4096)
-def _box(char: str, fineness: int, slant: bool) -> Extent:
+def _character_box(char: str, fineness: int, slant: bool) -> Extent:
     """Left, low, right and top of the pen path of a character in d, and half the width of its pen."""
-    z = [z for line in _glyph(char, fineness, slant)[1] for z in line]
+    z = [z for line in _glyph_width_and_paths(char, fineness, slant)[1] for z in line]
     x, y = [one.real for one in z], [one.imag for one in z]
-    return min(x), min(y), max(x), max(y), 0.5 * _size(char)
+    return min(x), min(y), max(x), max(y), 0.5 * _character_size(char)
 
 
-def boxes(text: str, height_mm: float, slant: bool = False) -> list[Extent]:
+def character_boxes(text: str, height_mm: float, slant: bool = False) -> list[Extent]:
     """Left, low, right and top of the pen path of every character of one line of text, and half the width of its pen,
     in mm."""
-    d, fineness = height_mm * PEN, max(2, math.ceil(height_mm))
-    every = ((x, _box(char, fineness, slant)) for char, x in _layout(text)[1])
+    d, fineness = height_mm * PEN_WIDTH_RATIO, max(2, math.ceil(height_mm))
+    every = ((x, _character_box(char, fineness, slant)) for char, x in _line_width_and_places(text)[1])
     return [((x + left) * d, low * d, (x + right) * d, top * d, half * d) for x, (left, low, right, top, half) in every]
 
 
 @lru_cache(maxsize=2048)
-def pens(text: str, height_mm: float) -> tuple[float, ...]:
+def stroke_pen_widths(text: str, height_mm: float) -> tuple[float, ...]:
     """Width in mm of the pen of each of the strokes: thinner in raised and lowered characters."""
-    d = height_mm * PEN
-    return tuple(_size(char) * d for char, _ in _layout(text)[1] for _ in _glyph(char, 5, False)[1])
+    d = height_mm * PEN_WIDTH_RATIO
+    return tuple(
+        _character_size(char) * d
+        for char, _ in _line_width_and_places(text)[1]
+        for _ in _glyph_width_and_paths(char, 5, False)[1]
+    )
 
 
-def width(text: str, height_mm: float) -> float:
+def line_ink_width(text: str, height_mm: float) -> float:
     """Width in mm of the ink of a line of upright text, from edge to edge, without a gap after it."""
-    return _layout(text)[0] * PEN * height_mm
+    return _line_width_and_places(text)[0] * PEN_WIDTH_RATIO * height_mm

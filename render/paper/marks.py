@@ -29,23 +29,23 @@ class Face:
     family: str = ""
 
 
-OWN = Face()
+BUILT_IN_FACE = Face()
 Asked = TypeVar("Asked")
-_chosen = ContextVar("face", default=OWN)
+_chosen = ContextVar("face", default=BUILT_IN_FACE)
 
 
-def current() -> Face:
+def current_face() -> Face:
     """The face of texts created now."""
     return _chosen.get()
 
 
-def lettered(face: Face) -> AbstractContextManager[None]:
+def using_face(face: Face) -> AbstractContextManager[None]:
     """In this context, texts are created and measured in that face."""
-    return within(_chosen, face)
+    return using_setting(_chosen, face)
 
 
 @contextmanager
-def within(asked: ContextVar[Asked], value: Asked) -> Iterator[None]:
+def using_setting(asked: ContextVar[Asked], value: Asked) -> Iterator[None]:
     """In this context, the drawing setting has that value."""
     token = asked.set(value)
     try:
@@ -119,7 +119,7 @@ class Text:
     turn_deg: float = 0.0
     layer: Layer = "text"
     name: str = ""
-    face: Face = field(default_factory=current)
+    face: Face = field(default_factory=current_face)
     narrow: float = 1.0
 
 
@@ -136,7 +136,7 @@ class Hatch:
 Mark = Line | Arc | Arrow | Shape | Text | Hatch
 
 
-def moved(mark: Mark, by: complex) -> Mark:
+def move_mark(mark: Mark, by: complex) -> Mark:
     """The same mark shifted ``by`` a vector in mm."""
     if isinstance(mark, Arrow):
         return replace(mark, start=mark.start + by, end=mark.end + by)

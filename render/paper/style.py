@@ -8,16 +8,16 @@ from contextvars import ContextVar
 from functools import lru_cache
 from typing import get_args
 
-from planes.drafting.pens import MEDIUM, SHAPES, THICK, THIN
+from planes.drafting.pens import HEAD_SHAPES, MEDIUM_PEN_HEAD, THICK_PEN_HEAD, THIN_PEN_HEAD
 from planes.words.frozen import frozen, replace
-from render.paper.marks import Layer, Polyline, within
+from render.paper.marks import Layer, Polyline, using_setting
 
-LARGER = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
+NEXT_LARGER_LETTER_MM = {2.5: 3.5, 3.5: 5.0, 5.0: 7.0}
 """Letter heights of ГОСТ 2.304, mm, by the next smaller one."""
 _large = ContextVar("large", default=False)
 
-BLACK = "#000000"
-PAPER = "#ffffff"
+BLACK_COLOUR = "#000000"
+PAPER_COLOUR = "#ffffff"
 
 
 @frozen
@@ -26,23 +26,23 @@ class Pen:
 
     width: float
     pattern: tuple[float, ...] = ()
-    colour: str = BLACK
+    colour: str = BLACK_COLOUR
 
 
-PENS = {
-    "thick": Pen(THICK.pen),
-    "result": Pen(THICK.pen),
-    "frame": Pen(THICK.pen),
-    "vector": Pen(MEDIUM.pen),  # a force, or a component of a result
-    "rule": Pen(MEDIUM.pen),  # under the head of a table
-    "thin": Pen(THIN.pen),
-    "axis": Pen(THIN.pen, (10.0, 1.4, 0.6, 1.4)),
-    "phantom": Pen(THIN.pen, (10.0, 1.4, 0.6, 1.4, 0.6, 1.4)),
-    "dash": Pen(THIN.pen, (4.0, 1.5)),
-    "construction": Pen(THIN.pen),
+PEN_BY_STYLE = {
+    "thick": Pen(THICK_PEN_HEAD.pen),
+    "result": Pen(THICK_PEN_HEAD.pen),
+    "frame": Pen(THICK_PEN_HEAD.pen),
+    "vector": Pen(MEDIUM_PEN_HEAD.pen),  # a force, or a component of a result
+    "rule": Pen(MEDIUM_PEN_HEAD.pen),  # under the head of a table
+    "thin": Pen(THIN_PEN_HEAD.pen),
+    "axis": Pen(THIN_PEN_HEAD.pen, (10.0, 1.4, 0.6, 1.4)),
+    "phantom": Pen(THIN_PEN_HEAD.pen, (10.0, 1.4, 0.6, 1.4, 0.6, 1.4)),
+    "dash": Pen(THIN_PEN_HEAD.pen, (4.0, 1.5)),
+    "construction": Pen(THIN_PEN_HEAD.pen),
 }
 
-REPORT_PENS = {
+REPORT_PEN_BY_STYLE = {
     "own": Pen(0.4, (), "#163a70"),
     "truth": Pen(0.3, (3.0, 1.5), "#1f7a3d"),
     "next": Pen(0.25, (0.8, 0.8), "#a35c00"),
@@ -51,71 +51,71 @@ REPORT_PENS = {
 }
 """Lines of the report on a checked drawing, in the colours of its page; each is recognisable without them too."""
 
-LAYERS: tuple[Layer, ...] = get_args(Layer)
+LAYERS_FROM_LOWEST: tuple[Layer, ...] = get_args(Layer)
 """The layers from the lowest to the topmost."""
 
-CAPITALS = 0.729  # of the text behind the strokes (DejaVu Sans): height of capitals over the font size
+CAPITALS_HEIGHT_RATIO = 0.729  # of the text behind the strokes (DejaVu Sans): height of capitals over the font size
 
-LETTER_GAP = 0.2  # clear distance of letters over their height
-WORD_GAP = 0.6  # clear distance of words over their height
-INDEX_SIZE = 0.7  # height of an index over the letter height: 5 -> 3.5 -> 2.5
-LEAST_MM = 1.8  # the smallest letters of ГОСТ 2.304: no index is smaller, unless its base is
-INDEX_DROP = 0.32  # distance of a lower index below the base line, over the letter height
-INDEX_RISE = 0.6  # distance of an upper index above it, over the letter height
-INDEX_GAP = 0.12  # clear distance of an index from its base, over the letter height
+LETTER_GAP_RATIO = 0.2  # clear distance of letters over their height
+WORD_GAP_RATIO = 0.6  # clear distance of words over their height
+INDEX_HEIGHT_RATIO = 0.7  # height of an index over the letter height: 5 -> 3.5 -> 2.5
+LEAST_LETTER_MM = 1.8  # the smallest letters of ГОСТ 2.304: no index is smaller, unless its base is
+INDEX_DROP_RATIO = 0.32  # distance of a lower index below the base line, over the letter height
+INDEX_RISE_RATIO = 0.6  # distance of an upper index above it, over the letter height
+INDEX_GAP_RATIO = 0.12  # clear distance of an index from its base, over the letter height
 
-SHORTEST = 0.51  # of the usual length: the pattern of a line with two dashes
+LEAST_PATTERN_STRETCH = 0.51  # of the usual length: the pattern of a line with two dashes
 
-HINGE_MM = 1.5  # radius of a hinge
-DOT_MM = 0.8  # radius of a mass centre or a marked point
-BLOCK_MM = (11.0, 6.5)  # a slider, along and across its guide
-SMALL_MM = (8.0, 4.6)  # a slider held inside another one
-LARGE_MM = (14.0, 10.5)  # the one that holds it
-LEG_MM = 6.5  # from a fixed hinge down to its base line
-BASE_MM = 11.0  # length of that base line
-HATCH_MM = 2.2  # depth of the hatching under a base line
-HATCH_GAP_MM = 1.6  # between its strokes
-WHEEL_MM = 0.9  # radius of a roller's wheels
-WALL_MM = 14.0  # of a clamp
-ROUND_MM = 26.0  # of a circular guide on each side of its slider, along it
-ROUND_HATCH_MM, ROUND_GAP_MM = 3.0, 2.4  # of its hatching
+HINGE_RADIUS_MM = 1.5  # radius of a hinge
+DOT_RADIUS_MM = 0.8  # radius of a mass centre or a marked point
+SLIDER_BLOCK_SIZE_MM = (11.0, 6.5)  # a slider, along and across its guide
+INNER_BLOCK_SIZE_MM = (8.0, 4.6)  # a slider held inside another one
+OUTER_BLOCK_SIZE_MM = (14.0, 10.5)  # the one that holds it
+HINGE_LEG_LENGTH_MM = 6.5  # from a fixed hinge down to its base line
+BASE_LINE_LENGTH_MM = 11.0  # length of that base line
+BASE_HATCHING_DEPTH_MM = 2.2  # depth of the hatching under a base line
+BASE_HATCH_SPACING_MM = 1.6  # between its strokes
+WHEEL_RADIUS_MM = 0.9  # radius of a roller's wheels
+CLAMP_WALL_LENGTH_MM = 14.0  # of a clamp
+HALF_ROUND_GUIDE_LENGTH_MM = 26.0  # of a circular guide on each side of its slider, along it
+ROUND_HATCHING_DEPTH_MM, ROUND_HATCH_SPACING_MM = 3.0, 2.4  # of its hatching
 
 
-def large() -> bool:
+def is_large_format() -> bool:
     """Whether figures are drawn for a large format, to be read from farther away."""
     return _large.get()
 
 
-def tall(mm: float) -> float:
+def figure_letter_height(mm: float) -> float:
     """The height of letters in figures that have this height on usual formats."""
-    return LARGER[mm] if large() else mm
+    return NEXT_LARGER_LETTER_MM[mm] if is_large_format() else mm
 
 
-def lettered_for(large: bool) -> AbstractContextManager[None]:
+def using_large_format(large: bool) -> AbstractContextManager[None]:
     """In this context figures are drawn for a ``large`` format, or a usual one."""
-    return within(_large, large)
+    return using_setting(_large, large)
 
 
 @lru_cache
-def pen(style: str) -> Pen:
+def pen_of_style(style: str) -> Pen:
     """The pen of a style, "vector" or coloured "vector #0072B2"; an unknown name is an error that lists the valid
     ones."""
     name, _, colour = style.partition(" ")
-    known = PENS.get(name) or REPORT_PENS.get(name)
+    known = PEN_BY_STYLE.get(name) or REPORT_PEN_BY_STYLE.get(name)
     if known is None:
-        raise ValueError(f"there is no line style {style!r}; use one of {', '.join(PENS)}")
+        raise ValueError(f"there is no line style {style!r}; use one of {', '.join(PEN_BY_STYLE)}")
     return replace(known, colour=colour) if colour else known
 
 
-_WEIGHTS = (5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211)
+_DXF_LINE_WEIGHTS = (5, 9, 13, 15, 18, 20, 25, 30, 35, 40, 50, 53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211)
 
 
-def weight(width: float) -> int:
+def dxf_line_weight(width: float) -> int:
     """The DXF line weight nearest to a width in mm: in hundredths of a mm, of the values in the format."""
-    return min(_WEIGHTS, key=lambda w: abs(w - 100 * width))
+    return min(_DXF_LINE_WEIGHTS, key=lambda w: abs(w - 100 * width))
 
 
-def fitted(pattern: tuple[float, ...], length_mm: float, closed: bool = False) -> tuple[float, ...]:
+def fit_dash_pattern(pattern: tuple[float, ...], length_mm: float, closed: bool = False) -> tuple[float, ...]:
     """The pattern stretched so that a line of that length begins and ends with a whole dash.
 
     Between two dashes it shrinks to no less than ``SHORTEST``; a line too short for that is solid, as small centre
@@ -125,16 +125,16 @@ def fitted(pattern: tuple[float, ...], length_mm: float, closed: bool = False) -
         return ()
     period, ends = sum(pattern), 0.0 if closed else pattern[0]
     stretch = length_mm / (max(1, round((length_mm - ends) / period)) * period + ends)
-    return tuple(part * stretch for part in pattern) if stretch > SHORTEST else ()
+    return tuple(part * stretch for part in pattern) if stretch > LEAST_PATTERN_STRETCH else ()
 
 
-def head_size(length_mm: float, width_mm: float) -> tuple[float, float]:
+def arrowhead_size(length_mm: float, width_mm: float) -> tuple[float, float]:
     """Length and width in mm of the head of an arrow of that length, with the pen nearest in width; zeros: none."""
-    shape = min(SHAPES, key=lambda one: abs(one.pen - width_mm)).on(length_mm)
+    shape = min(HEAD_SHAPES, key=lambda one: abs(one.pen - width_mm)).head_for_length(length_mm)
     return (shape.long, shape.wide) if shape else (0.0, 0.0)
 
 
-def head(tip: complex, direction: complex, long: float, wide: float) -> Polyline:
+def arrowhead_corners(tip: complex, direction: complex, long: float, wide: float) -> Polyline:
     """An arrowhead: tip and the two corners behind it, in mm."""
     along = direction / abs(direction)
     back = tip - long * along

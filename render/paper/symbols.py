@@ -11,29 +11,29 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from planes.geometry.plane import toward
+from planes.geometry.plane import direction_between
 from render.paper.marks import Arc, Hatch, Layer, Line, Mark, Shape
 from render.paper.style import (
-    BASE_MM,
-    BLOCK_MM,
-    DOT_MM,
-    HATCH_GAP_MM,
-    HATCH_MM,
-    HINGE_MM,
-    LEG_MM,
-    WALL_MM,
-    WHEEL_MM,
-    head,
-    head_size,
-    pen,
+    BASE_HATCH_SPACING_MM,
+    BASE_HATCHING_DEPTH_MM,
+    BASE_LINE_LENGTH_MM,
+    CLAMP_WALL_LENGTH_MM,
+    DOT_RADIUS_MM,
+    HINGE_LEG_LENGTH_MM,
+    HINGE_RADIUS_MM,
+    SLIDER_BLOCK_SIZE_MM,
+    WHEEL_RADIUS_MM,
+    arrowhead_corners,
+    arrowhead_size,
+    pen_of_style,
 )
 
 Marks = tuple[Mark, ...]
-PLATE_GAP_MM, GUSSET_MM = 3.0, 4.5
-ALIKE = 0.2  # the sine of an angle at which lines count as parallel
+PLATE_HATCH_SPACING_MM, GUSSET_SIDE_MM = 3.0, 4.5
+MOST_PARALLEL_SINE = 0.2  # the sine of an angle at which lines count as parallel
 
 
-def unit(angle_deg: float) -> complex:
+def unit_vector(angle_deg: float) -> complex:
     """The unit vector at an angle, exact at right angles."""
     quarter, rest = divmod(angle_deg, 90)
     if rest == 0:
@@ -43,65 +43,72 @@ def unit(angle_deg: float) -> complex:
 
 def hinge(at: complex) -> Marks:
     """A turning pair: a circle of paper."""
-    return (Arc(at, HINGE_MM, fill="paper"),)
+    return (Arc(at, HINGE_RADIUS_MM, fill="paper"),)
 
 
 def hatching(at: complex, angle_deg: float, length: float, side: int = -1) -> Marks:
     """Oblique strokes along a line centred at ``at``, on its right (``side`` −1) or left (+1)."""
-    along = unit(angle_deg)
-    count = max(2, round(length / HATCH_GAP_MM))
+    along = unit_vector(angle_deg)
+    count = max(2, round(length / BASE_HATCH_SPACING_MM))
     step = length / count
-    slant = HATCH_MM * (side * 1j - 1) * along
+    slant = BASE_HATCHING_DEPTH_MM * (side * 1j - 1) * along
     starts = [at + (-length / 2 + step * (k + 1)) * along for k in range(count)]
     return tuple(Line((z, z + slant), "thin", "hatch") for z in starts)
 
 
-def base(at: complex, angle_deg: float = 0, length: float = BASE_MM, side: int = -1) -> Marks:
+def hatched_base(at: complex, angle_deg: float = 0, length: float = BASE_LINE_LENGTH_MM, side: int = -1) -> Marks:
     """A line of the frame centred at ``at``, hatched on its right (``side`` −1) or left (+1)."""
-    half = length / 2 * unit(angle_deg)
+    half = length / 2 * unit_vector(angle_deg)
     return (*hatching(at, angle_deg, length, side), Line((at - half, at + half)))
 
 
 def fixed_hinge(at: complex, angle_deg: float = 0) -> Marks:
     """A hinge on the frame: two legs from the circle to a hatched base; ``angle_deg`` is the base's."""
-    foot = at - 1j * unit(angle_deg) * LEG_MM
-    return (*base(foot, angle_deg), *legs(at, foot, angle_deg), *hinge(at))
+    foot = at - 1j * unit_vector(angle_deg) * HINGE_LEG_LENGTH_MM
+    return (*hatched_base(foot, angle_deg), *hinge_legs(at, foot, angle_deg), *hinge(at))
 
 
-def legs(at: complex, foot: complex, angle_deg: float) -> list[Line]:
+def hinge_legs(at: complex, foot: complex, angle_deg: float) -> list[Line]:
     """Both legs of a hinge, from its circle to a base about the foot."""
-    ends = (foot + side * 0.5 * LEG_MM * unit(angle_deg) for side in (-1, 1))
-    return [Line((at + HINGE_MM * toward(at, end), end)) for end in ends]
+    ends = (foot + side * 0.5 * HINGE_LEG_LENGTH_MM * unit_vector(angle_deg) for side in (-1, 1))
+    return [Line((at + HINGE_RADIUS_MM * direction_between(at, end), end)) for end in ends]
 
 
-def block(at: complex, angle_deg: float = 0, size: tuple[float, float] = BLOCK_MM) -> Marks:
+def block(at: complex, angle_deg: float = 0, size: tuple[float, float] = SLIDER_BLOCK_SIZE_MM) -> Marks:
     """A slider centred on its guide."""
-    along = unit(angle_deg)
+    along = unit_vector(angle_deg)
     long, wide = size
     corners = tuple(at + (x * long + 1j * y * wide) / 2 * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)))
     return (Shape(corners, fill="paper"), Line(corners, closed=True))
 
 
-def rail(at: complex, angle_deg: float, reach: float, side: int = -1, across: float = BLOCK_MM[1]) -> Marks:
+def rail(at: complex, angle_deg: float, reach: float, side: int = -1, across: float = SLIDER_BLOCK_SIZE_MM[1]) -> Marks:
     """A guide of the frame along the long side of a slider at ``at``, ``reach`` mm to either end: on its right
     (``side`` −1) or left."""
-    return base(at + side * 1j * across / 2 * unit(angle_deg), angle_deg, 2 * reach, side)
+    return hatched_base(at + side * 1j * across / 2 * unit_vector(angle_deg), angle_deg, 2 * reach, side)
 
 
-def wall(at: complex, angle_deg: float = 0) -> Marks:
+def clamp_wall(at: complex, angle_deg: float = 0) -> Marks:
     """A clamp: a wall of the frame across the body that begins there at the angle."""
-    return base(at, angle_deg + 90.0, WALL_MM, side=1)
+    return hatched_base(at, angle_deg + 90.0, CLAMP_WALL_LENGTH_MM, side=1)
 
 
 def roller(at: complex, angle_deg: float = 0) -> Marks:
     """A hinge on wheels: it holds only perpendicular to its base, whose rotation is the angle."""
-    along = unit(angle_deg)
-    both = legs(at, at - 1j * along * (LEG_MM - 2 * WHEEL_MM), angle_deg)
+    along = unit_vector(angle_deg)
+    both = hinge_legs(at, at - 1j * along * (HINGE_LEG_LENGTH_MM - 2 * WHEEL_RADIUS_MM), angle_deg)
     ends = [leg.points[1] for leg in both]
     wheels = (
-        Arc(end - (x + 1j) * along * WHEEL_MM, WHEEL_MM, style="thin") for x, end in zip((-1, 1), ends, strict=True)
+        Arc(end - (x + 1j) * along * WHEEL_RADIUS_MM, WHEEL_RADIUS_MM, style="thin")
+        for x, end in zip((-1, 1), ends, strict=True)
     )
-    return (*base(at - 1j * along * LEG_MM, angle_deg), Line(tuple(ends)), *both, *wheels, *hinge(at))
+    return (
+        *hatched_base(at - 1j * along * HINGE_LEG_LENGTH_MM, angle_deg),
+        Line(tuple(ends)),
+        *both,
+        *wheels,
+        *hinge(at),
+    )
 
 
 def bar(*points: complex) -> Marks:
@@ -113,17 +120,21 @@ def plate(points: Sequence[complex]) -> Marks:
     """A rigid link with three or more hinges: a polygon, hatched by ГОСТ 2.306, the other way where an edge is parallel
     to the strokes."""
     edges = (b - a for a, b in pairwise((*points, points[0])))
-    alike = any(abs((way * unit(-45)).imag) < ALIKE * abs(way) for way in edges)
-    return (Hatch(tuple(points), 135.0 if alike else 45.0, PLATE_GAP_MM), Line(tuple(points), closed=True))
+    alike = any(abs((way * unit_vector(-45)).imag) < MOST_PARALLEL_SINE * abs(way) for way in edges)
+    return (Hatch(tuple(points), 135.0 if alike else 45.0, PLATE_HATCH_SPACING_MM), Line(tuple(points), closed=True))
 
 
-def rigid(at: complex, one: complex, other: complex) -> Marks:
+def rigid_joint_gusset(at: complex, one: complex, other: complex) -> Marks:
     """The sign of two rods rigidly joined in one link: a gusset in their angle."""
-    u, v = (toward(at, z) for z in (one, other))
-    return (Shape((at, at + GUSSET_MM * u, at + GUSSET_MM * v)),) if abs((u * v.conjugate()).imag) > ALIKE else ()
+    u, v = (direction_between(at, z) for z in (one, other))
+    return (
+        (Shape((at, at + GUSSET_SIDE_MM * u, at + GUSSET_SIDE_MM * v)),)
+        if abs((u * v.conjugate()).imag) > MOST_PARALLEL_SINE
+        else ()
+    )
 
 
-def dot(at: complex, radius: float = DOT_MM, layer: Layer = "scheme") -> Marks:
+def dot(at: complex, radius: float = DOT_RADIUS_MM, layer: Layer = "scheme") -> Marks:
     """A mass centre or a marked point."""
     return (Arc(at, radius, style="thin", layer=layer, fill="ink"),)
 
@@ -133,10 +144,10 @@ def turn_arrow(
 ) -> Marks:
     """The sense of ω, ε or a moment: an arc with a head at its end, clockwise where ``sweep_deg`` < 0."""
     length = radius * math.radians(abs(sweep_deg))
-    long, wide = head_size(length, pen(style).width)
-    tip = centre + radius * unit(start_deg + sweep_deg)
+    long, wide = arrowhead_size(length, pen_of_style(style).width)
+    tip = centre + radius * unit_vector(start_deg + sweep_deg)
     covered = math.copysign(math.degrees(2 * math.asin(min(1.0, long / 2 / radius))), sweep_deg)
-    back = centre + radius * unit(start_deg + sweep_deg - covered)
+    back = centre + radius * unit_vector(start_deg + sweep_deg - covered)
     low, high = sorted((start_deg, start_deg + sweep_deg - 0.8 * covered))
     arc = Arc(centre, radius, low, high, style, layer)
-    return (arc, Shape(head(tip, tip - back, long, wide), layer)) if long else (arc,)
+    return (arc, Shape(arrowhead_corners(tip, tip - back, long, wide), layer)) if long else (arc,)

@@ -26,11 +26,11 @@ class Filled:
     used: float = 0.0
     after: float = 0.0
 
-    def holds(self, piece: PagePiece) -> bool:
+    def has_room_for(self, piece: PagePiece) -> bool:
         """Whether a piece has room."""
-        return self.ended(piece.parts)[0] <= self.height
+        return self.heights_with(piece.parts)[0] <= self.height
 
-    def ended(self, parts: Sequence[Flowable]) -> tuple[float, float]:
+    def heights_with(self, parts: Sequence[Flowable]) -> tuple[float, float]:
         """The height used, and the space after it, with these elements added."""
         used, after = self.used, self.after
         for part in parts:
@@ -38,18 +38,18 @@ class Filled:
             after = part.getSpaceAfter()
         return used, after
 
-    def put(self, piece: PagePiece) -> None:
+    def add_piece(self, piece: PagePiece) -> None:
         """Add an element; one without room begins the next page, a paragraph with its remainder."""
-        if not self.holds(piece):
+        if not self.has_room_for(piece):
             parts, room = piece.parts, self.height - self.used - max(self.after, piece.parts[0].getSpaceBefore())
             rest = parts[0].split(self.width, room)[1:] if len(parts) == 1 else []
             self.used = self.after = 0.0
             piece = PagePiece(rest or parts)
-        self.used, self.after = self.ended(piece.parts)
+        self.used, self.after = self.heights_with(piece.parts)
         self.used = min(self.used, self.height)
 
 
-def glued(blocks: Iterable[PagePiece]) -> list[PagePiece]:
+def join_kept_together(blocks: Iterable[PagePiece]) -> list[PagePiece]:
     """Elements joined to those they must precede; a figure right after its heading stays there."""
     groups = []
     held = list[Flowable]()
@@ -62,17 +62,17 @@ def glued(blocks: Iterable[PagePiece]) -> list[PagePiece]:
     return [*groups, PagePiece(held)] if held else groups
 
 
-def floated(pieces: Iterable[PagePiece], page: Filled) -> list[Flowable]:
+def float_figures(pieces: Iterable[PagePiece], page: Filled) -> list[Flowable]:
     """All elements, in the order in which pages are full; figures keep their order."""
     set_pieces, waiting = list[PagePiece](), list[PagePiece]()
 
     def put(*those: PagePiece) -> None:
         for one in those:
-            page.put(one)
+            page.add_piece(one)
             set_pieces.append(one)
 
     for piece in pieces:
-        full = not page.holds(piece)
+        full = not page.has_room_for(piece)
         if piece.floats and (full or waiting):
             waiting.append(piece)
             continue

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from matplotlib.font_manager import FontProperties
 from matplotlib.mathtext import MathTextParser
 
-from render.files.pdf import registered
+from render.files.pdf import register_font
 
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
@@ -33,7 +33,7 @@ class MathLine:
         canvas.setFillColorRGB(0, 0, 0)  # the head of a page is grey
         canvas.translate(0, self.depth)
         for font, size, letter, x, y in self.letters:
-            canvas.setFont(registered(Path(font).stem, Path(font)), size)
+            canvas.setFont(register_font(Path(font).stem, Path(font)), size)
             canvas.drawString(x, y, letter)
         for x, y, width, height in self.bars:
             canvas.rect(x, y, width, height, stroke=0, fill=1)
@@ -51,7 +51,7 @@ def math_line(tex: str, size: float) -> MathLine:
     return MathLine(made.width, made.height, made.depth, tuple(letters), bars)
 
 
-def broken(parts: Sequence[str], size: float, width: float) -> list[MathLine]:
+def break_formula(parts: Sequence[str], size: float, width: float) -> list[MathLine]:
     """A formula in lines of that width, broken at its signs, which the next line repeats (ГОСТ 7.32-2017, 6.8.2)."""
     line = math_line("".join(parts), size)
     if line.width <= width:

@@ -4,7 +4,7 @@ import re
 
 from latex2mathml.converter import convert
 
-SPELLED = {
+CONVERTER_SPELLINGS = {
     r"\\dfrac": r"\\frac",
     r"\\quad": r"\\quad ",
     r"(\d+)\{,\}(\d+)": r"\\text{\1,\2}",  # a number is one token
@@ -14,13 +14,15 @@ SPELLED = {
     r"^(?=[-=+])": "{}",  # a sign that begins a piece stands between two
 }
 """Patterns of our mathtext and their form for the converter, in this order."""
-UPRIGHT = re.compile(r"\\mathrm\{([^{}]*)\}")
+UPRIGHT_TEXT_PATTERN = re.compile(r"\\mathrm\{([^{}]*)\}")
 
 
-def mathml(tex: str) -> str:
+def formula_as_mathml(tex: str) -> str:
     """The formula, its fractions at full size."""
-    for ours, other in SPELLED.items():
+    for ours, other in CONVERTER_SPELLINGS.items():
         tex = re.sub(ours, other, tex)
-    tex = UPRIGHT.sub(lambda words: rf"\text{{{words[1].replace(chr(92), '')}}}", tex)  # its spaces need no mark
+    tex = UPRIGHT_TEXT_PATTERN.sub(
+        lambda words: rf"\text{{{words[1].replace(chr(92), '')}}}", tex
+    )  # its spaces need no mark
     numbers = re.sub(r"<mtext>([\d,]+)</mtext>", r"<mn>\1</mn>", convert(tex))
     return numbers.replace("<math ", '<math displaystyle="true" ', 1)

@@ -17,15 +17,15 @@ from docx.text.paragraph import Paragraph as Words
 
 from planes.solving.document import Block, Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.naming import Naming
-from render.paper.letters import pieces
-from render.report.figures import DocumentSetter, Shown, raster
+from render.paper.letters import lettered_pieces
+from render.report.figures import DocumentSetter, Shown, png_of_picture
 from render.report.html import is_number
-from render.report.omml import equation
+from render.report.omml import word_equation
 
-COLUMN_MM = 165.0  # width of text, between margins of 30 and 15 mm
-WIDTH, HEIGHT = COLUMN_MM * 72 / 25.4, 540.0  # of a figure, points
-LETTER, SMALL = 14, 12  # of text, and of tables
-INDENT_MM = 12.5
+COLUMN_WIDTH_MM = 165.0  # width of text, between margins of 30 and 15 mm
+MOST_FIGURE_WIDTH_PT, MOST_FIGURE_HEIGHT_PT = COLUMN_WIDTH_MM * 72 / 25.4, 540.0  # of a figure, points
+TEXT_SIZE_PT, TABLE_TEXT_SIZE_PT = 14, 12  # of text, and of tables
+FIRST_LINE_INDENT_MM = 12.5
 
 
 def write(blocks: Sequence[Block], naming: Naming) -> bytes:
@@ -35,19 +35,19 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     page.page_width, page.page_height = Mm(210), Mm(297)
     page.left_margin, page.right_margin, page.top_margin, page.bottom_margin = Mm(30), Mm(15), Mm(20), Mm(20)
     for name in ("Normal", "Title", "Heading 1", "Heading 2", "Heading 3", "Intense Quote"):
-        set_type(paper.styles[name], name.startswith("Heading"))
+        set_font_and_spacing(paper.styles[name], name.startswith("Heading"))
     chapters = [one.text for one in blocks if isinstance(one, Heading) and one.level]
     writer = _Writer(paper, naming, chapters)
-    writer.field(page.footer.paragraphs[0], "PAGE").alignment = Side.CENTER
+    writer.add_field(page.footer.paragraphs[0], "PAGE").alignment = Side.CENTER
     for block in blocks:
-        writer.put(block)
+        writer.write_block(block)
     paper.save(data := io.BytesIO())
     return data.getvalue()
 
 
-def set_type(style: ParagraphStyle, heading: bool) -> None:
+def set_font_and_spacing(style: ParagraphStyle, heading: bool) -> None:
     """Times New Roman in black, line spacing 1.5; a heading in bold."""
-    style.font.name, style.font.size, style.font.color.rgb = "Times New Roman", Pt(LETTER), RGBColor(0, 0, 0)
+    style.font.name, style.font.size, style.font.color.rgb = "Times New Roman", Pt(TEXT_SIZE_PT), RGBColor(0, 0, 0)
     fonts = style.element.rPr.rFonts
     for key in [key for key in fonts.attrib if key.endswith("Theme")]:
         del fonts.attrib[key]
@@ -56,7 +56,7 @@ def set_type(style: ParagraphStyle, heading: bool) -> None:
     for line in style.element.iterdescendants(qn("w:bottom")):  # beneath a set-off paragraph
         line.set(qn("w:color"), "000000")
     shape.line_spacing, shape.space_before, shape.space_after = 1.5, Pt(12 * heading), Pt(6 * heading)
-    shape.first_line_indent = Mm(0 if style.name == "Title" else INDENT_MM)
+    shape.first_line_indent = Mm(0 if style.name == "Title" else FIRST_LINE_INDENT_MM)
     style.font.bold, shape.keep_with_next = heading or style.name == "Title", heading
 
 
@@ -65,69 +65,69 @@ class _Writer(DocumentSetter):
         super().__init__(naming)
         self.paper, self.chapters = paper, chapters
 
-    def put(self, block: Block) -> None:
+    def write_block(self, block: Block) -> None:
         """One block at the end of the paper."""
         match block:
             case Cover():
-                self.cover(block)
+                self.write_cover(block)
             case Heading(text, level):
                 title = self.paper.add_heading("" if level else text, level)
-                self.runs(title, text if level else "").alignment = Side.LEFT if level else Side.CENTER
+                self.add_runs(title, text if level else "").alignment = Side.LEFT if level else Side.CENTER
                 if not level:
-                    self.contents()
+                    self.write_contents()
             case Paragraph():
                 style = "Intense Quote" if block.mistake else None
                 count = f"{block.number}. " if block.number else ""
-                self.runs(self.paper.add_paragraph(count, style), block.text, block.plan, block.why)
+                self.add_runs(self.paper.add_paragraph(count, style), block.text, block.plan, block.why)
             case Formula(number=number):
-                line = self.line("\t")
-                for place, side in ((COLUMN_MM / 2, Tab.CENTER), (COLUMN_MM, Tab.RIGHT)):
+                line = self.add_line("\t")
+                for place, side in ((COLUMN_WIDTH_MM / 2, Tab.CENTER), (COLUMN_WIDTH_MM, Tab.RIGHT)):
                     line.paragraph_format.tab_stops.add_tab_stop(Mm(place), side)
-                line._p.append(equation(block.tex))
+                line._p.append(word_equation(block.tex_source))
                 line.add_run(f"\t({number})" if number else "")
             case DocumentTable(caption, rows):
-                self.table(caption, rows)
+                self.write_table(caption, rows)
             case Figure():
                 pictures, caption = self.shown(block)
                 for picture in pictures:
-                    self.picture(picture).alignment = Side.CENTER
+                    self.write_picture(picture).alignment = Side.CENTER
                 if pictures and caption:
-                    self.runs(self.line(), caption).alignment = Side.CENTER
+                    self.add_runs(self.add_line(), caption).alignment = Side.CENTER
 
-    def cover(self, cover: Cover) -> None:
+    def write_cover(self, cover: Cover) -> None:
         """The title page."""
         for text in cover.above:
-            self.line(text).alignment = Side.CENTER
+            self.add_line(text).alignment = Side.CENTER
         title = self.paper.add_heading(cover.kind, 0)
         title.alignment, title.paragraph_format.space_before = Side.CENTER, Pt(180)
         title.paragraph_format.space_after = Pt(12)
-        self.line(cover.of).alignment = Side.CENTER
+        self.add_line(cover.of).alignment = Side.CENTER
         for k, text in enumerate(cover.people):
-            line = self.line(text)
+            line = self.add_line(text)
             line.alignment, line.paragraph_format.space_before = Side.RIGHT, Pt(0 if k else 120)
-        foot = self.line(cover.foot)
+        foot = self.add_line(cover.foot)
         foot.alignment, foot.paragraph_format.space_before = Side.CENTER, Pt(120)
-        self.next_page()
-        self.line(cover.contents).runs[0].bold = True
-        self.contents()
-        self.next_page()
+        self.break_page()
+        self.add_line(cover.contents).runs[0].bold = True
+        self.write_contents()
+        self.break_page()
         self.paper.sections[0].different_first_page_header_footer = True
 
-    def contents(self) -> None:
+    def write_contents(self) -> None:
         """The list of chapters."""
-        self.field(self.line(), r"TOC \o 1-2 \h \z", "\n".join(self.chapters))
+        self.add_field(self.add_line(), r"TOC \o 1-2 \h \z", "\n".join(self.chapters))
 
-    def next_page(self) -> None:
+    def break_page(self) -> None:
         """What follows begins a page."""
-        self.line().add_run().add_break(Break.PAGE)
+        self.add_line().add_run().add_break(Break.PAGE)
 
-    def line(self, text: str = "") -> Words:
+    def add_line(self, text: str = "") -> Words:
         """A paragraph that begins at the left edge of the column."""
         paragraph = self.paper.add_paragraph(text)
         paragraph.paragraph_format.first_line_indent = Mm(0)
         return paragraph
 
-    def field(self, paragraph: Words, code: str, shown: str = "") -> Words:
+    def add_field(self, paragraph: Words, code: str, shown: str = "") -> Words:
         """A field that Word updates, and its text until then."""
         made = OxmlElement("w:fldSimple")
         made.set(qn("w:instr"), code)
@@ -136,31 +136,31 @@ class _Writer(DocumentSetter):
         paragraph._p.append(made)
         return paragraph
 
-    def runs(self, paragraph: Words, text: str, plan: str = "", italic: bool = False) -> Words:
+    def add_runs(self, paragraph: Words, text: str, plan: str = "", italic: bool = False) -> Words:
         """Text at the end of a paragraph."""
-        for piece in pieces(text, self.naming, plan):
+        for piece in lettered_pieces(text, self.naming, plan):
             run = paragraph.add_run(piece.text)
             run.italic = piece.name != italic
             if piece.shift:  # the two share one property: setting either to None clears the other
                 setattr(run.font, {"sub": "subscript", "sup": "superscript"}[piece.shift], True)
         return paragraph
 
-    def table(self, caption: str, rows: tuple[tuple[str, ...], ...]) -> None:
+    def write_table(self, caption: str, rows: tuple[tuple[str, ...], ...]) -> None:
         """A table with its caption above."""
-        self.runs(self.line(), caption).paragraph_format.keep_with_next = True
+        self.add_runs(self.add_line(), caption).paragraph_format.keep_with_next = True
         table = self.paper.add_table(rows=0, cols=len(rows[0]), style="Table Grid")
         for row in rows:
             for cell, text in zip(table.add_row().cells, row, strict=True):
-                line = self.runs(cell.paragraphs[0], text)
+                line = self.add_runs(cell.paragraphs[0], text)
                 line.alignment = Side.RIGHT if is_number(text) else Side.LEFT
                 line.paragraph_format.first_line_indent, line.paragraph_format.line_spacing = Mm(0), 1.0
                 for run in line.runs:
-                    run.font.size = Pt(SMALL)
-        self.line()
+                    run.font.size = Pt(TABLE_TEXT_SIZE_PT)
+        self.add_line()
 
-    def picture(self, picture: Shown) -> Words:
+    def write_picture(self, picture: Shown) -> Words:
         """A paragraph with a picture, reduced if it is wider than the column."""
-        scale = min(1.0, WIDTH / picture.width, HEIGHT / picture.height)
-        paragraph = self.line()
-        paragraph.add_run().add_picture(io.BytesIO(raster(picture)), width=Pt(picture.width * scale))
+        scale = min(1.0, MOST_FIGURE_WIDTH_PT / picture.width, MOST_FIGURE_HEIGHT_PT / picture.height)
+        paragraph = self.add_line()
+        paragraph.add_run().add_picture(io.BytesIO(png_of_picture(picture)), width=Pt(picture.width * scale))
         return paragraph

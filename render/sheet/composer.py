@@ -7,31 +7,31 @@ from typing import Any, NamedTuple, TypeVar
 
 from planes.diagrams.beams import beam_outlines
 from planes.plans import Plans
-from planes.plans.measuring import lettering
+from planes.plans.measuring import scene_lettering
 from planes.scene import Scene
 from planes.solving import Position
 from planes.words import Lang, say, text_in
-from planes.words.lettering import indexed
-from planes.words.names import CREMONA, kind_of, links_of, mu_of
+from planes.words.lettering import with_index_markup
+from planes.words.names import CREMONA_PLAN, force_plan_links, mu_name, plan_kind
 from planes.words.naming import Naming
-from render.labels import rough
-from render.paper.style import LARGER, large
-from render.sheet.module import GAP_MM, MODULE_MM
-from render.views import REMARK_MM, View, paragraph, stacked, view
+from render.labels import is_rough_placement
+from render.paper.style import NEXT_LARGER_LETTER_MM, is_large_format
+from render.sheet.module import MODULE_WIDTH_MM, VIEW_GAP_MM
+from render.views import REMARK_LETTER_MM, View, make_view, paragraph_view, stack_views
 from render.views.beam_diagrams import BeamDiagrams
 from render.views.cremona import Cremona
 from render.views.formulas import Formulas
 from render.views.moments import MomentLines
-from render.views.plotted import Plotted, of_position, scheme_mu
+from render.views.plotted import Plotted, plot_position, scheme_mu
 from render.views.polygon import Polygon
 from render.views.scheme import Scheme
 from render.views.space_diagram import SpaceDiagram
-from render.views.special_points import special_points
+from render.views.special_points import special_point_marks
 from render.views.tables import Tables
 
-RANK = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1, "cremona": 2}
+PLAN_KIND_ORDER = {"contour": 0, "vectors": 0, "velocity": 0, "acceleration": 0, "force": 1, "cremona": 2}
 """Kinds of plans shown beside the scheme: velocities and accelerations first."""
-MU = {
+MU_INDEX_OF_PLAN_KIND = {
     "position": "l",
     "contour": "l",
     "velocity": "v",
@@ -41,7 +41,7 @@ MU = {
     "motion": "q",
 }
 """The index of μ by the kind of plan; velocities of a unit drive have a q."""
-NOTE_MM = tuple(share * MODULE_MM - GAP_MM for share in (1.0, 1.5, 2.0, 0.6, 0.4))
+NOTE_WIDTHS_MM = tuple(share * MODULE_WIDTH_MM - VIEW_GAP_MM for share in (1.0, 1.5, 2.0, 0.6, 0.4))
 """Line widths of a note, the preferred shape first."""
 
 
@@ -70,147 +70,158 @@ class Composer:
     @cached_property
     def naming(self) -> Naming:
         """The lettering of this sheet."""
-        return Naming(self.lang, **lettering(self.scene, self.stated))
+        return Naming(self.lang, **scene_lettering(self.scene, self.stated))
 
-    def once(self, key: Key, make: Callable[[], Shown]) -> Shown:
+    def cached_view(self, key: Key, make: Callable[[], Shown]) -> Shown:
         """The view with that key, made on first request."""
-        key = (large(), *key)
-        if rough() and key not in self.made:
+        key = (is_large_format(), *key)
+        if is_rough_placement() and key not in self.made:
             key = ("roughly", *key)
         if key not in self.made:
             self.made[key] = make()
         return self.made[key]  # type: ignore[no-any-return]
 
-    def written(self, key: Key, make: Callable[[], Shown]) -> Shown:
+    def cached_text_view(self, key: Key, make: Callable[[], Shown]) -> Shown:
         """The same for a view without label placement: its rough version is already final."""
-        key = (large(), *key)
+        key = (is_large_format(), *key)
         if key not in self.made:
             self.made[key] = make()
         return self.made[key]  # type: ignore[no-any-return]
 
-    def stack(self, key: str, *views: View | None, gap: float = 6.0) -> View:
+    def stack_existing_views(self, key: str, *views: View | None, gap: float = 6.0) -> View:
         """Views of this composer one beneath another, those that exist."""
         there = [v for v in views if v]
-        return self.once(("stack", key, *map(id, there)), lambda: stacked(key, there, gap))
+        return self.cached_view(("stack", key, *map(id, there)), lambda: stack_views(key, there, gap))
 
-    def views(self, position: Position, letter: float, together: Together) -> list[View]:
+    def all_views(self, position: Position, letter: float, together: Together) -> list[View]:
         """Every view of one position, in reading order."""
-        plotted = of_position(position)
-        every_view = [self.scheme(position) if position.plans.moves else self.space(position)]
-        every_view += self.plans(plotted, drawn_plans(plotted, position), letter, together.equations)
-        every_view.append(self.beam(position))
-        every_view += [*self.tables(position, letter).all(together.rates), *self.notes(letter)]
+        plotted = plot_position(position)
+        every_view = [self.scheme_view(position) if position.plans.has_mechanism else self.space_diagram_view(position)]
+        every_view += self.plan_views(plotted, drawn_plans(plotted, position), letter, together.equations)
+        every_view.append(self.beam_view(position))
+        every_view += [*self.make_tables(position, letter).all_tables(together.rates), *self.note_views(letter)]
         return [v for v in every_view if v]
 
-    def notes(self, letter: float) -> list[View]:
+    def note_views(self, letter: float) -> list[View]:
         """The scene's notes, if there is room: as wide as the title block, or in another shape."""
-        text = indexed(text_in(self.lang, self.scene.note))
-        high, title = max(0.7 * letter, REMARK_MM), say("sheet_note", self.lang)
+        text = with_index_markup(text_in(self.lang, self.scene.note))
+        high, title = max(0.7 * letter, REMARK_LETTER_MM), say("sheet_note", self.lang)
 
         def made(key: str, width: float) -> View:
-            return replace(paragraph(key, title, text, width, high), extra=True)
+            return replace(paragraph_view(key, title, text, width, high), extra=True)
 
-        shapes = enumerate(NOTE_MM if text else ())
-        return [self.written((f"note {k}", high), partial(made, f"note {k}", wide)) for k, wide in shapes]
+        shapes = enumerate(NOTE_WIDTHS_MM if text else ())
+        return [self.cached_text_view((f"note {k}", high), partial(made, f"note {k}", wide)) for k, wide in shapes]
 
-    def tables(self, position: Position, letter: float) -> Tables:
+    def make_tables(self, position: Position, letter: float) -> Tables:
         """The tables of one position."""
         own = self.scene.equations, self.scene.file
-        return Tables(position, self.naming, letter, self.scene.used, self.written, own)
+        return Tables(position, self.naming, letter, self.scene.used, self.cached_text_view, own)
 
-    def plans(self, plotted: Plotted, plans: list[str], letter: float, beneath: bool) -> list[View | None]:
+    def plan_views(self, plotted: Plotted, plans: list[str], letter: float, beneath: bool) -> list[View | None]:
         """Plans with their equations: ``beneath`` each, or all of one kind in one view."""
         drawn = [self.plan(plotted, plan) for plan in plans]
         if beneath:
-            written = [self.formulas(plotted, (plan,), letter, "") for plan in plans]
-            return [self.stack(d.key, d, w) for d, w in zip(drawn, written, strict=True)]
-        forces = tuple(p for p in plans if kind_of(p) == "force")
+            written = [self.equations_view(plotted, (plan,), letter, "") for plan in plans]
+            return [self.stack_existing_views(d.key, d, w) for d, w in zip(drawn, written, strict=True)]
+        forces = tuple(p for p in plans if plan_kind(p) == "force")
         others = tuple(p for p in plans if p not in forces)
         titled = ((others, "equations"), (forces, "balance_equations"))
-        return [*drawn, *(self.formulas(plotted, some, letter, say(x, self.lang)) for some, x in titled if some)]
+        return [*drawn, *(self.equations_view(plotted, some, letter, say(x, self.lang)) for some, x in titled if some)]
 
-    def mu(self, plotted: Plotted, plan: str) -> str:
+    def title_mu(self, plotted: Plotted, plan: str) -> str:
         """μ of a plan as in titles: "μ_{v} = 30 мм/(м·с⁻¹)"."""
-        kind = kind_of(plan)
-        letter, unit = MU.get(kind, ""), kind
+        kind = plan_kind(plan)
+        letter, unit = MU_INDEX_OF_PLAN_KIND.get(kind, ""), kind
         if kind == "motion" and self.stated:
             unit = "position" if self.stated.mechanism.drive.rotates else "vectors"
-        return f"μ{letter and f'_{{{letter}}}'} = {self.naming.mu(plotted.mu(plan), unit)}"
+        return f"μ{letter and f'_{{{letter}}}'} = {self.naming.mu_with_unit(plotted.plan_mu(plan), unit)}"
 
-    def scheme(self, position: Position) -> View | None:
+    def scheme_view(self, position: Position) -> View | None:
         """The scheme in the calculated position."""
-        title, drawer = self.titled(position, "scheme"), Scheme(position, self.naming)
+        title, drawer = self.title_with_mu(position, "scheme"), Scheme(position, self.naming)
         key = ("scheme", scheme_mu(position))
 
         def make() -> View:
-            drawn = drawer.drawn(True, *special_points(position, self.naming))
-            return view("scheme", title, drawn, True)
+            drawn = drawer.drawn_marks(True, *special_point_marks(position, self.naming))
+            return make_view("scheme", title, drawn, True)
 
-        return self.once(key, make)
+        return self.cached_view(key, make)
 
-    def space(self, position: Position, asked: bool = False) -> View | None:
+    def space_diagram_view(self, position: Position, asked: bool = False) -> View | None:
         """The space diagram of bodies in equilibrium, or the part of it that is ``asked``; none for vectors alone."""
         if not position.plans.figure:
             return None
-        title, drawer = self.titled(position, "space_diagram"), SpaceDiagram(position, self.naming, asked)
+        title, drawer = self.title_with_mu(position, "space_diagram"), SpaceDiagram(position, self.naming, asked)
         key = ("space", asked, scheme_mu(position))
-        return self.once(key, lambda: view("space", title, drawer.drawn(), True))
+        return self.cached_view(key, lambda: make_view("space", title, drawer.drawn_marks(), True))
 
-    def beam(self, position: Position) -> View | None:
+    def beam_view(self, position: Position) -> View | None:
         """Shear force and bending moment of a straight beam; none for other scenes."""
         if not (outlines := beam_outlines(position)):
             return None
         mu = scheme_mu(position)
         drawn = BeamDiagrams(outlines, self.naming, mu)
-        return self.once(("beam", mu), lambda: view("beam", say("beam_diagrams", self.lang), drawn.drawn(), True))
+        return self.cached_view(
+            ("beam", mu), lambda: make_view("beam", say("beam_diagrams", self.lang), drawn.drawn_marks(), True)
+        )
 
-    def titled(self, position: Position, key: str, **names: str) -> str:
+    def title_with_mu(self, position: Position, key: str, **names: str) -> str:
         """The title of a scheme, with its μ."""
-        return f"{say(key, self.lang, **names)}, {self.mu(of_position(position), 'position')}"
+        return f"{say(key, self.lang, **names)}, {self.title_mu(plot_position(position), 'position')}"
 
     def plan(self, plotted: Plotted, plan: str) -> View:
         """A velocity, acceleration or force plan."""
-        title = f"{self.plan_name(plan)}, {self.mu(plotted, plan)}"
-        if plan == CREMONA:
+        title = f"{self.plan_name(plan)}, {self.title_mu(plotted, plan)}"
+        if plan == CREMONA_PLAN:
             drawer = Cremona(plotted, self.naming)
-            return self.once(("plan", plan, plotted.mu(plan)), lambda: view(plan, title, drawer.drawn(), True))
+            return self.cached_view(
+                ("plan", plan, plotted.plan_mu(plan)), lambda: make_view(plan, title, drawer.drawn_marks(), True)
+            )
         polygon = Polygon(plotted, plan, self.naming, counted=self.details, valued=bool(self.scene.sheet.get("values")))
-        key = ("plan", plan, plotted.mu(plan), *polygon.letters()[:1])  # letters of details continue those before
-        return self.once(key, lambda: view(plan, title, polygon.drawn(), True, polygon.unseen(title)))
+        key = (
+            "plan",
+            plan,
+            plotted.plan_mu(plan),
+            *polygon.free_detail_letters()[:1],
+        )  # letters of details continue those before
+        return self.cached_view(
+            key, lambda: make_view(plan, title, polygon.drawn_marks(), True, polygon.too_short_remarks(title))
+        )
 
     def plan_name(self, plan: str) -> str:
         """The name of a plan in its title."""
-        if kind_of(plan) != "force":
+        if plan_kind(plan) != "force":
             return say(plan, self.lang)
-        numbers = [self.naming.link(x) for x in links_of(plan) if x]
-        driver = self.scene.mechanism and links_of(plan) == (self.scene.mechanism.drive.link,)
+        numbers = [self.naming.link_number(x) for x in force_plan_links(plan) if x]
+        driver = self.scene.mechanism and force_plan_links(plan) == (self.scene.mechanism.drive.link,)
         alone = "force_driver" if driver else "force_link" if self.scene.mechanism else "force_body"
         key = "force_group" if len(numbers) > 1 else alone
         return say(key if numbers else "force_any", self.lang, links="–".join(numbers))
 
-    def formulas(
+    def equations_view(
         self, plotted: Plotted, plans: tuple[str, ...], letter: float, title: str, asked: bool = False
     ) -> View | None:
         """The vector equations of some plans; without numbers if so ``asked``."""
 
         def make() -> View | None:
-            marks = Formulas(plotted, self.naming, LARGER[letter], asked).drawn(plans)
-            return view("equations", title, marks) if marks else None
+            marks = Formulas(plotted, self.naming, NEXT_LARGER_LETTER_MM[letter], asked).drawn_marks(plans)
+            return make_view("equations", title, marks) if marks else None
 
-        return self.written(("formulas", plans, letter, title, asked), make)
+        return self.cached_text_view(("formulas", plans, letter, title, asked), make)
 
-    def moments(self, position: Position, letter: float, links: tuple[str, ...] | None = None) -> View | None:
+    def moments_view(self, position: Position, letter: float, links: tuple[str, ...] | None = None) -> View | None:
         """The moment equations with their numbers: under a title, or those of some links alone."""
 
         def make() -> View | None:
-            marks = MomentLines(position, self.naming, LARGER[letter]).drawn(links)
-            return view("moments", "" if links else say("moments", self.lang), marks) if marks else None
+            marks = MomentLines(position, self.naming, NEXT_LARGER_LETTER_MM[letter]).drawn_marks(links)
+            return make_view("moments", "" if links else say("moments", self.lang), marks) if marks else None
 
-        mus = tuple(position.scales.get(mu_of(plan)) for plan in ("position", "lever"))
-        return self.written(("moments", letter, links, mus), make)
+        mus = tuple(position.scales.get(mu_name(plan)) for plan in ("position", "lever"))
+        return self.cached_text_view(("moments", letter, links, mus), make)
 
 
 def drawn_plans(plotted: Plotted, position: Position) -> list[str]:
     """The plans shown: velocities and accelerations if anything moves, and all force plans."""
-    drawn = [p for p in position.plans.drawn if kind_of(p) in RANK and not plotted.still(p)]
-    return sorted(drawn, key=lambda p: RANK[kind_of(p)])
+    drawn = [p for p in position.plans.plan_names if plan_kind(p) in PLAN_KIND_ORDER and not plotted.has_only_pole(p)]
+    return sorted(drawn, key=lambda p: PLAN_KIND_ORDER[plan_kind(p)])

@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 from planes.plans.apart import LinkApart
 from planes.solving import Position
 from planes.words import say
-from planes.words.names import POLE, at, kind_of, links_of, mu_of
+from planes.words.names import POLE_LABEL, force_plan_links, full_mark_name, mu_name, plan_kind
 from render.sheet.composer import Composer
-from render.sheet.sizes import APART, LOADED
-from render.views import View, beside, view
-from render.views.arms import with_unlettered
+from render.sheet.sizes import LOADED_VIEW_KEY, SINGLE_LINKS_VIEW_KEY
+from render.views import View, make_view, put_views_in_row
+from render.views.arms import with_unplaced_arm_names
 from render.views.loading import Loading
 from render.views.moments import Lever
-from render.views.plotted import Plotted, of_position, scheme_mu, with_links_apart
+from render.views.plotted import Plotted, plot_position, plot_with_single_links, scheme_mu
 from render.views.scheme import Scheme
 
 
@@ -24,60 +24,64 @@ class ForceSheet:
 
     composer: Composer
 
-    def views(self, position: Position, scheme: Position, letter: float) -> list[View]:
+    def all_views(self, position: Position, scheme: Position, letter: float) -> list[View]:
         """The scheme with loads, which may be larger; every group with its forces and its plan, the driver, the lever,
         tables, all at one choice of μ, used for the arms everywhere."""
-        c, (plotted, links_apart) = self.composer, with_links_apart(position)
-        every_view: list[View | None] = [self.loaded(scheme)]
-        for plan in position.plans.drawn:
-            if kind_of(plan) == "force":
-                links, single = links_of(plan), links_apart[plan]
-                moments = c.moments(position, letter, links)
+        c, (plotted, links_apart) = self.composer, plot_with_single_links(position)
+        every_view: list[View | None] = [self.loaded_scheme_view(scheme)]
+        for plan in position.plans.plan_names:
+            if plan_kind(plan) == "force":
+                links, single = force_plan_links(plan), links_apart[plan]
+                moments = c.moments_view(position, letter, links)
                 step = [
-                    c.stack("group", self.group(position, plan, links), moments, gap=5.0),
-                    c.stack(plan, c.plan(plotted, plan), c.formulas(plotted, (plan,), letter, "")),
-                    self.apart(position, links, self.closed(plotted, single, letter, False)) if single else None,
-                    *self.closed(plotted, single, letter, True),
+                    c.stack_existing_views("group", self.group_view(position, plan, links), moments, gap=5.0),
+                    c.stack_existing_views(plan, c.plan(plotted, plan), c.equations_view(plotted, (plan,), letter, "")),
+                    self.single_links_view(position, links, self.single_link_plan_views(plotted, single, letter, False))
+                    if single
+                    else None,
+                    *self.single_link_plan_views(plotted, single, letter, True),
                 ]
                 every_view += [replace(v, step=plan) for v in step if v]
-        every_view.append(self.lever(position, letter))
-        tables = c.tables(position, letter)
-        return [v for v in (*every_view, tables.given(), *tables.forces(), *c.notes(letter)) if v]
+        every_view.append(self.lever_view(position, letter))
+        tables = c.make_tables(position, letter)
+        return [v for v in (*every_view, tables.given_table(), *tables.force_tables(), *c.note_views(letter)) if v]
 
-    def loaded(self, position: Position) -> View:
+    def loaded_scheme_view(self, position: Position) -> View:
         """The scheme with all external loads."""
         c = self.composer
 
         def make() -> View:
             loading = Loading(position, c.naming, tuple(position.plans.mechanism.links))
-            loading.loads(carried=False)
-            drawn = Scheme(position, c.naming).drawn(True, loading.marks, loading.named)
-            return view(LOADED, c.titled(position, "loaded"), drawn, True)
+            loading.draw_loads(carried=False)
+            drawn = Scheme(position, c.naming).drawn_marks(True, loading.marks, loading.named)
+            return make_view(LOADED_VIEW_KEY, c.title_with_mu(position, "loaded"), drawn, True)
 
-        return c.once(("loaded", scheme_mu(position)), make)
+        return c.cached_view(("loaded", scheme_mu(position)), make)
 
-    def group(self, position: Position, plan: str, links: tuple[str, ...]) -> View | None:
+    def group_view(self, position: Position, plan: str, links: tuple[str, ...]) -> View | None:
         """A group as a free body with its forces, reactions and arms."""
         c = self.composer
 
         def make() -> View:
             loading = Loading(position, c.naming, links)
-            loading.loads(carried=True)
-            loading.reactions(plan)
+            loading.draw_loads(carried=True)
+            loading.draw_reactions(plan)
             driver = links == (position.plans.structure.driver,)
             if driver:
-                loading.balancing(*links)
-            loading.arms(position.plans.on(links))
-            drawn = Scheme(position, c.naming, links, False).drawn(False, loading.marks, loading.named)
-            drawn = with_unlettered(loading.named, drawn, c.lang)
+                loading.draw_balancing_load(*links)
+            loading.draw_arms(position.plans.moment_equations_on_links(links))
+            drawn = Scheme(position, c.naming, links, False).drawn_marks(False, loading.marks, loading.named)
+            drawn = with_unplaced_arm_names(loading.named, drawn, c.lang)
             alone = "loaded_driver" if driver else "loaded_link"
             key = "loaded_group" if len(links) > 1 else alone
-            title = c.titled(position, key, links="–".join(map(c.naming.link, links)))
-            return view("group", title, drawn, True)
+            title = c.title_with_mu(position, key, links="–".join(map(c.naming.link_number, links)))
+            return make_view("group", title, drawn, True)
 
-        return c.once(("loaded", links, scheme_mu(position)), make)
+        return c.cached_view(("loaded", links, scheme_mu(position)), make)
 
-    def apart(self, position: Position, links: tuple[str, ...], written: Sequence[View] = ()) -> View | None:
+    def single_links_view(
+        self, position: Position, links: tuple[str, ...], written: Sequence[View] = ()
+    ) -> View | None:
         """The links of a group one by one, each with its loads and all reactions on it, including the inner ones; with
         the text ``written`` beneath them."""
         if len(links) < 2:
@@ -85,36 +89,47 @@ class ForceSheet:
         c = self.composer
 
         def make() -> View:
-            title = c.titled(position, "links_apart", links=", ".join(map(c.naming.link, links)))
-            return view(APART, title, beside([self.alone(position, x) for x in links]).marks, True)
+            title = c.title_with_mu(position, "links_apart", links=", ".join(map(c.naming.link_number, links)))
+            return make_view(
+                SINGLE_LINKS_VIEW_KEY,
+                title,
+                put_views_in_row([self.single_link_view(position, x) for x in links]).marks,
+                True,
+            )
 
-        return c.stack(APART, c.once(("apart", links, scheme_mu(position)), make), *written)
+        return c.stack_existing_views(
+            SINGLE_LINKS_VIEW_KEY, c.cached_view(("apart", links, scheme_mu(position)), make), *written
+        )
 
-    def closed(self, plotted: Plotted, apart: Sequence[LinkApart], letter: float, polygons: bool) -> list[View]:
+    def single_link_plan_views(
+        self, plotted: Plotted, apart: Sequence[LinkApart], letter: float, polygons: bool
+    ) -> list[View]:
         """The plans of single links with their equations; or only the equations where just two forces act."""
-        c, drawn = self.composer, [x for x in apart if x.polygon is polygons and plotted.has(x.plan, POLE)]
+        c, drawn = self.composer, [x for x in apart if x.polygon is polygons and plotted.has_marks(x.plan, POLE_LABEL)]
         return [
-            c.stack(x.plan, c.plan(plotted, x.plan) if polygons else None, c.formulas(plotted, (x.plan,), letter, ""))
+            c.stack_existing_views(
+                x.plan, c.plan(plotted, x.plan) if polygons else None, c.equations_view(plotted, (x.plan,), letter, "")
+            )
             for x in drawn
         ]
 
-    def alone(self, position: Position, link: str) -> View:
+    def single_link_view(self, position: Position, link: str) -> View:
         """A link with its loads and all reactions on it."""
         loading = Loading(position, self.composer.naming, (link,))
-        loading.loads(carried=False)
-        loading.whole_reactions()
-        if position.plans.structure.drive_pair.joins(link):
-            loading.balancing(link)
+        loading.draw_loads(carried=False)
+        loading.draw_whole_reactions()
+        if position.plans.structure.drive_pair.has_link(link):
+            loading.draw_balancing_load(link)
         scheme = Scheme(position, self.composer.naming, (link,), False)
-        return view("part", "", scheme.drawn(False, loading.marks, loading.named))
+        return make_view("part", "", scheme.drawn_marks(False, loading.marks, loading.named))
 
-    def lever(self, position: Position, letter: float) -> View | None:
+    def lever_view(self, position: Position, letter: float) -> View | None:
         """Zhukovsky's lever with its moment equation."""
         c, drawer = self.composer, Lever(position, self.composer.naming)
-        if at("lever", POLE) not in position.drawing:
+        if full_mark_name("lever", POLE_LABEL) not in position.drawing:
             return None
         kind = "motion" if position.plans.at_rest else "velocity"
-        title = f"{say('lever', c.lang)}, {c.mu(of_position(position), kind)}"
-        key = ("lever", position.scales[mu_of(kind)])
-        drawn = c.once(key, lambda: view("lever", title, drawer.drawn(), True))
-        return c.stack("lever", drawn, c.moments(position, letter, ("lever",)))
+        title = f"{say('lever', c.lang)}, {c.title_mu(plot_position(position), kind)}"
+        key = ("lever", position.scales[mu_name(kind)])
+        drawn = c.cached_view(key, lambda: make_view("lever", title, drawer.drawn_marks(), True))
+        return c.stack_existing_views("lever", drawn, c.moments_view(position, letter, ("lever",)))

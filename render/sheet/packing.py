@@ -4,14 +4,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 
-from render.sheet.columns import OVER, Columns, Item
+from render.sheet.columns import OVERFULL_COLUMN_COST, Columns, Item
 from render.sheet.frame import Paper
-from render.sheet.module import GAP_MM, Module
+from render.sheet.module import VIEW_GAP_MM, Module
 from render.sheet.stacking import Stacking
-from render.views import View, plumbed
+from render.views import View, align_plumb_lines
 
 
-def blocks(views: Sequence[View]) -> list[list[View]]:
+def group_into_blocks(views: Sequence[View]) -> list[list[View]]:
     """Views put beneath each other in any case: those of one block."""
     stacks = list[list[View]]()
     for v in views:
@@ -19,30 +19,38 @@ def blocks(views: Sequence[View]) -> list[list[View]]:
             stacks[-1].append(v)
         else:
             stacks.append([v])
-    return [plumbed(block) for block in stacks]
+    return [align_plumb_lines(block) for block in stacks]
 
 
-def stacking_of(views: Sequence[View], paper: Paper) -> Stacking:
+def stacking_for_paper(views: Sequence[View], paper: Paper) -> Stacking:
     """How views may fill the module, with the results for earlier columns."""
-    wide, usual = max((v.width for b in blocks(views) for v in b), default=0.0), Module(paper.field, paper.taken)
-    return stacking_on(usual if usual.span(wide) <= usual.widest else replace(usual, wide=wide))
+    wide, usual = (
+        max((v.width for b in group_into_blocks(views) for v in b), default=0.0),
+        Module(paper.field, paper.occupied_areas),
+    )
+    return stacking_for_module(usual if usual.span_of_width(wide) <= usual.most_span else replace(usual, wide=wide))
 
 
 @lru_cache(maxsize=8)
-def stacking_on(module: Module) -> Stacking:
+def stacking_for_module(module: Module) -> Stacking:
     """The results for columns on a module; they are dropped when a new sheet is begun."""
     return Stacking(module)
 
 
-def columns_of(views: Sequence[View], stacking: Stacking) -> Columns:
+def make_columns(views: Sequence[View], stacking: Stacking) -> Columns:
     """The views in columns, in the order given."""
     items = []
-    for block in blocks(views):
-        high = sum(v.height + GAP_MM for v in block) - GAP_MM
+    for block in group_into_blocks(views):
+        high = sum(v.height + VIEW_GAP_MM for v in block) - VIEW_GAP_MM
         items.append(Item(max(v.width for v in block), high, block[0].step, not block[0].figure))
     return Columns(items, stacking)
 
 
-def packed(views: Sequence[View], paper: Paper) -> bool:
+def has_room_for_all(views: Sequence[View], paper: Paper) -> bool:
     """Whether there is room for all views on the paper."""
-    return columns_of(views, stacking_of(views, paper)).arranged(enough=OVER)[1].cost < OVER
+    return (
+        make_columns(views, stacking_for_paper(views, paper))
+        .best_arrangement(enough=OVERFULL_COLUMN_COST)[1]
+        .total_cost
+        < OVERFULL_COLUMN_COST
+    )

@@ -5,10 +5,13 @@ from collections.abc import Callable, Mapping
 
 from planes.words.frozen import frozen
 
-STEPS = (1.12, 1.25, 1.42, 1.6, 1.8, 2.0, 2.24, 2.5)  # μ of the standard series are no farther apart
-LARGEST = 0.55  # of the shorter side of the field: the largest size of an enlarged plan
-SAME = 1.01  # plans whose sizes differ by less share one μ
-LOADED, APART = "loaded", "apart"  # views: the scheme with loads; single links, which together are no figure
+MU_STEP_RATIOS = (1.12, 1.25, 1.42, 1.6, 1.8, 2.0, 2.24, 2.5)  # μ of the standard series are no farther apart
+MOST_PLAN_SIZE_RATIO = 0.55  # of the shorter side of the field: the largest size of an enlarged plan
+SAME_MU_RATIO = 1.01  # plans whose sizes differ by less share one μ
+LOADED_VIEW_KEY, SINGLE_LINKS_VIEW_KEY = (
+    "loaded",
+    "apart",
+)  # views: the scheme with loads; single links, which together are no figure
 
 
 @frozen
@@ -18,11 +21,11 @@ class Sizes:
     factor: float = 1.0
     more: tuple[tuple[str, float], ...] = ()
 
-    def of(self, plan: str) -> float:
+    def factor_of_plan(self, plan: str) -> float:
         """The factor of one plan."""
         return self.factor * dict(self.more).get(plan, 1.0)
 
-    def larger(self, plan: str, times: float) -> "Sizes":
+    def with_larger_plan(self, plan: str, times: float) -> "Sizes":
         """The same with one plan enlarged by a factor."""
         more = dict(self.more)
         more[plan] = more.get(plan, 1.0) * times
@@ -33,13 +36,13 @@ Extents = Callable[[Sizes], Mapping[str, float]]
 """The size in mm of every plan of the sheet with an open μ."""
 
 
-def grown(start: Sizes, extents: Extents, most: float, fits: Callable[[Sizes], bool]) -> Sizes:
+def grow_plan_sizes(start: Sizes, extents: Extents, most: float, fits: Callable[[Sizes], bool]) -> Sizes:
     """Sizes with every plan as large as the sheet allows: the smallest first, one step of μ at a time."""
     sizes, now = start, dict(extents(start))
     growing = set(now)
     while growing:
         plan = min(sorted(growing), key=now.__getitem__)
-        larger = _next(sizes, plan, extents, now[plan])
+        larger = _next_larger_sizes(sizes, plan, extents, now[plan])
         if larger and extents(larger)[plan] <= most and fits(larger):
             sizes, now = larger, dict(extents(larger))
         else:
@@ -47,7 +50,7 @@ def grown(start: Sizes, extents: Extents, most: float, fits: Callable[[Sizes], b
     return sizes
 
 
-def _next(sizes: Sizes, plan: str, extents: Extents, now: float) -> Sizes | None:
+def _next_larger_sizes(sizes: Sizes, plan: str, extents: Extents, now: float) -> Sizes | None:
     """The sizes at which a plan has the next larger μ; None for an empty plan, or without a larger one nearby."""
-    tried = (sizes.larger(plan, times) for times in STEPS)
-    return next((s for s in tried if now > 0 and extents(s)[plan] > SAME * now), None)
+    tried = (sizes.with_larger_plan(plan, times) for times in MU_STEP_RATIOS)
+    return next((s for s in tried if now > 0 and extents(s)[plan] > SAME_MU_RATIO * now), None)

@@ -4,18 +4,20 @@ from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 from planes.words.frozen import frozen, replace
-from render.labels.footprints import Bounds, bounds, overprinted
-from render.paper.marks import Mark, Text, moved
-from render.paper.style import tall
+from render.labels.footprints import Bounds, box_around_marks, overprinted_labels
+from render.paper.marks import Mark, Text, move_mark
+from render.paper.style import figure_letter_height
 from render.paper.symbols import Marks
-from render.paper.typeset import extent, ink_width, plain, wrapped
+from render.paper.typeset import ink_bounds, ink_width, plain_text, wrap_text
 
-TITLE_MM = 5.0  # letter height of titles
-REMARK_MM = 2.5
-REMARK_WIDE = 24.0  # letters: a line of remarks beneath what is narrower
-EVENLY = 1.15  # how much longer than the others a line of remarks may be to avoid a single word on the last line
-TITLE_GAP = 4.0  # from a title to its view
-SET_IN_MM = 35.0  # largest indentation of a view relative to its title
+TITLE_LETTER_MM = 5.0  # letter height of titles
+REMARK_LETTER_MM = 2.5
+LEAST_REMARK_LETTERS = 24.0  # letters: a line of remarks beneath what is narrower
+MOST_LINE_LENGTH_RATIO = (
+    1.15  # how much longer than the others a line of remarks may be to avoid a single word on the last line
+)
+TITLE_GAP_MM = 4.0  # from a title to its view
+MOST_INDENTATION_MM = 35.0  # largest indentation of a view relative to its title
 
 
 @frozen
@@ -32,34 +34,34 @@ class View:
     figure: bool = False  # a scheme or a plan: read one after another
     unseen: tuple[str, ...] = ()
     step: str = ""
-    heading: float = TITLE_MM
+    heading: float = TITLE_LETTER_MM
     extra: bool = False  # shown only if the format that holds all others has room for it too
     block: str = ""
     plumb: float | None = None  # x of the body
 
     @cached_property
-    def titled(self) -> tuple[Marks, Bounds]:
+    def titled_marks_and_box(self) -> tuple[Marks, Bounds]:
         """The marks with the title, which begins at their left edge, and the box of all."""
         if not self.title:
             return self.body, self.inked
-        (left, low, right, top), (x0, y0, x1, y1) = self.inked, extent(self.title, self.heading)
-        text = Text(self.title, complex(left - x0, top + TITLE_GAP - y0), self.heading, name=f"title {self.key}")
+        (left, low, right, top), (x0, y0, x1, y1) = self.inked, ink_bounds(self.title, self.heading)
+        text = Text(self.title, complex(left - x0, top + TITLE_GAP_MM - y0), self.heading, name=f"title {self.key}")
         return (*self.body, text), (left, low, max(right, left - x0 + x1), text.place.imag + y1)
 
     @property
     def marks(self) -> Marks:
         """All marks, with the title."""
-        return self.titled[0]
+        return self.titled_marks_and_box[0]
 
     @property
     def box(self) -> Bounds:
         """Its bounding box, with the title."""
-        return self.titled[1]
+        return self.titled_marks_and_box[1]
 
     @cached_property
-    def crowded(self) -> tuple[str, ...]:
+    def unreadable_labels(self) -> tuple[str, ...]:
         """The labels that found no place."""
-        return tuple(dict.fromkeys(map(plain, overprinted(self.marks))))
+        return tuple(dict.fromkeys(map(plain_text, overprinted_labels(self.marks))))
 
     @property
     def width(self) -> float:
@@ -71,41 +73,41 @@ class View:
         """Height of the box in mm."""
         return self.box[3] - self.box[1]
 
-    def placed(self, left: float, top: float) -> Marks:
+    def marks_placed_at(self, left: float, top: float) -> Marks:
         """The marks with the upper left corner of the box at a place of the sheet."""
         by = complex(left - self.box[0], top - self.box[3])
-        return tuple(moved(mark, by) for mark in self.marks)
+        return tuple(move_mark(mark, by) for mark in self.marks)
 
 
-def view(key: str, title: str, marks: Iterable[Mark], figure: bool = False, unseen: Iterable[str] = ()) -> View:
+def make_view(key: str, title: str, marks: Iterable[Mark], figure: bool = False, unseen: Iterable[str] = ()) -> View:
     """A view of marks, with their bounding box."""
     held = tuple(marks)
-    return View(key, title, held, bounds(held), figure, tuple(unseen))
+    return View(key, title, held, box_around_marks(held), figure, tuple(unseen))
 
 
-def remark(text: str, marks: Iterable[Mark]) -> list[Text]:
+def remark_texts(text: str, marks: Iterable[Mark]) -> list[Text]:
     """A remark about the marks, in small letters beneath them, from their left edge, no wider than they are."""
-    (x0, y0, x1, _), high = bounds(tuple(marks)), tall(REMARK_MM)
-    wide = max(x1 - x0, REMARK_WIDE * high)
-    lines = wrapped(text, wide, high)
+    (x0, y0, x1, _), high = box_around_marks(tuple(marks)), figure_letter_height(REMARK_LETTER_MM)
+    wide = max(x1 - x0, LEAST_REMARK_LETTERS * high)
+    lines = wrap_text(text, wide, high)
     if " " not in lines[-1]:
-        lines = wrapped(text, min(wide, EVENLY * ink_width(text, high) / len(lines)), high)
+        lines = wrap_text(text, min(wide, MOST_LINE_LENGTH_RATIO * ink_width(text, high) / len(lines)), high)
     return [Text(t, complex(x0, y0 - 2.5 - high - 1.7 * high * k), high, name="remark") for k, t in enumerate(lines)]
 
 
-def paragraph(key: str, title: str, text: str, width: float, letter: float) -> View:
+def paragraph_view(key: str, title: str, text: str, width: float, letter: float) -> View:
     """Sentences in lines within a given width in mm."""
-    lines = wrapped(text, width, letter)
-    return view(key, title, [Text(line, -1.7j * letter * k, letter) for k, line in enumerate(lines)])
+    lines = wrap_text(text, width, letter)
+    return make_view(key, title, [Text(line, -1.7j * letter * k, letter) for k, line in enumerate(lines)])
 
 
-def stacked(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = False) -> View:
+def stack_views(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = False) -> View:
     """Views one beneath another, flush left or centred, as one view with the title of the first."""
     marks = list[Mark]()
     y, boxes = 0.0, list[Bounds]()
     for one in (replace(views[0], title=""), *views[1:]):
         by = complex(-(one.box[0] + one.box[2]) / 2 if centred else -one.box[0], y - one.box[3])
-        marks += (moved(mark, by) for mark in one.marks)
+        marks += (move_mark(mark, by) for mark in one.marks)
         left, low, right, top = one.box
         boxes.append((left + by.real, low + by.imag, right + by.real, top + by.imag))
         y = boxes[-1][1] - gap
@@ -114,21 +116,21 @@ def stacked(key: str, views: Sequence[View], gap: float = 6.0, centred: bool = F
     return replace(views[0], key=key, body=tuple(marks), inked=box, unseen=unseen)
 
 
-def plumbed(views: Sequence[View]) -> list[View]:
+def align_plumb_lines(views: Sequence[View]) -> list[View]:
     """The views indented from a common left edge so that their plumb lines coincide; unchanged if one would be too far
     from its title."""
     lines = [None if v.plumb is None else v.plumb - v.inked[0] for v in views]
     far = max((x for x in lines if x is not None), default=0.0)
     sets = [0.0 if x is None else far - x for x in lines]
-    if max(sets, default=0.0) > SET_IN_MM:
+    if max(sets, default=0.0) > MOST_INDENTATION_MM:
         return list(views)
     return [replace(v, inked=(v.inked[0] - by, *v.inked[1:])) if by else v for v, by in zip(views, sets, strict=True)]
 
 
-def beside(views: Sequence[View], gap: float = 8.0, top: float | None = None, left: float = 0.0) -> View:
+def put_views_in_row(views: Sequence[View], gap: float = 8.0, top: float | None = None, left: float = 0.0) -> View:
     """Views side by side as one view, their lower edges in line, or their upper ones at ``top``."""
     marks = list[Mark]()
     for one in views:
-        marks += one.placed(left, one.height if top is None else top)
+        marks += one.marks_placed_at(left, one.height if top is None else top)
         left += one.width + gap
     return View("row", "", tuple(marks), (0.0, 0.0, left - gap, max(one.height for one in views)))

@@ -2,17 +2,17 @@
 
 from dataclasses import dataclass
 
-from planes.plans.structures.figure import strains
-from planes.words.names import CREMONA
+from planes.plans.structures.figure import member_strains
+from planes.words.names import CREMONA_PLAN
 from planes.words.naming import Naming
 from render.labels import Label
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import Marks, dot
-from render.views.plotted import NEAR_MM, Plotted, gathered
-from render.views.polygon import FORCE_MM, MARK_MM
-from render.views.senses import labelled
+from render.views.plotted import SAME_PLACE_MM, Plotted, group_names_by_place
+from render.views.polygon import FORCE_LETTER_MM, MARK_LETTER_MM
+from render.views.senses import marks_with_labels
 
-STYLES = {"tension": "vector", "compression": "vector", "idle": "thin"}
+MEMBER_LINE_STYLES = {"tension": "vector", "compression": "vector", "idle": "thin"}
 
 
 @dataclass
@@ -22,22 +22,22 @@ class Cremona:
     plotted: Plotted
     naming: Naming
 
-    def drawn(self) -> Marks:
+    def drawn_marks(self) -> Marks:
         """All marks with their letters."""
         marks, named, regions = list[Mark](), list[Label](), dict[str, complex]()
-        senses = strains(self.plotted.figure, self.plotted.drawing)
-        for s in self.plotted.drawn_segments(CREMONA):
-            start, end = ends = self.plotted.ends(CREMONA, s)
+        senses = member_strains(self.plotted.figure, self.plotted.drawing)
+        for s in self.plotted.drawn_segments(CREMONA_PLAN):
+            start, end = ends = self.plotted.vector_ends(CREMONA_PLAN, s)
             regions |= {s.start: start, s.end: end}
-            if abs(end - start) <= NEAR_MM:
+            if abs(end - start) <= SAME_PLACE_MM:
                 continue
             if sense := senses.get(s.name):
-                marks.append(Line(ends, STYLES[sense], "result", name=f"{sense} {s.name}"))
+                marks.append(Line(ends, MEMBER_LINE_STYLES[sense], "result", name=f"{sense} {s.name}"))
             else:
                 marks.append(Arrow(*ends, "result", "force", s.name))
-                named.append(Label(self.naming.vector(s.name), ends, FORCE_MM, name=s.name))
-        for z, letters in gathered(regions.items()):
+                named.append(Label(self.naming.lettered_vector(s.name), ends, FORCE_LETTER_MM, name=s.name))
+        for z, letters in group_names_by_place(regions.items()):
             marks += dot(z, 0.5, "plan")
             text = ", ".join(letters)
-            named.append(Label(text, z, MARK_MM, clear=0.7, priority=1, name=text))
-        return labelled(named, marks)
+            named.append(Label(text, z, MARK_LETTER_MM, clear=0.7, priority=1, name=text))
+        return marks_with_labels(named, marks)

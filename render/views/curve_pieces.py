@@ -5,21 +5,23 @@ from collections.abc import Sequence
 
 from planes.words.units import standard_mu
 
-STEEP = 5.0  # ordinates are clipped at so many times their median at the ends of a range, which are dead points
-WILD = 30.0  # and at so many elsewhere
+MOST_END_ORDINATE_RATIO = (
+    5.0  # ordinates are clipped at so many times their median at the ends of a range, which are dead points
+)
+MOST_ORDINATE_RATIO = 30.0  # and at so many elsewhere
 
 
-def round_step(mu: float, apart_mm: float) -> float:
+def round_value_step(mu: float, apart_mm: float) -> float:
     """The smallest round step of values with that least distance on a scale."""
     return 1.0 / standard_mu(apart_mm, mu)
 
 
-def round_between(low: float, high: float, step: float) -> list[float]:
+def round_values_between(low: float, high: float, step: float) -> list[float]:
     """The round values between two."""
     return [step * k for k in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
 
 
-def runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple[list[complex], bool]]:
+def continuous_runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple[list[complex], bool]]:
     """Runs of a path, with jumps across its single gaps, if they are short."""
     pieces = []
     run = list[complex]()
@@ -37,11 +39,11 @@ def runs(path: Sequence[complex | None], across: float = math.inf) -> list[tuple
     return [(piece, jump) for piece, jump in [*pieces, (run, False)] if len(piece) > 1]
 
 
-def cut_off(values: Sequence[float | None]) -> tuple[float | None, ...]:
+def drop_steep_ordinates(values: Sequence[float | None]) -> tuple[float | None, ...]:
     """A curve without ordinates far beyond the rest, which grow without bound beside dead points."""
     sizes = sorted(abs(v) for v in values if v is not None)
     usual = sizes[len(sizes) // 2] if sizes else 0.0
-    calm = [k for k, v in enumerate(values) if v is not None and abs(v) <= STEEP * usual]
+    calm = [k for k, v in enumerate(values) if v is not None and abs(v) <= MOST_END_ORDINATE_RATIO * usual]
     low, high = (calm[0], calm[-1]) if calm else (0, 0)
-    near = [v is not None and abs(v) <= WILD * usual for v in values]
+    near = [v is not None and abs(v) <= MOST_ORDINATE_RATIO * usual for v in values]
     return tuple(v if near[k] and low <= k <= high else None for k, v in enumerate(values))

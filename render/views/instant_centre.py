@@ -7,38 +7,38 @@ from planes.words.naming import Naming
 from render.labels import Label
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import dot
-from render.views import View, view
+from render.views import View, make_view
 from render.views.plotted import Places
 from render.views.scheme import Scheme
 
-LONGEST_MM = 20.0  # length of the velocity arrows
-FAR_MM = 130.0  # a centre farther from its link is not shown
-PARALLEL = 0.05  # sine of the angle between lines that meet too far off
+LONGEST_VELOCITY_MM = 20.0  # length of the velocity arrows
+MOST_CENTRE_DISTANCE_MM = 130.0  # a centre farther from its link is not shown
+LEAST_CROSSING_SINE = 0.05  # sine of the angle between lines that meet too far off
 
 
-def instant_centre(position: Position, link: str, naming: Naming) -> View | None:
+def instant_centre_scheme(position: Position, link: str, naming: Naming) -> View | None:
     """The scheme with the instantaneous centre P of a link and the velocities of its points; None if it is too far
     off."""
     places, v = Places(position), position.v
     own = position.plans.mechanism.links[link].points
-    points = {p: places.at(p) for p in own if places.has(p) and p in v}
-    centre = _centre([(z, v[p]) for p, z in points.items()])
-    if centre is None or min(abs(centre - z) for z in points.values()) > FAR_MM:
+    points = {p: places.point_place(p) for p in own if places.is_drawn(p) and p in v}
+    centre = _intersection_of_normals([(z, v[p]) for p, z in points.items()])
+    if centre is None or min(abs(centre - z) for z in points.values()) > MOST_CENTRE_DISTANCE_MM:
         return None
     fastest = max(abs(v[p]) for p in points)
     marks: list[Mark] = [Line((z, centre), "thin", "construction") for z in points.values()]
-    named = [Label(f"P_{{{naming.link(link)}}}", centre, clear=1.0, name="P")]
+    named = [Label(f"P_{{{naming.link_number(link)}}}", centre, clear=1.0, name="P")]
     for p, z in points.items():
-        tip, name = z + LONGEST_MM * v[p] / fastest, f"v_{p}"
+        tip, name = z + LONGEST_VELOCITY_MM * v[p] / fastest, f"v_{p}"
         marks.append(Arrow(z, tip, name=name))
-        named.append(Label(naming.vector(name), (z, tip), 3.5, name=name))
+        named.append(Label(naming.lettered_vector(name), (z, tip), 3.5, name=name))
     marks += dot(centre)
-    return view("centre", "", Scheme(position, naming).drawn(True, marks, named))
+    return make_view("centre", "", Scheme(position, naming).drawn_marks(True, marks, named))
 
 
-def _centre(moving: list[tuple[complex, complex]]) -> complex | None:
+def _intersection_of_normals(moving: list[tuple[complex, complex]]) -> complex | None:
     """The intersection of lines through places perpendicular to their velocities; of the two least parallel ones."""
-    best, centre = PARALLEL, None
+    best, centre = LEAST_CROSSING_SINE, None
     for (a, v), (b, w) in combinations(moving, 2):
         if not v or not w:
             continue

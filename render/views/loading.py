@@ -5,31 +5,31 @@ from dataclasses import dataclass, field
 from itertools import product
 
 from planes.drafting.equations import Moments
-from planes.plans.force.loads import force_name
+from planes.plans.force.loads import name_of_force
 from planes.solving import Position
 from planes.words import say
-from planes.words.names import at
+from planes.words.names import full_mark_name
 from planes.words.naming import Naming
-from planes.words.units import number
+from planes.words.units import number_text
 from render.labels import Label
 from render.paper.marks import Arc, Arrow, Line, Mark
-from render.paper.style import BLOCK_MM
-from render.paper.symbols import unit
-from render.views.arms import BREAK_MM, Arms, broken, drops_of
-from render.views.plotted import Ends, Places, scheme_mu, set_apart
-from render.views.senses import freest
+from render.paper.style import SLIDER_BLOCK_SIZE_MM
+from render.paper.symbols import unit_vector
+from render.views.arms import HALF_BREAK_GAP_MM, Arms, arm_steps_by_result, line_with_break
+from render.views.plotted import Ends, Places, scheme_mu, shift_clear_of_others
+from render.views.senses import freest_turn_arrow
 
-FORCE_MM = 15.0  # shortest arrow of a force; forces are not to scale
-STEP_MM = 6.0  # extra length of the next force with the same point and direction
-ASIDE_MM, NEAR_MM = 1.5, 1.2  # lateral shift, and the least distance from another force or a rod
-TOUCH_MM = 0.4  # least distance where they are slightly inclined
-BEFORE_MM = 1.6  # from the tip of a reaction to its point of application: the radius of a hinge
-COUPLE_MM = 6.5  # radius of a couple's curved arrow
-BESIDE_MM = 5.0  # half the length of the tangent to a friction circle
-NAME_MM = 3.5
-NOTHING = 1e-9  # of the largest force: below this it is zero
-FAR_MM = 60.0  # an arm longer than this, and than its links, is drawn with a break
-FAR_M = 10.0  # a longer arm means a couple
+LEAST_FORCE_ARROW_MM = 15.0  # shortest arrow of a force; forces are not to scale
+FORCE_LENGTH_STEP_MM = 6.0  # extra length of the next force with the same point and direction
+FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM = 1.5, 1.2  # lateral shift, and the least distance from another force or a rod
+LEAST_INCLINED_DISTANCE_MM = 0.4  # least distance where they are slightly inclined
+REACTION_TIP_GAP_MM = 1.6  # from the tip of a reaction to its point of application: the radius of a hinge
+COUPLE_RADIUS_MM = 6.5  # radius of a couple's curved arrow
+HALF_TANGENT_LENGTH_MM = 5.0  # half the length of the tangent to a friction circle
+NAME_LETTER_MM = 3.5
+ZERO_FORCE_RATIO = 1e-9  # of the largest force: below this it is zero
+MOST_UNBROKEN_ARM_MM = 60.0  # an arm longer than this, and than its links, is drawn with a break
+MOST_ARM_M = 10.0  # a longer arm means a couple
 
 
 @dataclass
@@ -40,13 +40,18 @@ class Arrows:
     upon: list[Ends] = field(default_factory=list)
     taken: list[tuple[complex, complex]] = field(default_factory=list)
 
-    def placed(self, point: complex, way: complex, from_outside: bool = False) -> Ends:
+    def place_force_arrow(self, point: complex, way: complex, from_outside: bool = False) -> Ends:
         """Start and end of a force: longer if others of its point are on the same side, and shifted beside them."""
         side = -way if from_outside else way
         like = sum(abs(p - point) < 0.5 and (s * side.conjugate()).real > 0.9 for p, s in self.taken)
         self.taken.append((point, side))
-        near, far = point + BEFORE_MM * side * from_outside, point + (FORCE_MM + STEP_MM * like) * side
-        near, far = set_apart((near, far), self.upon, ASIDE_MM, NEAR_MM, TOUCH_MM)
+        near, far = (
+            point + REACTION_TIP_GAP_MM * side * from_outside,
+            point + (LEAST_FORCE_ARROW_MM + FORCE_LENGTH_STEP_MM * like) * side,
+        )
+        near, far = shift_clear_of_others(
+            (near, far), self.upon, FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM, LEAST_INCLINED_DISTANCE_MM
+        )
         self.upon.append((near, far))
         return (far, near) if from_outside else (near, far)
 
@@ -64,40 +69,45 @@ class Loading:
 
     def __post_init__(self) -> None:
         self.places, self.drawing, self.plans = Places(self.position), self.position.drawing, self.position.plans
-        self.arrows = Arrows([rod for link in self.links for rod in self.places.rods(link)])
+        self.arrows = Arrows([rod for link in self.links for rod in self.places.link_bars(link)])
 
-    def loads(self, carried: bool, from_outside: bool = False) -> None:
+    def draw_loads(self, carried: bool, from_outside: bool = False) -> None:
         """Weights, inertia, loads; and, where ``carried``, the reactions from groups solved before."""
-        acting, inner = self.plans.acting, self.inner() if carried else set[str]()
+        acting, inner = self.plans.acting, self.inner_reaction_names() if carried else set[str]()
         for link in self.links:
             for f in acting.forces[link]:
                 acts = f.size in self.drawing and (f.spot or (carried and f.name not in inner))
-                if acts and self.big(float(self.drawing[f.size])):
-                    way = complex(self.drawing[f.along]) * _sign(self.drawing[f.size])
-                    self.force(f.name, complex(self.drawing[f.point]), way, from_outside)
+                if acts and self.is_above_noise(float(self.drawing[f.size])):
+                    way = complex(self.drawing[f.along]) * _sign_of(self.drawing[f.size])
+                    self.draw_force(f.name, complex(self.drawing[f.point]), way, from_outside)
             couples = (c for c in acting.couples[link] if not c.handed or (carried and c.value not in inner))
             for k, couple in enumerate(couples):
                 value = float(self.drawing[couple.value]) * couple.sign if couple.value in self.drawing else 0.0
                 if abs(value) > 1e-9:
-                    self.couple(couple.name, link, value, k, about=self.hinge(couple.value))
+                    self.draw_couple(couple.name, link, value, k, about=self.friction_hinge_place(couple.value))
 
-    def reactions(self, plan: str) -> None:
+    def draw_reactions(self, plan: str) -> None:
         """The reactions of a plan's outer pairs, in the components found on the plan, at their points."""
         outer, rubbing = self.outer(), dict[str, None]()
         for equation in self.plans.equations:
-            for term in equation.terms if equation.plan == plan else ():
-                marks = [at(plan, end) for end in (term.start, term.end)]
+            for term in equation.all_terms if equation.plan == plan else ():
+                marks = [full_mark_name(plan, end) for end in (term.start, term.end)]
                 if term.name in outer and all(mark in self.drawing for mark in marks):
                     way = term.sign * (complex(self.drawing[marks[1]]) - complex(self.drawing[marks[0]]))
                     key = outer.pop(term.name)
                     if abs(way) >= 1e-6:
-                        self.force(term.name, self.seat(key, aside=False), way / abs(way), from_outside=True)
+                        self.draw_force(
+                            term.name,
+                            self.reaction_application_point(key, aside=False),
+                            way / abs(way),
+                            from_outside=True,
+                        )
                         rubbing.setdefault(key)
         for key in rubbing:
-            self.friction_circle(key)
+            self.draw_friction_circle(key)
             self.rub(key)
 
-    def whole_reactions(self) -> None:
+    def draw_whole_reactions(self) -> None:
         """Every whole reaction on these links from outside, on its line of action."""
         results = self.position.of("reactions")
         for key, reaction in self.plans.reactions.items():
@@ -107,82 +117,86 @@ class Loading:
                 continue
             turned = inside[0] != pair.link
             force = result.vector * (-1 if turned else 1)
-            name = force_name(pair.other, pair.link) if turned else key
-            if self.big(abs(force)):
-                self.friction_circle(key)
-                self.force(name, self.seat(key), force / abs(force), from_outside=True)
-            elif self.arm(key) is None and abs(result.moment) > NOTHING:
-                self.couple(f"MR_{name}", inside[0], result.moment * (-1 if turned else 1), 0)
+            name = name_of_force(pair.other, pair.link) if turned else key
+            if self.is_above_noise(abs(force)):
+                self.draw_friction_circle(key)
+                self.draw_force(name, self.reaction_application_point(key), force / abs(force), from_outside=True)
+            elif self.reaction_arm(key) is None and abs(result.moment) > ZERO_FORCE_RATIO:
+                self.draw_couple(f"MR_{name}", inside[0], result.moment * (-1 if turned else 1), 0)
 
-    def arm(self, key: str) -> float | None:
+    def reaction_arm(self, key: str) -> float | None:
         """The arm of a slider's reaction, m; None where it is negligible."""
         name = self.plans.reactions[key].arm
         arm = float(self.drawing[name]) if name in self.drawing else math.nan
-        return arm if math.isfinite(arm) and abs(arm) < FAR_M else None
+        return arm if math.isfinite(arm) and abs(arm) < MOST_ARM_M else None
 
-    def hinge(self, couple: str) -> complex | None:
+    def friction_hinge_place(self, couple: str) -> complex | None:
         """The place of the hinge with that friction couple; None for any other couple."""
         own = (r.pair.point for r in self.plans.reactions.values() if r.moment == couple and r.pair.point)
-        return next(map(self.places.at, own), None)
+        return next(map(self.places.point_place, own), None)
 
     def rub(self, key: str) -> None:
         """The friction couple on one of these links, in its hinge."""
         r = self.plans.reactions[key]
         pair = r.pair
         value = float(self.drawing[r.friction]) if pair.point and r.friction in self.drawing else 0.0
-        if abs(value) > NOTHING:
+        if abs(value) > ZERO_FORCE_RATIO:
             on = pair.link if pair.link in self.links else pair.other
-            self.couple(r.moment, on, value if on == pair.link else -value, 0, about=self.places.at(pair.point))
+            self.draw_couple(
+                r.moment, on, value if on == pair.link else -value, 0, about=self.places.point_place(pair.point)
+            )
 
-    def friction_circle(self, key: str) -> None:
+    def draw_friction_circle(self, key: str) -> None:
         """The friction circle in a hinge, and the line of the reaction tangent to it."""
         pair = self.plans.reactions[key].pair
-        place = self.seat(key) if pair.kind == "R" else 0j
-        if place and (shift := place - (centre := self.places.at(pair.point))):
-            along = 1j * shift / abs(shift) * BESIDE_MM
+        place = self.reaction_application_point(key) if pair.kind == "R" else 0j
+        if place and (shift := place - (centre := self.places.point_place(pair.point))):
+            along = 1j * shift / abs(shift) * HALF_TANGENT_LENGTH_MM
             self.marks.append(Arc(centre, abs(shift), style="thin", layer="construction"))
             self.marks.append(Line((place - along, place + along), "thin", "construction"))
 
-    def seat(self, key: str, aside: bool = True) -> complex:
+    def reaction_application_point(self, key: str, aside: bool = True) -> complex:
         """The point of application of a reaction: in its hinge, or ``aside`` on its friction circle; its arm from the
         foot on the guide, which is drawn up to there."""
         r = self.plans.reactions[key]
-        pair, metres, mu = r.pair, self.arm(key) or 0.0, scheme_mu(self.position)
+        pair, metres, mu = r.pair, self.reaction_arm(key) or 0.0, scheme_mu(self.position)
         if pair.kind == "R":
             way = complex(self.drawing[r.end]) - complex(self.drawing[r.start])
             shift = -1j * way / abs(way) * metres * mu if way and aside else 0j
-            return self.places.at(pair.point) + shift
-        foot, along = self.places.foot(self.places.mechanism.links[pair.link])
+            return self.places.point_place(pair.point) + shift
+        foot, along = self.places.foot_on_guide(self.places.mechanism.links[pair.link])
         arm = metres * mu
-        shown = math.copysign(min(abs(arm), max(FAR_MM, self.places.size(self.links))), arm)
+        shown = math.copysign(min(abs(arm), max(MOST_UNBROKEN_ARM_MM, self.places.larger_box_side(self.links))), arm)
         if shown != arm:
             ends = foot, foot + shown * along
-            text = f"{number(abs(metres), self.naming.lang)} {say('m', self.naming.lang)}"
-            self.named.append(Label(text, (sum(ends) / 2, ends[1]), NAME_MM, clear=BREAK_MM, name="arm"))
-            self.marks += broken(*ends)
-        elif abs(arm) > BLOCK_MM[0] / 2:
+            text = f"{number_text(abs(metres), self.naming.lang)} {say('m', self.naming.lang)}"
+            self.named.append(
+                Label(text, (sum(ends) / 2, ends[1]), NAME_LETTER_MM, clear=HALF_BREAK_GAP_MM, name="arm")
+            )
+            self.marks += line_with_break(*ends)
+        elif abs(arm) > SLIDER_BLOCK_SIZE_MM[0] / 2:
             self.marks.append(Line((foot, foot + arm * along), "axis", "axis"))
         return foot + shown * along
 
-    def balancing(self, link: str) -> None:
+    def draw_balancing_load(self, link: str) -> None:
         """The balancing couple (or force) on the driver, or the opposite force on the link that drives it."""
         plans, driver = self.plans, self.plans.structure.driver
         if plans.balancing not in self.drawing:
             return
         load = float(self.drawing[plans.balancing]) * (1 if link == driver else -1)
         if plans.drive.kind == "s":
-            foot, along = self.places.foot(plans.mechanism.links[driver])
-            self.force(plans.balancing, foot, along * _sign(load))
+            foot, along = self.places.foot_on_guide(plans.mechanism.links[driver])
+            self.draw_force(plans.balancing, foot, along * _sign_of(load))
         else:
             taken = sum(not c.handed for c in plans.acting.couples[link])
-            self.couple(plans.balancing, link, load, taken)
+            self.draw_couple(plans.balancing, link, load, taken)
 
-    def inner(self) -> set[str]:
+    def inner_reaction_names(self) -> set[str]:
         """Names of the reactions between these links, and of their couples."""
         names = set[str]()
         for key, r in self.plans.reactions.items():
             if {r.pair.link, r.pair.other} <= set(self.links):
-                names |= {key, force_name(r.pair.other, r.pair.link), r.moment}
+                names |= {key, name_of_force(r.pair.other, r.pair.link), r.moment}
         return names
 
     def outer(self) -> dict[str, str]:
@@ -192,49 +206,53 @@ class Loading:
         reactions: dict[str, str] = {}
         for key, reaction in self.plans.reactions.items():
             link, other = reaction.pair.link, reaction.pair.other
-            for name, on, by in ((key, link, other), (force_name(other, link), other, link)):
+            for name, on, by in ((key, link, other), (name_of_force(other, link), other, link)):
                 if on in self.links and by not in self.links and name not in known:
                     reactions |= {name + part: key for part in ("", "^t", "^n")}
         return reactions
 
-    def big(self, size: float) -> bool:
+    def is_above_noise(self, size: float) -> bool:
         """Whether a force is more than rounding noise."""
         names = {f.size for f in self.plans.acting.every}
         sizes = (abs(float(self.drawing[name])) for name in names if name in self.drawing)
-        return abs(size) > NOTHING * max(sizes, default=0.0)
+        return abs(size) > ZERO_FORCE_RATIO * max(sizes, default=0.0)
 
-    def force(self, name: str, point: complex, way: complex, from_outside: bool = False) -> None:
+    def draw_force(self, name: str, point: complex, way: complex, from_outside: bool = False) -> None:
         """An arrow from its point (a load), or with its head there (a reaction), clear of the rods and forces there."""
-        start, end = self.arrows.placed(point, way, from_outside)
+        start, end = self.arrows.place_force_arrow(point, way, from_outside)
         self.marks.append(Arrow(start, end, "vector", "force", name))
         far = start if from_outside else end
         ends = far, (start + end) / 2
-        self.named.append(Label(self.naming.vector(name), ends, NAME_MM, name=name, also=(far,)))
+        self.named.append(Label(self.naming.lettered_vector(name), ends, NAME_LETTER_MM, name=name, also=(far,)))
 
-    def couple(self, name: str, link: str, value: float, number: int, about: complex | None = None) -> None:
+    def draw_couple(self, name: str, link: str, value: float, number: int, about: complex | None = None) -> None:
         """A curved arrow about a place, or the mass centre of its link, where it crosses least."""
         body = self.places.mechanism.links[link]
-        centre = self.places.at(body.mass_centre) if about is None else about
+        centre = self.places.point_place(body.mass_centre) if about is None else about
         sense = math.copysign(1.0, value)
-        radii = (COUPLE_MM + 3 * number + grow for grow in (0.0, -2.0, 3.0, 6.0))
+        radii = (COUPLE_RADIUS_MM + 3 * number + grow for grow in (0.0, -2.0, 3.0, 6.0))
         begins = [start if sense > 0 else 180.0 - start for start in (100.0, 190.0, 10.0, -80.0)]
-        arrow, middle = freest(centre, product(radii, begins), sense * 150, self.marks, 0.8, "vector", "force")
+        arrow, middle = freest_turn_arrow(
+            centre, product(radii, begins), sense * 150, self.marks, 0.8, "vector", "force"
+        )
         self.marks += arrow
-        ends = tuple(centre + (middle - centre) * unit(turn) for turn in (50, -50))
-        self.named.append(Label(self.naming.vector(name), middle, NAME_MM, clear=0.4, name=name, also=ends))
+        ends = tuple(centre + (middle - centre) * unit_vector(turn) for turn in (50, -50))
+        self.named.append(
+            Label(self.naming.lettered_vector(name), middle, NAME_LETTER_MM, clear=0.4, name=name, also=ends)
+        )
 
-    def arms(self, equations: list[Moments]) -> None:
+    def draw_arms(self, equations: list[Moments]) -> None:
         """Thin perpendiculars from the moment point to the lines of action, which are extended to meet them."""
-        drops, drawn = drops_of(self.drawing), Arms()
+        drops, drawn = arm_steps_by_result(self.drawing), Arms()
         sizes = {f.name: float(self.drawing[f.size]) for f in self.plans.acting.every if f.size in self.drawing}
         for name, arm in (term for equation in equations for term in equation.terms):
             step = drops.get(arm)
-            if step and step.makes in self.drawing and self.big(sizes.get(name, math.inf)):
+            if step and step.makes in self.drawing and self.is_above_noise(sizes.get(name, math.inf)):
                 point, along, about = (complex(self.drawing[x]) for x in (step.point, step.along, step.about))
-                drawn.add(point, along, about, self.naming.arm(name, arm), name)
+                drawn.add_arm(point, along, about, self.naming.lettered_arm(name, arm), name)
         self.marks += drawn.marks
         self.named += drawn.named
 
 
-def _sign(value: object) -> float:
+def _sign_of(value: object) -> float:
     return math.copysign(1.0, float(value))  # type: ignore[arg-type]

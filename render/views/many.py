@@ -9,23 +9,23 @@ from statistics import median
 
 import numpy as np
 
-from planes.geometry.plane import dropped
+from planes.geometry.plane import perpendicular_foot
 from planes.plans import Plans
 from planes.scene.mechanism import FRAME, Link
 from planes.words import Lang, say
 from planes.words.frozen import frozen
 from render.labels import Label
 from render.paper.marks import Line, Mark
-from render.views.dimensions import Size, in_mm, stroke
-from render.views.plotted import NEAR_MM, along_joints, gathered, outline_of
-from render.views.senses import POSITION
+from render.views.dimensions import Size, dimension_text, stroke_dimension
+from render.views.plotted import SAME_PLACE_MM, group_names_by_place, joint_stroke, link_outline
+from render.views.senses import POSITION_NAME_PREFIX
 
-MOST = 3.5  # largest growth of a scheme in the course of a turn, relative to its usual size
-TOGETHER_MM = 2.0  # places closer than this are numbered together
-FINE = 10  # sample points of a line
-BELOW_MM = 16.0  # clear distance of a stroke from everything else
-FURTHER = 1.02  # how much farther an extreme position may reach than the sampled positions
-NEAR = 1.3  # and the limit if it grows beyond that: positions farther off are not drawn
+MOST_GROWTH_RATIO = 3.5  # largest growth of a scheme in the course of a turn, relative to its usual size
+SHARED_NUMBER_DISTANCE_MM = 2.0  # places closer than this are numbered together
+SAMPLES_PER_LINE = 10  # sample points of a line
+STROKE_CLEARANCE_MM = 16.0  # clear distance of a stroke from everything else
+EXTREME_REACH_RATIO = 1.02  # how much farther an extreme position may reach than the sampled positions
+DRAWN_REACH_RATIO = 1.3  # and the limit if it grows beyond that: positions farther off are not drawn
 
 
 @frozen
@@ -54,106 +54,114 @@ class ManyPositions:
     turn: Sequence[PlacedMechanism | None]
     mu: float
 
-    def place(self, result: PlacedMechanism, point: str) -> complex:
+    def place_on_paper(self, result: PlacedMechanism, point: str) -> complex:
         """The place of a point in a position, on paper."""
         return result.points[point] * self.mu
 
     @cached_property
-    def reach(self) -> float:
+    def most_reach(self) -> float:
         """Largest distance of a drawn point from the driver's pair: near a dead point it may be anywhere."""
-        sizes = [self.size(r) for r in self.turn if r]
+        sizes = [self.position_reach(r) for r in self.turn if r]
         if not sizes:
             return 0.0
         usual = median(sizes)
-        return FURTHER * max(sizes) if self.closed and max(sizes) < MOST * usual else NEAR * usual
+        return (
+            EXTREME_REACH_RATIO * max(sizes)
+            if self.is_full_turn and max(sizes) < MOST_GROWTH_RATIO * usual
+            else DRAWN_REACH_RATIO * usual
+        )
 
     @property
-    def closed(self) -> bool:
+    def is_full_turn(self) -> bool:
         """Whether the driver turns fully, so that all paths are closed."""
         first, last = self.turn[0], self.turn[-1]
         if not first or not last:
             return False
-        return all(abs(self.place(first, p) - self.place(last, p)) < 0.1 for p in first.points)
+        return all(abs(self.place_on_paper(first, p) - self.place_on_paper(last, p)) < 0.1 for p in first.points)
 
-    def size(self, result: PlacedMechanism) -> float:
+    def position_reach(self, result: PlacedMechanism) -> float:
         """The largest distance of a point from the driver's pair, on paper."""
-        centre = self.place(result, self.plans.mechanism.links[self.plans.drive.link].first_point)
-        return max(abs(self.place(result, p) - centre) for p in result.points)
+        centre = self.place_on_paper(result, self.plans.mechanism.links[self.plans.drive.link].first_point)
+        return max(abs(self.place_on_paper(result, p) - centre) for p in result.points)
 
-    def near(self, result: PlacedMechanism | None) -> bool:
+    def fits_on_paper(self, result: PlacedMechanism | None) -> bool:
         """Whether a position exists and fits on the paper."""
-        return result is not None and self.size(result) <= self.reach
+        return result is not None and self.position_reach(result) <= self.most_reach
 
     @cached_property
-    def seen(self) -> list[tuple[PlacedMechanism | None, bool]]:
+    def turn_with_fit(self) -> list[tuple[PlacedMechanism | None, bool]]:
         """The finer turn, with whether each of its positions fits on the paper."""
-        return [(result, self.near(result)) for result in self.turn]
+        return [(result, self.fits_on_paper(result)) for result in self.turn]
 
     @cached_property
     def marks(self) -> list[Mark]:
         """Bars of all links in all positions, the extreme ones blacker, and the paths."""
         bars = list[Mark]()
-        for one, result in self.shown():
+        for one, result in self.drawn_positions():
             style = "thin" if one.extreme else "construction"
-            shapes = (x for link in self.plans.mechanism.links.values() for x in self.axes(link, result))
-            bars += (Line(tuple(shape), style, "construction", name=POSITION) for shape in shapes)
-        return [*bars, *self.paths()]
+            shapes = (x for link in self.plans.mechanism.links.values() for x in self.link_shapes(link, result))
+            bars += (Line(tuple(shape), style, "construction", name=POSITION_NAME_PREFIX) for shape in shapes)
+        return [*bars, *self.path_marks()]
 
-    def shown(self) -> Iterator[tuple[Numbered, PlacedMechanism]]:
+    def drawn_positions(self) -> Iterator[tuple[Numbered, PlacedMechanism]]:
         """The numbered positions that are drawn, with their poses."""
-        return ((one, one.result) for one in self.numbered if one.result and self.near(one.result))
+        return ((one, one.result) for one in self.numbered if one.result and self.fits_on_paper(one.result))
 
-    def axes(self, link: Link, result: PlacedMechanism) -> list[list[complex]]:
+    def link_shapes(self, link: Link, result: PlacedMechanism) -> list[list[complex]]:
         """One stroke through the joints of a link, and the rods of its guides up to their sliders."""
         hinged = {p for x in self.plans.mechanism.bodies if x is not link for p in x.points}
-        own = self.plans.mechanism.joined(link)
+        own = self.plans.mechanism.points_without_guide_centre(link)
         held = [p for p in own if p in hinged]
         loose = [p for p in own if p not in hinged and p != link.centre] if len(held) < 2 else []
-        joints = [self.place(result, p) for p in (*held, *loose)]
+        joints = [self.place_on_paper(result, p) for p in (*held, *loose)]
         if link.slides:
-            joints.append(self.foot(link, link.slides.guide, result))
+            joints.append(self.foot_on_guide(link, link.slides.guide, result))
         rods = []
         for guide in link.guides:
             feet = [
-                self.foot(x, guide, result) for x in self.plans.mechanism.bodies if x.slides and x.slides.guide == guide
+                self.foot_on_guide(x, guide, result)
+                for x in self.plans.mechanism.bodies
+                if x.slides and x.slides.guide == guide
             ]
-            through, along = self.line(guide, result)
+            through, along = self.guide_line(guide, result)
             ways = [(z - through) * along.conjugate() for z in joints]
-            on = [w.real for w in ways if abs(w.imag) < NEAR_MM] or [w.real for w in ways[:1]]
+            on = [w.real for w in ways if abs(w.imag) < SAME_PLACE_MM] or [w.real for w in ways[:1]]
             ends = [*on, *(((z - through) * along.conjugate()).real for z in feet)]
             joints += [through + on[0] * along]
-            rods += [outline_of([through + min(ends) * along, through + max(ends) * along])] if feet else []
-        return [shape for shape in (along_joints(joints), *rods) if len(shape) > 1]
+            rods += [link_outline([through + min(ends) * along, through + max(ends) * along])] if feet else []
+        return [shape for shape in (joint_stroke(joints), *rods) if len(shape) > 1]
 
-    def line(self, guide: str, result: PlacedMechanism) -> tuple[complex, complex]:
+    def guide_line(self, guide: str, result: PlacedMechanism) -> tuple[complex, complex]:
         """A point of a guide's line and its direction."""
         mechanism = self.plans.mechanism
-        owner, given = mechanism.link(mechanism.owner(guide)), mechanism.guide(guide)
+        owner, given = mechanism.link(mechanism.owner_of_guide(guide)), mechanism.guide(guide)
         along = cmath.exp(1j * math.radians(given.angle_deg))
         if owner is mechanism.frame:
             return given.through * self.mu, along
         turn = cmath.exp(1j * math.radians(result.angles[owner.name]))
         first = owner.first_point
-        return self.place(result, first) + (given.through - owner.points[first]) * turn * self.mu, along * turn
+        return self.place_on_paper(result, first) + (given.through - owner.points[first]) * turn * self.mu, along * turn
 
-    def foot(self, slider: Link, guide: str, result: PlacedMechanism) -> complex:
+    def foot_on_guide(self, slider: Link, guide: str, result: PlacedMechanism) -> complex:
         """The foot of the perpendicular from a slider's first point to its guide."""
-        return dropped(self.place(result, slider.first_point), *self.line(guide, result))
+        return perpendicular_foot(self.place_on_paper(result, slider.first_point), *self.guide_line(guide, result))
 
-    def paths(self) -> list[Mark]:
+    def path_marks(self) -> list[Mark]:
         """Paths of the moving points, dashed; a point on a frame's guide has none of interest."""
         dashed = list[Mark]()
         m = self.plans.mechanism
-        straight = {p for x in m.links.values() if x.slides and m.owner(x.slides.guide) == FRAME for p in x.points}
+        straight = {
+            p for x in m.links.values() if x.slides and m.owner_of_guide(x.slides.guide) == FRAME for p in x.points
+        }
         fixed = set(m.frame.points) | straight
         for point in dict.fromkeys(p for link in m.links.values() for p in link.points if p not in fixed):
-            for there, places in groupby(self.seen, key=lambda one: one[1]):
-                run = [self.place(result, point) for result, _ in places if result and there]
+            for there, places in groupby(self.turn_with_fit, key=lambda one: one[1]):
+                run = [self.place_on_paper(result, point) for result, _ in places if result and there]
                 if len(run) > 2 and max(abs(z - run[0]) for z in run) > 1:
-                    dashed.append(Line(tuple(run[self.way_there(point, run)]), "dash", "construction"))
+                    dashed.append(Line(tuple(run[self.one_way_slice(point, run)]), "dash", "construction"))
         return dashed
 
-    def way_there(self, point: str, run: Sequence[complex]) -> slice:
+    def one_way_slice(self, point: str, run: Sequence[complex]) -> slice:
         """The path from one end of a rocker's swing to the other: dashes of the way back would fill the gaps."""
         m = self.plans.mechanism
         pivots = [q for link in m.links.values() if point in link.points for q in m.frame.points if q in link.points]
@@ -163,57 +171,64 @@ class ManyPositions:
         first, last = sorted((int(turned.argmin()), int(turned.argmax())))
         return slice(first, last + 1)
 
-    def unseen(self, lang: Lang) -> list[str]:
+    def missing_position_remarks(self, lang: Lang) -> list[str]:
         """A remark about the numbered positions that are not drawn."""
         failed = [x.number for x in self.numbered if not x.result]
-        far = [x.number for x in self.numbered if x.result and not self.near(x.result)]
+        far = [x.number for x in self.numbered if x.result and not self.fits_on_paper(x.result)]
         groups = (("positions_failed", failed), ("positions_far", far))
         return [say(key, lang, numbers=", ".join(numbers)) for key, numbers in groups if numbers]
 
-    def labels(self) -> list[Label]:
+    def position_labels(self) -> list[Label]:
         """Numbers of the positions at the end of the crank, or beneath a sliding driver; of extreme ones at sliders of
         the frame, or at the ends of rockers if there are none."""
         drive, pair = self.plans.drive, self.plans.structure.drive_pair
         link, numbers = self.plans.mechanism.links[drive.link], list[Label]()
         ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
-        for one, result in self.shown():
-            z = self.place(result, ends[0]) if ends else self.tip(link, self.place(result, pair.point), result)
-            side = -1j if drive.kind == "s" else z - self.place(result, pair.point)
+        for one, result in self.drawn_positions():
+            z = (
+                self.place_on_paper(result, ends[0])
+                if ends
+                else self.farthest_drawn_point(link, self.place_on_paper(result, pair.point), result)
+            )
+            side = -1j if drive.kind == "s" else z - self.place_on_paper(result, pair.point)
             numbers.append(Label(one.number, z, 2.5, side=side, clear=1.6, name=f"position {one.number}"))
-        held = [*self.followers()]
+        held = [*self.followers_on_frame()]
         sliding = [one for one in held if one[0].slides] or held
-        return [*numbers, *(label for link, point in sliding for label in self.stations(link, point))]
+        return [*numbers, *(label for link, point in sliding for label in self.extreme_position_labels(link, point))]
 
-    def tip(self, link: Link, pivot: complex, result: PlacedMechanism) -> complex:
+    def farthest_drawn_point(self, link: Link, pivot: complex, result: PlacedMechanism) -> complex:
         """The end of the drawn part of a link with no point but its pivot."""
-        drawn = (z for shape in self.axes(link, result) for z in shape)
+        drawn = (z for shape in self.link_shapes(link, result) for z in shape)
         return max(drawn, key=lambda z: abs(z - pivot), default=pivot)
 
-    def followers(self) -> Iterator[tuple[Link, str]]:
+    def followers_on_frame(self) -> Iterator[tuple[Link, str]]:
         """The links except the driver that slide on the frame or turn about it, each with its farthest point."""
         m = self.plans.mechanism
         for link in m.links.values():
             if link.name != m.drive.link:
                 held = [p for p in link.points if p in m.frame.points]
                 others = {p for x in m.links.values() if x is not link for p in x.points}
-                if link.slides and m.owner(link.slides.guide) == FRAME:
+                if link.slides and m.owner_of_guide(link.slides.guide) == FRAME:
                     yield link, link.first_point
-                elif held and (free := [p for p in link.points if p in others and p not in self.plans.standing]):
+                elif held and (free := [p for p in link.points if p in others and p not in self.plans.fixed_points]):
                     yield link, max(free, key=lambda p: abs(link.points[p] - link.points[held[0]]))
 
-    def stations(self, link: Link, point: str) -> Iterator[Label]:
+    def extreme_position_labels(self, link: Link, point: str) -> Iterator[Label]:
         """Numbers of the extreme positions along the path of a point, coinciding ones together; the first and the last
         of all, where that hardly moves."""
-        places = gathered(((one.number, self.place(result, point)) for one, result in self.shown()), TOGETHER_MM)
-        extreme = {one.number for one, _ in self.shown() if one.extreme}
+        places = group_names_by_place(
+            ((one.number, self.place_on_paper(result, point)) for one, result in self.drawn_positions()),
+            SHARED_NUMBER_DISTANCE_MM,
+        )
+        extreme = {one.number for one, _ in self.drawn_positions() if one.extreme}
         for z, numbers in places:
             row = [n for n in numbers if n.isdigit()]
             text = ", ".join(n for n in numbers if n in extreme)
             text = f"{row[0]}–{row[-1]}" if len(places) == 1 and len(row) > 2 else text
             if text:
-                yield Label(text, z, 2.5, side=self.outside(link, z), name=f"position {text} of {point}")
+                yield Label(text, z, 2.5, side=self.outward_direction(link, z), name=f"position {text} of {point}")
 
-    def outside(self, link: Link, z: complex) -> complex:
+    def outward_direction(self, link: Link, z: complex) -> complex:
         """The direction away from the pivot of a link, or from the guide of the frame it slides on."""
         frame = self.plans.mechanism.frame
         if link.slides:
@@ -221,26 +236,31 @@ class ManyPositions:
         return z - next(frame.points[p] for p in link.points if p in frame.points) * self.mu
 
     @cached_property
-    def finely(self) -> list[complex]:
+    def sample_points(self) -> list[complex]:
         """Sample points along the links in the drawn positions."""
         moving = self.plans.mechanism.links.values()
-        shapes = [shape for _, r in self.shown() for x in moving for shape in self.axes(x, r)]
-        return [a + k / FINE * (b - a) for shape in shapes for a, b in pairwise(shape) for k in range(FINE + 1)]
+        shapes = [shape for _, r in self.drawn_positions() for x in moving for shape in self.link_shapes(x, r)]
+        return [
+            a + k / SAMPLES_PER_LINE * (b - a)
+            for shape in shapes
+            for a, b in pairwise(shape)
+            for k in range(SAMPLES_PER_LINE + 1)
+        ]
 
-    def strokes(self, lang: Lang) -> list[Size]:
+    def stroke_dimensions(self, lang: Lang) -> list[Size]:
         """The strokes of sliders on the frame's guides, in true mm, outside everything drawn; none where the ends of
         the range are not drawn."""
         sizes, shown = list[Size](), [r for r in self.turn if r]
-        if not all(map(self.near, shown)):
+        if not all(map(self.fits_on_paper, shown)):
             return sizes
-        for link, slides in ((link, link.slides) for link, _ in self.followers() if shown):
+        for link, slides in ((link, link.slides) for link, _ in self.followers_on_frame() if shown):
             if not slides:
                 continue
-            through, along = self.line(slides.guide, shown[0])
-            at = [((self.place(r, link.first_point) - through) * along.conjugate()).real for r in shown]
-            ways = ((z - through) * along.conjugate() for z in self.finely)
+            through, along = self.guide_line(slides.guide, shown[0])
+            at = [((self.place_on_paper(r, link.first_point) - through) * along.conjugate()).real for r in shown]
+            ways = ((z - through) * along.conjugate() for z in self.sample_points)
             beside = [0.0, *(w.imag for w in ways if min(at) < w.real < max(at))]
-            off = min(min(beside) - BELOW_MM, max(beside) + BELOW_MM, key=abs)
+            off = min(min(beside) - STROKE_CLEARANCE_MM, max(beside) + STROKE_CLEARANCE_MM, key=abs)
             ends = (through + min(at) * along, through + max(at) * along)
-            sizes.append(stroke(*ends, 1j * off * along, in_mm((max(at) - min(at)) / self.mu, lang)))
-        return [one for one in sizes if one.fits]
+            sizes.append(stroke_dimension(*ends, 1j * off * along, dimension_text((max(at) - min(at)) / self.mu, lang)))
+        return [one for one in sizes if one.has_room_for_text]

@@ -10,24 +10,24 @@ from functools import cached_property
 
 from planes.drafting.equations import Moments
 from planes.drafting.steps.reckoning import Calculate, Drop, Product
-from planes.plans.scales import ZERO_MM
+from planes.plans.scales import ZERO_VECTOR_MM
 from planes.solving import Position
 from planes.words import say
 from planes.words.frozen import frozen
-from planes.words.lettering import flat
-from planes.words.names import POLE, at
+from planes.words.lettering import without_index_markup
+from planes.words.names import POLE_LABEL, full_mark_name
 from planes.words.naming import Naming
-from planes.words.read_off import fixed, measured
+from planes.words.read_off import fixed_decimals_text, read_off_text
 from render.labels import Label, Labelled
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import Marks, dot
-from render.views.arms import Arms, drops_of, with_unlettered
+from render.views.arms import Arms, arm_steps_by_result, with_unplaced_arm_names
 from render.views.formulas import Setter, Word
 from render.views.loading import Arrows
-from render.views.plotted import Ends, gathered, of_position, scheme_mu
-from render.views.senses import labelled
+from render.views.plotted import Ends, group_names_by_place, plot_position, scheme_mu
+from render.views.senses import marks_with_labels
 
-NOISE = 1e-9  # of the largest moment of the equation: below this it is zero
+ZERO_MOMENT_RATIO = 1e-9  # of the largest moment of the equation: below this it is zero
 
 
 @frozen
@@ -38,101 +38,115 @@ class MomentLines:
     naming: Naming
     letter: float = 5.0
 
-    def drawn(self, links: tuple[str, ...] | None = None) -> Marks:
+    def drawn_marks(self, links: tuple[str, ...] | None = None) -> Marks:
         """All nontrivial equations (those of some links), from the top down."""
         setter, y = Setter(self.letter), 0.0
         plans = self.position.plans
         equations = (m for m in plans.moments if m.links != ("lever",))
-        for equation in equations if links is None else plans.moments_of(links):
-            if words := self.words(equation):
-                y = setter.row(words, y) - 1.9 * self.letter
+        for equation in equations if links is None else plans.moment_equations_of_plan(links):
+            if words := self.equation_words(equation):
+                y = setter.set_row(words, y) - 1.9 * self.letter
         return tuple(setter.marks)
 
-    def words(self, equation: Moments) -> list[Word]:
+    def equation_words(self, equation: Moments) -> list[Word]:
         """ΣM_C: F^t l = ± G h ± … with the value of every product beneath."""
-        made = self.position.drawing.program.makers.get(equation.unknown)
+        made = self.position.drawing.program.steps_by_result.get(equation.unknown)
         if not isinstance(made, Calculate) or not made.terms:
             return []
         unknown_value = float(self.position.drawing[equation.unknown])
         acting = (
             -1.0 if equation.arm and unknown_value < 0 else 1.0
         )  # a force is positive as drawn, a couple counter-clockwise
-        values = [acting * self.value(term) for term in made.terms]
+        values = [acting * self.product_value(term) for term in made.terms]
         biggest = max(map(abs, values))
-        shown = [(n, a, v) for (n, a), v in zip(equation.terms, values, strict=False) if abs(v) > NOISE * biggest]
+        shown = [
+            (n, a, v) for (n, a), v in zip(equation.terms, values, strict=False) if abs(v) > ZERO_MOMENT_RATIO * biggest
+        ]
         if not shown:
             return []
-        about = flat(self.naming.point(equation.about))
-        links = ",".join(self.naming.link(x) for x in equation.links if x != "lever")
+        about = without_index_markup(self.naming.lettered_point(equation.about))
+        links = ",".join(self.naming.link_number(x) for x in equation.links if x != "lever")
         # the common divisor of the products: the unknown's arm, or on the lever the driver's rate
         factor = next((name for name, power in made.terms[0].factors if power < 0), "")
         by = float(self.position.drawing[factor]) if factor else 1.0
         by = abs(by) if factor == equation.arm else by  # an arm has no sign, an angular velocity has
         unknown_value *= acting
-        over = self.naming.arm(equation.unknown, factor) if factor in self.arms else self.naming.vector(factor)
-        head = self.unknown(equation) + (over if factor else "")
+        over = (
+            self.naming.lettered_arm(equation.unknown, factor)
+            if factor in self.arm_steps
+            else self.naming.lettered_vector(factor)
+        )
+        head = self.unknown_letter(equation) + (over if factor else "")
         lang = self.naming.lang
-        unit = say(self.unit(factor != equation.arm), lang)
-        armed = {lever: self.length(lever) for _, lever, _ in shown if lever in self.arms}
+        unit = say(self.product_unit(factor != equation.arm), lang)
+        armed = {lever: self.arm_length_mm(lever) for _, lever, _ in shown if lever in self.arm_steps}
         if factor and factor == equation.arm:
             armed[factor] = by * scheme_mu(self.position)
-        mm = {name: fixed(length, 1, lang) for name, length in armed.items()}
+        mm = {name: fixed_decimals_text(length, 1, lang) for name, length in armed.items()}
         height = "H" if equation.links == ("lever",) else "h"
         arms = f"{height}, {say('mm', lang)}" if mm else ""
         text = f"ΣM_{{{about}}}" + (f"^{{({links})}}:" if links else ":")
         words = [Word(text, 0, arms, unit, False)]
-        words.append(Word(head, 0, mm.get(factor, ""), measured(unknown_value * by, lang), False))
+        words.append(Word(head, 0, mm.get(factor, ""), read_off_text(unknown_value * by, lang), False))
         for k, (name, lever, value) in enumerate(shown):
-            product, below = self.product(name, lever), value * by < 0
+            product, below = self.product_text(name, lever), value * by < 0
             words.append(Word("=" if k == 0 else "−" if below else "+", vector=False))
             product = "−" + product if below and k == 0 else product
             ends = ";" if equation.arm and k == len(shown) - 1 else ""
-            words.append(Word(product + ends, 0, mm.get(lever, ""), measured(abs(value * by), lang), False))
+            words.append(Word(product + ends, 0, mm.get(lever, ""), read_off_text(abs(value * by), lang), False))
         if not equation.arm:
             return words
         return [
             *words,
-            Word(f"{self.unknown(equation)} = {measured(unknown_value, lang)} {say('N', lang)}", vector=False),
+            Word(
+                f"{self.unknown_letter(equation)} = {read_off_text(unknown_value, lang)} {say('N', lang)}", vector=False
+            ),
         ]
 
-    def length(self, arm: str) -> float:
+    def arm_length_mm(self, arm: str) -> float:
         """The measured length of an arm, mm."""
-        step, drawing = self.arms[arm], self.position.drawing
+        step, drawing = self.arm_steps[arm], self.position.drawing
         point, along, about = (complex(drawing[name]) for name in (step.point, step.along, step.about))
         return abs(((about - point) * along.conjugate()).imag)
 
-    def unit(self, of_power: bool) -> str:
+    def product_unit(self, of_power: bool) -> str:
         """The unit of every product: on the lever that of power, or the rest of it for rates of a unit drive."""
         plans = self.position.plans
         if not of_power or (plans.at_rest and plans.drive.rotates):
             return "N·m"
         return "N" if plans.at_rest else "W"
 
-    def unknown(self, equation: Moments) -> str:
+    def unknown_letter(self, equation: Moments) -> str:
         """The letter of what the equation is solved for."""
         plans = self.position.plans
-        return self.naming.vector(plans.balancing if equation.unknown == plans.zhukovsky else equation.unknown)
+        return self.naming.lettered_vector(plans.balancing if equation.unknown == plans.zhukovsky else equation.unknown)
 
-    def product(self, name: str, lever: str) -> str:
+    def product_text(self, name: str, lever: str) -> str:
         """A force times its arm, a couple, either times its rate."""
-        force = self.naming.vector(name) if lever in self.arms else self.sized(name)
-        return force + self.by(name, lever)
+        force = self.naming.lettered_vector(name) if lever in self.arm_steps else self.letter_in_bars(name)
+        return force + self.factor_text(name, lever)
 
-    def sized(self, name: str) -> str:
+    def letter_in_bars(self, name: str) -> str:
         """The letter of a couple or a rate, in bars where it is negative: its sign is before the product."""
-        letter = self.naming.vector(name)
+        letter = self.naming.lettered_vector(name)
         return f"|{letter}|" if name in self.position.drawing and float(self.position.drawing[name]) < 0 else letter
 
-    def by(self, name: str, lever: str) -> str:
+    def factor_text(self, name: str, lever: str) -> str:
         """The factor of a force: its arm, a length or a rate; None without an arm."""
-        return self.naming.arm(name, lever) if lever in self.arms else self.sized(lever) if lever else ""
+        return (
+            self.naming.lettered_arm(name, lever)
+            if lever in self.arm_steps
+            else self.letter_in_bars(lever)
+            if lever
+            else ""
+        )
 
     @cached_property
-    def arms(self) -> Mapping[str, Drop]:
+    def arm_steps(self) -> Mapping[str, Drop]:
         """The steps that measure arms, by the names of the arms."""
-        return drops_of(self.position.drawing)
+        return arm_steps_by_result(self.position.drawing)
 
-    def value(self, term: Product) -> float:
+    def product_value(self, term: Product) -> float:
         """One product of the sum."""
         powers = (float(self.position.drawing[name]) ** power for name, power in term.factors)
         return math.prod(powers, start=term.coefficient)
@@ -145,49 +159,49 @@ class Lever:
     position: Position
     naming: Naming
 
-    def drawn(self) -> Marks:
+    def drawn_marks(self) -> Marks:
         """The turned plan, the forces, their arms and all names."""
         plan = "motion" if self.position.plans.at_rest else "velocity"
-        plotted = of_position(self.position)
+        plotted = plot_position(self.position)
         marks, lines = list[Mark](), list[Ends]()
         helping = ("false", "relative")  # not part of the loaded figure
-        aside = {s.makes for s in plotted.drawing.program.steps if s.quantity in helping}
+        aside = {s.makes for s in plotted.drawing.program.steps if s.quantity_represented in helping}
         for s in plotted.drawn_segments(plan):
             if {*s.ends} & aside:
                 continue
             ends = 1j * plotted.mark(plan, s.start), 1j * plotted.mark(plan, s.end)
-            if abs(ends[1] - ends[0]) > ZERO_MM:
-                marks.append(Line(ends, "thick" if s.start == POLE else "thin", "plan"))
+            if abs(ends[1] - ends[0]) > ZERO_VECTOR_MM:
+                marks.append(Line(ends, "thick" if s.start == POLE_LABEL else "thin", "plan"))
                 lines.append(ends)
         letters = (
             (self.naming.mark(x, "velocity"), 1j * plotted.mark(plan, x))
-            for x in plotted.labels(plan)
-            if at(plan, x) not in aside
+            for x in plotted.mark_labels(plan)
+            if full_mark_name(plan, x) not in aside
         )
-        places = gathered(letters)  # letters of coinciding marks share one label
+        places = group_names_by_place(letters)  # letters of coinciding marks share one label
         named = [Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
         marks += dot(0j, 0.8, "plan")
-        forces, names = self.forces(lines)
+        forces, names = self.force_and_arm_marks(lines)
         named += names
-        return with_unlettered(named, labelled(named, [*marks, *forces]), self.naming.lang)
+        return with_unplaced_arm_names(named, marks_with_labels(named, [*marks, *forces]), self.naming.lang)
 
-    def forces(self, lines: list[Ends]) -> Labelled:
+    def force_and_arm_marks(self, lines: list[Ends]) -> Labelled:
         """Arrows of the forces at their images, not to scale, and their arms about the pole."""
         drawing, marks, named = self.position.drawing, list[Mark](), list[Label]()
-        drops = drops_of(drawing)
+        drops = arm_steps_by_result(drawing)
         arms, arrows = Arms(), Arrows(lines)
         lever = next((m for m in self.position.plans.moments if m.links == ("lever",)), None)
         for name, arm in lever.terms if lever else ():
             step = drops.get(arm)
-            if not step or arm not in drawing or abs(complex(drawing[step.point])) < ZERO_MM:
+            if not step or arm not in drawing or abs(complex(drawing[step.point])) < ZERO_VECTOR_MM:
                 continue
             size = float(drawing[name]) if name in drawing else 1.0
             if size == 0:
                 continue
             point, along = complex(drawing[step.point]), complex(drawing[step.along]) * (1 if size >= 0 else -1)
-            start, end = arrows.placed(point, along)
+            start, end = arrows.place_force_arrow(point, along)
             marks.append(Arrow(start, end, "vector", "force", name))
             ends = (start + end) / 2, end
-            named.append(Label(self.naming.vector(name), ends, 3.5, name=name, also=(end,)))
-            arms.add(point, along, 0j, self.naming.arm(name, arm), name)
+            named.append(Label(self.naming.lettered_vector(name), ends, 3.5, name=name, also=(end,)))
+            arms.add_arm(point, along, 0j, self.naming.lettered_arm(name, arm), name)
         return [*marks, *arms.marks], [*named, *arms.named]

@@ -6,37 +6,37 @@ from functools import cached_property
 from itertools import combinations
 
 from planes.drafting.equations import Term
-from planes.geometry.plane import dropped, toward
-from planes.plans.force.loads import pair_index
-from planes.plans.scales import ZERO_MM
+from planes.geometry.plane import direction_between, perpendicular_foot
+from planes.plans.force.loads import force_pair_index
+from planes.plans.scales import ZERO_VECTOR_MM
 from planes.words import say
-from planes.words.names import POLE, at, kind_of, label_of
+from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_kind
 from planes.words.naming import Naming
-from planes.words.read_off import measured
-from planes.words.units import UNIT, number
+from planes.words.read_off import read_off_text
+from planes.words.units import UNIT_OF_PLAN, number_text
 from render import labels
 from render.labels import Label
-from render.labels.footprints import overprinted
+from render.labels.footprints import overprinted_labels
 from render.paper.marks import Arrow, Layer, Line, Mark
 from render.paper.symbols import Marks, dot
-from render.paper.typeset import plain
-from render.views import detail, remark
-from render.views.hatching import hatched
-from render.views.plotted import SAME_MM, Clusters, Ends, Plotted, gathered, set_apart
-from render.views.senses import parted
-from render.views.strings import drawn_strokes
-from render.views.traces import traces
+from render.paper.typeset import plain_text
+from render.views import detail, remark_texts
+from render.views.hatching import hatch_triangles
+from render.views.plotted import SHARED_LABEL_MM, Clusters, Ends, Plotted, group_names_by_place, shift_clear_of_others
+from render.views.senses import break_lines_at_texts
+from render.views.strings import string_and_ray_lines
+from render.views.traces import construction_traces
 
-NOTHING_MM = 1e-10  # a shorter vector is not drawn
-BEYOND_MM = 7.0  # how far a line of action extends past the crossing
-ALONE_MM = 12.0  # half the length of a line of action whose vector vanished
-ASIDE_MM = 2.0  # distance of a sum of forces from the forces it overlaps
-TICK = 0.3, 0.8  # of the way there
-TOUCH_MM = 0.5  # least distance where they are slightly inclined
-MARK_MM = 5.0
-END_MM = 2.5  # numbers of ends
-VALUE = "value"  # part of the names of labels with one
-FORCE_MM = 3.5
+LEAST_DRAWN_VECTOR_MM = 1e-10  # a shorter vector is not drawn
+LINE_OF_ACTION_OVERRUN_MM = 7.0  # how far a line of action extends past the crossing
+HALF_LONE_LINE_LENGTH_MM = 12.0  # half the length of a line of action whose vector vanished
+FORCE_SUM_SHIFT_MM = 2.0  # distance of a sum of forces from the forces it overlaps
+TICK_END_RATIOS = 0.3, 0.8  # of the way there
+LEAST_INCLINED_DISTANCE_MM = 0.5  # least distance where they are slightly inclined
+MARK_LETTER_MM = 5.0
+END_NUMBER_LETTER_MM = 2.5  # numbers of ends
+VALUE_NAME_PREFIX = "value"  # part of the names of labels with one
+FORCE_LETTER_MM = 3.5
 
 
 @dataclass
@@ -58,7 +58,7 @@ class Polygon:
     valued: bool = False  # whether vectors have their values beside them
 
     @property
-    def of_rates(self) -> bool:
+    def is_rate_plan(self) -> bool:
         """Whether its marks are lettered (velocities, accelerations) rather than its vectors named (forces)."""
         return self.plan in ("velocity", "acceleration")
 
@@ -66,109 +66,131 @@ class Polygon:
         """The place of a mark, mm from the pole."""
         return self.plotted.mark(self.plan, label)
 
-    def drawn(self) -> Marks:
+    def drawn_marks(self) -> Marks:
         """All marks of the plan, including its labels."""
-        self.collect()
-        lines, triangles = traces(self.plotted, self.plan, self.arrows)
+        self.collect_vectors()
+        lines, triangles = construction_traces(self.plotted, self.plan, self.arrows)
         self.marks += lines
-        self.lines_of_action()
-        self.vectors()
+        self.draw_lines_of_action()
+        self.draw_vectors()
         sides = self.friction_sides()
         self.marks += (Arrow(*ends, "vector", "force", name) for name, ends in sides.items())
-        rays, lettered = drawn_strokes(self.plotted.drawing, self.plotted.figure, self.plan)
+        rays, lettered = string_and_ray_lines(self.plotted.drawing, self.plotted.figure, self.plan)
         self.marks += rays
-        ground = (*self.marks, *dot(self.mark(POLE), 0.7, "plan"))
-        details = detail.details(self.places.values(), self.letters(), self.of_rates)
-        lettered += [Label(self.naming.vector(name), ends, FORCE_MM, name=name) for name, ends in sides.items()]
-        named = [*self.named(details), *lettered]
+        ground = (*self.marks, *dot(self.mark(POLE_LABEL), 0.7, "plan"))
+        details = detail.make_details(self.places.values(), self.free_detail_letters(), self.is_rate_plan)
+        lettered += [
+            Label(self.naming.lettered_vector(name), ends, FORCE_LETTER_MM, name=name) for name, ends in sides.items()
+        ]
+        named = [*self.name_labels(details), *lettered]
         circled = (*ground, *self.aside, *(d.circle() for d in details))
-        strokes = hatched(triangles)
-        inside = {x for d in details for x in d.alone(named) if x.at != self.mark(POLE)}
+        strokes = hatch_triangles(triangles)
+        inside = {x for d in details for x in d.labels_only_in_detail(named) if x.at != self.mark(POLE_LABEL)}
         outer = [x for x in named if x not in inside]
-        outer += [d.named() for d in details]
-        placed = labels.place(self.with_values(outer), circled, None, strokes)
-        if self.valued and overprinted((*circled, *placed.marks)):
-            placed = labels.place(outer, circled, None, strokes)
-        marks = (*parted(strokes, placed.texts), *circled, *placed.marks)
-        marks = detail.beside(marks, [d.drawn(ground, self.named(details, d.times)) for d in details])
-        if any(t.name.startswith(VALUE) for t in placed.texts):
+        outer += [d.letter_label() for d in details]
+        placed = labels.place_labels(self.labels_with_values(outer), circled, None, strokes)
+        if self.valued and overprinted_labels((*circled, *placed.marks)):
+            placed = labels.place_labels(outer, circled, None, strokes)
+        marks = (*break_lines_at_texts(strokes, placed.texts), *circled, *placed.marks)
+        marks = detail.put_details_beside_plan(
+            marks, [d.drawn_marks(ground, self.name_labels(details, d.times)) for d in details]
+        )
+        if any(t.name.startswith(VALUE_NAME_PREFIX) for t in placed.texts):
             lang = self.naming.lang
-            text = say("values_beside", lang, unit=say(UNIT[kind_of(self.plan)], lang))
-            marks = (*marks, *remark(f"({text})", marks))
+            text = say("values_beside", lang, unit=say(UNIT_OF_PLAN[plan_kind(self.plan)], lang))
+            marks = (*marks, *remark_texts(f"({text})", marks))
         return marks
 
-    def letters(self) -> list[str]:
+    def free_detail_letters(self) -> list[str]:
         """Letters for the details of this plan, after those of the plans before it."""
         plans = list(dict.fromkeys(s.plan for s in self.plotted.segments if s.plan not in ("lever", "motion")))
-        used = sum(map(self.details_of, plans[: plans.index(self.plan)] if self.plan in plans else ()))
+        used = sum(map(self.detail_count, plans[: plans.index(self.plan)] if self.plan in plans else ()))
         taken = map(label_of, self.plotted.drawing.things)
-        return detail.letters(taken, say("detail_letters", self.naming.lang))[used:]
+        return detail.free_detail_letters(taken, say("detail_letters", self.naming.lang))[used:]
 
-    def details_of(self, plan: str) -> int:
+    def detail_count(self, plan: str) -> int:
         """The number of details in another plan of this drawing."""
-        key = plan, self.plotted.mu(plan)
+        key = plan, self.plotted.plan_mu(plan)
         if key not in self.counted:
             other = Polygon(self.plotted, plan, self.naming)
-            other.collect()
-            other.vectors()
-            self.counted[key] = len(detail.groups_of(other.places.values(), other.of_rates))
+            other.collect_vectors()
+            other.draw_vectors()
+            self.counted[key] = len(detail.group_short_vectors(other.places.values(), other.is_rate_plan))
         return self.counted[key]
 
-    def collect(self) -> None:
+    def collect_vectors(self) -> None:
         """Every measured segment by its ends."""
         rays = self.plotted.figure.poles if self.plotted.figure else ()
         for s in self.plotted.drawn_segments(self.plan):
-            if s.ends[0] not in rays and self.plotted.long(self.plan, s) > ZERO_MM:
+            if s.ends[0] not in rays and self.plotted.vector_length_mm(self.plan, s) > ZERO_VECTOR_MM:
                 names = self.arrows.setdefault((s.start, s.end), [])
-                name = self.naming.own(s.name)
+                name = self.naming.own_vector_name(s.name)
                 names += [name] * (name not in names)
 
-    def unseen(self, title: str) -> list[str]:
+    def too_short_remarks(self, title: str) -> list[str]:
         """A sentence about the vectors that are too short to be drawn, if there are any."""
         drawn = self.plotted.drawn_segments(self.plan)
-        sizes = {s.name: self.plotted.long(self.plan, s) for s in drawn}
-        names = [plain(self.naming.vector(n)) for n, size in sizes.items() if NOTHING_MM < size <= ZERO_MM]
-        facts = {"view": plain(title), "names": ", ".join(names), "least": number(ZERO_MM, self.naming.lang)}
+        sizes = {s.name: self.plotted.vector_length_mm(self.plan, s) for s in drawn}
+        names = [
+            plain_text(self.naming.lettered_vector(n))
+            for n, size in sizes.items()
+            if LEAST_DRAWN_VECTOR_MM < size <= ZERO_VECTOR_MM
+        ]
+        facts = {
+            "view": plain_text(title),
+            "names": ", ".join(names),
+            "least": number_text(ZERO_VECTOR_MM, self.naming.lang),
+        }
         return [say("too_short", self.naming.lang, **facts)] if names else []
 
-    def terms(self) -> Iterable[Term]:
+    def drawn_terms(self) -> Iterable[Term]:
         """The terms of this plan's equations with drawn ends."""
         for equation in self.plotted.equations:
             if equation.plan == self.plan:
-                yield from (t for t in equation.terms if self.plotted.has(self.plan, t.start, t.end))
+                yield from (t for t in equation.all_terms if self.plotted.has_marks(self.plan, t.start, t.end))
 
     @cached_property
-    def given(self) -> set[str]:
+    def given_vector_names(self) -> set[str]:
         """The vectors at the start of this plan."""
-        return {term.name for term in self.terms() if term.known == 2}
+        return {term.name for term in self.drawn_terms() if term.known_part_count == 2}
 
-    def lines_of_action(self) -> None:
+    def draw_lines_of_action(self) -> None:
         """Thin lines of the terms known in direction only, slightly past the crossing."""
-        for term in self.terms():
-            if term.known != 1 or not term.direction:
+        for term in self.drawn_terms():
+            if term.known_part_count != 1 or not term.direction:
                 continue
-            start, end = self.plotted.ends(self.plan, term)
-            way, along = end - start, ALONE_MM * complex(self.plotted.drawing[term.direction])
-            ends = (start, end + BEYOND_MM * way / abs(way)) if abs(way) > ZERO_MM else (end - along, end + along)
+            start, end = self.plotted.vector_ends(self.plan, term)
+            way, along = end - start, HALF_LONE_LINE_LENGTH_MM * complex(self.plotted.drawing[term.direction])
+            ends = (
+                (start, end + LINE_OF_ACTION_OVERRUN_MM * way / abs(way))
+                if abs(way) > ZERO_VECTOR_MM
+                else (end - along, end + along)
+            )
             self.marks.append(Line(ends, "construction", "construction"))
 
-    def vectors(self) -> None:
+    def draw_vectors(self) -> None:
         """The arrows: results thick, their components thinner; sums of forces beside the forces they overlap."""
-        terms = {ends for t in self.terms() for ends in ((t.start, t.end), (t.end, t.start))}
+        terms = {ends for t in self.drawn_terms() for ends in ((t.start, t.end), (t.end, t.start))}
         order = sorted(self.arrows.items(), key=lambda item: (item[0] not in terms, not self.is_result(*item)))
         for (start, end), names in order:
             ends, thick = (self.mark(start), self.mark(end)), self.is_result((start, end), names)
-            moves = not self.of_rates and (start, end) not in terms
+            moves = not self.is_rate_plan and (start, end) not in terms
             placed = ends
-            if moves and abs(ends[1] - ends[0]) >= detail.SHORT_MM:
-                placed = set_apart(ends, self.places.values(), ASIDE_MM, detail.UPON_MM, TOUCH_MM)
+            if moves and abs(ends[1] - ends[0]) >= detail.LEAST_READABLE_VECTOR_MM:
+                placed = shift_clear_of_others(
+                    ends,
+                    self.places.values(),
+                    FORCE_SUM_SHIFT_MM,
+                    detail.COINCIDENT_LINES_MM,
+                    LEAST_INCLINED_DISTANCE_MM,
+                )
             self.places[start, end] = placed
-            layer: Layer = "result" if thick else "plan" if self.of_rates else "force"
+            layer: Layer = "result" if thick else "plan" if self.is_rate_plan else "force"
             arrow = Arrow(*placed, "result" if thick else "vector", layer, names[0])
             if placed == ends:
                 self.marks.append(arrow)
             else:
-                ticks = (Line(tick(*two), "thin", "construction") for two in zip(ends, placed, strict=True))
+                ticks = (Line(tick_ends(*two), "thin", "construction") for two in zip(ends, placed, strict=True))
                 self.aside += (*ticks, arrow)
 
     def friction_sides(self) -> dict[str, Ends]:
@@ -176,83 +198,96 @@ class Polygon:
         sides = dict[str, Ends]()
         for r in self.plotted.leaning:
             start, end = label_of(r.start), label_of(r.end)
-            if r.plan == self.plan and self.plotted.has(self.plan, start, end):
+            if r.plan == self.plan and self.plotted.has_marks(self.plan, start, end):
                 a, b, along = self.mark(start), self.mark(end), complex(self.plotted.drawing[f"∥{r.pair.guide}"])
-                corner, index = dropped(a, b, along), pair_index(r.pair.link, r.pair.other)
-                if abs(corner - a) > detail.SHORT_MM < abs(b - corner):
+                corner, index = perpendicular_foot(a, b, along), force_pair_index(r.pair.link, r.pair.other)
+                if abs(corner - a) > detail.LEAST_READABLE_VECTOR_MM < abs(b - corner):
                     sides |= {f"N_{index}": (a, corner), f"T_{index}": (corner, b)}
         return sides
 
     def is_result(self, ends: tuple[str, str], names: list[str]) -> bool:
         """Whole vectors from the pole, and whole forces that were found here."""
-        if not self.of_rates:
-            return any("^" not in name and name not in self.given for name in names)
-        return ends[0] == POLE and at(self.plan, ends[1]) not in self.plotted.drawing.program.corners
+        if not self.is_rate_plan:
+            return any("^" not in name and name not in self.given_vector_names for name in names)
+        return (
+            ends[0] == POLE_LABEL
+            and full_mark_name(self.plan, ends[1]) not in self.plotted.drawing.program.component_end_marks
+        )
 
-    def named(self, details: Sequence[detail.Detail] = (), times: float = 1.0) -> list[Label]:
+    def name_labels(self, details: Sequence[detail.Detail] = (), times: float = 1.0) -> list[Label]:
         """The names of marks or vectors, in their places on a plan enlarged by a factor."""
-        if self.of_rates:
-            return self.mark_labels(SAME_MM / times)
-        places = self.numbered(details)
+        if self.is_rate_plan:
+            return self.mark_labels(SHARED_LABEL_MM / times)
+        places = self.overlapping_ends(details)
         numbers = {corner: k for k, (_, corners) in enumerate(places, 1) for corner in corners}
-        pole = [(self.naming.mark(POLE, self.plan), self.mark(POLE))] if self.plotted.has(self.plan, POLE) else []
-        ends = gathered([*pole, *((str(k), z) for k, (z, _) in enumerate(places, 1))], SAME_MM / times)
-        named_labels = [Label(", ".join(n), z, END_MM, clear=0.4, name=f"end {n[0]}") for z, n in ends]
+        pole = (
+            [(self.naming.mark(POLE_LABEL, self.plan), self.mark(POLE_LABEL))]
+            if self.plotted.has_marks(self.plan, POLE_LABEL)
+            else []
+        )
+        ends = group_names_by_place(
+            [*pole, *((str(k), z) for k, (z, _) in enumerate(places, 1))], SHARED_LABEL_MM / times
+        )
+        named_labels = [Label(", ".join(n), z, END_NUMBER_LETTER_MM, clear=0.4, name=f"end {n[0]}") for z, n in ends]
         for k, ((start, end), names) in enumerate(self.arrows.items()):
             back = self.arrows.get((end, start), [])
             if back and (end, start) in [*self.arrows][:k]:
                 continue  # it is named with the opposite one
-            text = " = ".join(map(self.naming.vector, names))
+            text = " = ".join(map(self.naming.lettered_vector, names))
             text += f" ({numbers[start]}–{numbers[end]})" if {start, end} <= numbers.keys() else ""
-            text += "".join(f" = −{self.naming.vector(name)}" for name in back)
-            named_labels.append(Label(text, self.places[start, end], FORCE_MM, name=names[0]))
+            text += "".join(f" = −{self.naming.lettered_vector(name)}" for name in back)
+            named_labels.append(Label(text, self.places[start, end], FORCE_LETTER_MM, name=names[0]))
         return named_labels
 
-    def numbered(self, details: Sequence[detail.Detail]) -> Clusters:
+    def overlapping_ends(self, details: Sequence[detail.Detail]) -> Clusters:
         """The ends of the vectors that overlap here or in a detail, along the polygon."""
         standing = {(a, b): (self.mark(a), self.mark(b)) for a, b in self.arrows}
         standing = {key: ends for key, ends in standing.items() if self.places[key] == ends}
         lying = {
             key
             for two in combinations(standing, 2)
-            if detail.one_line(standing[two[0]], standing[two[1]], details)
+            if detail.look_like_one_line(standing[two[0]], standing[two[1]], details)
             for key in two
         }
         lying |= {key[::-1] for key in lying}
-        terms = [(t.start, t.end) for t in self.terms()]
+        terms = [(t.start, t.end) for t in self.drawn_terms()]
         corners = dict.fromkeys(z for key in (*terms, *standing) if key in lying for z in key)
-        return gathered([(corner, self.mark(corner)) for corner in corners], ZERO_MM)
+        return group_names_by_place([(corner, self.mark(corner)) for corner in corners], ZERO_VECTOR_MM)
 
-    def with_values(self, named: Sequence[Label]) -> list[Label]:
+    def labels_with_values(self, named: Sequence[Label]) -> list[Label]:
         """The same labels with the values of vectors, if requested: of forces after their names; of velocities and
         accelerations, whose ends are named, as separate names, as far as there is room."""
         at = {self.places[ends]: names for ends, names in self.arrows.items() if self.valued}
-        if self.of_rates:
-            texts = ((place, " = ".join(map(self.naming.vector, names))) for place, names in at.items())
-            own = [Label(text, place, FORCE_MM, name=VALUE, told=True) for place, text in texts]
-            return [*named, *map(self.with_value, own)]
-        return [replace(self.with_value(x), name=f"{VALUE} {x.name}") if x.at in at else x for x in named]
+        if self.is_rate_plan:
+            texts = ((place, " = ".join(map(self.naming.lettered_vector, names))) for place, names in at.items())
+            own = [Label(text, place, FORCE_LETTER_MM, name=VALUE_NAME_PREFIX, told=True) for place, text in texts]
+            return [*named, *map(self.label_with_value, own)]
+        return [
+            replace(self.label_with_value(x), name=f"{VALUE_NAME_PREFIX} {x.name}") if x.at in at else x for x in named
+        ]
 
-    def with_value(self, label: Label) -> Label:
+    def label_with_value(self, label: Label) -> Label:
         """The label of a vector with its value."""
         assert isinstance(label.at, tuple)
-        size = abs(label.at[1] - label.at[0]) / self.plotted.mu(self.plan)
+        size = abs(label.at[1] - label.at[0]) / self.plotted.plan_mu(self.plan)
         sign = " = " if " = " in label.text else " "
-        return replace(label, text=f"{label.text}{sign}{measured(size, self.naming.lang)}")
+        return replace(label, text=f"{label.text}{sign}{read_off_text(size, self.naming.lang)}")
 
-    def mark_labels(self, same: float = SAME_MM) -> list[Label]:
+    def mark_labels(self, same: float = SHARED_LABEL_MM) -> list[Label]:
         """Letters of the marks; coinciding ones share one label."""
-        clusters = gathered([(label, self.mark(label)) for label in self.plotted.labels(self.plan)], same)
+        clusters = group_names_by_place(
+            [(label, self.mark(label)) for label in self.plotted.mark_labels(self.plan)], same
+        )
         centre = sum(z for z, _ in clusters) / len(clusters)
         letters, prime = [], "'" if self.plan == "acceleration" else ""
         for z, names in clusters:
-            fixed = [n + prime for n in self.plotted.fixed] if POLE in names else []
+            fixed = [n + prime for n in self.plotted.fixed] if POLE_LABEL in names else []
             text = ", ".join(dict.fromkeys(self.naming.mark(n, self.plan) for n in [*names, *fixed]))
-            away = toward(centre, z) if abs(z - centre) > ZERO_MM else 0
-            letters.append(Label(text, z, MARK_MM, side=away, clear=0.7, priority=1, name=text))
+            away = direction_between(centre, z) if abs(z - centre) > ZERO_VECTOR_MM else 0
+            letters.append(Label(text, z, MARK_LETTER_MM, side=away, clear=0.7, priority=1, name=text))
         return letters
 
 
-def tick(start: complex, end: complex) -> Ends:
+def tick_ends(start: complex, end: complex) -> Ends:
     """A tick between an end of a sum's forces and its own, without touching either: it is not a vector."""
-    return start + TICK[0] * (end - start), start + TICK[1] * (end - start)
+    return start + TICK_END_RATIOS[0] * (end - start), start + TICK_END_RATIOS[1] * (end - start)

@@ -1,28 +1,32 @@
 """Assur's special points on a scheme: where the lines of two leads of a basic link cross."""
 
 from planes.drafting.steps.crossings import Cross
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME_PLAN
 from planes.solving import Position
-from planes.words.names import at, label_of
+from planes.words.names import full_mark_name, label_of
 from planes.words.naming import Naming
 from render.labels import Label, Labelled
 from render.paper.marks import Line, Mark
 from render.paper.symbols import dot
-from render.views.scheme import LETTER_MM
+from render.views.scheme import POINT_LETTER_MM
 
-FAR_MM = 60.0  # a special point farther from every point of the mechanism is not shown
+MOST_SPECIAL_POINT_DISTANCE_MM = 60.0  # a special point farther from every point of the mechanism is not shown
 
 
-def special_points(position: Position, naming: Naming) -> Labelled:
+def special_point_marks(position: Position, naming: Naming) -> Labelled:
     """The lines of leads extended to their special points, with the letters of these."""
     marks, named, drawing = list[Mark](), list[Label](), position.drawing
-    points = [complex(drawing[m]) for p in position.plans.points if (m := at(SCHEME, p)) in drawing]
+    points = [complex(drawing[m]) for p in position.plans.points if (m := full_mark_name(SCHEME_PLAN, p)) in drawing]
     for step in drawing.program.steps:
-        if isinstance(step, Cross) and step.quantity == "special" and step.makes in drawing:
+        if isinstance(step, Cross) and step.quantity_represented == "special" and step.makes in drawing:
             place = complex(drawing[step.makes])
-            if min(abs(place - z) for z in points) <= FAR_MM:
+            if min(abs(place - z) for z in points) <= MOST_SPECIAL_POINT_DISTANCE_MM:
                 leads = (step.start, step.other)
                 marks += [Line((complex(drawing[m]), place), "thin", "construction") for m in leads]
                 marks += dot(place)
-                named.append(Label(naming.point(label_of(step.makes)), place, LETTER_MM, clear=0.8, name="special"))
+                named.append(
+                    Label(
+                        naming.lettered_point(label_of(step.makes)), place, POINT_LETTER_MM, clear=0.8, name="special"
+                    )
+                )
     return marks, named

@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterator
 
 from planes.drafting.steps import Carry, Image, Similar
 from planes.drafting.steps.crossings import Cross
-from planes.plans.scales import ZERO_MM
+from planes.plans.scales import ZERO_VECTOR_MM
 from planes.words.names import label_of, plan_of
 from render.paper.marks import Line
 from render.views.plotted import Ends, Plotted
@@ -12,9 +12,11 @@ from render.views.plotted import Ends, Plotted
 Triangle = tuple[complex, complex, complex]
 
 
-def traces(plotted: Plotted, plan: str, drawn: Collection[tuple[str, str]]) -> tuple[list[Line], list[Triangle]]:
+def construction_traces(
+    plotted: Plotted, plan: str, drawn: Collection[tuple[str, str]]
+) -> tuple[list[Line], list[Triangle]]:
     """Construction lines of a plan with ``drawn`` vectors between those marks, and the triangles to be hatched."""
-    sides, triangles = list(_of_false_points(plotted, plan)), list[Triangle]()
+    sides, triangles = list(_lines_to_false_points(plotted, plan)), list[Triangle]()
     for step in plotted.drawing.program.steps:
         if plan_of(step.makes) != plan or not isinstance(step, (Similar, Image)):
             continue
@@ -24,16 +26,16 @@ def traces(plotted: Plotted, plan: str, drawn: Collection[tuple[str, str]]) -> t
             continue
         corners = [label_of(base[0]), label_of(step.makes), label_of(base[1])]
         a, x, b = (plotted.mark(plan, corner) for corner in corners)
-        flat = abs(b - a) < ZERO_MM or abs(((x - a) / (b - a)).imag) * abs(b - a) < ZERO_MM
+        flat = abs(b - a) < ZERO_VECTOR_MM or abs(((x - a) / (b - a)).imag) * abs(b - a) < ZERO_VECTOR_MM
         sides += [(a, b)] * (tuple(corners[::2]) not in drawn) + [(a, x), (x, b)] * (not flat)
-        if not flat and step.quantity != "false":
+        if not flat and step.quantity_represented != "false":
             triangles.append((a, x, b))
-    return [Line(ends, "thin", "construction") for ends in sides if abs(ends[1] - ends[0]) > ZERO_MM], triangles
+    return [Line(ends, "thin", "construction") for ends in sides if abs(ends[1] - ends[0]) > ZERO_VECTOR_MM], triangles
 
 
-def _of_false_points(plotted: Plotted, plan: str) -> Iterator[Ends]:
+def _lines_to_false_points(plotted: Plotted, plan: str) -> Iterator[Ends]:
     """The lines that gave points of false positions."""
     for step in plotted.drawing.program.steps:
-        if plan_of(step.makes) == plan and step.quantity == "false" and isinstance(step, (Carry, Cross)):
+        if plan_of(step.makes) == plan and step.quantity_represented == "false" and isinstance(step, (Carry, Cross)):
             for mark in (step.start,) if isinstance(step, Carry) else (step.start, step.other):
                 yield plotted.mark(plan, label_of(mark)), plotted.mark(plan, label_of(step.makes))

@@ -6,10 +6,10 @@ import mpmath
 import pytest
 
 from planes.accuracy.digits import Digits
-from planes.batch.table import columns_of
-from planes.drafting.drawing import Drawing, run
+from planes.batch.table import columns_of_quantities
+from planes.drafting.drawing import Drawing, draw_program
 from planes.plans import Plans, plans_of
-from planes.plans.scales import unit_scales
+from planes.plans.scales import unit_scales_of_plans
 from planes.scene import load, loads
 from planes.words.errors import PlanFailure
 from tests.helpers import ROOT
@@ -35,18 +35,18 @@ def plans(name: str) -> Plans:
 
 
 def drawn(p: Plans, digits: int | None, **moved: float) -> Drawing:
-    given = {**p.given, **unit_scales(p), **moved}
-    return run(p.program, given, Digits(digits) if digits else None)
+    given = {**p.given, **unit_scales_of_plans(p), **moved}
+    return draw_program(p.program, given, Digits(digits) if digits else None)
 
 
 @pytest.mark.parametrize("name", ["six-link", "kind-1-rrr", "kind-2-rrp", "kind-3-rpr", "kind-4-prp", "kind-5-rpp"])
 def test_fifty_digits_agree_with_thirty_and_with_doubles(name: str) -> None:
     p = plans(name)
     double, thirty, fifty = (drawn(p, n) for n in (None, 30, 50))
-    for column in columns_of(p):
-        if column.beside or not column.needs:
+    for column in columns_of_quantities(p):
+        if column.beside or not column.needed_names:
             continue
-        short, long, longest = (column.take(d.things, d.tool.ar) for d in (double, thirty, fifty))
+        short, long, longest = (column.read_from_drawing(d.things, d.tool.ar) for d in (double, thirty, fifty))
         size = abs(longest) + 1e-3
         assert abs(long - longest) < 1e-24 * size, column.name
         assert abs(short - longest) < 1e-10 * size, column.name
@@ -79,5 +79,5 @@ def test_a_crank_as_long_as_its_rod_keeps_its_digits_near_the_fold(power: int) -
     double, truth = (drawn(p, n, angle_x_1=phi) for n in (None, 50))
     for mark in (p.points["B"].position, p.points["B"].velocity):
         assert abs(double[mark] - truth[mark]) <= 2e-15 * abs(truth[mark])
-    sharpness = double.sharpness[p.points["B"].acceleration]
+    sharpness = double.crossing_sharpness[p.points["B"].acceleration]
     assert abs(double[p.points["B"].acceleration] - truth[p.points["B"].acceleration]) <= 2e-16 / sharpness

@@ -13,20 +13,27 @@ import pytest
 import planes
 from planes.accuracy.digits import Digits
 from planes.accuracy.errors import Spread
-from planes.accuracy.stability import approach
+from planes.accuracy.stability import approach_nearest_limit
 from planes.batch import compiled
-from planes.batch.array_ops import OPS, read
+from planes.batch.array_ops import ARRAY_OPERATIONS, numbers_at_places
 from planes.batch.cycle import Cycle
 from planes.batch.error_bounds import Claims
-from planes.batch.rounding import EXACT, LARGEST, USUAL, bent, rounding, whole_numbers
-from planes.batch.tracing import given_values
+from planes.batch.rounding import (
+    EXACT_OPERATIONS,
+    LARGEST_ROUNDING_HALVES,
+    USUAL_ROUNDING_UNITS,
+    linearisation_remainder,
+    rounding_error_of,
+    whole_number_places,
+)
+from planes.batch.tracing import given_values_by_name
 from planes.cli import main
-from planes.diagrams.turn import WholeTurn, turn_of
-from planes.drafting.drawing import run
+from planes.diagrams.turn import WholeTurn, whole_turn_of
+from planes.drafting.drawing import draw_program
 from planes.drafting.instruments import Pencil
 from planes.plans import plans_of
-from planes.plans.curves import UNIT
-from planes.plans.scales import scales
+from planes.plans.curves import UNIT_DRIVE_PREFIX
+from planes.plans.scales import plan_scales
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load, loads
 from tests.helpers import ROOT
@@ -55,7 +62,10 @@ def ratios(c: Cycle, values: Any, fast: bool = False) -> Any:
     (block,) = c.blocks(values, fast=fast, chunk=len(values), bare=True)
     good = block.codes == 0
     assert good.any()
-    error, claims = errors(block.table[:, good], truth(c, values[good])), Claims(c).bounds(values[good])
+    error, claims = (
+        errors(block.table[:, good], truth(c, values[good])),
+        Claims(c).error_bounds_of_columns(values[good]),
+    )
     assert not (error > claims).any()
     sure = (error > 0) & np.isfinite(claims)
     return claims[sure] / error[sure]
@@ -97,7 +107,7 @@ def test_nothing_is_claimed_of_what_is_all_error() -> None:
     """An arm is a moment over a force: where the force is less than its own error, there is nothing to claim."""
     c = random_cycle(500016, sliding=False)
     values = 60.82792446 + np.logspace(-9, -6, 128)  # just past the limit
-    claims = Claims(c).bounds(values)
+    claims = Claims(c).error_bounds_of_columns(values)
     silent = {column.name for column, row in zip(c.columns, claims, strict=True) if not np.isfinite(row).all()}
     assert silent and all(name.endswith(("_arm", "_moment")) or name.startswith(("F_", "M")) for name in silent)
     assert 0 < (~np.isfinite(claims)).mean() < 0.02
@@ -107,18 +117,18 @@ def test_claims_hold_for_every_way_to_draw() -> None:
     """The compiled loop rounds otherwise than arrays, and a single position otherwise than both."""
     c = cycle_of("six-link")
     values = np.random.default_rng(7).uniform(135, 215, 60)
-    if compiled.available():
+    if compiled.is_compiler_available():
         assert ratios(c, values, fast=True).size
-    bounds, true = Claims(c).bounds(values[:6]), truth(c, values[:6])
+    bounds, true = Claims(c).error_bounds_of_columns(values[:6]), truth(c, values[:6])
     for k, value in enumerate(values[:6]):
-        drawing = run(c.program, {**c.given, c.plans.drive_given: float(value)})
-        single = np.array([column.take(drawing.things, drawing.tool.ar) for column in c.columns], float)
+        drawing = draw_program(c.program, {**c.given, c.plans.drive_given_name: float(value)})
+        single = np.array([column.read_from_drawing(drawing.things, drawing.tool.ar) for column in c.columns], float)
         assert not (errors(single[:, None], [(x[0][k : k + 1], x[1][k : k + 1]) for x in true]) > bounds[:, [k]]).any()
 
 
 def test_claims_hold_at_the_scales_of_a_sheet() -> None:
     c = cycle_of("six-link")
-    scaled = Cycle(c.plans, known=scales(c.plans, {}, {}))
+    scaled = Cycle(c.plans, known=plan_scales(c.plans, {}, {}))
     assert np.median(ratios(scaled, np.linspace(140, 210, 40))) < 12
 
 
@@ -132,9 +142,11 @@ def test_claims_of_blocks_are_those_of_single_positions() -> None:
     lengths = c.given["l_BC"] * np.linspace(1, 1.01, 9)
     many, values = Cycle(c.plans, known={"l_BC": lengths}), np.linspace(0, 359, 9)
     results = np.hstack([b.table for b in many.blocks(values, chunk=4, fast=False)])
-    claims = np.hstack([many.claimed(values[k : k + 4], np.arange(k, min(k + 4, 9))) for k in (0, 4, 8)])
+    claims = np.hstack([many.decimal_error_bounds(values[k : k + 4], np.arange(k, min(k + 4, 9))) for k in (0, 4, 8)])
     for k in range(9):
-        one = Cycle(c.plans, known={"l_BC": lengths[k]}).rough.bounds(values[k : k + 1])[:, 0]
+        one = Cycle(c.plans, known={"l_BC": lengths[k]}).decimal_error_claims.error_bounds_of_columns(
+            values[k : k + 1]
+        )[:, 0]
         good = ~np.isnan(results[:, k])
         assert claims[good, k] == pytest.approx(one[good], rel=1e-6)
 
@@ -156,16 +168,16 @@ def test_chosen_columns_have_their_claims_in_python_and_in_a_table(tmp_path: Pat
     scene, names = planes.load(SAMPLES / "six-link.yaml"), ["a_C", "s_5", "u_31", "phi_3", "F_12"]
     assert scene.mechanism
     plans, values = scene_plans(scene), np.linspace(150, 300, 7)
-    turn = turn_of(plans, names, slopes=False)
-    rows, _ = turn.rows(values, errors=True)
-    shifted = WholeTurn(plans, turn.curves, slopes=False).sample(values)
+    turn = whole_turn_of(plans, names, slopes=False)
+    rows, _ = turn.curve_rows(values, errors=True)
+    shifted = WholeTurn(plans, turn.curves, slopes=False).sample_columns(values)
     for curve, row, off in zip(turn.curves, rows, rows[len(names) :], strict=False):
         assert (off > 0).all() and (off < 1e-9 * np.abs(row).max()).all(), curve.name
         rng = np.random.default_rng(1)
-        bounds = {c.name: np.full(7, 1e-7) for _, run in turn.cycles for c in run.columns}
-        bounds |= {UNIT + name: row for name, row in bounds.items()}
+        bounds = {c.name: np.full(7, 1e-7) for _, run in turn.cycles_by_prefix for c in run.columns}
+        bounds |= {UNIT_DRIVE_PREFIX + name: row for name, row in bounds.items()}
         spoilt = {name: x + 1e-7 * rng.uniform(-1, 1, 7) for name, x in shifted.items()}
-        assert (np.abs(curve.read(spoilt) - row) <= curve.off(shifted, bounds)).all(), curve.name
+        assert (np.abs(curve.read(spoilt) - row) <= curve.error_bounds_of_curve(shifted, bounds)).all(), curve.name
     table = planes.cycle(scene, ["a_C", "F_12"], phi=values, errors=True)
     assert table["± a_C_x"].max() < 1e-9 and list(table)[-1] == "± F_12_y" and table.plot().axes[0].lines
     to = tmp_path / "table.csv"
@@ -183,10 +195,12 @@ def test_the_long_truth_is_that_of_fifty_digits(seed: int) -> None:
     true = truth(c, near)
     assert len(near)
     for k, value in enumerate(near):
-        drawing = run(c.program, {**c.given, c.plans.drive_given: float(value)}, Digits(50))
+        drawing = draw_program(c.program, {**c.given, c.plans.drive_given_name: float(value)}, Digits(50))
         mpf = drawing.tool.ar.mp.mpf  # type: ignore[attr-defined]
-        for row, (column, claim) in enumerate(zip(c.columns, Claims(c).bounds(near[k : k + 1])[:, 0], strict=True)):
-            exact = column.take(drawing.things, drawing.tool.ar)
+        for row, (column, claim) in enumerate(
+            zip(c.columns, Claims(c).error_bounds_of_columns(near[k : k + 1])[:, 0], strict=True)
+        ):
+            exact = column.read_from_drawing(drawing.things, drawing.tool.ar)
             strays = float(abs(exact - mpf(float(true[row][0][k])) - mpf(float(true[row][1][k]))))
             assert strays <= 1e-8 * claim + 1e-28 * abs(float(exact)), column.name
 
@@ -222,23 +236,23 @@ def test_no_operation_loses_more_than_it_is_said_to() -> None:
     squares: dict[str, list[float]] = {}
     for seed in (2, 4, 8, 12):
         c = random_cycle(seed, sliding=False)
-        tape, order = c.trace.tape, c.trace.tape.needed(list(c.trace.outputs))
+        tape, order = c.trace.tape, c.trace.tape.places_needed(list(c.trace.outputs))
         values = np.random.default_rng(seed).uniform(0, 360, 50)
-        found = read(tape, order, {**given_values(c.given), c.plans.drive_given: values})
-        whole = whole_numbers(tape, order)
+        found = numbers_at_places(tape, order, {**given_values_by_name(c.given), c.plans.drive_given_name: values})
+        whole = whole_number_places(tape, order)
         for place in order:
             op, args = tape.ops[place]
-            if op not in EXACT:
+            if op not in EXACT_OPERATIONS:
                 with np.errstate(all="ignore"):
-                    said = rounding(tape, place, found, whole)
+                    said = rounding_error_of(tape, place, found, whole)
                     half = np.zeros(1) if said is None else np.asarray(said)
                     exact = TWO_OPS[op](*((found[a], np.zeros_like(found[a])) for a in args))
                     off = apart(found[place], exact)
-                    assert not (off > LARGEST.get(op, 1.0) * half * (1 + 1e-12)).any(), op
+                    assert not (off > LARGEST_ROUNDING_HALVES.get(op, 1.0) * half * (1 + 1e-12)).any(), op
                     part = np.atleast_1d(off / np.where(half > 0, half, np.nan))
                 squares.setdefault(op, []).extend(part[np.isfinite(part)] ** 2)
     for op in ("add", "sub", "mul", "inv", "sin", "cos", "hypot", "atan2"):
-        assert 0.3 < math.sqrt(3 * np.mean(squares[op])) / USUAL.get(op, 1.0) < 1.06, op
+        assert 0.3 < math.sqrt(3 * np.mean(squares[op])) / USUAL_ROUNDING_UNITS.get(op, 1.0) < 1.06, op
 
 
 @pytest.mark.few(3)
@@ -252,8 +266,8 @@ def test_no_operation_is_more_bent_than_it_is_said_to_be(op: str) -> None:
     args = [np.abs(a) for a in args] if op == "sqrt" else args
     offs = [d * rng.choice([-1, 1, 0.5, -0.7, 0.999], count) for d in reach]
     with np.errstate(all="ignore"):
-        z, moved = OPS[op](*args), OPS[op](*(a + d for a, d in zip(args, offs, strict=True)))
-        lost, parts = bent(op, z, tuple(args), reach)
+        z, moved = ARRAY_OPERATIONS[op](*args), ARRAY_OPERATIONS[op](*(a + d for a, d in zip(args, offs, strict=True)))
+        lost, parts = linearisation_remainder(op, z, tuple(args), reach)
         straight = z + sum(part * d for part, d in zip(parts, offs, strict=True))
         assert not (np.abs(moved - straight) > lost + 1e-12 * (1 + np.abs(z))).any()
     if op not in ("abs", "max", "min"):
@@ -265,7 +279,7 @@ def test_no_operation_is_more_bent_than_it_is_said_to_be(op: str) -> None:
 def test_claims_hold_on_the_way_to_a_dead_point() -> None:
     mechanism = load(str(SAMPLES / "six-link.yaml")).mechanism
     assert mechanism
-    way = approach(plans_of(mechanism))
+    way = approach_nearest_limit(plans_of(mechanism))
     assert way is not None and float(way.limit.value) == pytest.approx(129.5273973697464)
     for key in ("method_scalar", "method_batch", "method_compiled"):
         errors = way.errors.get(key, way.errors["method_batch"])
@@ -278,14 +292,14 @@ def test_claims_hold_on_the_way_to_a_dead_point() -> None:
 @pytest.mark.parametrize("name", KIND_SAMPLES)
 def test_spread_of_a_pencil_is_that_of_many_draughtsmen(name: str) -> None:
     c = cycle_of(name)
-    mus = scales(c.plans, {}, {})
+    mus = plan_scales(c.plans, {}, {})
     position = c.plans.mechanism.drive.position
     pencil, many = Pencil(point_mm=0.03, ray_deg=0.03, ruler_mm=0.05), 3000
-    carried = Spread(c, pencil, mus).bounds(np.array([position]))[:, 0]
-    given = {**c.given, **mus, c.plans.drive_given: np.full(many, position)}
-    drawing = run(c.program, given, pencil)
+    carried = Spread(c, pencil, mus).error_bounds_of_columns(np.array([position]))[:, 0]
+    given = {**c.given, **mus, c.plans.drive_given_name: np.full(many, position)}
+    drawing = draw_program(c.program, given, pencil)
     for column, spread in zip(c.columns, carried, strict=True):
-        seen = np.std(np.broadcast_to(column.take(drawing.things, drawing.tool.ar), (many,)))
+        seen = np.std(np.broadcast_to(column.read_from_drawing(drawing.things, drawing.tool.ar), (many,)))
         if np.isfinite(seen) and seen > 1e-12:
             assert spread == pytest.approx(seen, rel=0.25), column.name
 
@@ -319,5 +333,5 @@ def test_claims_hold_for_a_guide_through_a_far_point(far: float) -> None:
     c = Cycle(plans_of(loads(FAR_GUIDE.format(x=x, y=y, angle=math.degrees(0.7))).mechanism))  # type: ignore[arg-type]
     error, claimed = beside_text(c, np.array([359.976493, 12.3, 77.7]))
     assert not (error > claimed).any()
-    short = error > Claims(c).bounds(np.array([359.976493, 12.3, 77.7]))
+    short = error > Claims(c).error_bounds_of_columns(np.array([359.976493, 12.3, 77.7]))
     assert short.any()  # what is counted from the doubles on alone is too little

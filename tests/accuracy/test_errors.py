@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 
 from planes.accuracy.digits import Digits
-from planes.accuracy.errors import add_errors
+from planes.accuracy.errors import add_errors_to_results
 from planes.batch.cycle import Cycle
 from planes.cli import main
-from planes.drafting.drawing import run
+from planes.drafting.drawing import draw_program
 from planes.drafting.instruments import Pencil
 from planes.plans.measuring import DrawingReader
-from planes.plans.quantities import nested, told_of
+from planes.plans.quantities import nested_json, results_with_intermediates
 from planes.scene import load
 from planes.solving import solve
 from tests.helpers import ROOT
@@ -38,14 +38,14 @@ def leaves(thing: Any, way: tuple[str, ...] = ()) -> dict[tuple[str, ...], Any]:
 def test_errors_have_the_shape_of_results_and_hold(name: str) -> None:
     scene = load(str(SAMPLES / f"{name}.yaml"))
     solved = solve(scene)
-    add_errors(solved)
+    add_errors_to_results(solved)
     (p,) = solved.positions
     errors = leaves(p.results["errors"])
     found = {k: v for k, v in leaves(p.results).items() if k[0] not in ("phi_deg", "s", "warnings", "errors", "plans")}
     assert {k for k in found if k[-1] != "guide"} == {k for k in errors if k[0] != "plans"}
-    given = {**p.plans.given, **p.scales, p.plans.drive_given: p.at}
-    reader = Exactly(p.plans, run(p.plans.program, given, Digits(50)), p.scales)
-    truth = leaves(nested(map(reader.read, told_of(p.plans))))
+    given = {**p.plans.given, **p.scales, p.plans.drive_given_name: p.at}
+    reader = Exactly(p.plans, draw_program(p.plans.program, given, Digits(50)), p.scales)
+    truth = leaves(nested_json(map(reader.read_quantity, results_with_intermediates(p.plans))))
     for way, error in errors.items():
         if way[0] != "plans" and found[way] is not None:
             assert abs(found[way] - truth[way]) <= error <= 1e-9, way
@@ -57,10 +57,10 @@ def test_errors_have_the_shape_of_results_and_hold(name: str) -> None:
 
 def test_one_position_and_a_table_have_the_same_errors() -> None:
     solved = solve(load(str(SAMPLES / "six-link.yaml")))
-    add_errors(solved)
+    add_errors_to_results(solved)
     (p,) = solved.positions
     cycle = Cycle(solved.plans, known=p.scales)
-    rows = cycle.claimed(np.array([p.at, p.at + 1.0]), np.arange(2))
+    rows = cycle.decimal_error_bounds(np.array([p.at, p.at + 1.0]), np.arange(2))
     bounds = dict(zip((c.name for c in cycle.columns), rows[:, 0], strict=True))
     points = p.results["errors"]["points"]
     assert all(max(points[name]["v"]) > 0 for name in "BCH")
@@ -72,7 +72,7 @@ def test_one_position_and_a_table_have_the_same_errors() -> None:
 class Exactly(DrawingReader):
     """Reads a drawing of long numbers and loses none of them."""
 
-    def finite(self, value: Any, name: str) -> Any:
+    def finite_number(self, value: Any, name: str) -> Any:
         return value
 
 
@@ -80,7 +80,7 @@ def test_a_pencil_says_how_far_apart_draughtsmen_end() -> None:
     scene = load(str(SAMPLES / "six-link.yaml"))
     solved = solve(scene, None, Pencil())
     crowd = {k: s["error_mm"] for k, s in solved.positions[0].results["plans"]["velocity"]["segments"].items()}
-    add_errors(solved, Pencil())
+    add_errors_to_results(solved, Pencil())
     carried = {k: s["error_mm"] for k, s in solved.positions[0].results["plans"]["velocity"]["segments"].items()}
     for key, seen in crowd.items():
         assert carried[key] ** 2 == pytest.approx(seen**2 + 0.5**2 / 12, rel=0.35), key

@@ -13,8 +13,8 @@ import pytest
 from planes.batch.cycle import Cycle
 from planes.cli import main
 from planes.scene import load, loads
-from planes.solving import plans_of, solve
-from planes.solving.tables import report
+from planes.solving import plans_for_requested_results, solve
+from planes.solving.tables import solve_report_text
 from tests.helpers.near_limits import FAMILIES, HIGHER, case, walk
 
 SLOT = """\
@@ -77,7 +77,7 @@ def test_no_number_near_a_dead_point_of_a_higher_class_is_wrong_without_a_word(f
 @pytest.mark.parametrize("family", FAMILIES)
 def test_tables_by_arrays_and_compiled_leave_out_the_same(family: str) -> None:
     text, values = case(family, random.Random(7), 60)
-    c = Cycle(plans_of(loads(text))[0])
+    c = Cycle(plans_for_requested_results(loads(text))[0])
     (one,), (two,) = (list(c.blocks(values, fast=fast)) for fast in (False, True))
     assert (np.isnan(one.table) != np.isnan(two.table)).mean() < 0.02  # bounds on the very edge may fall to either side
     assert ((one.codes != 0) == (two.codes != 0)).mean() > 0.95
@@ -101,12 +101,12 @@ def test_a_force_that_is_nothing_beside_others_is_warned_of() -> None:
 @pytest.mark.parametrize("fast", [False, pytest.param(True, marks=pytest.mark.needs("llvmlite"))])
 def test_a_table_leaves_out_a_force_that_is_nothing_beside_others(fast: bool) -> None:
     for names in (None, ["F_10"], ["F_20"]):
-        c = Cycle(plans_of(loads(FAINT))[0], names)
+        c = Cycle(plans_for_requested_results(loads(FAINT))[0], names)
         (block,) = c.blocks([208781.2, 208785.2], fast=fast)
         empty = {x.name for x, row in zip(c.columns, block.table, strict=True) if np.isnan(row).all() and not x.beside}
         faint = {None: ["F_23", "F_10"], "F_10": ["F_10"], "F_20": []}[names and names[0]]  # F_23 is nothing in truth
         assert empty == {f"{force}_{part}" for force in faint for part in "xy"}
-        assert block.failed.all() == bool(faint)
+        assert block.failed_mask.all() == bool(faint)
 
 
 @pytest.mark.parametrize("r, value", [(0.8648274175113996, -6.124416584198899e-07), (0.8648274175113996, 1e-6)])
@@ -117,7 +117,7 @@ def test_rounding_is_no_contradiction_near_a_pivot(r: float, value: float) -> No
 
 
 def test_the_drivers_own_rates_are_printed_beside_whatever_else(capsys: pytest.CaptureFixture[str]) -> None:
-    print(report(solve(loads(SLOT), [1e-12])))
+    print(solve_report_text(solve(loads(SLOT), [1e-12])))
     row = next(line for line in capsys.readouterr().out.splitlines() if line.startswith("  1  "))
     assert row.split() == ["1", "1·10⁻¹²", "10", "3"]
 
@@ -144,19 +144,22 @@ def test_sizes_too_different_to_reckon_with_are_warned_of(size: str) -> None:
     far = SLOT.replace("O: [0, 0], B: [d, 0]", f"O: [{size}, 0], B: [{size} + 0.1, 0]")
     (position,) = solve(loads(far)).positions
     assert any("less than three correct digits" in w for w in position.results["warnings"])
-    (block,) = Cycle(plans_of(loads(far))[0]).blocks([60.0, 70.0], fast=False)
+    (block,) = Cycle(plans_for_requested_results(loads(far))[0]).blocks([60.0, 70.0], fast=False)
     assert np.isnan(block.table).any(axis=0).all() and block.codes.all()
 
 
 @pytest.mark.parametrize("fast", [False, pytest.param(True, marks=pytest.mark.needs("llvmlite"))])
 def test_a_force_that_rounding_makes_exactly_nothing_is_left_out_of_a_table(fast: bool) -> None:
-    c = Cycle(plans_of(loads(EATEN))[0], ["F_23"])
+    c = Cycle(plans_for_requested_results(loads(EATEN))[0], ["F_23"])
     (block,) = c.blocks(np.linspace(50.0, 60.0, 16), fast=fast)
-    assert block.failed.all() and np.isnan(block.table).all()
+    assert block.failed_mask.all() and np.isnan(block.table).all()
 
 
 def test_a_force_no_load_reaches_is_exactly_nothing() -> None:
-    c = Cycle(plans_of(load(Path(__file__).parents[2] / "samples" / "assignment-12.yaml"))[0], ["F_50", "F_45"])
+    c = Cycle(
+        plans_for_requested_results(load(Path(__file__).parents[2] / "samples" / "assignment-12.yaml"))[0],
+        ["F_50", "F_45"],
+    )
     (block,) = c.blocks([60.0, 61.0], fast=False)
     row = [x.name for x in c.columns].index("F_50_y")
-    assert not block.failed.any() and (block.table[row] == 0).all() and len(c.forces) == 1
+    assert not block.failed_mask.any() and (block.table[row] == 0).all() and len(c.force_ends) == 1

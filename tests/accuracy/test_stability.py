@@ -9,9 +9,9 @@ import pytest
 
 from planes.accuracy.comparison import Comparison
 from planes.accuracy.digits import Digits
-from planes.accuracy.limits import find
-from planes.accuracy.stability import BINS, CROWD, Approach, approach
-from planes.accuracy.variation import altered, changed
+from planes.accuracy.limits import find_nearest_limit
+from planes.accuracy.stability import DISTANCE_BINS, POSITIONS_PER_POINT, Approach, approach_nearest_limit
+from planes.accuracy.variation import names_of_changed_givens, plans_with_changed_given
 from planes.batch import compiled
 from planes.drafting.drawing import Drawing
 from planes.plans import Plans, plans_of
@@ -36,7 +36,7 @@ LIMITS = {  # sample: the given that moves, its value, which side works, what it
     "kind-4-prp": ("angle_x_1", 60.0, -1, "infinite"),
     "kind-5-rpp": ("angle_∥n-n", 0.0, 1, "infinite"),
 }
-OURS = ["method_scalar", "method_batch", *(["method_compiled"] if compiled.available() else [])]
+OURS = ["method_scalar", "method_batch", *(["method_compiled"] if compiled.is_compiler_available() else [])]
 SHOWN = ["six-link", "kind-1-rrr", "kind-2-rrp", "kind-4-prp"]
 
 
@@ -48,7 +48,7 @@ def plans(name: str) -> Plans:
 
 @cache
 def way(name: str) -> Approach:
-    found = approach(plans(name), installed())
+    found = approach_nearest_limit(plans(name), installed())
     assert found
     return found
 
@@ -61,7 +61,7 @@ def ours(name: str) -> np.ndarray:
 @pytest.mark.parametrize("name", list(LIMITS))
 def test_every_sample_comes_to_a_limit(name: str) -> None:
     """By its drive; a crank that turns all round by an altered length, a yoke by the angle of its slot."""
-    limit = find(Comparison(plans(name)))
+    limit = find_nearest_limit(Comparison(plans(name)))
     given, value, side, kind = LIMITS[name]
     assert limit and (limit.way.name, limit.side, limit.kind) == (given, side, kind)
     assert float(limit.value) == pytest.approx(value, rel=1e-13, abs=1e-40)
@@ -70,14 +70,14 @@ def test_every_sample_comes_to_a_limit(name: str) -> None:
 def test_a_parallelogram_comes_to_its_change_point() -> None:
     mechanism = loads(PARALLELOGRAM).mechanism
     assert mechanism
-    limit = find(Comparison(plans_of(mechanism)))
+    limit = find_nearest_limit(Comparison(plans_of(mechanism)))
     assert limit and limit.kind == "change" and float(limit.value) % 180 == pytest.approx(0, abs=1e-12)
 
 
 def test_a_bare_crank_comes_to_none() -> None:
     mechanism = loads(CRANK).mechanism
     assert mechanism
-    assert approach(plans_of(mechanism)) is None
+    assert approach_nearest_limit(plans_of(mechanism)) is None
 
 
 @pytest.mark.few(0, slow=3)
@@ -115,27 +115,27 @@ def test_no_other_tool_is_better_anywhere(name: str, tool: str) -> None:
 def test_lengths_that_vary_bring_their_own_complex_numbers_along() -> None:
     """A group of class III is begun from numbers of its lengths that have two parts: rows of many lengths keep both."""
     plans = plans_of(load(str(ROOT / "samples/class-three/mixtures/rr-pr-rp.yaml")).mechanism)
-    variants = [altered(plans, "l_OA", 0.08 * (1 + 0.01 * k)) for k in range(3)]
-    names = changed(plans.given, variants[-1].given)
+    variants = [plans_with_changed_given(plans, "l_OA", 0.08 * (1 + 0.01 * k)) for k in range(3)]
+    names = names_of_changed_givens(plans.given, variants[-1].given)
     known = {name: np.array([x.given[name] for x in variants]) for name in names}
     assert any(np.iscomplexobj(v) for v in known.values())
     bench, drive = Comparison(plans, known, variants), np.full(3, 30.0)
-    together = bench.many(drive, False)
+    together = bench.columns_by_loop(drive, False)
     for k, x in enumerate(variants):
-        alone = Comparison(x).many(drive[:1], False)[:, 0]
+        alone = Comparison(x).columns_by_loop(drive[:1], False)[:, 0]
         assert together[:, k] == pytest.approx(alone, rel=1e-12, abs=1e-12)
-        assert bench.scalar(drive)[:, k] == pytest.approx(alone, rel=1e-11, abs=1e-12)
+        assert bench.columns_one_by_one(drive)[:, k] == pytest.approx(alone, rel=1e-11, abs=1e-12)
 
 
 def test_every_position_is_drawn_once_with_fifty_digits(monkeypatch: pytest.MonkeyPatch) -> None:
     """The same drawing gives the truth and the sharpness."""
     digits: list[int] = []
-    drawn = Comparison.drawn
+    drawn = Comparison.draw_position
 
     def counted(self: Comparison, value: float, instrument: Digits | None = None, k: int = 0) -> Drawing:
         digits.extend([instrument.digits] if instrument else [])
         return drawn(self, value, instrument, k)
 
-    monkeypatch.setattr(Comparison, "drawn", counted)
-    assert approach(plans("kind-2-rrp"))
-    assert digits.count(50) == digits.count(30) == CROWD * len(BINS)
+    monkeypatch.setattr(Comparison, "draw_position", counted)
+    assert approach_nearest_limit(plans("kind-2-rrp"))
+    assert digits.count(50) == digits.count(30) == POSITIONS_PER_POINT * len(DISTANCE_BINS)

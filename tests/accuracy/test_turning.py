@@ -7,15 +7,15 @@ import math
 import numpy as np
 import pytest
 
-from planes.accuracy.turning import Turning, turned, turning
-from planes.accuracy.variation import alterable
-from planes.drafting.drawing import run
+from planes.accuracy.turning import Turning, length_turning_curves, turning_of_nearest_length
+from planes.accuracy.variation import alterable_given_names
+from planes.drafting.drawing import draw_program
 from planes.drafting.steps.tracks import CutTrack
 from planes.geometry.arithmetic import Arithmetic
 from planes.geometry.tracks import Tie
 from planes.plans import Plans, plans_of
 from planes.scene import load, loads
-from planes.words.names import mu_of
+from planes.words.names import mu_name
 from tests.helpers import ROOT
 from tests.plans.test_basic_chains import counted as both_counted
 from tests.plans.test_triad_assemblies import counted
@@ -86,7 +86,7 @@ def reached(found: Turning, phi: np.ndarray, lengths: np.ndarray) -> np.ndarray:
 @pytest.mark.slow
 def test_the_rod_of_a_slider_crank() -> None:
     """The crank's end is as far from the guide as the rod is long."""
-    found = turning(stated(SLIDER), "l_BC")
+    found = length_turning_curves(stated(SLIDER), "l_BC")
     phi, rods = every(found)
     assert abs(rods - abs(0.1 * np.sin(phi) - 0.02)).max() < 1e-12
     phi = np.linspace(0, 2 * math.pi, 400, endpoint=False)
@@ -99,7 +99,7 @@ def test_the_rod_of_a_slider_crank() -> None:
 @pytest.mark.parametrize(("name", "length"), [("l_BC", 0.3), ("l_DC", 0.25)])
 def test_the_rod_and_the_rocker_of_a_four_bar(name: str, length: float) -> None:
     """Rod and rocker are stretched, or folded, on the line from crank pin to bearing."""
-    found, other = turning(stated(FOUR_BAR), name), 0.55 - length
+    found, other = length_turning_curves(stated(FOUR_BAR), name), 0.55 - length
     phi, lengths = every(found)
     diagonal = np.abs(0.4 - 0.15 * np.exp(1j * phi))
     missed = np.min([abs(diagonal - lengths - other), abs(diagonal - abs(lengths - other))], axis=0)
@@ -113,7 +113,7 @@ def test_the_rod_and_the_rocker_of_a_four_bar(name: str, length: float) -> None:
 
 def test_the_crank_of_a_slotted_lever_beside_whose_bearing_the_slider_passes() -> None:
     """The circle that the guide touches goes through the crank's pin."""
-    found = turning(stated(SLOTTED), "l_AB")
+    found = length_turning_curves(stated(SLOTTED), "l_AB")
     phi, cranks = every(found)
     assert abs(np.abs(0.3 - cranks * np.exp(1j * phi)) - 0.15).max() < 1e-12
 
@@ -121,10 +121,10 @@ def test_the_crank_of_a_slotted_lever_beside_whose_bearing_the_slider_passes() -
 def ties_at(plans: Plans, name: str, phi: float, length: float) -> list[Tie]:
     """The leads of the basic link at an angle of the crank and a length of a rod."""
     step = next(s for s in plans.program.steps if isinstance(s, CutTrack))
-    program = plans.program.sliced([n for hold in step.holds for n, _ in hold.reads()])
-    given = {**plans.given, mu_of("position"): 1.0, plans.drive_given: phi, name: length}
-    things = run(program, given).things
-    return [hold.tie(things, 1.0, Arithmetic()) for hold in step.holds]
+    program = plans.program.cut_to_names([n for hold in step.holds for n, _ in hold.input_names()])
+    given = {**plans.given, mu_name("position"): 1.0, plans.drive_given_name: phi, name: length}
+    things = draw_program(program, given).things
+    return [hold.lead_tie(things, 1.0, Arithmetic()) for hold in step.holds]
 
 
 ALTERED = {"class-three/rods": "l_FD", "class-three/press": "l_AB", "class-three/stephenson": "l_AB"}
@@ -135,7 +135,7 @@ ALTERED = {"class-three/rods": "l_FD", "class-three/press": "l_AB", "class-three
 def test_two_assemblies_meet_on_a_curve_of_class_three(name: str) -> None:
     """Counted exactly on both sides: there are two more on one of them; and between the curves their number stands."""
     plans, length = sample(name), ALTERED[name]
-    found = turning(plans, length)
+    found = length_turning_curves(plans, length)
     assert found.curves
     for curve in found.curves:
         for k in range(3, len(curve.values) - 3, 17):
@@ -155,7 +155,7 @@ def test_two_assemblies_meet_on_a_curve_of_class_three(name: str) -> None:
 def test_none_is_left_out_of_class_three() -> None:
     """Along lines of one length the exact count changes where a curve is crossed, and nowhere else."""
     plans = sample("class-three/stephenson")
-    found = turning(plans, "l_AB")
+    found = length_turning_curves(plans, "l_AB")
     for length in (0.21, 0.3, 0.42, 0.55, 0.68):
         angles = np.linspace(0.5, 360.5, 121)
         counts = [counted(ties_at(plans, "l_AB", a, length)) for a in angles]
@@ -167,16 +167,18 @@ def test_none_is_left_out_of_class_three() -> None:
 @pytest.mark.slow
 def test_the_length_altered_the_least_is_taken() -> None:
     plans = sample("class-three/rods")
-    found = turned(plans, alterable(plans, [n for n in plans.program.givens if n in plans.lengths]))
+    found = turning_of_nearest_length(
+        plans, alterable_given_names(plans, [n for n in plans.program.given_names if n in plans.link_lengths])
+    )
     assert found and found.name == "l_FD" and found.whole
-    assert turned(stated(FOUR_BAR), []) is None
+    assert turning_of_nearest_length(stated(FOUR_BAR), []) is None
 
 
 @pytest.mark.slow
 def test_basic_links_in_a_chain_are_counted_on_both_sides_of_their_curves() -> None:
     """All over the field as by exact elimination, and two more, or fewer, beyond a curve."""
     plans = sample("class-three/two-basic-links")
-    found, rng = turning(plans, "l_AB"), np.random.default_rng(3)
+    found, rng = length_turning_curves(plans, "l_AB"), np.random.default_rng(3)
     assert found.whole and len(found.curves) == 3
     for _ in range(80):
         j, i = rng.integers(len(found.lengths)), rng.integers(len(found.values))

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.drafting.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, draw_program
 from planes.plans import Plans, plans_of
-from planes.plans.scales import scales
+from planes.plans.scales import plan_scales
 from planes.scene import loads
 from planes.words.errors import PlanFailure
 from tests.helpers.comparing import draw
@@ -27,15 +27,15 @@ def bench(text: str) -> Bench:
     scene = loads(text)
     assert scene.mechanism
     plans = plans_of(scene.mechanism)
-    return plans, scales(plans, scene.mu)
+    return plans, plan_scales(plans, scene.mu)
 
 
 def crowd(b: Bench, values: Any) -> Drawing:
-    return run(b[0].program, {**b[0].given, **b[1], b[0].drive_given: np.asarray(values, dtype=float)})
+    return draw_program(b[0].program, {**b[0].given, **b[1], b[0].drive_given_name: np.asarray(values, dtype=float)})
 
 
 def alone(b: Bench, value: float) -> Drawing:
-    return run(b[0].program, {**b[0].given, **b[1], b[0].drive_given: float(value)})
+    return draw_program(b[0].program, {**b[0].given, **b[1], b[0].drive_given_name: float(value)})
 
 
 def element(thing: Any, i: int) -> complex:
@@ -78,7 +78,7 @@ def test_an_array_draws_what_one_draws(kind: str, friction: bool) -> None:
         b = bench(to_yaml(case.scene))
         values = values_for(rng, b[0], 30.0 if b[0].mechanism.drive.kind == "phi" else 0.2)
         many = crowd(b, values)
-        mask = np.broadcast_to(many.failed(), len(values))
+        mask = np.broadcast_to(many.failed_mask(), len(values))
         for i, value in enumerate(values):
             try:
                 one = alone(b, value)
@@ -87,8 +87,8 @@ def test_an_array_draws_what_one_draws(kind: str, friction: bool) -> None:
                 assert first_reason(many, i) == failure.reason
                 continue
             assert not mask[i], (seed, value, first_reason(many, i))
-            sharp = math.prod(s for name, s in one.sharpness.items() if name.startswith("position"))
-            sharp *= min(one.sharpness.values(), default=1.0)  # errors of one group are carried into the next
+            sharp = math.prod(s for name, s in one.crossing_sharpness.items() if name.startswith("position"))
+            sharp *= min(one.crossing_sharpness.values(), default=1.0)  # errors of one group are carried into the next
             if sharp < 1e-4:
                 continue
             sizes = plan_sizes(b, one)
@@ -107,7 +107,7 @@ def test_a_whole_turn_fails_only_where_one_position_does() -> None:
     b = bench(FOUR_BAR.replace("B: 0.1", "B: 0.35"))
     values = np.arange(0.0, 360.0, 5.0)
     many = crowd(b, values)
-    mask, reasons = many.failed(), set()
+    mask, reasons = many.failed_mask(), set()
     assert mask.any() and not mask.all()
     for i, value in enumerate(values):
         if mask[i]:
@@ -125,7 +125,7 @@ def test_a_mask_keeps_what_was_drawn_before_the_failure() -> None:
     text = SLIDER.replace("phi: 30", "phi: 90").replace("y: 0}", "y: -0.2}")
     b = bench(text.replace("phi: 90", "phi: 60"))
     many = crowd(b, [60.0, 90.0, 120.0])
-    assert list(many.failed()) == [False, True, False]
+    assert list(many.failed_mask()) == [False, True, False]
     assert first_reason(many, 1) == "coincident"
     assert np.isfinite(many["position:C"]).all()
     assert list(np.isnan(many["velocity:c"])) == [False, True, False]
@@ -134,7 +134,7 @@ def test_a_mask_keeps_what_was_drawn_before_the_failure() -> None:
 def test_other_givens_may_be_arrays_too() -> None:
     b = bench(SLIDER)
     lengths = np.array([0.25, 0.3, 0.35])
-    many = run(b[0].program, {**b[0].given, **b[1], "l_BC": lengths})
+    many = draw_program(b[0].program, {**b[0].given, **b[1], "l_BC": lengths})
     for i, length in enumerate(lengths):
         one = draw(SLIDER.replace("C: 0.3", f"C: {length}"), mu=b[1])
         assert abs(many["velocity:c"][i] - one.drawing["velocity:c"]) < 1e-11
@@ -142,9 +142,9 @@ def test_other_givens_may_be_arrays_too() -> None:
 
 def test_many_drivers_and_many_lengths_at_once() -> None:
     b = bench(SLIDER)
-    many = run(
+    many = draw_program(
         b[0].program,
-        {**b[0].given, **b[1], b[0].drive_given: np.array([[10.0], [50.0]]), "l_BC": np.array([0.25, 0.3, 0.35])},
+        {**b[0].given, **b[1], b[0].drive_given_name: np.array([[10.0], [50.0]]), "l_BC": np.array([0.25, 0.3, 0.35])},
     )
     assert many["position:C"].shape == (2, 3)
     assert math.isclose(many["position:C"][1, 1].real, alone(b, 50.0)["position:C"].real, rel_tol=1e-14)

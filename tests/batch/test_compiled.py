@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from planes.batch import compiled
-from planes.batch.array_ops import read
-from planes.batch.llvm_ir import past_caches
+from planes.batch.array_ops import numbers_at_places
+from planes.batch.llvm_ir import module_storing_past_caches
 from planes.batch.loops import ArrayLoop, Loop
-from planes.batch.symbols import Num, Vec, number, place_of
+from planes.batch.symbols import Num, Vec, place_of_number, record_number
 from planes.batch.tape import Tape
 from planes.batch.tracing import Recording, Trace
 from planes.scene import load
@@ -25,7 +25,7 @@ AR = Recording()
 
 
 def given(tape: Tape, name: str) -> Num:
-    return Num(tape, tape.leaf("given", name))
+    return Num(tape, tape.record_leaf("given", name))
 
 
 def test_what_is_known_is_folded_away_and_nothing_is_recorded_twice() -> None:
@@ -34,14 +34,14 @@ def test_what_is_known_is_folded_away_and_nothing_is_recorded_twice() -> None:
     assert (x + 0.0).at == x.at and (1 * x).at == x.at and x * 0.0 == 0.0 and x - x == 0.0 and x / x == 1.0
     assert (x + y).at == (y + x).at and (-1 * -x).at == x.at and (x - y).at == (-y + x).at
     before = len(tape.ops)
-    assert (x * y + y * x).at == number(tape, "add", x * y, x * y).at and len(tape.ops) == before + 2
+    assert (x * y + y * x).at == record_number(tape, "add", x * y, x * y).at and len(tape.ops) == before + 2
     turned = Vec(x, y) * 1j
     assert turned.real.at == (-y).at and turned.imag.at == x.at
     assert abs(Vec(x, 0.0)).at == abs(x).at
 
 
 def looped(tape: Tape, outputs: list[Any], loop: type[Loop] = compiled.CompiledLoop, **inputs: Any) -> Any:
-    trace = Trace(tape, tuple(place_of(tape, x) for x in outputs), (), (), (), frozenset())
+    trace = Trace(tape, tuple(place_of_number(tape, x) for x in outputs), (), (), (), frozenset())
     return loop(trace, tuple(inputs), {})([np.asarray(x, float) for x in inputs.values()])[0]
 
 
@@ -89,8 +89,8 @@ def test_a_loop_does_what_the_tape_says(loop: type[Loop]) -> None:
     ]
     inputs = {"x": rng.normal(size=1000), "y": rng.normal(size=1000)}
     found = looped(tape, outputs, loop, **inputs)
-    places = [place_of(tape, o) for o in outputs]
-    expected = read(tape, tape.needed(places), inputs)
+    places = [place_of_number(tape, o) for o in outputs]
+    expected = numbers_at_places(tape, tape.places_needed(places), inputs)
     for row, place in zip(found, places, strict=True):
         op, args = tape.ops[
             place
@@ -110,7 +110,7 @@ def test_a_structure_is_compiled_once(monkeypatch: pytest.MonkeyPatch) -> None:
         mechanism = load(str(ROOT / "samples" / "six-link.yaml")).mechanism
         assert mechanism
         c = Cycle(plans_of(mechanism), ["v_C"], {"omega_1": float(variant)})
-        texts.append(c.compiled.text)
+        texts.append(c.compiled_loop_of_cycle.text)
         (block,) = c.blocks([150.0], fast=True)
         assert abs(block.table[0, 0]) == pytest.approx(2.3885508115275518 * float(variant) / 20, rel=1e-12)
     assert texts[0] == texts[1]
@@ -122,9 +122,9 @@ def test_a_structure_is_compiled_once(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_table_is_its_blocks(name: str, threads: int) -> None:
     """By one call where all holds, by blocks where something does not: the limits of six-link are among the places."""
     from planes.batch.cycle import Cycle
-    from planes.solving import plans_of
+    from planes.solving import plans_for_requested_results
 
-    stated = plans_of(load(str(ROOT / "samples" / f"{name}.yaml")))[0]
+    stated = plans_for_requested_results(load(str(ROOT / "samples" / f"{name}.yaml")))[0]
     cycle, own = Cycle(stated), stated.mechanism.drive.position
     for reach in (1e-3, 200.0 if stated.mechanism.drive.kind == "phi" else 0.02):
         values = np.linspace(own - reach, own + reach, 5001)
@@ -139,11 +139,11 @@ def test_a_table_is_its_blocks(name: str, threads: int) -> None:
 def test_a_table_past_the_caches_is_its_blocks(threads: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Wherever in a cache line its rows begin; a table of odd length is not aligned, and is stored as others are."""
     from planes.batch.cycle import Cycle
-    from planes.solving import plans_of
+    from planes.solving import plans_for_requested_results
 
-    monkeypatch.setattr(compiled, "CACHES", 0)
-    monkeypatch.setattr(compiled, "PIECE", 512)
-    cycle = Cycle(plans_of(load(str(ROOT / "samples" / "six-link.yaml")))[0])
+    monkeypatch.setattr(compiled, "LEAST_BYTES_PAST_CACHES", 0)
+    monkeypatch.setattr(compiled, "POSITIONS_PER_CALL", 512)
+    cycle = Cycle(plans_for_requested_results(load(str(ROOT / "samples" / "six-link.yaml")))[0])
     for skip, count in [*((k, 1008) for k in range(8)), (1, 8), (3, 2), (5, 1009)]:
         values = cycle.plans.mechanism.drive.position + np.linspace(-5, 5, count)
         (block,) = cycle.blocks(values, fast=True)
@@ -159,9 +159,9 @@ def test_a_table_past_the_caches_is_its_blocks(threads: int, monkeypatch: pytest
 def test_only_full_vectors_are_stored_past_the_caches() -> None:
     single, half, full = (f"  store {kind} %1, ptr %2, align 8, !x !0\n" for kind in
                           ("double", "<4 x double>", "<8 x double>"))  # fmt: skip
-    made = past_caches(single + half + full + full)
+    made = module_storing_past_caches(single + half + full + full)
     assert made.startswith(single + half) and made.count("align 64, !nontemporal !{i32 1}, !x !0\n") == 2
-    assert past_caches(single) == single
+    assert module_storing_past_caches(single) == single
 
 
 @needs_compiler
@@ -171,19 +171,23 @@ def test_an_older_processor_reckons_the_same(cpu: str, monkeypatch: pytest.Monke
     import llvmlite.binding as llvm
 
     from planes.batch.cycle import Cycle
-    from planes.solving import plans_of
+    from planes.solving import plans_for_requested_results
 
-    stated = plans_of(load(str(ROOT / "samples" / "six-link.yaml")))[0]
+    stated = plans_for_requested_results(load(str(ROOT / "samples" / "six-link.yaml")))[0]
     values = stated.mechanism.drive.position + np.linspace(-5, 5, 3001)
     here, there = Cycle(stated), Cycle(stated)
     monkeypatch.setattr(llvm, "get_host_cpu_name", lambda: cpu)
     monkeypatch.setattr(llvm, "get_host_cpu_features", lambda: SimpleNamespace(flatten=lambda: ""))
-    there.compiled.__dict__["run"] = compiled._compiled.__wrapped__(there.compiled.text)
+    there.compiled_loop_of_cycle.__dict__["run"] = compiled._compiled_run_function.__wrapped__(
+        there.compiled_loop_of_cycle.text
+    )
     (table, codes), (older, others) = (c.table(values, True) for c in (here, there))
     assert np.array_equal(codes, others) and not codes.any()
-    there.compiled.__dict__["run_past"] = compiled._compiled.__wrapped__(there.compiled.text, past=True)
-    monkeypatch.setattr(compiled, "CACHES", 0)
+    there.compiled_loop_of_cycle.__dict__["run_past"] = compiled._compiled_run_function.__wrapped__(
+        there.compiled_loop_of_cycle.text, past=True
+    )
+    monkeypatch.setattr(compiled, "LEAST_BYTES_PAST_CACHES", 0)
     for out in (np.full((len(table), 3008), 7.0)[:, k : k + 3001] for k in range(8)):
-        assert there.compiled.fill(values, out) and np.array_equal(out, older)
+        assert there.compiled_loop_of_cycle.fill_rows(values, out) and np.array_equal(out, older)
     largest = np.abs(table).max(axis=1)
     assert (np.abs(older - table).max(axis=1) <= 1e-11 * largest + 1e-12).all()

@@ -15,7 +15,7 @@ from planes.accuracy.digits import Digits
 from planes.batch.cycle import Cycle
 from planes.batch.error_bounds import Claims
 from planes.cli import main
-from planes.drafting.drawing import run
+from planes.drafting.drawing import draw_program
 from planes.plans import Plans, plans_of
 from planes.scene import load, loads
 from planes.scene.ranges import Span, read_span
@@ -59,7 +59,7 @@ def test_compiled_loop_and_arrays_agree(name: str) -> None:
     assert good.sum() > 100
     apart, size = np.nan_to_num(np.abs(slow - fast)[:, good]), own_sizes(c, slow[:, good])
     assert (apart <= 1e-12 * size / sharpness(c, span(p)[:][good])).all()
-    claimed = Claims(c).bounds(span(p)[:][good])
+    claimed = Claims(c).error_bounds_of_columns(span(p)[:][good])
     sure = np.isfinite(claimed).all(axis=0)
     assert sure.sum() > 100 and (apart[:, sure] <= 2 * claimed[:, sure]).all()
 
@@ -71,11 +71,13 @@ def test_the_loop_by_arrays_gives_what_drawing_them_gives(name: str) -> None:
     p = plans(name)
     c, values = Cycle(p), span(p)[:]
     table, codes = whole(c, values, chunk=200, fast=False)
-    drawn = run(c.program, {**c.given, p.drive_given: values})
-    good = (codes == 0) & ~np.broadcast_to(drawn.failed(), values.shape)
+    drawn = draw_program(c.program, {**c.given, p.drive_given_name: values})
+    good = (codes == 0) & ~np.broadcast_to(drawn.failed_mask(), values.shape)
     assert good.sum() > 100 and len(values) % 200
     with np.errstate(all="ignore"):
-        shown = np.array([np.broadcast_to(x.take(drawn.things, drawn.tool.ar), values.shape) for x in c.columns])
+        shown = np.array(
+            [np.broadcast_to(x.read_from_drawing(drawn.things, drawn.tool.ar), values.shape) for x in c.columns]
+        )
     apart, size = np.nan_to_num(np.abs(table - shown)[:, good]), own_sizes(c, shown[:, good])
     assert (apart <= 1e-12 * size / sharpness(c, values[good])).all()
 
@@ -91,8 +93,8 @@ def own_sizes(c: Cycle, table: Any) -> Any:
 def sharpness(c: Cycle, values: Any) -> Any:
     """The sine of the bluntest crossing at each position: a sine or quotient rounded otherwise in its last place, as
     numpy and the loop do, is seen so much enlarged behind that crossing."""
-    drawn = run(c.program, {**c.given, c.plans.drive_given: values})
-    return np.min([np.broadcast_to(s, values.shape) for s in drawn.sharpness.values()], axis=0)
+    drawn = draw_program(c.program, {**c.given, c.plans.drive_given_name: values})
+    return np.min([np.broadcast_to(s, values.shape) for s in drawn.crossing_sharpness.values()], axis=0)
 
 
 @pytest.mark.parametrize("fast", [False, pytest.param(True, marks=needs_compiler)])
@@ -252,6 +254,6 @@ def test_explain_lists_steps_kept_and_dropped(asked: Path, capsys: pytest.Captur
 def test_long_numbers_draw_one_at_a_time() -> None:
     c = Cycle(plans("six-link"), ["v_C"])
     with pytest.raises(PlanesError, match="one position at a time"):
-        run(c.program, {**c.given, **c.moving(np.array([1.0, 2.0]), slice(0, 2))}, Digits(30))
+        draw_program(c.program, {**c.given, **c.changing_inputs(np.array([1.0, 2.0]), slice(0, 2))}, Digits(30))
     with pytest.raises(PlanesError):
-        run(c.program, c.given | {c.plans.drive_given: 0.0}, Digits(30))
+        draw_program(c.program, c.given | {c.plans.drive_given_name: 0.0}, Digits(30))

@@ -20,13 +20,13 @@ VALUES = np.linspace(150.0, 500.0, 40)
 @pytest.fixture
 def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("PLANES_CACHE", str(tmp_path / "code"))
-    compiled._compiled.cache_clear()
+    compiled._compiled_run_function.cache_clear()
     return tmp_path / "code"
 
 
 def table() -> np.ndarray:
     """A few positions by machine code."""
-    compiled._compiled.cache_clear()
+    compiled._compiled_run_function.cache_clear()
     scene = load(str(ROOT / "samples" / "kind-2-rrp.yaml"))
     (block,) = Cycle(plans_of(scene.mechanism)).blocks(VALUES, fast=True)
     return np.array(block.table)
@@ -35,7 +35,7 @@ def table() -> np.ndarray:
 def test_what_was_compiled_once_is_not_compiled_again(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     first = table()
     assert len(list(home.iterdir())) == 1
-    monkeypatch.setattr(compiled, "_made", lambda *_: pytest.fail("compiled again"))
+    monkeypatch.setattr(compiled, "_make_object_file", lambda *_: pytest.fail("compiled again"))
     assert np.array_equal(table(), first, equal_nan=True)
 
 
@@ -57,7 +57,7 @@ def test_nothing_is_kept_where_nothing_can_be_or_is_to_be(tmp_path: Path, monkey
 
 
 def test_the_longest_unused_go(home: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kept_code, "MOST", 2)
+    monkeypatch.setattr(kept_code, "MOST_KEPT_FILES", 2)
     for name in "abc":
-        kept_code.keep(name, name.encode())
-    assert len(list(home.iterdir())) == 2 and kept_code.kept("c") == b"c"
+        kept_code.keep_object_file(name, name.encode())
+    assert len(list(home.iterdir())) == 2 and kept_code.kept_object_file("c") == b"c"

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from planes.cli import main
-from planes.course.survey import lines_of
+from planes.course.survey import survey_rows
 from planes.drafting.steps import Similar
 from planes.drafting.steps.reckoning import Calculate
 from planes.scene import load
@@ -65,13 +65,13 @@ def test_a_position_that_fails_a_proof_of_what_is_asked_is_masked(
 ) -> None:
     scene = scene.replace("phi: 60", "phi: 40")
     (right,) = cycle_of(scene, names).blocks(HIGH, fast=fast)
-    assert not right.failed.any() and np.isfinite(right.table).all()
+    assert not right.failed_mask.any() and np.isfinite(right.table).all()
     spoil(monkeypatch)
     c = cycle_of(scene, names)
     (block,) = c.blocks(HIGH, fast=fast)
-    assert (block.failed == spoiled(HIGH)).all() and np.isnan(block.table[:, block.failed]).all()
-    assert {c.reasons[k - 1].key for k in set(block.codes[block.failed].tolist())} == {reason}
-    assert np.allclose(block.table[:, ~block.failed], right.table[:, ~block.failed], rtol=1e-12, atol=1e-12)
+    assert (block.failed_mask == spoiled(HIGH)).all() and np.isnan(block.table[:, block.failed_mask]).all()
+    assert {c.reasons[k - 1].key for k in set(block.codes[block.failed_mask].tolist())} == {reason}
+    assert np.allclose(block.table[:, ~block.failed_mask], right.table[:, ~block.failed_mask], rtol=1e-12, atol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -85,7 +85,7 @@ def test_one_wrong_position_among_thousands_is_masked(fast: bool, monkeypatch: p
 
     monkeypatch.setattr(Similar, "draw", wrong)
     blocks = cycle_of(RATES).blocks(values, fast=fast)
-    assert np.flatnonzero(np.concatenate([b.failed for b in blocks])).tolist() == [2222]
+    assert np.flatnonzero(np.concatenate([b.failed_mask for b in blocks])).tolist() == [2222]
 
 
 def test_a_table_says_of_a_contradiction_what_a_position_says(
@@ -107,10 +107,10 @@ def test_a_folder_refuses_what_a_scene_refuses(
 ) -> None:
     path = tmp_path / "scene.yaml"
     path.write_text(scene, encoding="utf-8")
-    assert all(row.right for row in lines_of((str(path), "en", None)))
+    assert all(row.is_right for row in survey_rows((str(path), "en", None)))
     spoil(monkeypatch)
     with pytest.raises(Contradiction) as refused:
         solve(load(str(path)))
-    (row,) = lines_of((str(path), "en", None))
-    assert refused.value.reason == reason and not row.right and not row.solved
+    (row,) = survey_rows((str(path), "en", None))
+    assert refused.value.reason == reason and not row.is_right and not row.solved
     assert row.balancing is None and any(refused.value.told("en") in remark for remark in row.remarks)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from planes.batch.cycle import Block, Reason
-from planes.batch.streams import TableHead, opened
+from planes.batch.streams import TableHead, open_block_writer
 
 
 @pytest.mark.needs("orjson")
@@ -21,8 +21,8 @@ def test_csv_gives_the_same_numbers_with_orjson_and_without(tmp_path: Path, monk
     head = TableHead(("phi", "°"), [(f"x{k}", "m") for k in range(4)], (Reason("arcs_apart", "C"), Reason("flat", "")))
     files = tmp_path / "one.csv", tmp_path / "two.csv"
     for file in files:
-        with opened(file, head, count) as writer:
-            writer.write(Block(np.arange(float(count)), table, codes))
+        with open_block_writer(file, head, count) as writer:
+            writer.write_block(Block(np.arange(float(count)), table, codes))
         monkeypatch.setitem(sys.modules, "orjson", None)
     rows = [[line.split(",") for line in file.read_text("utf-8").splitlines()] for file in files]
     assert rows[0][0] == rows[1][0] and len(rows[0]) == count + 1

@@ -27,7 +27,7 @@ import rivals
 from conftest import ROOT, SAMPLES, SCENES, angles, plans
 
 import planes
-from planes.accuracy.methods import machine
+from planes.accuracy.methods import processor_and_core_count
 from planes.batch.cycle import Cycle
 from tests.benchmarks.pages import put
 
@@ -153,13 +153,13 @@ def sentence(measured: Measured, lang: str) -> str:
         "и {}). Таблица по именам, `planes.cycle`, для четырёхзвенника стоит {} и {}.",
     }
     more = {"en": " At 360, numba by hand is quicker on {}.", "ru": " При 360 numba вручную быстрее {}."}
-    text = texts[lang].format(*cells, cpu=machine()[0])
+    text = texts[lang].format(*cells, cpu=processor_and_core_count()[0])
     return text + more[lang].format(AND[lang].join(quicker)) if quicker else text
 
 
 def tables(measured: Measured) -> str:
     """All of it as Markdown."""
-    name, cores = machine()
+    name, cores = processor_and_core_count()
     busy = f"{name}, {cores} cores, load {os.getloadavg()[0]:.1f}, Python {platform.python_version()}"
     lines = [f"{busy}, numpy {np.__version__}. Processor time in ns a position, least (middle) of {ROUNDS} rounds.", ""]
     for mechanism in SCENES:

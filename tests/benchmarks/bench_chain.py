@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 from conftest import peak_of
 
-from planes.diagrams.summary import summary
-from planes.diagrams.text import as_json
+from planes.diagrams.summary import summarise_cycle
+from planes.diagrams.text import summary_json
 from planes.documents.sheets import sheet_of
 from planes.plans import plans_of
-from planes.plans.assur.analysis import analyse
+from planes.plans.assur.analysis import analyse_structure
 from planes.scene import loads
 from tests.diagrams.test_degenerate import chain
 
@@ -34,14 +34,14 @@ def of_process(links: int, command: str) -> str:
 def bench_cycle_of_a_chain(benchmark, links: int) -> None:
     scene = loads(chain(links // 2))
     timed(benchmark, "a cycle's summary", links, 721, of_process(links, "cycle {} --json"))
-    benchmark.pedantic(lambda: as_json(summary(scene, plans_of(scene.mechanism))), rounds=1)
+    benchmark.pedantic(lambda: summary_json(summarise_cycle(scene, plans_of(scene.mechanism))), rounds=1)
 
 
 @pytest.mark.parametrize("links", [51, 201])
 def bench_structure_of_a_chain(benchmark, links: int) -> None:
     mechanism = loads(chain(links // 2)).mechanism
     timed(benchmark, "structure", links, 1, of_process(links, "structure {}"))
-    benchmark(analyse, mechanism)
+    benchmark(analyse_structure, mechanism)
 
 
 @pytest.mark.parametrize("links", [11, 21])

@@ -9,12 +9,12 @@ import pytest
 from conftest import SAMPLES, SCENES, angles, peak, plans
 
 from planes.batch.cycle import Cycle
-from planes.drafting.drawing import run
+from planes.drafting.drawing import draw_program
 from planes.drafting.program import Program
-from planes.plans.quantities import MOTION, catalogue
+from planes.plans.quantities import MOTION_GROUPS, quantities_by_name
 from planes.scene import load
 from planes.scene.ranges import Span
-from planes.solving import plans_of, solve
+from planes.solving import plans_for_requested_results, solve
 
 rivals = pytest.importorskip("rivals")
 COUNTS = (360, 100_000)
@@ -33,8 +33,8 @@ def through(cycle: Cycle, values, fast: bool, bare: bool = False) -> None:
 
 
 def asked(name: str, forces: bool) -> list[str]:
-    known = catalogue(plans(name))
-    return [n for n, q in known.items() if q.group in MOTION or (forces and q.group != "plans")]
+    known = quantities_by_name(plans(name))
+    return [n for n, q in known.items() if q.group in MOTION_GROUPS or (forces and q.group != "plans")]
 
 
 @pytest.mark.parametrize("who", ["fused", "hand-written kernel", "arrays", "pylinkage", "kinepy"])
@@ -62,8 +62,8 @@ def bench_side_by_side(benchmark, name: str, count: int, who: str) -> None:
 def bench_higher_classes(benchmark, name: str, bare: bool) -> None:
     """Places, velocities and accelerations of one assembly over the whole turn, beside a group of class II; ``bare``,
     or with what rounding leaves no digits looked for."""
-    stated, count = plans_of(load(str(SAMPLES / f"{name}.yaml")))[0], 100_000
-    motion = [n for n, q in catalogue(stated).items() if q.group in MOTION]
+    stated, count = plans_for_requested_results(load(str(SAMPLES / f"{name}.yaml")))[0], 100_000
+    motion = [n for n, q in quantities_by_name(stated).items() if q.group in MOTION_GROUPS]
     cycle, values = Cycle(stated, motion), Span(0.0, 360.0 / count, count)[0:count]
     group = f"classes III and IV, {'bare' if bare else 'looked at'}"
     timed(benchmark, group, name, count, lambda: through(cycle, values, True, bare))
@@ -78,9 +78,9 @@ def bench_everything(benchmark, name: str, count: int, forces: bool, way: str) -
     if way == "one by one" and count > 1:
         pytest.skip("the time of one does not depend on how many")
     cycle, values = Cycle(plans(name), asked(name, forces)), angles(name, count)
-    given = {**cycle.given, plans(name).drive_given: float(values[0])}
+    given = {**cycle.given, plans(name).drive_given_name: float(values[0])}
     group = f"{name}, all {'with forces' if forces else 'of motion'}, {count}"
-    drawn = {"one by one": lambda: run(cycle.program, given)}
+    drawn = {"one by one": lambda: draw_program(cycle.program, given)}
     timed(benchmark, group, way, count, drawn.get(way, lambda: through(cycle, values, way == "fused")))
 
 
@@ -122,5 +122,5 @@ def bench_one_plan(benchmark, what: str) -> None:
     """One position of the six-link with every plan, one step after another; and all that ``planes solve`` does then."""
     scene, p = load(str(SAMPLES / "six-link.yaml")), plans("six-link")
     given = {**p.given, **dict.fromkeys(Cycle(p).mus, 1000.0)}
-    works = {"steps drawn": lambda: run(p.program, given), "drawn, measured and told": lambda: solve(scene)}
+    works = {"steps drawn": lambda: draw_program(p.program, given), "drawn, measured and told": lambda: solve(scene)}
     timed(benchmark, "six-link, one plan of every sort", what, 1, works[what])

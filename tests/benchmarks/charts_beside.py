@@ -34,7 +34,7 @@ def by_hand(scene: str) -> list[OtherProgram]:
     def work(bench: Comparison, values: Any) -> Any:
         out = np.empty((64, len(values)))
         for k in range(len(values)):
-            kernel(np.array([float(values[k])]), out[:, k : k + 1], *rivals.numbers(name, bench.at(k)))
+            kernel(np.array([float(values[k])]), out[:, k : k + 1], *rivals.numbers(name, bench.plans_at(k)))
         made = dict(zip(rows, out, strict=False))
         return np.array([made.get(c.name, np.full(len(values), np.nan)) for c in bench.cycle.columns])
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from planes.accuracy.methods import machine
+from planes.accuracy.methods import processor_and_core_count
 from planes.plans import Plans, plans_of
 from planes.scene import load
 from planes.scene.ranges import Span
@@ -55,7 +55,7 @@ def pytest_terminal_summary(terminalreporter, config):
         if bench.stats.rounds:
             groups.setdefault(bench.group, []).append(bench)
     if groups:
-        name, cores = machine()
+        name, cores = processor_and_core_count()
         busy = f"{name}, {cores} cores, load {os.getloadavg()[0]:.1f}, Python {platform.python_version()}"
         terminalreporter.write_line(busy + "; processor time of the quickest round, in brackets of the middle one")
     for group, found in sorted(groups.items()):

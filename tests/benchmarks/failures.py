@@ -14,13 +14,13 @@ from charts_beside import by_hand
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from planes.accuracy.methods import method_name
-from planes.accuracy.stability import Approach, approach
-from planes.documents.charts import DIGITS, axis
+from planes.accuracy.methods import method_in_words
+from planes.accuracy.stability import Approach, approach_nearest_limit
+from planes.documents.charts import LIMIT_POSITION_COUNT, distance_axis_title
 from planes.plans import plans_of
 from planes.scene import load
 from planes.words import Lang
-from render.charts import OF_FILES, save
+from render.charts import FILE_CHART_STYLE, save_figure
 from render.charts.method_charts import draw_approach
 from tests.benchmarks.pages import put
 from tests.helpers import ROOT
@@ -41,7 +41,7 @@ def approached() -> dict[str, Approach]:
     found = {}
     for key, (scene, *_) in KINDS.items():
         others = [*by_hand(scene), *installed()] if key != "three" else []  # none of them goes as far
-        way = approach(plans_of(load(str(ROOT / scene)).mechanism), others)
+        way = approach_nearest_limit(plans_of(load(str(ROOT / scene)).mechanism), others)
         assert way is not None, scene
         found[key] = way
     return found
@@ -50,22 +50,22 @@ def approached() -> dict[str, Approach]:
 def called(method: str, lang: Lang) -> str:
     """A method's name; other programs have one in every language."""
     by_hand_in_russian = lang == "ru" and method == "numba by hand"
-    return "формулы вручную (numba)" if by_hand_in_russian else method_name(method, DIGITS, lang)
+    return "формулы вручную (numba)" if by_hand_in_russian else method_in_words(method, LIMIT_POSITION_COUNT, lang)
 
 
 def chart(ways: dict[str, Approach], path: Path, lang: Lang) -> None:
     """Four panels."""
-    with rc_context(OF_FILES):
+    with rc_context(FILE_CHART_STYLE):
         figure, lines = Figure(figsize=(12.6, 11.6), dpi=80, layout="constrained"), dict[str, Any]()
         for plot, (key, way) in zip(figure.subplots(2, 2).flat, ways.items(), strict=True):
             names = {method: called(method, lang) for method in way.errors}
-            draw_approach(plot, way, axis(way.limit, lang), names, lang)
+            draw_approach(plot, way, distance_axis_title(way.limit, lang), names, lang)
             plot.set_title(KINDS[key][1 if lang == "en" else 2], fontsize=10)
             handles, labels = plot.get_legend_handles_labels()
             lines = dict(zip(labels, handles, strict=True)) | lines
             figure.legends[-1].remove()
         figure.legend(lines.values(), lines, loc="outside lower center", ncols=5, fontsize=8.5)
-        save(figure, path)
+        save_figure(figure, path)
 
 
 def table(ways: dict[str, Approach], lang: Lang) -> str:

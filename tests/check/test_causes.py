@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from planes.check.grading.evidence import SURE
+from planes.check.grading.evidence import SURE_VERDICT_PROBABILITY
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome, check
-from planes.check.report import chance_told, mark_rows
+from planes.check.report import certainty_text, mark_rows
 from planes.cli import main
 from planes.scene import load
 from tests.helpers import ROOT
@@ -39,8 +39,8 @@ def test_one_mistake_that_gives_all_the_numbers_is_named_before_a_slip_of_one(
     scene.write_text(text, "utf-8")
     lines = [f"{name},{value}" for name, value in {**RIGHT, **wrong}.items()]
     found = checked(scene, ["result,value", *lines], "velocity", tmp_path)
-    assert (found.mistake, found.verdict) == ("normal_missing", "wrong") and found.cause > SURE
-    assert found.results and found.results.first and found.results.first.slip is None
+    assert (found.mistake, found.verdict) == ("normal_missing", "wrong") and found.cause > SURE_VERDICT_PROBABILITY
+    assert found.results and found.results.first_wrong_figure and found.results.first_wrong_figure.slip is None
     assert all(s.true == pytest.approx(RIGHT[s.figure.name], abs=1e-3) for s in found.results.scored[:4])
 
 
@@ -58,8 +58,8 @@ def test_a_cause_is_as_sure_as_it_is(tmp_path: Path) -> None:
     """That a drawing is wrong may be sure, and its cause not."""
     lines = ["mark,x_mm,y_mm", "p,0,0", "b,-41.6,24.0", "b3,-43.8,5.2", "d,-64.7,7.7", "e,65,0"]
     found = checked(ROOT / "samples/shaper.yaml", lines, "velocity", tmp_path)
-    assert found.mistake == "along_link" and found.chance and found.chance > SURE > found.cause
-    assert chance_told(found, "en") == f"(Wrong for sure; for this cause: {100 * found.cause:.0f} %.)"
+    assert found.mistake == "along_link" and found.chance and found.chance > SURE_VERDICT_PROBABILITY > found.cause
+    assert certainty_text(found, "en") == f"(Wrong for sure; for this cause: {100 * found.cause:.0f} %.)"
 
 
 def test_a_mark_that_was_written_shows_its_place_where_it_is_not_judged(tmp_path: Path) -> None:

@@ -10,16 +10,16 @@ from pathlib import Path
 
 import pytest
 
-from planes.check.grading.evidence import SURE
-from planes.check.grading.judging import LEFT_OUT
-from planes.check.grading.paper import ReadMark, ReadPaper, with_told
-from planes.check.grading.prepared_plan import Asked, prepare, variants_of
+from planes.check.grading.evidence import SURE_VERDICT_PROBABILITY
+from planes.check.grading.judging import OMISSION_SUFFIXES
+from planes.check.grading.paper import ReadMark, ReadPaper, with_pointed_marks
+from planes.check.grading.prepared_plan import Asked, mistake_variants, prepare
 from planes.check.outcome import Outcome, check
 from planes.check.report import Checked, as_json, page_data
 from planes.cli import main
 from planes.documents.class_work import ClassWork
 from planes.scene import load
-from planes.words import table
+from planes.words import sentence_table
 from tests import confusion
 from tests.check.test_check import RIGHT, SIX, csv
 from tests.helpers.drawings import NONE, SHAKY, Hand, Mistake
@@ -74,9 +74,12 @@ def accused_rightly(found: Outcome) -> bool:
         return True
     hand, blames, plan = found.grading.hand, judged.named.blames, found.bench.asked.plan
     mark = f"{plan}:{blames}"
-    if mark not in judged.misses or judged.named.mistake.endswith(LEFT_OUT):
+    if mark not in judged.misses or judged.named.mistake.endswith(OMISSION_SUFFIXES):
         return True
-    wrong, right = (complex(hand.tool.spread(way[mark])[0]) for way in (hand.under(judged.named), hand.made))
+    wrong, right = (
+        complex(hand.tool.spread_over_drawings(way[mark])[0])
+        for way in (hand.redraw_with_variant(judged.named), hand.made)
+    )
     return abs(wrong - right) > TOLERANCE_MM and abs(judged.misses[mark].off) > 0.5 * TOLERANCE_MM
 
 
@@ -111,10 +114,10 @@ def test_a_mark_that_may_be_misread_is_asked_about_and_told() -> None:
     asked = seen(astray)
     assert asked.verdict == "unreadable" and asked.chance is None and asked.sentence.key == "check_ask"
     assert "s2 (60.3; 9.9)" in asked.sentence.told("en") and "--mark s2=x,y" in asked.sentence.told("en")
-    page, row = page_data(asked, "en"), Checked("t", asked, report="t.html").said("en")
+    page, row = page_data(asked, "en"), Checked("t", asked, report="t.html").verdict_text("en")
     assert page["asked"] and "“The marks are right”" in page["sentence"] and "in its report" in row
     assert not any(way in told for way in ("--mark", "report.html") for told in (page["sentence"], row))
-    spots = with_told([ReadMark(n, z, 0.2, MISREAD) for n, z in RIGHT.items()], {"s2": astray["s2"]})
+    spots = with_pointed_marks([ReadMark(n, z, 0.2, MISREAD) for n, z in RIGHT.items()], {"s2": astray["s2"]})
     told = check(asked.bench.asked, ReadPaper("t", spots))
     assert (told.verdict, told.first_wrong) == ("wrong", "s2")
     assert seen(astray, 0.0).verdict == "wrong"
@@ -143,7 +146,11 @@ def test_what_many_marks_show_is_sure_however_a_mark_is_read() -> None:
         ({n: -z for n, z in RIGHT.items()}, "wrong", "omega1_reversed"),
     ):
         found = seen(marks)
-        assert (found.verdict, found.mistake) == (verdict, mistake) and found.chance and found.chance > SURE
+        assert (
+            (found.verdict, found.mistake) == (verdict, mistake)
+            and found.chance
+            and found.chance > SURE_VERDICT_PROBABILITY
+        )
 
 
 def test_a_place_far_off_that_what_follows_was_drawn_from_is_the_persons_own() -> None:
@@ -154,10 +161,10 @@ def test_a_place_far_off_that_what_follows_was_drawn_from_is_the_persons_own() -
         spots = [ReadMark(n, z) for n, z in own.items()]
         grading = check(bench.asked, ReadPaper("t", spots)).grading
         assert grading is not None
-        own[name] = complex(grading.hand.number(f"velocity:{name}"))
+        own[name] = complex(grading.hand.value_without_errors(f"velocity:{name}"))
     found = seen(own)
     assert (found.verdict, found.first_wrong, found.mistake) == ("wrong", "c", None)
-    assert found.chance and found.chance > SURE
+    assert found.chance and found.chance > SURE_VERDICT_PROBABILITY
 
 
 @pytest.mark.parametrize(("doubt", "verdict"), [(MISREAD, "unreadable"), (0.0, "wrong")])
@@ -185,7 +192,11 @@ def test_what_nobody_has_seen_is_not_called_right(tmp_path: Path, capsys: pytest
     file.write_text(csv({n: z for n, z in RIGHT.items() if n != "s2"}), encoding="utf-8")
     assert main(["check", SIX, str(file), "--plan", "velocity", "--json"]) == 3
     found = json.loads(capsys.readouterr().out)
-    assert found["verdict"] == "right_as_seen" and found["unseen"] == ["s2"] and found["probability"] > SURE
+    assert (
+        found["verdict"] == "right_as_seen"
+        and found["unseen"] == ["s2"]
+        and found["probability"] > SURE_VERDICT_PROBABILITY
+    )
     assert main(["check", SIX, str(file), "--plan", "velocity", "--lang", "en"]) == 3
     assert capsys.readouterr().out.startswith("Right as far as seen: velocity polygon; not judged: s2")
 
@@ -197,8 +208,8 @@ def test_a_class_ends_with_the_status_of_its_worst_drawing() -> None:
     for drawings in ([whole], [partly, whole], [wrong, partly]):
         work = ClassWork("11", "en")
         for one in drawings:
-            work.add(one)
-        statuses.append(work.status)
+            work.add_checked_drawing(one)
+        statuses.append(work.worst_exit_status)
     assert statuses == [0, 3, 1]
 
 
@@ -210,7 +221,7 @@ def test_a_close_call_is_said_to_be_one() -> None:
     assert (near["verdict"], near["unseen"]) == ("right_as_seen", ["s2"])
     assert next(row for row in near["marks"] if row["mark"] == "s2")["verdict"] == "unread"
     assert [one["verdict"] for one in far] == ["wrong"] * 2
-    assert 0.5 < far[0]["probability"] <= far[1]["probability"] and far[1]["probability"] > SURE
+    assert 0.5 < far[0]["probability"] <= far[1]["probability"] and far[1]["probability"] > SURE_VERDICT_PROBABILITY
 
 
 def test_the_vector_across_a_guide_is_called_what_it_is() -> None:
@@ -218,7 +229,7 @@ def test_the_vector_across_a_guide_is_called_what_it_is() -> None:
     said = set()
     for sample, plan in (("six-link", "velocity"), ("kind-2-rrp", "velocity"), ("kind-2-rrp", "acceleration")):
         bench = prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
-        for variant in variants_of(bench, {}, bench.said_mu):
+        for variant in mistake_variants(bench, {}, bench.said_mu):
             if variant.mistake == "across_guide":
                 fixed = variant.about["guide"] in bench.plans.mechanism.frame.guides
                 vector = variant.about["vector"]
@@ -246,7 +257,7 @@ def test_what_is_said_for_sure_is_true() -> None:
                     spots[astray], place=spots[astray].place + complex(rng.gauss(0, 2), rng.gauss(0, 2))
                 )
             found = check(confusion.bench(easel.sample, easel.plan).asked, replace(paper, spots=spots))
-            if found.chance is not None and found.chance >= SURE:
+            if found.chance is not None and found.chance >= SURE_VERDICT_PROBABILITY:
                 said += 1
                 true += (found.verdict == "wrong") == (mistake is not None)
     print("said for sure", said, "true", true)
@@ -256,5 +267,7 @@ def test_what_is_said_for_sure_is_true() -> None:
 @pytest.mark.parametrize("lang", ["ru", "en", "uk", "be"])
 def test_every_reader_is_told_a_way_that_is_open_to_him(lang: str) -> None:
     """Before a drawing, or a row of a class, nobody is at a command line."""
-    ways = [key for key in table(lang, "check") if key.endswith(("_here", "_sheet"))]
-    assert len(ways) == 6 and not any(sign in table(lang)[key] for key in ways for sign in ("--", "-o ", "x,y"))
+    ways = [key for key in sentence_table(lang, "check") if key.endswith(("_here", "_sheet"))]
+    assert len(ways) == 6 and not any(
+        sign in sentence_table(lang)[key] for key in ways for sign in ("--", "-o ", "x,y")
+    )

@@ -17,11 +17,11 @@ import pytest
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.outcome import check
-from planes.check.reading.matching import paper_of
+from planes.check.reading.matching import read_plan_marks
 from planes.check.reading.svg import read_svg
-from planes.check.report import as_json, numbers_of
+from planes.check.report import as_json, result_table_rows
 from planes.cli import main
-from planes.drafting.drawing import run as run_program
+from planes.drafting.drawing import draw_program as run_program
 from planes.scene import load
 from planes.words.errors import PlanesError
 from planes.words.names import label_of
@@ -115,7 +115,7 @@ def test_the_normal_part_of_a_driven_point_is_written_with_its_pivot_or_without(
     file = tmp_path / "plan.svg"
     words = [(written if n == "n_B" else n, z) for n, z in words]
     file.write_text(line_drawings.inkscape(strokes, words, 0j), encoding="utf-8")
-    paper = paper_of(read_svg(file), bench)
+    paper = read_plan_marks(read_svg(file), bench)
     assert "n_B" in {s.name for s in paper.spots} and check(bench.asked, paper).verdict == "right"
 
 
@@ -329,7 +329,7 @@ def test_noise_is_never_right(seed: int, tmp_path: Path) -> None:
     file = tmp_path / "noise.svg"
     file.write_text(line_drawings.inkscape(lines, [], 0j), encoding="utf-8")
     b = confusion.bench("six-link", "velocity")
-    assert check(b.asked, paper_of(read_svg(file), b)).verdict == "unreadable"
+    assert check(b.asked, read_plan_marks(read_svg(file), b)).verdict == "unreadable"
 
 
 @pytest.mark.slow
@@ -498,16 +498,16 @@ def test_slips_are_named_beside_a_wrong_drawing(tmp_path: Path, capsys: pytest.C
 def test_the_printed_report_keeps_to_its_sheet(sample: str, plan: str) -> None:
     """Everything inside the frame, the drawing off the table, however far a wrong mark has run away."""
     from planes.check.fiducials import SHEET_MM
-    from planes.documents.check import _overlay
+    from planes.documents.check import _overlay_sheet_contents
     from render.paper.marks import Arc, Arrow, Line, Text
-    from render.sheet.check_sheet import compose
+    from render.sheet.check_sheet import compose_check_sheet
 
     bench = prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
     drawn = run_program(bench.program, bench.given)
     spots = [ReadMark("p", 0j), *(ReadMark(m.rpartition(":")[2], complex(drawn[m])) for m in bench.marks)]
     spots[2] = ReadMark(spots[2].name, spots[2].place * 9 - 400)
     found = check(Asked(bench.asked.scene, plan, mu=bench.said_mu), ReadPaper("t", spots))
-    marks, photo = compose(SHEET_MM, _overlay(found, "ru"))
+    marks, photo = compose_check_sheet(SHEET_MM, _overlay_sheet_contents(found, "ru"))
     places = [
         z
         for m in marks
@@ -578,4 +578,4 @@ def test_a_name_with_another_index_is_not_guessed_at() -> None:
 
 def test_a_number_of_a_report_has_a_true_minus() -> None:
     out = check(asked("velocity"), ReadPaper("t", results=[("v_C", 2.4, "m/s"), ("omega_2", -3.53, "")]))
-    assert numbers_of(out, "ru")[1][2] == "−3,53" and "−3,53" in out.sentence.told("ru")
+    assert result_table_rows(out, "ru")[1][2] == "−3,53" and "−3,53" in out.sentence.told("ru")

@@ -13,14 +13,14 @@ from planes.check.grading.paper import Known, ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
 from planes.check.handed_in import read_paper
 from planes.check.outcome import check
-from planes.check.reading.matching import paper_of
+from planes.check.reading.matching import read_plan_marks
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import read_svg
 from planes.check.reading.written import Words
 from planes.check.report import as_json
 from planes.cli import main
 from planes.documents.check import write_blank
-from planes.drafting.drawing import run
+from planes.drafting.drawing import draw_program
 from planes.drafting.steps import Similar
 from planes.plans import plans_of
 from planes.scene import load
@@ -52,7 +52,7 @@ def test_an_empty_blank_is_unreadable(tmp_path: Path) -> None:
     for bench in benches():
         file = tmp_path / "blank.svg"
         write_blank(bench.asked, str(file), "en")
-        assert check(bench.asked, paper_of(read_svg(file), bench)).verdict == "unreadable", bench.asked
+        assert check(bench.asked, read_plan_marks(read_svg(file), bench)).verdict == "unreadable", bench.asked
 
 
 FILES = sorted(p for p in (*SAMPLES.glob("*.yaml"), *SAMPLES.glob("assignments/*.yaml")) if p.stem != "vectors")
@@ -103,8 +103,8 @@ def test_scribbles_are_never_right(size: float) -> None:
         sketch = ReadDrawing("scribble", words=[Words("p", z[0], 3, 2)])
         if rng.random() < 0.5:
             sketch.words += [Words(label_of(m), rng.choice(z), 3, 2) for m in bench.marks]
-        sketch.add(z)
-        assert check(bench.asked, paper_of(sketch, bench)).verdict != "right", (bench.asked, z)
+        sketch.add_polyline(z)
+        assert check(bench.asked, read_plan_marks(sketch, bench)).verdict != "right", (bench.asked, z)
 
 
 def test_marks_read_badly_show_nothing() -> None:
@@ -164,7 +164,7 @@ def test_a_mistake_that_changes_nothing_is_not_named() -> None:
     """A point on the line of its link, turned over about that line, stays where it is."""
     count = 0
     for bench in benches():
-        true = run(bench.program, bench.given) if bench.asked.plan == "velocity" else {}
+        true = draw_program(bench.program, bench.given) if bench.asked.plan == "velocity" else {}
         for step in bench.program.steps if true else ():
             if not isinstance(step, Similar) or complex(bench.given[step.ratio]).imag or step.makes not in bench.marks:
                 continue

@@ -10,9 +10,9 @@ pytest.importorskip("cv2")
 
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.outcome import check
-from planes.check.vision.from_aside import as_sure, tilt_told
+from planes.check.vision.from_aside import fitted_camera_tilt, with_scale_and_tilt_errors
 from planes.check.vision.image.lens import Lens
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE_LABEL, label_of
 from tests import confusion
 
 BENCH = confusion.bench("six-link", "velocity")
@@ -48,16 +48,16 @@ def spots(tilt: complex, seed: int, wrong: str = "") -> list[ReadMark]:
         n: z + complex(rng.gauss(0, 0.25), rng.gauss(0, 0.25)) + (9j if n == wrong else 0) for n, z in TRUE.items()
     }
     drawn["b"] = FIRST
-    return [ReadMark(POLE, 0j), *(ReadMark(n, seen(z, tilt), 0.2) for n, z in drawn.items())]
+    return [ReadMark(POLE_LABEL, 0j), *(ReadMark(n, seen(z, tilt), 0.2) for n, z in drawn.items())]
 
 
 def test_what_a_tilted_camera_sees_is_put_right() -> None:
     """To the scale and direction of the same mark, whatever place it is."""
     lens = over(TILT)
-    turn = FIRST / lens.leaning(seen(FIRST, TILT), TILT)
+    turn = FIRST / lens.positions_under_tilt(seen(FIRST, TILT), TILT)
     assert abs(abs(turn) - 1) < 1e-3
     for z in (50 + 0j, -40 + 30j, 20 - 60j):
-        assert abs(lens.leaning(seen(z, TILT), TILT) * turn - z) < 1e-6
+        assert abs(lens.positions_under_tilt(seen(z, TILT), TILT) * turn - z) < 1e-6
         assert abs(seen(z, TILT) - z) > 1.0
 
 
@@ -66,14 +66,22 @@ def test_the_marks_tell_the_tilt(wrong: str) -> None:
     """One of them drawn wrongly tells no other, though then it may be too little to be believed; of a sheet seen
     straight they tell none."""
     for seed in range(4):
-        tilt = tilt_told(over(TILT), 0j, spots(TILT, seed, wrong), TRUE)
+        tilt = fitted_camera_tilt(over(TILT), 0j, spots(TILT, seed, wrong), TRUE)
         assert (tilt is None and wrong) or (tilt is not None and abs(tilt - TILT) < 0.1)
-        assert tilt_told(LENS, 0j, spots(0j, seed, wrong), TRUE) is None
+        assert fitted_camera_tilt(LENS, 0j, spots(0j, seed, wrong), TRUE) is None
 
 
 def test_marks_off_by_one_tilt_are_not_called_wrong() -> None:
     """The same places without a camera are not right; a mark that no tilt moves so is wrong all the same."""
     plain = ReadPaper("p.png", spots(TILT, 1), whole=False)
-    aside = replace(plain, spots=[plain.spots[0], *(as_sure(s, 0j, 0.005, over(TILT)) for s in plain.spots[1:])])
-    off = replace(plain, spots=[plain.spots[0], *(as_sure(s, 0j, 0.005, over(TILT)) for s in spots(TILT, 1, "c")[1:])])
+    aside = replace(
+        plain, spots=[plain.spots[0], *(with_scale_and_tilt_errors(s, 0j, 0.005, over(TILT)) for s in plain.spots[1:])]
+    )
+    off = replace(
+        plain,
+        spots=[
+            plain.spots[0],
+            *(with_scale_and_tilt_errors(s, 0j, 0.005, over(TILT)) for s in spots(TILT, 1, "c")[1:]),
+        ],
+    )
     assert [check(BENCH.asked, paper).verdict for paper in (plain, aside, off)] == ["right_as_seen", "right", "wrong"]

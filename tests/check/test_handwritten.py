@@ -10,9 +10,9 @@ import pytest
 pytest.importorskip("cv2")
 import cv2
 
-from planes.check.evidence.handwritten import Erased, HandWord, HandWords, words_beside
-from planes.check.evidence.ink import ink_of
-from planes.check.vision.image.picture import by_scale
+from planes.check.evidence.handwritten import Erased, HandWord, HandWords, read_words_beside_lines
+from planes.check.evidence.ink import drawing_ink
+from planes.check.vision.image.picture import rectify_by_scale
 from tests.physical.letters import Writer
 from tests.physical.paper import PX_PER_MM, Paper
 from tests.physical.setting import Setting
@@ -29,10 +29,10 @@ def written(style: str, seed: int, *names: str, known: Sequence[str] = NAMES) ->
     hand.vector(12 + 5j, 12 + 1j * (paper.size[1] - 5))
     for k, name in enumerate(names):
         Writer(hand, rng).word(name, 20 + 1j * (8 + 15 * k))
-    flat = by_scale(cv2.cvtColor(paper.colour, cv2.COLOR_BGR2GRAY), PX_PER_MM)
+    flat = rectify_by_scale(cv2.cvtColor(paper.colour, cv2.COLOR_BGR2GRAY), PX_PER_MM)
     low, high = (flat.corner + z for z in (12 + 5j, 12 + 1j * (paper.size[1] - 5)))
     line = Erased([low, (low + high) / 2, high], 0.8, [(high, -4j)])
-    return sorted(words_beside(ink_of(flat), [line], known).words, key=lambda w: w.low.imag)
+    return sorted(read_words_beside_lines(drawing_ink(flat), [line], known).words, key=lambda w: w.low.imag)
 
 
 @pytest.mark.parametrize("style", ["neat", "wild", "indices"])
@@ -58,5 +58,5 @@ def test_what_is_no_name_of_the_plan_is_read_as_none() -> None:
 def test_a_name_speaks_for_the_vector_it_stands_by_and_never_loudly() -> None:
     """What was read costs hardly anything by its vector, something elsewhere; what was not read, nothing."""
     words = HandWords([HandWord(0j, 8 + 4j, {"G_2": 0.9, "G_3": 0.1})])
-    assert words.price("G_2", -2j, 10 - 2j) < 0.05 and words.price("F_30", 50j, 90j) == 0
-    assert 1 < words.price("G_2", 50j, 90j) < 2.6 and words.price("G_3", 50j, 90j) < 0.2
+    assert words.vector_name_cost("G_2", -2j, 10 - 2j) < 0.05 and words.vector_name_cost("F_30", 50j, 90j) == 0
+    assert 1 < words.vector_name_cost("G_2", 50j, 90j) < 2.6 and words.vector_name_cost("G_3", 50j, 90j) < 0.2

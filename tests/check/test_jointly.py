@@ -9,7 +9,7 @@ import pytest
 
 from planes.check.grading.grading import grade
 from planes.check.grading.handwork import Hand, Miss
-from planes.check.grading.judging import given_before, order_of_reckoning
+from planes.check.grading.judging import judging_order, misses_given_earlier
 from tests import confusion
 from tests.confusion import bench, easels, hand_in, run_all, told
 from tests.helpers.drawings import SHAKY, Care, Mistake
@@ -24,25 +24,25 @@ def miss(off: complex, *change: complex) -> Miss:
 def test_what_one_mark_shows_of_an_error_is_expected_in_the_next() -> None:
     """Two marks off by the same error of 2 mm, twice as far in the second."""
     misses = {"a": miss(2 + 0j, 2, 0.3j), "b": miss(4 + 0j, 4, 0.3j), "c": miss(-4 + 0j, 4, 0.3j)}
-    found = given_before(misses, ["a", "b", "c"], 3.3)
+    found = misses_given_earlier(misses, ["a", "b", "c"], 3.3)
     assert found["a"].off == misses["a"].off and misses["c"].sigmas < 1.1
-    assert abs(found["b"].off) < 0.1 and found["b"].reach(1.0) < 0.4 < misses["b"].reach(1.0)
+    assert abs(found["b"].off) < 0.1 and found["b"].tolerance_mm(1.0) < 0.4 < misses["b"].tolerance_mm(1.0)
     assert found["c"].sigmas > 10  # where the error that is known of would never lead
 
 
 def test_a_wrong_mark_tells_nothing_of_others() -> None:
     misses = {"a": miss(9 + 0j, 2, 0.3j), "b": miss(4 + 0j, 4, 0.3j)}
-    assert given_before(misses, ["a", "b"], 3.3)["b"].sigmas == pytest.approx(misses["b"].sigmas)
-    assert given_before(misses, ["b", "a"], 3.3)["a"].sigmas > misses["a"].sigmas
+    assert misses_given_earlier(misses, ["a", "b"], 3.3)["b"].sigmas == pytest.approx(misses["b"].sigmas)
+    assert misses_given_earlier(misses, ["b", "a"], 3.3)["a"].sigmas > misses["a"].sigmas
 
 
 def test_a_reaction_reckoned_from_forces_is_judged_after_them() -> None:
     """F^t stands first in the polygon, but its moments are those of the forces laid off after it."""
     one = bench("six-link", "force:2-3")
-    order = [m.rpartition(":")[2] for m in order_of_reckoning(one.program.steps, one.marks)]
+    order = [m.rpartition(":")[2] for m in judging_order(one.program.steps, one.marks)]
     assert order == ["G_2", "I_2", "F_24", "G_3", "F_30t", "F_21t", "F_30n"]
     motion = bench("six-link", "acceleration")
-    assert order_of_reckoning(motion.program.steps, motion.marks) == motion.marks
+    assert judging_order(motion.program.steps, motion.marks) == motion.marks
 
 
 def test_the_persons_own_forces_sharpen_a_reckoned_one() -> None:
@@ -53,7 +53,7 @@ def test_the_persons_own_forces_sharpen_a_reckoned_one() -> None:
     assert found is not None
     alone = Hand(one.program, one.given, one.asked.skill, found.hand.taken).misses(one.marks)
     mark = "force:2-3:F_21t"
-    assert found.judgement.misses[mark].worst < 0.4 * alone[mark].worst
+    assert found.judgement.misses[mark].largest_sigma_mm < 0.4 * alone[mark].largest_sigma_mm
 
 
 @pytest.mark.parametrize(

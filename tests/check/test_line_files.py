@@ -15,9 +15,9 @@ import pytest
 from planes.check.grading.paper import Known
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome, check
-from planes.check.reading.construction_lines import vectors_of
+from planes.check.reading.construction_lines import vector_strokes
 from planes.check.reading.dxf import read_dxf
-from planes.check.reading.matching import paper_of
+from planes.check.reading.matching import read_plan_marks
 from planes.check.reading.pdf import read_pdf
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.svg import read_svg
@@ -203,8 +203,8 @@ def test_thousands_of_lines_with_heads_are_refused_in_a_moment(tmp_path: Path) -
     bench = confusion.bench("six-link", "velocity")
     polygon = confusion.bench("six-link", "force:2-3", False)
     with at_most(30_000_000):
-        assert check(bench.asked, paper_of(found, bench)).verdict == "unreadable"
-        assert check(polygon.asked, paper_of(found, polygon)).verdict == "unreadable"
+        assert check(bench.asked, read_plan_marks(found, bench)).verdict == "unreadable"
+        assert check(polygon.asked, read_plan_marks(found, polygon)).verdict == "unreadable"
 
 
 def test_a_polygon_on_a_sheet_full_of_other_lines(tmp_path: Path) -> None:
@@ -222,7 +222,7 @@ def test_a_polygon_on_a_sheet_full_of_other_lines(tmp_path: Path) -> None:
         )
         file = tmp_path / "t.svg"
         file.write_text(text.replace("</svg>", f'<g stroke="#000">{hatch}{block}{sizes}</g></svg>'), encoding="utf-8")
-        found = check(bench.asked, paper_of(read_svg(file), bench))
+        found = check(bench.asked, read_plan_marks(read_svg(file), bench))
         assert (found.verdict, found.mistake) == (("wrong", mistake.name) if mistake else ("right", None))
 
 
@@ -435,10 +435,10 @@ def test_a_vector_that_runs_on_to_its_own_name_is_no_construction_line() -> None
     """Three marks in a row from the pole, without heads: what has no name at its end runs on from another."""
     strokes = [(0j, 20 + 0j), (0j, 35 + 0j), (0j, 60 + 0j), (0j, 30j), (30j, 35 + 0j)]
     words = [Words("s", 21 + 1j), Words("b", 36 + 1j), Words("d", 61 + 1j), Words("c", 1 + 31j), Words("p", -4 - 4j)]
-    assert vectors_of(ReadDrawing("", strokes, words)) == []  # nothing tells lines from vectors: each is one
-    assert vectors_of(ReadDrawing("", strokes, words[:2] + words[3:])) == [0, 1, 3, 4]
+    assert vector_strokes(ReadDrawing("", strokes, words)) == []  # nothing tells lines from vectors: each is one
+    assert vector_strokes(ReadDrawing("", strokes, words[:2] + words[3:])) == [0, 1, 3, 4]
     beside = [*words, Words("e", 63 + 1j)]  # nor does a name with another end beside it
-    assert 2 not in vectors_of(ReadDrawing("", [*strokes, (62 + 3j, 70 + 9j)], [beside[0], beside[1], *beside[3:]]))
+    assert 2 not in vector_strokes(ReadDrawing("", [*strokes, (62 + 3j, 70 + 9j)], [beside[0], beside[1], *beside[3:]]))
 
 
 @pytest.mark.parametrize("build", HEADS.values(), ids=HEADS)
@@ -452,7 +452,7 @@ def read_back(program: test_check.Writer, easel: confusion.Easel, mistake: Any, 
     file.write_text(program(*test_check.sketch_of(easel, mistake), 200 + 150j), encoding="utf-8")
     sketch = read_dxf(file) if file.suffix == ".dxf" else read_svg(file)
     bench = confusion.bench(easel.sample, easel.plan)
-    return check(bench.asked, paper_of(sketch, bench))
+    return check(bench.asked, read_plan_marks(sketch, bench))
 
 
 @pytest.mark.few(1, slow=2)
@@ -493,7 +493,7 @@ def test_plans_of_another_size_as_files(tmp_path: Path, factor: float) -> None:
         strokes, words = test_check.sketch_of(easel, None, 1, factor)
         file.write_text(line_drawings.inkscape(strokes, words, 200 + 150j), encoding="utf-8")
         bench = confusion.bench(easel.sample, easel.plan, False)
-        right += check(bench.asked, paper_of(read_svg(file), bench)).verdict == "right"
+        right += check(bench.asked, read_plan_marks(read_svg(file), bench)).verdict == "right"
         count += 1
     print("factor", factor, right, count)
     assert right >= 0.96 * count
@@ -510,7 +510,7 @@ def test_lines_that_do_not_quite_meet(tmp_path: Path) -> None:
             loose = [tuple(z + complex(rng.gauss(0, 0.15), rng.gauss(0, 0.15)) for z in s) for s in strokes]
             file.write_text(line_drawings.inkscape(loose, words, 200 + 150j), encoding="utf-8")  # type: ignore[arg-type]
             bench = confusion.bench(easel.sample, easel.plan)
-            found = check(bench.asked, paper_of(read_svg(file), bench))
+            found = check(bench.asked, read_plan_marks(read_svg(file), bench))
             if mistake is None:
                 right += found.verdict == "right"
                 count += 1

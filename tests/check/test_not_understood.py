@@ -7,14 +7,14 @@ from pathlib import Path
 import pytest
 
 import planes
-from planes.check.grading.by_hand import unsure
+from planes.check.grading.by_hand import unreliable_rate_names
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.outcome import Outcome, check
-from planes.check.report import as_json, chance_told
+from planes.check.report import as_json, certainty_text
 from planes.cli import main
 from planes.drafting.instruments import Pencil
-from planes.drafting.skill import HAND, PENCIL, cad
+from planes.drafting.skill import DRAUGHTSMAN_SKILL, STUDENT_SKILL, cad_skill
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.solving import solve
@@ -25,7 +25,7 @@ SIX = str(ROOT / "samples" / "six-link.yaml")
 ASKED = Asked(planes.load(SIX), "velocity")
 
 
-def of_results(*rows: tuple[str, float, str], skill: object = HAND) -> Outcome:
+def of_results(*rows: tuple[str, float, str], skill: object = STUDENT_SKILL) -> Outcome:
     return check(Asked(ASKED.scene, "velocity", skill=skill), ReadPaper("t.csv", results=[*rows]))  # type: ignore[arg-type]
 
 
@@ -42,7 +42,7 @@ def test_an_unknown_name_leaves_the_work_right_as_far_as_seen(
     found = of_results(("v_C", 2.404, "m/s"), ("F_99", 5.0, "N"))
     assert (found.verdict, found.unseen) == ("right_as_seen", ["F_99"])
     assert "F_99" in found.sentence.told("ru") and as_json(found)["unseen"] == ["F_99"]
-    assert not chance_told(found, "en")
+    assert not certainty_text(found, "en")
     file = tmp_path / "t.csv"
     file.write_text("result,value,unit\nv_C,2.404,m/s\nF_99,5,N\n", encoding="utf-8")
     assert main(["check", SIX, str(file), "--plan", "velocity", "--json"]) == 3
@@ -53,7 +53,7 @@ def test_a_wrong_number_of_the_frame_is_wrong_under_the_sheets_name() -> None:
     found = of_results(("F_36", 9999.0, "N"))
     assert found.verdict == "wrong" and found.first_wrong == "F_30"
     assert as_json(found)["sentence"]["en"].startswith("F_36 = 9999")
-    assert found.typed("F_30 and F_21") == "F_36 and F_21"
+    assert found.text_as_typed("F_30 and F_21") == "F_36 and F_21"
 
 
 def test_a_column_that_nobody_reads_is_told(tmp_path: Path) -> None:
@@ -81,7 +81,7 @@ def test_a_mark_is_seen_in_its_followers_only_where_they_tell_its_place(
     assert found.verdict == ("right_as_seen" if unseen else "right")
 
 
-@pytest.mark.parametrize("skill", [HAND, cad(73.0)])
+@pytest.mark.parametrize("skill", [STUDENT_SKILL, cad_skill(73.0)])
 def test_a_number_too_near_a_dead_point_is_not_sure(skill: object) -> None:
     found = of_results(("v_H", 1.38, "m/s"), skill=skill)
     assert found.results and found.results.scored[0].verdict == "too_near"
@@ -114,7 +114,7 @@ def test_what_no_hand_errs_by_is_wrong_however_large_its_tolerance(share: float)
 def test_sheet_note_and_check_tell_the_same_of_a_number_near_a_dead_point(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    names = list(unsure(solve(ASKED.scene).positions[0]))
+    names = list(unreliable_rate_names(solve(ASKED.scene).positions[0]))
     assert "v_H" in names and "v_C" not in names
     assert main(["sheet", SIX, "-o", str(tmp_path / "s.svg"), "--lang", "en"]) == 0
     told = next(line for line in capsys.readouterr().err.splitlines() if "a sixth of their value" in line)
@@ -125,8 +125,8 @@ def test_sheet_note_and_check_tell_the_same_of_a_number_near_a_dead_point(
 
 
 def test_one_place_holds_the_errors_of_people() -> None:
-    assert (Pencil().point_mm, Pencil().ray_deg) == (PENCIL.point_mm, PENCIL.ray_deg)
-    assert Asked(ASKED.scene, "velocity").skill is HAND
+    assert (Pencil().point_mm, Pencil().ray_deg) == (DRAUGHTSMAN_SKILL.point_mm, DRAUGHTSMAN_SKILL.ray_deg)
+    assert Asked(ASKED.scene, "velocity").skill is STUDENT_SKILL
 
 
 def test_a_number_in_an_unknown_unit_or_left_empty_is_not_seen(tmp_path: Path) -> None:
@@ -253,7 +253,7 @@ def test_a_mark_that_follows_from_a_mistake_does_not_miss_where_that_puts_it() -
     """The mark at which the mistake is made may not be drawn: what follows is off the right construction."""
     bench = prepare(Asked(planes.loads(CRANK), "acceleration"))
     for variant in bench.mistakes:
-        things = bench.drawn(variant, Tool(Arithmetic()))
+        things = bench.draw_program(variant, Tool(Arithmetic()))
         drawn = {n: complex(things[f"acceleration:{n}"]) for n in bench.true_marks if things and n != variant.blames}
         found = check(bench.asked, ReadPaper("t", [ReadMark(n, z) for n, z in {"p": 0j, **drawn}.items()]))
         for row in as_json(found)["marks"] if found.verdict != "unreadable" else []:

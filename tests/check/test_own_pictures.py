@@ -15,7 +15,7 @@ from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome, check
 from planes.documents.sheets import sheet_of
-from planes.scene.carried import carried, carrying
+from planes.scene.carried import drawing_in_png, png_with_drawing
 from planes.solving import Position
 from planes.words.errors import PlanesError
 from render.sheet import Sheet
@@ -28,7 +28,7 @@ MB = 1_000_000
 def anew(written: Page | Sheet) -> bytes:
     """A page as another program saves it."""
     out = BytesIO()
-    Image.open(BytesIO(written.rendered(".png"))).save(out, "PNG", dpi=(200, 200))
+    Image.open(BytesIO(written.file_contents(".png"))).save(out, "PNG", dpi=(200, 200))
     return out.getvalue()
 
 
@@ -77,32 +77,32 @@ def test_a_spoiled_picture_is_judged_by_the_drawing_it_carries(
     sample: str, plan: str, mistake: str, where: str, tmp_path: Path
 ) -> None:
     page = view(sample, plan, with_mistake(sample, plan, mistake, where))
-    found = looked(sample, plan, page.rendered(".png"), tmp_path)
+    found = looked(sample, plan, page.file_contents(".png"), tmp_path)
     assert (found.verdict, found.first_wrong) == ("wrong", where), found.sentence.told("en")
 
 
 def test_a_drawing_is_that_of_its_own_pixels_alone() -> None:
     """A picture painted over by a program that copies what it does not know no longer carries its drawing."""
     page = view("crank-slider", "velocity", drawn("crank-slider")[1])
-    data, svg = page.rendered(".png"), page.rendered(".svg")
-    assert carried(data, MB) == svg and carried(data, len(svg) - 1) is None
+    data, svg = page.file_contents(".png"), page.file_contents(".svg")
+    assert drawing_in_png(data, MB) == svg and drawing_in_png(data, len(svg) - 1) is None
     white = BytesIO()
     Image.new("RGB", Image.open(BytesIO(data)).size, "white").save(white, "PNG")
     start, ours, theirs = data.index(b"plAN") - 4, data.index(b"IDAT") - 4, white.getvalue().index(b"IDAT") - 4
     painted = white.getvalue()[:theirs] + data[start:ours] + white.getvalue()[theirs:]
-    assert b"plAN" in painted and carried(painted, MB) is None and carried(white.getvalue(), MB) is None
+    assert b"plAN" in painted and drawing_in_png(painted, MB) is None and drawing_in_png(white.getvalue(), MB) is None
     assert Image.open(BytesIO(painted)).convert("L").getextrema() == (255, 255)
 
 
 def test_a_damaged_or_swollen_drawing_is_none() -> None:
     plain = BytesIO()
     Image.new("RGB", (60, 60)).save(plain, "PNG")
-    swollen = carrying(plain.getvalue(), bytes(50 * MB))
-    assert len(swollen) < MB and carried(swollen, MB) is None
-    whole = carrying(plain.getvalue(), b"<svg/>")
-    assert carried(whole, MB) == b"<svg/>"
+    swollen = png_with_drawing(plain.getvalue(), bytes(50 * MB))
+    assert len(swollen) < MB and drawing_in_png(swollen, MB) is None
+    whole = png_with_drawing(plain.getvalue(), b"<svg/>")
+    assert drawing_in_png(whole, MB) == b"<svg/>"
     for data in (whole[:90], whole.replace(whole.partition(b"plAN")[2][:14], bytes(14)), b"", plain.getvalue()):
-        assert carried(data, MB) is None
+        assert drawing_in_png(data, MB) is None
 
 
 def test_a_picture_upon_another_carries_no_drawing() -> None:
@@ -113,7 +113,9 @@ def test_a_picture_upon_another_carries_no_drawing() -> None:
     grey = BytesIO()
     Image.new("L", (80, 80), 200).save(grey, "JPEG")
     under = Page(page.marks, page.size, "x", under=Photo(grey.getvalue(), (0.0, 0.0, 50.0, 50.0)))
-    assert carried(under.rendered(".png"), 10 * MB) is None and carried(page.rendered(".png"), 10 * MB)
+    assert drawing_in_png(under.file_contents(".png"), 10 * MB) is None and drawing_in_png(
+        page.file_contents(".png"), 10 * MB
+    )
 
 
 ANEW = (

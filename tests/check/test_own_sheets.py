@@ -13,35 +13,35 @@ import pytest
 
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import Known
-from planes.check.grading.prepared_plan import Asked, known_plans, prepare, variants_of
+from planes.check.grading.prepared_plan import Asked, known_plans, mistake_variants, prepare
 from planes.check.grading.variants import Variant
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome, check
-from planes.check.reading.arrowheads import settle
+from planes.check.reading.arrowheads import assign_arrowheads
 from planes.check.reading.dxf import read_dxf
-from planes.check.reading.parts import joined, parts, without_letters
+from planes.check.reading.parts import connected_parts, merge_word_pieces, remove_letter_strokes
 from planes.check.reading.pdf import read_pdf
 from planes.check.reading.strokes import Arrowhead, ReadDrawing
-from planes.check.reading.svg import read_carried, read_svg
-from planes.check.reading.whole_page import enlarged, paper_on
+from planes.check.reading.svg import read_embedded_svg, read_svg
+from planes.check.reading.whole_page import detail_enlargement, read_page
 from planes.check.reading.written import Words
 from planes.cli import main
 from planes.documents.drawn import _mechanism_views
 from planes.documents.sheets import DrawnPosition
-from planes.drafting.skill import HAND
+from planes.drafting.skill import STUDENT_SKILL
 from planes.scene import Scene, load
 from planes.solving import Position
-from planes.words.names import label_of, mu_of
+from planes.words.names import label_of, mu_name
 from render.files import dxf
 from render.paper.marks import Arrow, Text
 from render.sheet import Sheet
 from render.sheet.composer import Composer
-from render.sheet.single import Page, page
+from render.sheet.single import Page, view_page
 from render.sheet.sizes import Sizes
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
-READERS = {".svg": read_svg, ".dxf": read_dxf, ".pdf": read_pdf, ".png": read_carried}
+READERS = {".svg": read_svg, ".dxf": read_dxf, ".pdf": read_pdf, ".png": read_embedded_svg}
 SCENES = sorted(p.stem for p in SAMPLES.glob("*.yaml") if p.stem != "vectors")
 ASSIGNMENTS = sorted(f"assignments/{p.stem}" for p in (SAMPLES / "assignments").glob("*.yaml"))
 FAR_MM = 5.0  # a mistake that moves its mark by less is no mistake worth drawing
@@ -51,7 +51,7 @@ FAR_MM = 5.0  # a mistake that moves its mark by less is no mistake worth drawin
 def drawn(sample: str) -> tuple[Scene, Position]:
     """A sample's position as a sheet of one view draws it."""
     scene = load(str(SAMPLES / f"{sample}.yaml"))
-    return scene, DrawnPosition(replace(scene, find=None), None, "ru").at(Sizes())
+    return scene, DrawnPosition(replace(scene, find=None), None, "ru").position_at_sizes(Sizes())
 
 
 def view(sample: str, plan: str, position: Position) -> Page:
@@ -60,25 +60,25 @@ def view(sample: str, plan: str, position: Position) -> Page:
     kind, _, links = plan.partition(":")
     name = f"force-{links}" if links else plan if plan == "position" else f"{kind}-plan"
     composer = Composer(scene, "ru")
-    return page(_mechanism_views(replace(scene, find=None), position, composer), name, composer)
+    return view_page(_mechanism_views(replace(scene, find=None), position, composer), name, composer)
 
 
 def checked(sample: str, plan: str, written: Page | Sheet, file: Path) -> Outcome:
     """What the check says of a page written into a file."""
     scene = drawn(sample)[0]
-    file.write_bytes(written.rendered(file.suffix))
+    file.write_bytes(written.file_contents(file.suffix))
     sketch = READERS[file.suffix](file)
     assert sketch
     asked = Asked(scene, plan)
-    return check(asked, paper_on(sketch, prepare(asked)))
+    return check(asked, read_page(sketch, prepare(asked)))
 
 
 def made(sample: str, plan: str, position: Position, k: int) -> tuple[Position, Variant, float]:
     """A position with a mistake of the catalogue made in the plan, and all that follows; how far its mark moves."""
-    bench = prepare(Asked(drawn(sample)[0], plan, mu=position.scales[mu_of(plan)]))
-    hand = Hand(bench.program, {**bench.given, **position.scales}, HAND, {})
-    variant = variants_of(bench, {}, bench.said_mu)[k]
-    under = {n: numpy.ravel(v)[0].item() for n, v in hand.under(variant).items() if v is not None}
+    bench = prepare(Asked(drawn(sample)[0], plan, mu=position.scales[mu_name(plan)]))
+    hand = Hand(bench.program, {**bench.given, **position.scales}, STUDENT_SKILL, {})
+    variant = mistake_variants(bench, {}, bench.said_mu)[k]
+    under = {n: numpy.ravel(v)[0].item() for n, v in hand.redraw_with_variant(variant).items() if v is not None}
     moved = [abs(under[m] - position.drawing[m]) for m in bench.marks if m in under and label_of(m) == variant.blames]
     fits = all(abs(under[m]) < 400 for m in bench.marks if m in under)
     things = {**position.drawing.things, **{n: v for n, v in under.items() if n in position.drawing}}
@@ -89,7 +89,7 @@ def made(sample: str, plan: str, position: Position, k: int) -> tuple[Position, 
 def mistakes(sample: str, plan: str) -> list[Variant]:
     """The catalogue for a plan of a sample."""
     bench = prepare(Asked(drawn(sample)[0], plan))
-    return variants_of(bench, {}, bench.said_mu)
+    return mistake_variants(bench, {}, bench.said_mu)
 
 
 def spoiled(sample: str, plan: str, seed: int | str) -> int | None:
@@ -163,14 +163,14 @@ def test_a_plan_at_another_scale_than_its_title_says_is_not_right(plan: str, suf
     """A force plan with its only force doubled looks like one at another scale; its title tells them apart."""
     sample, file = "crank-slider", tmp_path / f"view{suffix}"
     scene, position = drawn(sample)
-    file.write_bytes(view(sample, plan, position).rendered(suffix))
+    file.write_bytes(view(sample, plan, position).file_contents(suffix))
     asked = Asked(scene, plan)
     found = {}
     for said in ("", "1"):  # in front of the number: another scale
         sketch = READERS[suffix](file)
         assert sketch
         sketch.words = [replace(w, text=re.sub(r"= (?=\d)", f"= {said}", w.text)) for w in sketch.words]
-        found[said] = check(asked, paper_on(sketch, prepare(asked)))
+        found[said] = check(asked, read_page(sketch, prepare(asked)))
     assert found[""].verdict == "right" and found["1"].verdict != "right", found["1"].sentence.told("en")
 
 
@@ -220,14 +220,14 @@ def test_two_vectors_from_one_place_are_no_open_head() -> None:
     shafts = [(0j, 5 + 1j), (0j, 5 - 1j)]
     heads = [Arrowhead(b + 2 * b / abs(b), b / abs(b), 4.0) for _, b in shafts]
     sketch = ReadDrawing(strokes=[*shafts, (0j, -30 + 0j)], heads=heads)
-    settle(sketch)
+    assign_arrowheads(sketch)
     assert sketch.strokes == [(0j, heads[0].tip), (0j, heads[1].tip), (0j, -30 + 0j)] and sketch.ways == [1, 1, 0]
 
 
 def test_a_shaft_that_ends_within_its_head_reaches_the_tip() -> None:
     """A construction line that begins at the tip does not take the head away."""
     sketch = ReadDrawing(strokes=[(0j, 20 + 0j), (23 + 0j, 35 + 0j)], heads=[Arrowhead(23 + 0j, 1 + 0j, 3.75)])
-    settle(sketch)
+    assign_arrowheads(sketch)
     assert sketch.strokes[0] == (0j, 23 + 0j) and sketch.ways == [1, 0]
 
 
@@ -243,14 +243,14 @@ def test_a_label_with_indices_and_a_head_that_is_filled_and_outlined_are_read_on
 
 def test_a_straight_polyline_with_a_middle_vertex_is_one_vector() -> None:
     sketch = ReadDrawing(strokes=[(0j, 20 + 0j), (20 + 0j, 40 + 0j)], heads=[Arrowhead(40 + 0j, 1 + 0j)])
-    settle(sketch)
+    assign_arrowheads(sketch)
     assert sketch.strokes == [(0j, 40 + 0j)]
 
 
 def test_letters_drawn_in_strokes_go_and_vectors_stay() -> None:
     letter = [(1 + 1j, 2 + 4j), (2 + 4j, 3 + 1j)]
     sketch = ReadDrawing(strokes=[*letter, (-20 + 2j, 20 + 2j)], words=[Words("A", 0.5 + 0.5j, 4.0, 3.0)])
-    without_letters(sketch)
+    remove_letter_strokes(sketch)
     assert sketch.strokes == [(-20 + 2j, 20 + 2j)]
 
 
@@ -262,12 +262,12 @@ def test_a_letter_and_its_indices_written_apart_are_one_name() -> None:
         Words("b", 30 + 0j, 5.0, 2.0),
         Words("′", 32.2 + 0j, 5.0, 0.6),
     ]
-    assert [w.text for w in joined(pieces)] == ["F21t", "b′"]
+    assert [w.text for w in merge_word_pieces(pieces)] == ["F21t", "b′"]
 
 
 def test_what_stands_apart_on_a_page_is_another_part() -> None:
     strokes = [(0j, 30 + 0j), (30 + 0j, 30 + 20j), (100 + 0j, 130 + 0j), (130 + 0j, 130 + 30j), (130 + 30j, 100 + 0j)]
-    found = parts(ReadDrawing(strokes=strokes, words=[Words("b", 31 + 21j)]))
+    found = connected_parts(ReadDrawing(strokes=strokes, words=[Words("b", 31 + 21j)]))
     assert [len(p.strokes) for p in found] == [3, 2] and [len(p.words) for p in found] == [0, 1]
 
 
@@ -275,13 +275,16 @@ def test_a_table_is_no_drawing_and_a_small_part_is_one_where_it_is_asked_for() -
     rows, columns = [(8j * k, 60 + 8j * k) for k in range(4)], [(20.0 * k + 0j, 20 * k + 24j) for k in range(4)]
     small = [(100 + 0j, 100 + 3j), (102 + 3j, 102 + 0j)]
     page = ReadDrawing(strokes=[*rows, *columns, *small])
-    assert parts(page) == [] and [p.strokes for p in parts(page, 0.0)] == [small]
+    assert connected_parts(page) == [] and [p.strokes for p in connected_parts(page, 0.0)] == [small]
 
 
 def test_a_detail_is_as_much_enlarged_as_its_sign_says() -> None:
     part = ReadDrawing(strokes=[(0j, 20j), (2 + 20j, 2 + 0j)])
     signs = [Words("Д (20:1)", -8 + 25j, 5.0, 18.0), Words("Г (5:1)", 90 + 25j, 5.0, 18.0)]
-    assert enlarged(signs, part) == 20.0 and enlarged(signs[1:], part) == enlarged([], part) == 1.0
+    assert (
+        detail_enlargement(signs, part) == 20.0
+        and detail_enlargement(signs[1:], part) == detail_enlargement([], part) == 1.0
+    )
 
 
 @pytest.mark.slow

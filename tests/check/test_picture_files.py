@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 from reportlab.pdfgen.canvas import Canvas
 
-from planes.check.handed_in import opened
+from planes.check.handed_in import open_picture
 from planes.cli import main
 from planes.words.errors import PlanesError
 from tests import confusion
@@ -21,10 +21,10 @@ import numpy as np  # noqa: E402
 
 from planes.check.reading.opened import MB  # noqa: E402
 from planes.check.vision.image.bend import PX_PER_MM  # noqa: E402
-from planes.check.vision.image.decoding import MOST_PAGE, load  # noqa: E402
+from planes.check.vision.image.decoding import MOST_PAGE_PX, load  # noqa: E402
 from planes.check.vision.image.no_paper import shows_paper, shows_text_only  # noqa: E402
-from planes.check.vision.image.picture import MOST_FLAT, Flat  # noqa: E402
-from planes.check.vision.page_parts import parts_of  # noqa: E402
+from planes.check.vision.image.picture import MOST_SHEET_PX, Flat  # noqa: E402
+from planes.check.vision.page_parts import split_page  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 
@@ -116,7 +116,9 @@ def test_a_page_as_large_as_a_house_is_looked_at_from_afar(tmp_path: Path) -> No
     canvas.save()
     one = load(file)
     assert (
-        one.grey.size <= 1.01 * MOST_PAGE and one.scale and abs(one.grey.shape[0] / one.scale - 14400 * 25.4 / 72) < 1
+        one.grey.size <= 1.01 * MOST_PAGE_PX
+        and one.scale
+        and abs(one.grey.shape[0] / one.scale - 14400 * 25.4 / 72) < 1
     )
 
 
@@ -156,7 +158,7 @@ def test_a_locked_page_is_told_to_be_one(tmp_path: Path) -> None:
     canvas.line(0, 0, 100, 100)
     canvas.save()
     with pytest.raises(PlanesError, match="locked by a password; save it without one"):
-        opened(str(file))
+        open_picture(str(file))
 
 
 @pytest.mark.slow
@@ -165,10 +167,10 @@ def test_the_largest_page_is_taken_apart_within_500_mb() -> None:
     tracemalloc.start()
     grey = np.full((4900, 6900), 255, np.uint8)
     cv2.line(grey, (500, 500), (6000, 4000), 0, 4)
-    page = parts_of(Flat(grey, PX_PER_MM, by="scale"))
+    page = split_page(Flat(grey, PX_PER_MM, by="scale"))
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    assert grey.size <= MOST_FLAT and len(page.boxes) == 2 and peak < 500 * MB
+    assert grey.size <= MOST_SHEET_PX and len(page.boxes) == 2 and peak < 500 * MB
 
 
 @pytest.mark.parametrize("kind", ["even", "soft", "pepper"])

@@ -26,10 +26,10 @@ from planes.check.grading.paper import Known, ReadPaper  # noqa: E402
 from planes.check.grading.prepared_plan import Asked  # noqa: E402
 from planes.check.outcome import Outcome, check  # noqa: E402
 from planes.check.report import as_json  # noqa: E402
-from planes.check.vision.image.decoding import plainest  # noqa: E402
-from planes.check.vision.image.frame import SIZES_MM, frame_corners, shape_of  # noqa: E402
+from planes.check.vision.image.decoding import channel_without_grid  # noqa: E402
+from planes.check.vision.image.frame import PAPER_SIZES_MM, aspect_ratio_and_obliqueness, frame_corners  # noqa: E402
 from planes.check.vision.image.picture import flatten  # noqa: E402
-from planes.check.vision.photograph import paper_of_picture  # noqa: E402
+from planes.check.vision.photograph import read_picture  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 from tests.helpers.photographs import PHONE, SCAN, Camera  # noqa: E402
@@ -178,14 +178,14 @@ def test_a_mistake_of_no_catalogue_is_found_where_it_is(tmp_path: Path) -> None:
 
 
 def test_the_frame_tells_the_format() -> None:
-    for name, (w, h) in list(SIZES_MM.items())[:3]:
+    for name, (w, h) in list(PAPER_SIZES_MM.items())[:3]:
         for size in ((w, h), (h, w)):
             camera = replace(SCAN, dpi=110, corners=False, turn_deg=1)
             page = photographs.sheet([(0j, 60 + 30j)], [], 100 + 100j, camera, random.Random(1), size)
             grey = photographs.shot(page, camera, random.Random(2))
             corners = frame_corners(grey)
             assert corners is not None, name
-            ratio, _ = shape_of(corners, grey.shape)
+            ratio, _ = aspect_ratio_and_obliqueness(corners, grey.shape)
             assert ratio == pytest.approx((size[0] - 25) / (size[1] - 10), rel=0.002)
 
 
@@ -202,14 +202,14 @@ def test_a_sheet_without_corner_marks(size: str, camera: Camera, told: bool, tmp
     drawn, pole = corpus.drawn(one, None, rng), 140 + 110j
     assert drawn is not None
     camera = replace(camera, corners=False)
-    page = photographs.sheet(drawn.strokes, drawn.words, pole, camera, rng, SIZES_MM[size])
+    page = photographs.sheet(drawn.strokes, drawn.words, pole, camera, rng, PAPER_SIZES_MM[size])
     cv2.imwrite(str(file), photographs.shot(page, camera, rng))
     b = confusion.bench(one.sample, one.plan)
-    paper = paper_of_picture(str(file), b, Known(format=size if told else None))
+    paper = read_picture(str(file), b, Known(format=size if told else None))
     assert check(b.asked, paper).verdict == "right"
     assert abs(paper.spots[0].place - pole) < 0.6
     if told:  # a wrong format is a wrong scale, never a pass
-        assert check(b.asked, paper_of_picture(str(file), b, Known(format="A2"))).verdict != "right"
+        assert check(b.asked, read_picture(str(file), b, Known(format="A2"))).verdict != "right"
 
 
 def photo_of(what: str) -> Any:
@@ -257,7 +257,7 @@ def test_another_scene_is_unreadable(plan: str, tmp_path: Path) -> None:
     asked = Asked(confusion.bench("six-link", plan).asked.scene, plan, mu=confusion.bench("six-link", plan).said_mu)
     for other in ("kind-1-rrr", "kind-5-rpp", "assignment-12"):
         looked(easel(other, plan), SCAN, tmp_path)
-        paper = paper_of_picture(str(tmp_path / "p.jpg"), confusion.prepare(asked))
+        paper = read_picture(str(tmp_path / "p.jpg"), confusion.prepare(asked))
         assert check(asked, paper).verdict == "unreadable", other
 
 
@@ -277,7 +277,7 @@ def on_plain_paper(one: Easel, askew_deg: float, file: Path, name: str) -> tuple
         return complex((z * turn + pole).real * k - 0.5, (h - (z * turn + pole).imag) * k - 0.5)
 
     b = confusion.bench(one.sample, one.plan)
-    return drawn, paper_of_picture(str(file), b, Known(pixel(0j), {name: pixel(drawn.marks[name])}))
+    return drawn, read_picture(str(file), b, Known(pixel(0j), {name: pixel(drawn.marks[name])}))
 
 
 @pytest.mark.slow
@@ -320,7 +320,7 @@ def test_a_pole_named_on_a_blank_counts_more_than_the_printed_one(tmp_path: Path
     corpus.picture(replace(drawn, strokes=strokes, words=[]), corpus.pole_of(one), camera, rng, file)
     place, k = corpus.pole_of(one) + shift, camera.dpi / 25.4
     b = confusion.bench(one.sample, one.plan)
-    paper = paper_of_picture(str(file), b, Known(complex(place.real * k, (210 - place.imag) * k)))
+    paper = read_picture(str(file), b, Known(complex(place.real * k, (210 - place.imag) * k)))
     assert check(b.asked, paper).verdict == "right" and abs(paper.spots[0].place - place) < 0.2
 
 
@@ -359,7 +359,7 @@ def test_pixels_of_a_bent_picture_are_found_on_the_sheet() -> None:
     off = z * (1 + camera.lens * (abs(z) * (1 + camera.lens)) ** 2)
     seen = complex(*SHEET_MM) / 2 + half * off
     k = camera.dpi / 25.4
-    assert abs(flat.place(complex(seen.real * k, (SHEET_MM[1] - seen.imag) * k)) - place) < 0.3
+    assert abs(flat.sheet_point_of_pixel(complex(seen.real * k, (SHEET_MM[1] - seen.imag) * k)) - place) < 0.3
 
 
 @pytest.mark.few(0, slow=2)
@@ -382,7 +382,7 @@ def test_what_is_drawn_in_colour_does_not_fade() -> None:
     for x in range(0, 1300, 8):
         colour[:, x] = (240, 215, 200)
     cv2.line(colour, (300, 200), (900, 700), (200, 60, 30), 5, cv2.LINE_AA)
-    assert np.array_equal(plainest(cv2, colour), cv2.cvtColor(colour, cv2.COLOR_BGR2GRAY))
+    assert np.array_equal(channel_without_grid(cv2, colour), cv2.cvtColor(colour, cv2.COLOR_BGR2GRAY))
 
 
 @pytest.mark.long

@@ -14,10 +14,10 @@ from tests.confusion import SAMPLES
 from tests.sample_oracle import HIGHER, SKETCHES
 
 cv2 = pytest.importorskip("cv2")
-from planes.check.blank import blank_pole, roomy  # noqa: E402
+from planes.check.blank import blank_pole, plan_fitting_blank  # noqa: E402
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, prepare  # noqa: E402
 from planes.check.outcome import Outcome, check  # noqa: E402
-from planes.check.vision.photograph import paper_of_picture  # noqa: E402
+from planes.check.vision.photograph import read_picture  # noqa: E402
 from planes.scene import load  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 from tests.helpers import position_pictures as schemes  # noqa: E402
@@ -27,7 +27,7 @@ from tests.helpers.photographs import PHONE, SCAN, Camera  # noqa: E402
 @cache
 def bench(sample: str) -> PreparedPlan:
     """The scheme at the scale of its blank, told."""
-    free = roomy(prepare(Asked(load(SAMPLES / f"{sample}.yaml"), "position")))
+    free = plan_fitting_blank(prepare(Asked(load(SAMPLES / f"{sample}.yaml"), "position")))
     return prepare(Asked(free.asked.scene, "position", mu=free.said_mu))
 
 
@@ -38,7 +38,7 @@ def looked(
     b, file, rng = bench(as_sample or sample), folder / "p.jpg", random.Random(f"{sample} {seed}")
     drawn = schemes.scheme(sample, sol, bench(sample).said_mu)
     photographs.save(str(file), schemes.picture(drawn, blank_pole(b), camera, rng, symbols), camera)
-    return drawn, check(b.asked, paper_of_picture(str(file), b))
+    return drawn, check(b.asked, read_picture(str(file), b))
 
 
 def off(drawn: schemes.Scheme, found: Outcome) -> list[float]:
@@ -132,4 +132,4 @@ def test_an_empty_blank_of_a_scheme(tmp_path: Path) -> None:
     for symbols in (0, 2):
         file = tmp_path / "p.png"
         cv2.imwrite(str(file), schemes.picture(drawn, 150 + 100j, SCAN, random.Random(1), symbols))
-        assert check(bench("six-link").asked, paper_of_picture(str(file), bench("six-link"))).verdict == "unreadable"
+        assert check(bench("six-link").asked, read_picture(str(file), bench("six-link"))).verdict == "unreadable"

@@ -8,11 +8,11 @@ import pytest
 pytest.importorskip("cv2")
 import cv2
 
-from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
+from planes.check.fiducials import MARK_SIDE_MM, SHEET_MM, corner_mark_cells, corner_mark_centres
 from planes.check.vision.image.decoding import load
 from planes.check.vision.image.picture import find_sheets, flatten
-from planes.check.vision.image.several import leaves_more, sheets_apart
-from planes.documents.class_sorting import glance
+from planes.check.vision.image.several import group_marks_by_sheet, may_show_more_marks
+from planes.documents.class_sorting import preview_sheet
 from planes.geometry.arrays import Greys
 from planes.words.errors import PlanesError
 
@@ -23,10 +23,12 @@ FAR = [(250, 100), (1000, 30), (1000, 800), (270, 700)]  # upper left, upper rig
 def sheet(without: tuple[int, ...] = ()) -> Greys:
     """A blank's marks on paper, some under thumbs."""
     out = np.full((int(SHEET_MM[1] * PX), int(SHEET_MM[0] * PX)), 235, np.uint8)
-    for number, z in enumerate(centres(SHEET_MM)):
+    for number, z in enumerate(corner_mark_centres(SHEET_MM)):
         if number not in without:
-            side = int(SIDE_MM * PX)
-            mark = cv2.resize(np.where(cells(number), 25, 235).astype(np.uint8), (side, side), interpolation=0)
+            side = int(MARK_SIDE_MM * PX)
+            mark = cv2.resize(
+                np.where(corner_mark_cells(number), 25, 235).astype(np.uint8), (side, side), interpolation=0
+            )
             x, y = int(z.real * PX) - side // 2, int((SHEET_MM[1] - z.imag) * PX) - side // 2
             out[y : y + side, x : x + side] = mark
     return out
@@ -50,13 +52,15 @@ def test_corner_marks_are_told_by_their_sheets() -> None:
     """Two sheets seen aslant, one under the other, a corner of the first under a thumb; and a mark of neither."""
 
     def seen(number: int, at: complex) -> tuple[int, object]:
-        corners = [centres(SHEET_MM)[number] + SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)]
+        corners = [
+            corner_mark_centres(SHEET_MM)[number] + MARK_SIDE_MM / 2 * z for z in (-1 + 1j, 1 + 1j, 1 - 1j, -1 - 1j)
+        ]
         places = ((z + at) * 1.1j / (1 + 0.0005 * (z + at).imag) for z in corners)
         return number, np.array([(z.real, -z.imag) for z in places])
 
     upper = [seen(number, 225j + 4) for number in (0, 2, 3)]
     lower = [seen(number, 0j) for number in (3, 1, 0, 2)]
-    seen_sheets = sheets_apart([upper[0], lower[0], seen(1, 500 + 500j), *lower[1:], *upper[1:]])
+    seen_sheets = group_marks_by_sheet([upper[0], lower[0], seen(1, 500 + 500j), *lower[1:], *upper[1:]])
     found = seen_sheets.sheets
     assert seen_sheets.stray == 1 and sorted(sorted(sheet) for sheet in found) == [[0, 1, 2, 3], [0, 2, 3]]
     assert all(any(quad is one for _, one in upper) for quad in min(found, key=len).values())
@@ -78,8 +82,8 @@ def test_a_blank_none_of_whose_marks_are_seen_at_first_is_looked_for() -> None:
     small[200 : 200 + far.shape[0], 500 : 500 + far.shape[1]] = far
     grey = np.vstack([sheet(), small])
     assert [sorted(one) for one in find_sheets(grey).sheets] == [[0, 1, 2, 3]] * 2
-    alone = sheets_apart([(n, q) for n, q in find_sheets(sheet()).sheets[0].items()])
-    assert not leaves_more(alone, sheet().size) and leaves_more(alone, grey.size)
+    alone = group_marks_by_sheet([(n, q) for n, q in find_sheets(sheet()).sheets[0].items()])
+    assert not may_show_more_marks(alone, sheet().size) and may_show_more_marks(alone, grey.size)
 
 
 @pytest.mark.slow
@@ -89,8 +93,8 @@ def test_a_blank_seen_in_part_is_said(tmp_path: Path) -> None:
     cv2.imwrite(str(file), grey)
     flat = flatten(grey)
     assert flat is not None and [(n.key, n.parts["count"]) for n in flat.notes] == [("check_blank_in_part", 2)]
-    assert glance(str(file)).blanks == 2 and len(find_sheets(load(file, 0).grey).sheets) == 1
+    assert preview_sheet(str(file)).blanks == 2 and len(find_sheets(load(file, 0).grey).sheets) == 1
     with pytest.raises(PlanesError) as error:
         load(file, 1)
     assert error.value.phrase.key == "check_blank_in_part"
-    assert find_sheets(pictured(sheet(), None)).parts == 1
+    assert find_sheets(pictured(sheet(), None)).sheet_count == 1

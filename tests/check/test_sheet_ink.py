@@ -46,13 +46,13 @@ def triangle(paper: Paper, press: float) -> None:
 
 def shares(ink: SheetInk, lines: Sequence[tuple[complex, complex]]) -> list[float]:
     """The shares of lines that are drawn."""
-    return list(ink.along(np.array([a for a, _ in lines]), np.array([b for _, b in lines]), 56))
+    return list(ink.drawn_shares(np.array([a for a, _ in lines]), np.array([b for _, b in lines]), 56))
 
 
 def left(ink: SheetInk, lines: Sequence[tuple[complex, complex]]) -> float:
     """mm of ink that lines leave unexplained."""
     a, b = (np.array([[line[k] for line in lines]]) for k in (0, 1))
-    return float(ink.unexplained(a, b, ALL, -99 + 0j, 0.0, np.zeros((1, 0), complex), np.zeros(0))[0])
+    return float(ink.unexplained_ink_mm(a, b, ALL, -99 + 0j, 0.0, np.zeros((1, 0), complex), np.zeros(0))[0])
 
 
 def print_letters(paper: Paper) -> None:
@@ -123,7 +123,7 @@ def test_a_head_speaks_for_the_end_it_is_at(way: int) -> None:
     a, b = 10 + 10j, 60 + 30j
     tip, u = (b, (b - a) / abs(b - a)) if way > 0 else (a, (a - b) / abs(b - a))
     ink = drawn([(a, b), (a, 20 + 60j), *((tip, tip - 3.5 * u * complex(np.exp(s * 0.26j))) for s in (1, -1))])
-    here, there = ink.head(np.array([a]), np.array([b]))[0], ink.head(np.array([b]), np.array([a]))[0]
+    here, there = ink.head_evidence(np.array([a]), np.array([b]))[0], ink.head_evidence(np.array([b]), np.array([a]))[0]
     assert way * (here - there) > 1
 
 

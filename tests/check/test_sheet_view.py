@@ -10,7 +10,7 @@ import pytest
 pytest.importorskip("cv2")
 
 from planes.check.vision.image.sheet_view import sheet_view
-from planes.check.vision.image.two_points import by_points
+from planes.check.vision.image.two_points import rectify_by_two_points
 
 SIZE, FOCAL = (1200, 900), 0.73 * 1200
 FAR_MM = 180.0  # how far the camera is
@@ -58,7 +58,7 @@ def picture(view: Any, kind: str, grain: float = 2.0) -> Any:
 
 def off_mm(view: Any, found: Any, places: Any) -> float:
     """How far places are from where they are seen to be, those told from the first, at most."""
-    seen = [complex(found.bend.flat(pixel(view, z))) for z in places]
+    seen = [complex(found.bend.to_rectified(pixel(view, z))) for z in places]
     return max(float(abs((s - seen[0]) - (z - places[0]))) for s, z in zip(seen, places, strict=True))
 
 
@@ -98,8 +98,8 @@ def test_two_points_on_squares_take_their_millimetres_and_their_direction() -> N
     """Of a vector drawn by hand a little wrong; of one that squares would have much shorter, the direction only."""
     view, true, drawn = camera(12.0, 70.0, 3.0), 30 + 10j, 30.8 + 10.4j
     grey, pole, mark = picture(view, "squared"), pixel(view, 0j), pixel(view, drawn.conjugate())
-    flat = by_points(grey, pole, mark, true, "b")
-    assert abs(flat.place(pole)) < 0.02 and abs(flat.place(mark) - drawn) < 0.1
+    flat = rectify_by_two_points(grey, pole, mark, true, "b")
+    assert abs(flat.sheet_point_of_pixel(pole)) < 0.02 and abs(flat.sheet_point_of_pixel(mark) - drawn) < 0.1
     assert flat.by_file and flat.by_paper and [n.key for n in flat.notes] == ["check_aside_squares"]
-    wide = by_points(grey, pole, mark, true * 1.2, "b")  # on squares of 6 mm
-    assert not wide.by_file and abs(abs(wide.place(mark)) - abs(true * 1.2)) < 0.1
+    wide = rectify_by_two_points(grey, pole, mark, true * 1.2, "b")  # on squares of 6 mm
+    assert not wide.by_file and abs(abs(wide.sheet_point_of_pixel(mark)) - abs(true * 1.2)) < 0.1

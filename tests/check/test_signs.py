@@ -58,7 +58,7 @@ def own_page(mistake: str | None) -> Page:
 @pytest.mark.parametrize(("mistake", "marks"), FAULTS)
 def test_signs_of_the_projects_own_drawings(mistake: str | None, marks: set[str], suffix: str, tmp_path: Path) -> None:
     file = tmp_path / f"plan{suffix}"
-    file.write_bytes(own_page(mistake).rendered(suffix))
+    file.write_bytes(own_page(mistake).file_contents(suffix))
     told(checked(file), mistake, marks)
 
 
@@ -83,7 +83,7 @@ def test_a_vector_that_misses_its_marks_or_is_not_drawn(plan: str, way: str, suf
     assert len(arrows) > 6
     for one in arrows:
         marks = [x for m in page.marks for x in (changed(one, way) if m == one else [m])]
-        file.write_bytes(replace(page, marks=tuple(marks)).rendered(suffix))
+        file.write_bytes(replace(page, marks=tuple(marks)).file_contents(suffix))
         found = check(asked, read_paper(str(file), asked, Known()))
         assert found.verdict in (("right_as_seen",) if way == "missing" else ("wrong", "right_as_seen")), one
         assert found.verdict == "right_as_seen" or found.first_wrong
@@ -112,7 +112,7 @@ def test_a_force_turned_round_without_a_head_or_not_drawn(sample: str, suffix: s
         turned, bare = replace(one, start=one.end, end=one.start), Line((one.start, one.end), "thick", "plan")
         for way, drawn_as in {"turned": [turned], "bare": [bare], "missing": []}.items():
             marks = [x for m in page.marks for x in (drawn_as if m is one else [m])]
-            file.write_bytes(replace(page, marks=tuple(marks)).rendered(suffix))
+            file.write_bytes(replace(page, marks=tuple(marks)).file_contents(suffix))
             found = check(asked, read_paper(str(file), asked, Known()))
             assert found.verdict != "right" and (found.first_wrong or name in found.unseen), (name, way)
             named.add(found.mistake)
@@ -124,7 +124,7 @@ def test_names_of_forces_are_exchanged(one: str, two: str, tmp_path: Path) -> No
     page, asked = view(SAMPLE, "force:2-3", drawn(SAMPLE)[1]), Asked(drawn(SAMPLE)[0], "force:2-3")
     other, file = {one: two, two: one}, tmp_path / "plan.svg"
     marks = [replace(m, text=other.get(m.text, m.text)) if isinstance(m, Text) else m for m in page.marks]
-    file.write_bytes(replace(page, marks=tuple(marks)).rendered(".svg"))
+    file.write_bytes(replace(page, marks=tuple(marks)).file_contents(".svg"))
     assert check(asked, read_paper(str(file), asked, Known())).mistake == "names_exchanged"
 
 
@@ -150,7 +150,7 @@ def strokes_of(mistake: str | None, truth: Mapping[str, complex]) -> Pairs:
     """The vectors of the plan as another program draws them, one the wrong way."""
     bench = prepare(Asked(drawn(SAMPLE)[0], "velocity"))
     places = {"p": 0j, **truth}
-    ends = [(a, b) for a, b in bench.vectors if abs(places[b] - places[a]) > 1]
+    ends = [(a, b) for a, b in bench.vector_names if abs(places[b] - places[a]) > 1]
     turned = [(b, a) if mistake == "arrow_reversed" and (a, b) == ("p", "b") else (a, b) for a, b in ends]
     return [(places[a], places[b]) for a, b in turned]
 
@@ -214,4 +214,7 @@ def test_a_force_turned_round_on_a_picture_is_not_right(
         corpus.picture(drawing, corpus.pole_of(one), getattr(photographs, camera), random.Random(1), file)
         found = corpus.looked_at(one, file)[0]
         assert (found.verdict == "right") == sure, found.unseen
-        assert found.verdict != "wrong" or (found.mistake, found.chance) == ("arrow_reversed", weights.TURNED)
+        assert found.verdict != "wrong" or (found.mistake, found.chance) == (
+            "arrow_reversed",
+            weights.REVERSED_VECTOR_CHANCE,
+        )

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from planes.check.grading.paper import MOST as MOST_ROWS
+from planes.check.grading.paper import MOST_ROWS as MOST_ROWS
 from planes.check.grading.paper import read_table
 from planes.check.reading import strokes, svg
 from planes.cli import main
@@ -78,10 +78,10 @@ def test_entities_are_refused_wherever_they_stand(
 
 @pytest.mark.slow
 def test_what_no_plan_has_so_many_of_is_counted(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
-    path = "".join(f"L{k % 90} {k % 77}" for k in range(strokes.MOST + 9))
+    path = "".join(f"L{k % 90} {k % 77}" for k in range(strokes.MOST_STROKES + 9))
     texts = {
         "strokes": f'<path stroke="black" d="M0 0{path}"/>',
-        "elements": "<g/>" * (svg.MOST + 1),
+        "elements": "<g/>" * (svg.MOST_ELEMENTS + 1),
         "levels of nesting": "<g>" * 300 + "</g>" * 300,
         "rules for elements": "<style>" + "g * {fill:none}" * 100 + "</style>" + "<g/>" * 50_000,
         "elements ": f'<defs><path id="a" d="M0 0{"C1 1 2 3 4 5 " * 20_000}"/></defs>' + '<use href="#a"/>' * 20_000,
@@ -89,8 +89,8 @@ def test_what_no_plan_has_so_many_of_is_counted(tmp_path: Path, capfd: pytest.Ca
     for what, text in texts.items():
         file = tmp_path / "t.svg"
         file.write_text(f"{HEAD}{text}</svg>", encoding="utf-8")
-        assert what.strip() in refusal(capfd, file) and file.stat().st_size < svg.LARGEST
-    file.write_bytes(b" " * (svg.LARGEST + 1))
+        assert what.strip() in refusal(capfd, file) and file.stat().st_size < svg.LARGEST_SVG_BYTES
+    file.write_bytes(b" " * (svg.LARGEST_SVG_BYTES + 1))
     assert "larger than 12 MB" in refusal(capfd, file)
     for rows in ("mark,x_mm,y_mm\n" + "b,1,2\n", "result,value\n" + "v_B,1\n", "segment,mm\n" + "pb,1\n"):
         head, row = rows.splitlines()

@@ -13,7 +13,7 @@ cv2 = pytest.importorskip("cv2")
 from PIL import Image, ImageDraw  # noqa: E402
 
 from planes.check.vision.image.decoding import load  # noqa: E402
-from planes.check.vision.image.lens import FOCAL  # noqa: E402
+from planes.check.vision.image.lens import PHONE_FOCAL_LENGTH  # noqa: E402
 from planes.check.vision.image.sheet_view import sheet_view  # noqa: E402
 from planes.check.vision.image.text_view import tilt_by_text  # noqa: E402
 from tests.check.test_sheet_view import PLACES, PX_PER_MM, SIZE, camera, pixel  # noqa: E402
@@ -59,7 +59,7 @@ def test_a_page_is_seen_by_its_lines_of_text(tilt: float, way: float, turn: floa
     off = complex(x / depth, y / depth) - found.held.slopes
     assert max(abs((off * way.conjugate()).real / abs(way) ** 2) for way in found.held.loose) < 2.5
     assert max(abs(way) for way in found.held.loose) < math.tan(math.radians(2))
-    seen = [complex(found.bend.flat(pixel(view, z))) for z in PLACES]
+    seen = [complex(found.bend.to_rectified(pixel(view, z))) for z in PLACES]
     bare = [pixel(view, z) for z in PLACES]
     assert 3 * farthest(seen) < farthest(bare)
 
@@ -80,7 +80,7 @@ def test_dashed_lines_are_no_rows_of_letters() -> None:
         for slope, y in ((0.05, 300), (-0.05, 500), (0.0, 700)):
             a, b = (x, round(y + slope * x)), (x + 18, round(y + slope * (x + 18)))
             cv2.line(drawn, a, b, 60, 3, cv2.LINE_AA)
-    assert tilt_by_text(drawn, FOCAL) is None
+    assert tilt_by_text(drawn, PHONE_FOCAL_LENGTH) is None
 
 
 def test_a_camera_that_tells_its_lens_is_believed(tmp_path: Path) -> None:
@@ -92,7 +92,9 @@ def test_a_camera_that_tells_its_lens_is_believed(tmp_path: Path) -> None:
         image.save(data, "JPEG", exif=told)
         (tmp_path / "p.jpg").write_bytes(data.getvalue())
         found = load(tmp_path / "p.jpg").focal
-        assert found == focal or (found and focal and abs(found - focal) < 1e-9 and abs(found - FOCAL) < 0.05)
+        assert found == focal or (
+            found and focal and abs(found - focal) < 1e-9 and abs(found - PHONE_FOCAL_LENGTH) < 0.05
+        )
 
 
 @pytest.mark.parametrize("tags", [{0xA405: "abc"}, {0xA405: 26, 0xA002: "wide"}])

@@ -18,7 +18,7 @@ from planes.check.handed_in import read_paper, sheets_of  # noqa: E402
 from planes.check.outcome import check  # noqa: E402
 from planes.check.vision.image.decoding import load  # noqa: E402
 from planes.check.vision.image.picture import flatten  # noqa: E402
-from planes.check.vision.print_scale import printed_share  # noqa: E402
+from planes.check.vision.print_scale import print_scale_of_scan  # noqa: E402
 from planes.cli import main  # noqa: E402
 from planes.words.errors import PlanesError  # noqa: E402
 from tests import confusion  # noqa: E402
@@ -82,8 +82,12 @@ def test_a_scan_tells_the_share_its_blank_was_printed_at(share: float, tmp_path:
     taken = shot(work(None, 1), "base", tmp_path / "right.jpg", print_scale=share)
     picture = load(taken.file)
     flat = flatten(picture.grey)
-    assert flat is not None and abs(printed_share(flat, picture.grey, picture.scale) - share) < 0.002
-    assert printed_share(flat, picture.grey, None) == printed_share(flat, picture.grey, 2 * (picture.scale or 0)) == 1
+    assert flat is not None and abs(print_scale_of_scan(flat, picture.grey, picture.scale) - share) < 0.002
+    assert (
+        print_scale_of_scan(flat, picture.grey, None)
+        == print_scale_of_scan(flat, picture.grey, 2 * (picture.scale or 0))
+        == 1
+    )
     found = check(PLAN.asked, read_paper(str(taken.file), PLAN.asked, Known()))
     assert found.verdict == "right" and sum(n.key == "check_printed_at" for n in found.notes) == 1
     assert max(mark_errors(SIX, taken.work.one, found)) < 0.35

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from planes.check.evidence.line_words import words_of
+from planes.check.evidence.line_words import words_among_names
 from planes.check.grading.prepared_plan import known_plans
-from planes.check.reading.parts import joined
+from planes.check.reading.parts import merge_word_pieces
 from planes.check.reading.strokes import ReadDrawing
-from planes.check.reading.whole_page import elsewhere, mu_over
+from planes.check.reading.whole_page import scale_in_title, shows_other_plans_only
 from planes.check.reading.written import Words
 from planes.documents.sheets import DrawnPosition, sheet_of
 from planes.scene import Scene
@@ -27,7 +27,7 @@ from tests.helpers.sheets import sheet
 
 def spoiled_sheet(sample: str, number: int | None, ks: Mapping[str, int], patch: pytest.MonkeyPatch) -> Sheet:
     """A whole sheet with a mistake in each of some plans, at whatever size the sheet has room for."""
-    rightly = DrawnPosition._drawn
+    rightly = DrawnPosition._draw_position
 
     def drawn_wrongly(self: DrawnPosition, fits: Mapping[str, float], scene: Scene | None = None) -> Position:
         right = rightly(self, fits, scene)
@@ -37,7 +37,7 @@ def spoiled_sheet(sample: str, number: int | None, ks: Mapping[str, int], patch:
             things |= {n: v for n, v in wrong.items() if v != right.drawing.things[n]}
         return replace(right, drawing=replace(right.drawing, things=things))
 
-    patch.setattr(DrawnPosition, "_drawn", drawn_wrongly)
+    patch.setattr(DrawnPosition, "_draw_position", drawn_wrongly)
     found = sheet_of(drawn(sample)[0], None, number=number)
     patch.undo()
     return found
@@ -175,29 +175,35 @@ def test_a_plan_stands_under_the_title_that_names_its_links() -> None:
         Words("Группа 2–3 с силами, μl = 100 мм/м", 0 + 5j, 5.0, 60.0),
         Words("План сил группы 2–3, μF = 0,01 мм/Н", 90 + 5j, 5.0, 60.0),
     ]
-    assert mu_over(titles, plan, "force:2-3", PLANS) == (0.01, True)
-    assert not mu_over(titles, body, "force:2-3", PLANS)[1]
-    assert mu_over(titles, plan, "force:1", PLANS) == (None, False)
-    assert [p for p in PLANS if elsewhere(titles, p, PLANS)] == ["force:4-5", "force:1"]
+    assert scale_in_title(titles, plan, "force:2-3", PLANS) == (0.01, True)
+    assert not scale_in_title(titles, body, "force:2-3", PLANS)[1]
+    assert scale_in_title(titles, plan, "force:1", PLANS) == (None, False)
+    assert [p for p in PLANS if shows_other_plans_only(titles, p, PLANS)] == ["force:4-5", "force:1"]
     untold = [Words("План сил, μF = 0,01 мм/Н", 90 + 5j, 5.0, 60.0)]
-    assert mu_over(untold, plan, "force:1", PLANS) == (0.01, True) and not elsewhere(untold, "force:1", PLANS)
+    assert scale_in_title(untold, plan, "force:1", PLANS) == (0.01, True) and not shows_other_plans_only(
+        untold, "force:1", PLANS
+    )
 
 
 def test_a_line_from_a_name_may_stop_short_of_its_mark_and_is_of_the_nearest_name() -> None:
     vectors = [(0j, 40 + 0j), (0j, 30 + 20j), (40 + 0j, 30 + 20j)]
     words = [Words("s2", 44 + 9j, 5.0, 6.0), Words("b", 43 + 17j, 5.0, 3.0)]
     sketch = ReadDrawing(strokes=[*vectors, (44 + 8.4j, 40.3 + 0.5j)], words=words, ways=[1, 1, 1, 0])
-    found = words_of(sketch, Naming().names(["s2", "b"]), ["s2", "b"]).words
+    found = words_among_names(sketch, Naming().name_finder(["s2", "b"]), ["s2", "b"]).words
     assert [([*w.likely], w.led) for w in found] == [(["s2"], 40.3 + 0.5j), (["b"], None)]
-    assert found[0].off(40 + 0j, 40 + 0j) < 1 < found[1].off(40 + 0j, 40 + 0j)
+    assert found[0].distance_to_segment(40 + 0j, 40 + 0j) < 1 < found[1].distance_to_segment(40 + 0j, 40 + 0j)
 
 
 def test_a_line_from_a_name_of_a_force_leads_to_its_vector() -> None:
     words, known = [Words("F_21", 10 + 20j, 5.0, 8.0), Words("G_2", 16 + 2j, 5.0, 8.0)], ["F_21", "G_2"]
     strokes = [(0j, 40 + 0j), (40 + 0j, 40 + 30j), (14 + 19.4j, 16 + 0j), (40 + 30j, 41 + 30j)]
     sketch = ReadDrawing(strokes=strokes, words=words, ways=[1, 1, 0, 0])
-    force, weight = words_of(sketch, Naming().names(known), known).words
-    assert force.off(*strokes[0]) == 0.0 and force.off(*strokes[1]) > 20 and weight.led is None
+    force, weight = words_among_names(sketch, Naming().name_finder(known), known).words
+    assert (
+        force.distance_to_segment(*strokes[0]) == 0.0
+        and force.distance_to_segment(*strokes[1]) > 20
+        and weight.led is None
+    )
 
 
 def test_a_row_of_names_written_in_pieces_is_one_word() -> None:
@@ -207,4 +213,4 @@ def test_a_row_of_names_written_in_pieces_is_one_word() -> None:
         Words("′, k", 6 + 0j, 5.0, 8.8),
         Words("EE3", 14.4 - 1.5j, 3.5, 7.3),
     ]
-    assert [w.text for w in joined(pieces)] == ["e3′, kEE3"]
+    assert [w.text for w in merge_word_pieces(pieces)] == ["e3′, kEE3"]

@@ -146,7 +146,7 @@ def test_one_students_fault_does_not_stop_the_others(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A crank of 50 m assembles nowhere: who is to get such numbers is told so."""
-    monkeypatch.setattr(random_numbers, "TRIES", 100)
+    monkeypatch.setattr(random_numbers, "MOST_TRIED_SETS", 100)
     course = (
         "course: 1\ndocuments: [task]\nvariants: drawn\ndraw: {l_OA: [50]}\n"
         "students: [{name: Первый, variant: А}, Второй]\n"
@@ -165,7 +165,7 @@ def test_one_students_fault_does_not_stop_the_others(
 def test_there_must_be_numbers_for_everybody(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(course_run, "COPIES", 8)
+    monkeypatch.setattr(course_run, "MOST_COINCIDING_DRAWS", 8)
     course = "course: 1\ndocuments: [task]\nvariants: drawn\ndraw: {phi_1: [30, 60]}\n"
     at = folder(tmp_path / "course", course, 3)
     assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 1
@@ -267,7 +267,9 @@ def test_of_two_lists_of_students_the_one_that_is_taken_is_told(
 ) -> None:
     seen: list[tuple[str, ...]] = []
     report = course_run.Report()
-    monkeypatch.setattr(course_run, "conduct", lambda c, *_: seen.append(tuple(s.name for s in c.students)) or report)
+    monkeypatch.setattr(
+        course_run, "conduct_course", lambda c, *_: seen.append(tuple(s.name for s in c.students)) or report
+    )
     for students in ("", "students: [Anna]\n"):
         at = folder(tmp_path, f"course: 1\n{students}", 1)
         assert main(["course", str(at), "--jobs", "1", "--lang", "en"]) == 0
@@ -286,7 +288,7 @@ def test_a_file_the_course_names_must_be_there(key: str, tmp_path: Path, capsys:
 
 @pytest.mark.slow
 def test_a_process_that_is_stopped_is_a_sentence() -> None:
-    with pytest.raises(PlanesError, match="the system stopped one of the processes"), workers.crowd(2) as each:
+    with pytest.raises(PlanesError, match="the system stopped one of the processes"), workers.start_workers(2) as each:
         list(each(os._exit, [1]))
 
 
@@ -353,7 +355,7 @@ def test_no_scheduler_is_a_sentence(whole: Path, tmp_path: Path) -> None:
 def test_the_table_of_a_folder(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(workers, "cores", lambda: 1)
+    monkeypatch.setattr(workers, "usable_core_count", lambda: 1)
     for name in ("28", "66"):
         (tmp_path / f"{name}.yaml").write_bytes((SAMPLES / "assignments" / f"{name}.yaml").read_bytes())
     assert main(["solve", str(tmp_path), "--lang", "en"]) == 0

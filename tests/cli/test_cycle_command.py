@@ -15,12 +15,12 @@ from planes.batch import compiled
 from planes.batch import cycle as batch_cycle
 from planes.cli import main
 from planes.diagrams.motion import Runs
-from planes.diagrams.turn import turn_of
-from planes.documents.cycle import Turned, over_cycle
+from planes.diagrams.turn import whole_turn_of
+from planes.documents.cycle import DrawnTurn, diagrams_and_hodographs
 from planes.plans import plans_of
 from planes.scene import load, loads
 from planes.words.naming import Naming
-from render.views.curve_pieces import runs
+from render.views.curve_pieces import continuous_runs
 from render.views.diagrams import DiagramCurve
 from tests.diagrams.test_diagrams import ROCKER, crank
 from tests.helpers import ROOT
@@ -106,8 +106,8 @@ def test_pictures(suffix: str, tmp_path: Path) -> None:
 def test_a_long_table_of_curves_goes_through_the_compiled_loop(scene: str, tmp_path: Path, monkeypatch: Any) -> None:
     """Its numbers and the positions it refuses are those of arrays; ``--plain`` keeps to arrays."""
     loops: list[int] = []
-    run, fill = compiled.CompiledLoop.__call__, compiled.CompiledLoop.fill
-    monkeypatch.setattr(batch_cycle, "PAYS", 700)
+    run, fill = compiled.CompiledLoop.__call__, compiled.CompiledLoop.fill_rows
+    monkeypatch.setattr(batch_cycle, "LEAST_POSITIONS_TO_COMPILE", 700)
     monkeypatch.setattr(compiled.CompiledLoop, "__call__", lambda loop, *rows: loops.append(1) or run(loop, *rows))
     monkeypatch.setattr(compiled.CompiledLoop, "fill", lambda loop, *rows: loops.append(1) or fill(loop, *rows))
     found = []
@@ -128,8 +128,8 @@ def test_what_is_drawn_is_split_at_dead_points_and_marked_at_extremes() -> None:
     scene = loads(crank(0.0, 20.0) + "loads: [{link: 3, point: B, force: 500, against: motion}]\n", "scene.yaml")
     assert scene.mechanism
     plans = plans_of(scene.mechanism)
-    turn = turn_of(plans, ["F_21", "v_slide_3"], ["F_21"])
-    turned = Turned(turn, Runs(plans, 0.0, 360.0), Naming("en"))
+    turn = whole_turn_of(plans, ["F_21", "v_slide_3"], ["F_21"])
+    turned = DrawnTurn(turn, Runs(plans, 0.0, 360.0), Naming("en"))
     force, rate = map(turned.curve, turn.curves)
     assert force.name == "F_{21}" and force.values.count(None) == rate.values.count(None) == 1
     assert [place for place, *_ in jumps(force)] == pytest.approx([180.0], abs=1e-4)
@@ -142,7 +142,7 @@ def test_what_is_drawn_is_split_at_dead_points_and_marked_at_extremes() -> None:
 def jumps(curve: DiagramCurve) -> list[tuple[float, float, float]]:
     """Where a curve jumps, the value before and the one after."""
     rows = zip(curve.places, curve.values, strict=True)
-    found = runs([None if v is None else complex(x, v) for x, v in rows], 1e-4)
+    found = continuous_runs([None if v is None else complex(x, v) for x, v in rows], 1e-4)
     return [(ends[0].real, ends[0].imag, ends[1].imag) for ends, jump in found if jump]
 
 
@@ -151,12 +151,12 @@ def test_the_sheet_draws_what_its_scene_asks_for() -> None:
     scene = loads(text + "sheet: {diagrams: [vq_slide_3, M_1, F_21], hodographs: 'F_21, v_S2'}\n", "scene.yaml")
     assert scene.mechanism
     angles = [5.0 * k for k in range(73)]
-    curves, loops = over_cycle(scene, plans_of(scene.mechanism), angles, Naming("ru"))
+    curves, loops = diagrams_and_hodographs(scene, plans_of(scene.mechanism), angles, Naming("ru"))
     assert [(c.name, c.unit) for c in curves] == [("v_{q3}", "m"), ("M_{ур}", "N·m"), ("F_{21}", "N")]
     assert [loop.name for loop in loops] == ["F_{21}", "v_{S2}"]
     assert len(jumps(curves[2])) == 1 and jumps(curves[2])[0][0] == pytest.approx(180, abs=1e-4)
     assert not [a for a, y, z in jumps(curves[0]) if abs(y - z) > 1e-7]
-    assert over_cycle(loads(text, "s"), plans_of(scene.mechanism), angles, Naming("ru")) == ((), ())
+    assert diagrams_and_hodographs(loads(text, "s"), plans_of(scene.mechanism), angles, Naming("ru")) == ((), ())
 
 
 @pytest.mark.parametrize(
@@ -179,7 +179,7 @@ def test_the_sheet_draws_what_its_scene_asks_for() -> None:
     ],
 )
 def test_letters_of_curves(name: str, lettered: str) -> None:
-    assert Naming("en", "6").curve(name) == lettered
+    assert Naming("en", "6").lettered_curve(name) == lettered
 
 
 def test_graphical_constructions_beside_the_exact_values(capsys: Any) -> None:
@@ -251,7 +251,7 @@ def test_a_mechanism_that_never_assembles_says_so(tmp_path: Path, capsys: Any) -
 def test_the_ends_of_a_range_run_backwards_are_the_same() -> None:
     from planes.scene.ranges import read_span
 
-    assert sorted(read_span("90:0:-10").ends) == sorted(read_span("0:90:10").ends) == [0.0, 90.0]
+    assert sorted(read_span("90:0:-10").first_and_last) == sorted(read_span("0:90:10").first_and_last) == [0.0, 90.0]
     assert math.isclose(load(TWELVE).mechanism.drive.velocity, 12)  # type: ignore[union-attr]
 
 

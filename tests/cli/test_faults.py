@@ -16,11 +16,11 @@ import numpy as np
 import pytest
 
 from planes.batch.cycle import Cycle
-from planes.batch.streams import TableHead, opened
+from planes.batch.streams import TableHead, open_block_writer
 from planes.cli import main
 from planes.plans import plans_of
 from planes.scene import load
-from planes.scene.files import keep, save
+from planes.scene.files import save_bytes, save_file_or_refuse
 from planes.scene.ranges import Span
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT
@@ -132,9 +132,9 @@ def test_a_signal_in_a_course_leaves_whole_files(tmp_path: Path) -> None:
 def test_nobody_waits_for_a_worker_whose_work_is_not_wanted_any_more() -> None:
     program = (
         "import sys, time\n"
-        "from planes.course.workers import crowd\n"
+        "from planes.course.workers import start_workers\n"
         "if __name__ == '__main__':\n"
-        "    with crowd(2) as each:\n"
+        "    with start_workers(2) as each:\n"
         "        for _ in each(time.sleep, [0.0, 1e5, 1e5]): sys.exit(3)\n"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=MINUTES, check=False)
@@ -187,11 +187,11 @@ def test_a_reader_that_has_gone_is_no_fault(argv: list[str]) -> None:
 def test_two_tables_of_one_name_are_each_whole(tmp_path: Path) -> None:
     target, cycle = tmp_path / "x.csv", Cycle(plans_of(load(RRR).mechanism, RRR))
     heading = TableHead(("phi", "°"), [(c.name, c.unit) for c in cycle.columns], cycle.reasons)
-    with opened(target, heading, 90) as first:
-        with opened(target, heading, 30) as second:
+    with open_block_writer(target, heading, 90) as first:
+        with open_block_writer(target, heading, 30) as second:
             for writer, count in ((first, 90), (second, 30)):
                 for block in cycle.blocks(Span(0.0, 1.0, count)):
-                    writer.write(block)
+                    writer.write_block(block)
         assert target.read_text("utf-8").count("\n") == 31
     assert target.read_text("utf-8").count("\n") == 91 and list(tmp_path.iterdir()) == [target]
 
@@ -218,7 +218,7 @@ def test_a_link_gives_way_to_the_file_and_rights_stay(tmp_path: Path) -> None:
     own.write_bytes(OLD)
     own.chmod(0o600)
     for file in (link, own):
-        save(b"new", file)
+        save_bytes(b"new", file)
         assert file.read_bytes() == b"new" and not file.is_symlink()
     assert other.read_bytes() == OLD and stat.S_IMODE(own.stat().st_mode) == 0o600
 
@@ -227,7 +227,7 @@ def test_a_link_gives_way_to_the_file_and_rights_stay(tmp_path: Path) -> None:
 def test_a_name_no_file_can_have_is_refused_before_any_work(tmp_path: Path, name: str) -> None:
     (tmp_path / "file").write_bytes(OLD)
     with pytest.raises(PlanesError, match="cannot be written"):
-        keep(b"", tmp_path / name)
+        save_file_or_refuse(b"", tmp_path / name)
     assert [p.name for p in tmp_path.iterdir()] == ["file"]
 
 

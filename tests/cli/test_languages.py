@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from planes.cli import lang_of, main
+from planes.cli import main, requested_lang
 from tests.cli.test_options import CRANK, VECTORS
 
 NAMES = """planes solve structure sheet lesson note check blank cycle chart course crank slider phi pencil ru en text
@@ -79,9 +79,14 @@ def test_help_is_in_the_language_asked_for(command, home, capsys, monkeypatch) -
 
 def test_the_last_language_asked_for_counts_wherever_it_stands(monkeypatch) -> None:
     monkeypatch.setenv("LC_ALL", "C")
-    assert lang_of(["solve", "x", "--lang", "ru", "--phi", "q"]) == "ru"
-    assert lang_of(["solve", "--lang=ru", "--lan", "en"]) == "en"
-    assert lang_of(["solve", "--lang", "fr"]) == lang_of(["solve", "--language", "ru"]) == lang_of([]) == "en"
+    assert requested_lang(["solve", "x", "--lang", "ru", "--phi", "q"]) == "ru"
+    assert requested_lang(["solve", "--lang=ru", "--lan", "en"]) == "en"
+    assert (
+        requested_lang(["solve", "--lang", "fr"])
+        == requested_lang(["solve", "--language", "ru"])
+        == requested_lang([])
+        == "en"
+    )
 
 
 def test_what_a_person_wrote_is_not_translated(capsys) -> None:

@@ -11,9 +11,9 @@ import pytest
 import yaml
 
 from planes.cli import main
-from planes.cli.start import TEMPLATES
+from planes.cli.start import TEMPLATE_FOLDER
 
-BASE = (TEMPLATES / "crank-slider.yaml").read_text("utf-8")
+BASE = (TEMPLATE_FOLDER / "crank-slider.yaml").read_text("utf-8")
 TABLE: dict[str, dict[str, dict[str, Any]]] = yaml.safe_load(
     Path(__file__).with_suffix(".yaml").with_stem("mistakes_of_beginners").read_text("utf-8")
 )

@@ -16,12 +16,12 @@ from planes.cli import main
 from planes.documents.sheets import sheet_of
 from planes.plans import plans_of
 from planes.scene import load, loads
-from planes.scene.settings import MOST_REVISIONS, SHEET_KEYS
+from planes.scene.settings import MOST_REVISION_ROWS, SHEET_KEYS
 from planes.words import say
 from planes.words.errors import PlanesError, SceneError
 from render.files import svg
-from render.paper.form1 import cells
-from render.sheet.frame import said_cells
+from render.paper.form1 import fill_in_cells
+from render.sheet.frame import cell_texts
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
@@ -205,9 +205,9 @@ OF_SHEET_1 = ("positions", "diagrams", "hodographs")
 def test_every_key_of_the_title_block_fills_a_cell(key) -> None:
     value = {"revisions": "[[1]]", "mass": "5"}.get(key, "Ж7")
     frame = "frame: iso, " if key == "document_type" else ""
-    filled, bare = (said_cells(loads(f"{LAW}{sheet}"), "ru") for sheet in (f"sheet: {{{frame}{key}: {value}}}\n", ""))
-    last = [key for key in cells((420.0, 297.0)) if key.startswith("revision_")][-1]
-    assert filled != bare and last == f"revision_{MOST_REVISIONS}_date"
+    filled, bare = (cell_texts(loads(f"{LAW}{sheet}"), "ru") for sheet in (f"sheet: {{{frame}{key}: {value}}}\n", ""))
+    last = [key for key in fill_in_cells((420.0, 297.0)) if key.startswith("revision_")][-1]
+    assert filled != bare and last == f"revision_{MOST_REVISION_ROWS}_date"
 
 
 @pytest.mark.few(1)

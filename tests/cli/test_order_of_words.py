@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from planes.cli import main, reader_of
+from planes.cli import command_line_parser, main
 from tests.helpers import ROOT
 
-COMMANDS = next(a for a in reader_of("en")._actions if isinstance(a, argparse._SubParsersAction)).choices
+COMMANDS = next(a for a in command_line_parser("en")._actions if isinstance(a, argparse._SubParsersAction)).choices
 
 
 def told(action: argparse.Action) -> list[list[str]]:
@@ -27,7 +27,7 @@ def told(action: argparse.Action) -> list[list[str]]:
 @pytest.mark.parametrize("command", [name for name in COMMANDS if name not in ("essay", "new", "schema", "completion")])
 def test_options_stand_anywhere(command: str) -> None:
     """Before, between and after the files, thirty lines a command: each is read as with the files in front."""
-    parser, rng, reader = COMMANDS[command], random.Random(1), reader_of("en")
+    parser, rng, reader = COMMANDS[command], random.Random(1), command_line_parser("en")
     files = [f"{a.dest}.file" for a in parser._actions if not a.option_strings]
     apart = {a for group in parser._mutually_exclusive_groups for a in group._group_actions[1:]}
     options = [a for a in parser._actions if a.option_strings and a.dest != "help" and a not in apart]

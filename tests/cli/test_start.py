@@ -13,21 +13,21 @@ import pytest
 
 from planes import load, loads, solve
 from planes.cli import main
-from planes.cli.start import GROUPS, TEMPLATES, in_language, templates
-from planes.documents.schema import schema
+from planes.cli.start import TEMPLATE_FOLDER, TEMPLATES_BY_GROUP_KIND, template_in_language, template_names
+from planes.documents.schema import json_schema
 from planes.plans import structure_of
-from planes.words import langs
+from planes.words import available_languages
 from planes.words.errors import SceneError
 from tests.helpers import ROOT
 
-SCENES = sorted(f.stem for f in TEMPLATES.glob("*.yaml") if f.stem not in ("course", "vectors"))
+SCENES = sorted(f.stem for f in TEMPLATE_FOLDER.glob("*.yaml") if f.stem not in ("course", "vectors"))
 TWELVE = ROOT / "samples" / "assignments" / "12.yaml"
 
 
 @pytest.mark.parametrize("name", SCENES)
 def test_a_template_solves_at_once_and_is_told_in_both_languages(name: str) -> None:
-    text = (TEMPLATES / f"{name}.yaml").read_text("utf-8")
-    scene = load(TEMPLATES / f"{name}.yaml")
+    text = (TEMPLATE_FOLDER / f"{name}.yaml").read_text("utf-8")
+    scene = load(TEMPLATE_FOLDER / f"{name}.yaml")
     assert not scene.doubts and scene.title["ru"] != scene.title["en"]
     assert abs(solve(scene).value("M_1" if scene.mechanism else "R_A")) > 0.01
     for line in (line for line in text.splitlines() if " # " in line):
@@ -35,17 +35,17 @@ def test_a_template_solves_at_once_and_is_told_in_both_languages(name: str) -> N
         assert "--" in remark or " / " in remark, remark
 
 
-@pytest.mark.parametrize(("kind", "name"), GROUPS.items())
+@pytest.mark.parametrize(("kind", "name"), TEMPLATES_BY_GROUP_KIND.items())
 def test_the_template_of_a_kind_has_that_group(kind: str, name: str) -> None:
-    scene = load(TEMPLATES / f"{name}.yaml")
+    scene = load(TEMPLATE_FOLDER / f"{name}.yaml")
     assert scene.mechanism
-    assert [g.name for g in structure_of(scene.mechanism, "x").groups] == [kind.upper()]
+    assert [g.pair_letters for g in structure_of(scene.mechanism, "x").groups] == [kind.upper()]
 
 
 def test_the_quick_returns_are_quick_returns() -> None:
     """Whitworth's lever turns all round; that of the shaper swings."""
     for name, round_ in (("whitworth", True), ("shaper", False)):
-        scene = load(TEMPLATES / f"{name}.yaml")
+        scene = load(TEMPLATE_FOLDER / f"{name}.yaml")
         rates = [solve(scene, phi=float(phi)).omega["3"] for phi in range(0, 360, 15)]
         assert (min(rates) * max(rates) > 0) == round_
 
@@ -59,14 +59,14 @@ def test_new_writes_and_leaves_what_is_there(tmp_path: Path, capsys: pytest.Capt
     assert main(["new", "fourbar", "--lang", "en"]) == 2 and "did you mean four-bar" in capsys.readouterr().err
     assert main(["new", "--lang", "ru"]) == 0
     listed = capsys.readouterr().out
-    assert all(name in listed for name in templates()) and "Синусный механизм" in listed
+    assert all(name in listed for name in template_names()) and "Синусный механизм" in listed
 
 
-@pytest.mark.parametrize("file", sorted(TEMPLATES.glob("*.yaml")), ids=lambda f: f.stem)
+@pytest.mark.parametrize("file", sorted(TEMPLATE_FOLDER.glob("*.yaml")), ids=lambda f: f.stem)
 def test_a_template_is_told_in_one_language(file: Path) -> None:
     """Its remarks and its title; what it says to the program is the same."""
     text = file.read_text("utf-8")
-    english, russian, *others = (in_language(text, lang) for lang in ("en", "ru", "uk", "be"))
+    english, russian, *others = (template_in_language(text, lang) for lang in ("en", "ru", "uk", "be"))
     assert not re.search("[а-яё]", english, re.I) and "# " in english
     assert re.search("[а-яё]", russian) and " / " not in russian + english
     for other, foreign in zip(others, ("[ыэёъ]", "[ищъ]"), strict=True):
@@ -93,9 +93,9 @@ def test_what_is_begun_names_the_schema_beside_it(name: str, kind: str, tmp_path
     assert main(["new", name, "-o", str(tmp_path / "my.yaml"), "--lang", "ru"]) == 0
     first, _, rest = (tmp_path / "my.yaml").read_text("utf-8").partition("\n")
     beside = tmp_path / first.removeprefix("# yaml-language-server: $schema=")
-    assert rest == in_language((TEMPLATES / f"{name}.yaml").read_text("utf-8"), "ru")
+    assert rest == template_in_language((TEMPLATE_FOLDER / f"{name}.yaml").read_text("utf-8"), "ru")
     held = beside.read_text("utf-8")
-    assert beside.name == f"{kind}.schema.json" and json.loads(held) == schema(kind, "ru")
+    assert beside.name == f"{kind}.schema.json" and json.loads(held) == json_schema(kind, "ru")
     beside.write_text("{}", "utf-8")
     assert main(["new", name, "-o", str(tmp_path / "other.yaml"), "--lang", "en"]) == 0
     assert beside.read_text("utf-8") == "{}" and len(list(tmp_path.iterdir())) == 3
@@ -103,7 +103,7 @@ def test_what_is_begun_names_the_schema_beside_it(name: str, kind: str, tmp_path
 
 @pytest.mark.slow
 def test_a_scene_comes_through_a_pipe_and_a_sheet_goes_through_one() -> None:
-    text = (TEMPLATES / "four-bar.yaml").read_bytes()
+    text = (TEMPLATE_FOLDER / "four-bar.yaml").read_bytes()
     run = [sys.executable, "-m", "planes"]
     told = subprocess.run([*run, "solve", "-", "--json"], input=text, capture_output=True, check=True).stdout
     assert json.loads(told)["scene"] == "-"
@@ -144,11 +144,11 @@ def test_a_clock_is_shown_to_a_person_alone(monkeypatch: pytest.MonkeyPatch) -> 
         def isatty(self) -> bool:
             return True
 
-    monkeypatch.setattr(waiting, "PATIENCE_S", 0.0)
-    monkeypatch.setattr(waiting, "TICK_S", 0.001)
+    monkeypatch.setattr(waiting, "CLOCK_DELAY_S", 0.0)
+    monkeypatch.setattr(waiting, "CLOCK_STEP_S", 0.001)
     for stream, shown in ((Terminal(), True), (io.StringIO(), False)):
         monkeypatch.setattr(sys, "stderr", stream)
-        with waiting.waiting():
+        with waiting.waiting_clock():
             for _ in range(2000):
                 if " s" in stream.getvalue():
                     break
@@ -158,7 +158,7 @@ def test_a_clock_is_shown_to_a_person_alone(monkeypatch: pytest.MonkeyPatch) -> 
 
 
 def test_every_language_has_a_name() -> None:
-    assert langs()[:2] == ("ru", "en")
+    assert available_languages()[:2] == ("ru", "en")
 
 
 def test_every_command_says_which_file_it_wrote(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -15,17 +15,17 @@ import pytest
 
 from planes.course import ParameterChoice, ledger, workers
 from planes.course import random_numbers as numbers
-from planes.course.ledger import Ledger, digest
-from planes.course.numbers import main_answers, own_scene, question, settle
-from planes.course.papers import clearest, work
-from planes.course.quiz import questions
-from planes.course.random_numbers import around, choices_of, dice, draw_numbers
+from planes.course.ledger import Ledger, contents_hash
+from planes.course.numbers import main_answers, scene_text_with_numbers, settle_numbers, worker_question
+from planes.course.papers import clearest_driver_angle, work_sentences
+from planes.course.quiz import quiz_items
+from planes.course.random_numbers import draw_numbers, parameter_choices, round_numbers_near, seeded_generator
 from planes.course.reading import read_course
-from planes.course.students import shares
-from planes.documents.course_run import conduct
-from planes.drafting.drawing import run
+from planes.course.students import shares_of_course
+from planes.documents.course_run import conduct_course
+from planes.drafting.drawing import draw_program
 from planes.plans import plans_of
-from planes.plans.scales import unit_scales
+from planes.plans.scales import unit_scales_of_plans
 from planes.scene import Scene, load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
@@ -70,13 +70,13 @@ def test_a_table_of_students(folder: Make, encoding: str) -> None:
     first, second = read_course(at).students
     assert (first.name, first.group, first.assignment, first.variant) == ("Иванов", "М-1", "3", "Б")
     assert (second.name, second.group, second.assignment, second.variant) == ("Петров", "", None, None)
-    given = shares(read_course(at))
+    given = shares_of_course(read_course(at))
     assert [(s.assignment.name, s.variant) for s in given] == [("03", "Б"), ("12", "А")]
 
 
 def test_the_sample_course() -> None:
     course = read_course(SAMPLES / "course")
-    given = shares(course)
+    given = shares_of_course(course)
     assert [(s.assignment.name, s.variant) for s in given] == [
         ("12", "А"),
         ("26", "А"),
@@ -133,37 +133,37 @@ def test_a_scene_that_does_not_read_is_refused_at_once(folder: Make) -> None:
 
 def test_variants_go_round_and_then_numbers_are_drawn(folder: Make) -> None:
     names = "\n".join(f"Студент {k}" for k in range(9))
-    given = shares(read_course(folder(students=names)))
+    given = shares_of_course(read_course(folder(students=names)))
     assert [s.variant for s in given] == ["А", "Б", "В", "Г", "Д", "Е", None, None, None]
     assert len({s.place for s in given}) == 9
 
 
 def test_assignments_go_in_turn_and_several_to_each(folder: Make) -> None:
     at = folder("course: 1\neach: 2\nvariants: drawn\n", "А\nБ\n", ("03", "12", "26"))
-    given = shares(read_course(at))
+    given = shares_of_course(read_course(at))
     assert [(s.place, s.variant) for s in given] == [("А/03", None), ("А/12", None), ("Б/12", None), ("Б/26", None)]
 
 
 def test_folders_never_fall_together(folder: Make) -> None:
     course = "course: 1\nstudents: [Ли А., 'Ли, А', {name: ли а, group: М-2}, '...', '../..', А/Б, " + "Я" * 90 + "]\n"
-    places = [s.place for s in shares(read_course(folder(course)))]
+    places = [s.place for s in shares_of_course(read_course(folder(course)))]
     assert places == ["Ли-А", "Ли-А-2", "ли-а-М-2", "student-4", "student-5", "А-Б", "Я" * 40]
 
 
 def test_folders_have_no_names_of_devices(folder: Make) -> None:
     course = "course: 1\nstudents: [CON, con, {name: nul, group: М-2}, LPT1, 'aux.', com¹, Conrad, COM10]\n"
-    places = [s.place for s in shares(read_course(folder(course)))]
+    places = [s.place for s in shares_of_course(read_course(folder(course)))]
     assert places == ["CON-2", "con-3", "nul-М-2", "LPT1-2", "aux-2", "com¹-2", "Conrad", "COM10"]
 
 
 def test_what_files_are_made_by_tells_python_and_the_libraries(monkeypatch: pytest.MonkeyPatch) -> None:
-    made = ledger.made_with()
+    made = ledger.library_versions()
     assert made["python"].split() == [platform.python_implementation(), platform.python_version()]
     assert made["numpy"] == numpy.__version__ and "-" not in made.values()
-    whole = {ledger.fingerprint.__wrapped__()}
+    whole = {ledger.program_fingerprint.__wrapped__()}
     for name in ("python", "numpy"):
-        monkeypatch.setattr(ledger, "made_with", lambda other=name: made | {other: "0"})
-        whole.add(ledger.fingerprint.__wrapped__())
+        monkeypatch.setattr(ledger, "library_versions", lambda other=name: made | {other: "0"})
+        whole.add(ledger.program_fingerprint.__wrapped__())
     assert len(whole) == 3
 
 
@@ -171,30 +171,32 @@ def test_what_files_are_made_by_tells_python_and_the_libraries(monkeypatch: pyte
 
 
 def test_round_numbers_around_one() -> None:
-    assert around(0.1, 10) == ("0.09", "0.095", "0.1", "0.105", "0.11")
-    assert around(-0.35, 10) == ("-0.38", "-0.37", "-0.36", "-0.35", "-0.34", "-0.33", "-0.32")
-    assert around(2000, 20) == ("1600", "1800", "2000", "2200", "2400")
+    assert round_numbers_near(0.1, 10) == ("0.09", "0.095", "0.1", "0.105", "0.11")
+    assert round_numbers_near(-0.35, 10) == ("-0.38", "-0.37", "-0.36", "-0.35", "-0.34", "-0.33", "-0.32")
+    assert round_numbers_near(2000, 20) == ("1600", "1800", "2000", "2200", "2400")
     for k in range(1, 400):
-        values = [float(v) for v in around(k / 37, 10)]
+        values = [float(v) for v in round_numbers_near(k / 37, 10)]
         assert len(values) >= 4 and all(abs(v - k / 37) <= 0.1000001 * k / 37 for v in values)
 
 
 def test_chance_depends_on_seed_and_names_alone() -> None:
-    assert dice(1, "Иванов", "12").random() == 0.5402874308650616
-    assert len({dice(s, n).random() for s in (1, 2) for n in ("Иванов", "Петров")}) == 4
+    assert seeded_generator(1, "Иванов", "12").random() == 0.5402874308650616
+    assert len({seeded_generator(s, n).random() for s in (1, 2) for n in ("Иванов", "Петров")}) == 4
 
 
 def test_drawn_numbers_assemble_all_round_and_meet_sharply(folder: Make) -> None:
     """Every plan, every degree, drawn one by one: a check of its own for what the program tries with arrays."""
     at = folder("course: 1\nvariants: drawn\nsharpness: 40\n", scenes=("43",))
     course = read_course(at)
-    for share in shares(course):
-        scene = loads(settle(question(course, share, "en")).scene)
+    for share in shares_of_course(course):
+        scene = loads(settle_numbers(worker_question(course, share, "en")).scene)
         assert scene.mechanism
         plans = plans_of(scene.mechanism)
         for phi in range(0, 360, 5):
-            drawn = run(plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: float(phi)})
-            assert min(drawn.sharpness.values()) >= math.sin(math.radians(40)) - 1e-3
+            drawn = draw_program(
+                plans.program, {**plans.given, **unit_scales_of_plans(plans), plans.drive_given_name: float(phi)}
+            )
+            assert min(drawn.crossing_sharpness.values()) >= math.sin(math.radians(40)) - 1e-3
         base = load(at / "43.yaml").parameters
         moved = {k: v for k, v in scene.parameters.items() if v != base[k]}
         assert moved and all(abs(v - base[k]) <= 0.2001 * abs(base[k]) for k, v in moved.items() if k != "phi_1")
@@ -204,17 +206,20 @@ def test_drawn_numbers_assemble_all_round_and_meet_sharply(folder: Make) -> None
 def test_numbers_are_ones_own_whoever_else_is_there(folder: Make) -> None:
     few = read_course(folder("course: 1\nvariants: drawn\n", "Иванов\nПетров\n"))
     many = read_course(folder("course: 1\nvariants: drawn\n", "Абрамов\nИванов\nКим\nПетров\n"))
-    told = [{s.student.name: settle(question(c, s, "en")).scene for s in shares(c)} for c in (few, many)]
+    told = [
+        {s.student.name: settle_numbers(worker_question(c, s, "en")).scene for s in shares_of_course(c)}
+        for c in (few, many)
+    ]
     assert told[0].items() <= told[1].items() and len(set(told[1].values())) == 4
-    question_again = replace(question(few, shares(few)[0], "en"), copy=1)
-    assert settle(question_again).scene not in told[1].values()
+    question_again = replace(worker_question(few, shares_of_course(few)[0], "en"), copy=1)
+    assert settle_numbers(question_again).scene not in told[1].values()
 
 
 def test_nobody_has_the_plans_that_are_asked_as_somebody_else_has_them(folder: Make, tmp_path: Path) -> None:
     """Where the load alone differs, plans of velocities and accelerations are the same."""
     text = "course: 1\nvariants: drawn\nplans: [velocity, acceleration]\ndraw: {F_5: 20 %, omega_1: [14, 15, 16, 17]}\n"
     course = replace(read_course(folder(text, "А\nБ\nВ\n")), documents=())
-    made = conduct(course, tmp_path / "out", workers._alone, "en")
+    made = conduct_course(course, tmp_path / "out", workers._run_without_workers, "en")
     own = [load(file).parameters["omega_1"] for file in (tmp_path / "out").rglob("scene.yaml")]
     assert not made.faults and not made.said and len(set(own)) == len(own) == 3
 
@@ -223,8 +228,8 @@ def test_nobody_has_the_plans_that_are_asked_as_somebody_else_has_them(folder: M
 def test_a_task_and_questions_ask_what_is_asked(plans: tuple[str, ...]) -> None:
     scene = load(SAMPLES / "six-link.yaml")
     here = solve(scene).positions[0]
-    asked = " ".join(work(scene, here, "en", plans))
-    names = " ".join(one.name for one in questions(scene, "en", plans))
+    asked = " ".join(work_sentences(scene, here, "en", plans))
+    names = " ".join(one.name for one in quiz_items(scene, "en", plans))
     for plan, words, name in (
         ("velocity", "elocit", "omega_"),
         ("acceleration", "ccelerat", "epsilon_"),
@@ -236,15 +241,15 @@ def test_a_task_and_questions_ask_what_is_asked(plans: tuple[str, ...]) -> None:
 
 @pytest.mark.slow
 def test_where_no_numbers_will_do_it_is_said_why(folder: Make, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(numbers, "TRIES", 100)
+    monkeypatch.setattr(numbers, "MOST_TRIED_SETS", 100)
     course = read_course(folder("course: 1\nvariants: drawn\nsharpness: 89\ndraw: {l_BC: 1 %}\n", scenes=("03",)))
-    fault = settle(question(course, shares(course)[0], "en")).fault
+    fault = settle_numbers(worker_question(course, shares_of_course(course)[0], "en")).fault
     assert (
         fault.startswith("none of 100 sets of numbers can be used: 0 do not assemble") and "in 100 lines meet" in fault
     )
     course = read_course(folder("course: 1\nvariants: drawn\ndraw: {l_OA: [50]}\n", scenes=("66",)))
-    share = next(s for s in shares(course) if s.assignment.name == "66")
-    assert "100 do not assemble all the way round" in settle(question(course, share, "en")).fault
+    share = next(s for s in shares_of_course(course) if s.assignment.name == "66")
+    assert "100 do not assemble all the way round" in settle_numbers(worker_question(course, share, "en")).fault
 
 
 @pytest.mark.parametrize("name", ["01", "12", "26", "45", "66"])
@@ -253,7 +258,7 @@ def test_the_shown_scheme_is_in_another_position(name: str) -> None:
     scene = load(SAMPLES / "assignments" / f"{name}.yaml")
     assert scene.mechanism
     for asked in (0.0, 100.0, 200.0):
-        shown = clearest(plans_of(scene.mechanism), asked)
+        shown = clearest_driver_angle(plans_of(scene.mechanism), asked)
         assert abs((shown - asked + 180) % 360 - 180) >= 30
         links = solve(scene, [shown]).positions[0].results["links"]
         assert abs(math.sin(math.radians(links["1"]["angle_deg"] - links["2"]["angle_deg"]))) > 0.2
@@ -265,9 +270,9 @@ def test_draw_numbers_takes_the_first_that_works() -> None:
     def make(numbers: object) -> Scene:
         assert isinstance(numbers, dict)
         tried.append(numbers.get("l_AB", ""))
-        return loads(own_scene(TWELVE.read_text("utf-8"), "12.yaml", None, numbers, {}))
+        return loads(scene_text_with_numbers(TWELVE.read_text("utf-8"), "12.yaml", None, numbers, {}))
 
-    found = draw_numbers({"l_AB": ("0.9", "0.1")}, make, 15.0, dice(1, "x"))
+    found = draw_numbers({"l_AB": ("0.9", "0.1")}, make, 15.0, seeded_generator(1, "x"))
     assert found == {"l_AB": "0.1"} == {"l_AB": tried[-1]} and set(tried[:-1]) <= {"", "0.9"}
 
 
@@ -276,9 +281,9 @@ def test_a_mechanism_that_swings_only_is_drawn_numbers_for_too() -> None:
     text = (SAMPLES / "six-link.yaml").read_text("utf-8")
 
     def make(numbers: Mapping[str, str]) -> Scene:
-        return loads(own_scene(text, "six-link.yaml", None, numbers, {}))
+        return loads(scene_text_with_numbers(text, "six-link.yaml", None, numbers, {}))
 
-    found = draw_numbers(choices_of(text, "six-link.yaml", None), make, 15.0, dice(1, "x"))
+    found = draw_numbers(parameter_choices(text, "six-link.yaml", None), make, 15.0, seeded_generator(1, "x"))
     assert 129 < float(found["phi_1"]) < 306 and len(solve(make(found)).positions) == 1
 
 
@@ -289,7 +294,7 @@ def test_a_mechanism_that_swings_only_is_drawn_numbers_for_too() -> None:
 @pytest.mark.parametrize("path", sorted((SAMPLES / "assignments").glob("*.yaml"))[::4], ids=lambda p: p.stem)
 def test_a_scene_written_anew_is_the_same(path: Path) -> None:
     text = path.read_text("utf-8")
-    again = loads(own_scene(text, str(path), "В", {}, {}))
+    again = loads(scene_text_with_numbers(text, str(path), "В", {}, {}))
     scene = load(path, "В")
     assert again.mechanism == scene.mechanism and again.parameters == scene.parameters
     assert again.title == scene.title and again.note == scene.note and again.missing == scene.missing
@@ -299,7 +304,7 @@ def test_a_scene_written_anew_is_the_same(path: Path) -> None:
 @pytest.mark.parametrize("path", sorted(SAMPLES.glob("*.yaml")), ids=lambda p: p.stem)
 def test_every_sample_written_anew_is_the_same(path: Path) -> None:
     text = path.read_text("utf-8")
-    scene, again = load(path), loads(own_scene(text, str(path), None, {}, {}), str(path))
+    scene, again = load(path), loads(scene_text_with_numbers(text, str(path), None, {}, {}), str(path))
     for name in ("mechanism", "parameters", "title", "statement", "mu", "find", "sheet", "frame_number"):
         assert getattr(again, name) == getattr(scene, name), name
 
@@ -311,10 +316,10 @@ def test_parameters_that_are_used() -> None:
 
 
 def test_what_is_drawn_when_nothing_is_said() -> None:
-    found = choices_of(TWELVE.read_text("utf-8"), "12.yaml", None)
+    found = parameter_choices(TWELVE.read_text("utf-8"), "12.yaml", None)
     assert len(found["phi_1"]) == 24 and "m_1" not in found and "epsilon_1" not in found
     assert found["omega_1"] == ("13", "14", "15", "16", "17", "18", "19")
-    only = choices_of(TWELVE.read_text("utf-8"), "12.yaml", {"l_AB": ParameterChoice(("0.1",))})
+    only = parameter_choices(TWELVE.read_text("utf-8"), "12.yaml", {"l_AB": ParameterChoice(("0.1",))})
     assert only == {"l_AB": ("0.1",)}
 
 
@@ -333,41 +338,41 @@ def test_main_answers_are_those_of_the_solution() -> None:
 
 def test_a_ledger_keeps_verifies_and_forgets(tmp_path: Path) -> None:
     first = Ledger(tmp_path)
-    first.keep("a/x.txt", "from 1", b"one")
-    first.keep("b/y.txt", "from 2", b"two")
-    first.close(["a/x.txt", "b/y.txt"])
+    first.write_file("a/x.txt", "from 1", b"one")
+    first.write_file("b/y.txt", "from 2", b"two")
+    first.write_manifest(["a/x.txt", "b/y.txt"])
     assert not list(tmp_path.rglob(".*"))
     second = Ledger(tmp_path)
-    assert second.fresh("a/x.txt", "from 1") and not second.fresh("a/x.txt", "from 3")
+    assert second.is_up_to_date("a/x.txt", "from 1") and not second.is_up_to_date("a/x.txt", "from 3")
     (tmp_path / "b/y.txt").write_bytes(b"other")
-    assert not second.fresh("b/y.txt", "from 2") and not second.fresh("c", "")
-    second.close(["b/y.txt"])
+    assert not second.is_up_to_date("b/y.txt", "from 2") and not second.is_up_to_date("c", "")
+    second.write_manifest(["b/y.txt"])
     assert not (tmp_path / "a").exists() and (tmp_path / "b/y.txt").read_bytes() == b"other"
 
 
 def test_a_torn_journal_and_a_begun_file_do_no_harm(tmp_path: Path) -> None:
     cut = Ledger(tmp_path)
-    cut.keep("x.txt", "from", b"whole")
-    cut.keep("y.txt", "from", b"whole too")
+    cut.write_file("x.txt", "from", b"whole")
+    cut.write_file("y.txt", "from", b"whole too")
     cut.journal.close()
     lines = (tmp_path / ".journal").read_text("utf-8").splitlines()
     (tmp_path / ".journal").write_text("\n".join(lines)[:-9], "utf-8")
     (tmp_path / ".journal.part").write_bytes(b"ha")
     after = Ledger(tmp_path)
-    assert after.fresh("x.txt", "from") and not after.fresh("y.txt", "from")
-    after.keep("y.txt", "from", b"whole too")
-    after.close()
+    assert after.is_up_to_date("x.txt", "from") and not after.is_up_to_date("y.txt", "from")
+    after.write_file("y.txt", "from", b"whole too")
+    after.write_manifest()
     assert sorted(p.name for p in tmp_path.iterdir()) == ["manifest.json", "x.txt", "y.txt"]
     files = json.loads((tmp_path / "manifest.json").read_text("utf-8"))["files"]
-    assert files["y.txt"] == {"from": "from", "sha256": digest(b"whole too")}
+    assert files["y.txt"] == {"from": "from", "sha256": contents_hash(b"whole too")}
 
 
 @pytest.mark.parametrize("text", ["", "[]", '{"files": 3}', '{"files": {"x": 1}}', "{", "[" * 100_000])
 def test_a_spoilt_manifest_is_no_manifest(tmp_path: Path, text: str) -> None:
     (tmp_path / "manifest.json").write_text(text, "utf-8")
     ledger = Ledger(tmp_path)
-    assert not ledger.fresh("x", "")
-    ledger.close()
+    assert not ledger.is_up_to_date("x", "")
+    ledger.write_manifest()
 
 
 def test_a_manifest_that_names_files_elsewhere_harms_none(tmp_path: Path) -> None:
@@ -378,7 +383,7 @@ def test_a_manifest_that_names_files_elsewhere_harms_none(tmp_path: Path) -> Non
         (folder / "x.txt").write_bytes(b"mine")
     (out / "linked").symlink_to(other, target_is_directory=True)
     (out / "alone.txt").symlink_to(other / "x.txt")
-    ours = {"from": "f", "sha256": digest(b"mine")}
+    ours = {"from": "f", "sha256": contents_hash(b"mine")}
     far = ["../other/x.txt", str(other / "x.txt"), "linked/x.txt", "linked/../x.txt", "", ".", "..", "a\0b"]
     names = [*far, "alone.txt"]
     (out / "manifest.json").write_text(json.dumps({"files": dict.fromkeys([*names, "x.txt"], ours)}), "utf-8")
@@ -387,8 +392,8 @@ def test_a_manifest_that_names_files_elsewhere_harms_none(tmp_path: Path) -> Non
     assert ledger.entries.keys() == {"x.txt", "alone.txt"}
     for name in ("../new.txt", str(other / "new.txt"), "linked/new.txt", "a\0b"):
         with pytest.raises(PlanesError, match="leads out of the folder"):
-            ledger.keep(name, "from", b"new")
-    ledger.close([])
+            ledger.write_file(name, "from", b"new")
+    ledger.write_manifest([])
     assert sorted(p.name for p in tmp_path.rglob("*")) == ["linked", "manifest.json", "other", "out", "x.txt"]
     assert (other / "x.txt").read_bytes() == b"mine" and not (out / "x.txt").exists()
 
@@ -399,13 +404,13 @@ def test_what_a_person_keeps_in_the_folder_stays(tmp_path: Path) -> None:
     (out / "deep").mkdir(parents=True)
     for name in (".download.part", "deep/.x.txt.part", ".journal.part"):
         (out / name).write_bytes(b"ha")
-    Ledger(out).close()
+    Ledger(out).write_manifest()
     assert sorted(p.name for p in out.rglob("*")) == [".download.part", ".x.txt.part", "deep", "manifest.json"]
     diary.write_bytes(b"mine")
     (out / ".journal.part").symlink_to(diary)
     ledger = Ledger(out)
-    ledger.keep("x.txt", "from", b"new")
-    ledger.close()
+    ledger.write_file("x.txt", "from", b"new")
+    ledger.write_manifest()
     (out / ".journal").symlink_to(diary)
     with pytest.raises(PlanesError, match="cannot be written"):
         Ledger(out)
@@ -417,5 +422,5 @@ def test_two_runs_do_not_write_into_one_folder(tmp_path: Path) -> None:
     first = Ledger(tmp_path)
     with pytest.raises(PlanesError, match="another run is writing"):
         Ledger(tmp_path)
-    first.close()
-    Ledger(tmp_path).close()
+    first.write_manifest()
+    Ledger(tmp_path).write_manifest()

@@ -15,18 +15,18 @@ from xml.etree.ElementTree import Element, fromstring
 import pypdfium2
 import pytest
 
-from planes.course.numbers import main_answers, own_scene, question, settle
+from planes.course.numbers import main_answers, scene_text_with_numbers, settle_numbers, worker_question
 from planes.course.quiz import Pool, Quiz, QuizGiven
 from planes.course.reading import read_course
-from planes.course.students import shares
+from planes.course.students import shares_of_course
 from planes.documents.course import Desk, Order
-from planes.documents.packages import prairielearn
-from planes.documents.platforms import moodle, stack
-from planes.lesson.conditions import conditions
-from planes.plans.measuring import lettering
+from planes.documents.packages import prairielearn_files
+from planes.documents.platforms import moodle_xml, stack_xml
+from planes.lesson.conditions import condition_sentences
+from planes.plans.measuring import scene_lettering
 from planes.scene import Scene, loads
 from planes.solving import Position, solve
-from planes.words import langs
+from planes.words import available_languages
 from planes.words.errors import PlanesError
 from planes.words.naming import Naming
 from tests.helpers import ROOT
@@ -51,7 +51,7 @@ def words(data: bytes) -> str:
 
 
 def naming_of(scene: Scene, drawn: Position, lang: str) -> Naming:
-    return Naming(lang, **lettering(scene, drawn.plans))
+    return Naming(lang, **scene_lettering(scene, drawn.plans))
 
 
 def same(scene: Scene, text: str, lang: str) -> None:
@@ -94,7 +94,7 @@ def test_stated_vectors_are_found_from_their_task(path: Path) -> None:
 @pytest.mark.few(12)
 @pytest.mark.parametrize("path", STATICS, ids=lambda f: f.stem)
 def test_bodies_are_held_as_their_task_says(path: Path) -> None:
-    lang = langs("course")[STATICS.index(path) % 4]
+    lang = available_languages("course")[STATICS.index(path) % 4]
     one = desk(path.read_text("utf-8"), lang)
     same(one.scene, words(one.task()), lang)
 
@@ -102,7 +102,7 @@ def test_bodies_are_held_as_their_task_says(path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("path", SAMPLES, ids=lambda f: f.stem)
 def test_every_task_is_solved_from_its_paper(path: Path) -> None:
-    for lang in langs("course")[SAMPLES.index(path) % 2 :: 2]:
+    for lang in available_languages("course")[SAMPLES.index(path) % 2 :: 2]:
         one = desk(path.read_text("utf-8"), lang)
         same(one.scene, words(one.task()), lang)
 
@@ -168,9 +168,9 @@ def quizzes(name: str) -> tuple[tuple[Quiz, Scene], ...]:
     path = ROOT / name
     text, found = path.read_text("utf-8"), []
     for numbers in ({}, {"l_AB": "0.105", "phi_1": "70"}):
-        own = own_scene(text, path.name, None, numbers, {}, ("plans",) if numbers else ())
+        own = scene_text_with_numbers(text, path.name, None, numbers, {}, ("plans",) if numbers else ())
         one = desk(own)
-        found.append((Quiz.read(one.quiz().decode()), one.scene))
+        found.append((Quiz.from_stored_text(one.quiz().decode()), one.scene))
     return tuple(found)
 
 
@@ -195,7 +195,7 @@ def items(node: Element) -> dict[str, list[str]]:
 @pytest.mark.parametrize("name", ASKED)
 def test_every_question_of_moodle_is_solved_from_its_text(name: str) -> None:
     both = quizzes(name)
-    asked = fromstring(moodle([q for q, _ in both], "c", "en"))
+    asked = fromstring(moodle_xml([q for q, _ in both], "c", "en"))
     own = [q for q in asked if q.get("type") == "numerical"]
     each = len(both[0][0].questions)
     for k, (_, scene) in enumerate(both):
@@ -212,9 +212,9 @@ def test_every_question_of_moodle_is_solved_from_its_text(name: str) -> None:
 def test_stack_and_prairielearn_tell_everything_too(name: str) -> None:
     both = quizzes(name)
     group = [q for q, _ in both]
-    (asked,) = (q for q in fromstring(stack(group, "c", "en")) if q.get("type") == "stack")
+    (asked,) = (q for q in fromstring(stack_xml(group, "c", "en")) if q.get("type") == "stack")
     lists = dict(re.findall(r"^(\w+)_all: \[(.*)\];", inner(asked, "questionvariables/text"), re.M))
-    files = prairielearn("a", group, "en")
+    files = prairielearn_files("a", group, "en")
     sets = json.loads(files["numbers.json"])
     for k, (_, scene) in enumerate(both):
         text = plain(inner(asked, "questiontext/text"))
@@ -237,7 +237,9 @@ def test_numbers_of_a_law_are_everybodys_own() -> None:
         for p, n in (("s", "300"), ("r", "2.5"))
     )
     pool = Pool([one, two], "en")
-    assert pool.varied == {"law_0": [300.0, 2.5]} and "P_{5} = [law_0]·sin(φ_{1})." in pool.text("[{}]".format)
+    assert pool.varied_numbers == {"law_0": [300.0, 2.5]} and "P_{5} = [law_0]·sin(φ_{1})." in pool.task_text(
+        "[{}]".format
+    )
 
 
 def test_students_who_are_told_different_things_have_no_common_question() -> None:
@@ -246,7 +248,7 @@ def test_students_who_are_told_different_things_have_no_common_question() -> Non
 
     for other in (of("r", "x_{DE}", "no"), of("r", "l_{DE}", "yes")):
         with pytest.raises(PlanesError) as refused:
-            Pool([of("s", "l_{DE}", "no"), other], "en").text(str)
+            Pool([of("s", "l_{DE}", "no"), other], "en").task_text(str)
         assert "the conditions for r differ" in refused.value.told("en")
 
 
@@ -256,8 +258,8 @@ def test_a_name_of_two_numbers_is_refused(tmp_path: Path) -> None:
     (tmp_path / "scene.yaml").write_text(text, "utf-8")
     (tmp_path / "students.txt").write_text("Smith J.\n", "utf-8")
     course = read_course(tmp_path)
-    (share,) = shares(course)
-    fault = settle(question(course, share, "en")).fault
+    (share,) = shares_of_course(course)
+    fault = settle_numbers(worker_question(course, share, "en")).fault
     line = next(k for k, row in enumerate(text.splitlines(), 1) if row.startswith("parameters"))
     assert fault.startswith(f"{tmp_path / 'scene.yaml'}:{line}: l_BC is a parameter of ") and "another name" in fault
 
@@ -276,6 +278,6 @@ SIDE = re.compile(r"⟨(\w+)⟩ is to the (left|right) of the line from ⟨(\w+)
 def test_what_is_said_to_be_left_is_left(file: Path) -> None:
     """The side a task tells of a point is that of the solved one: by the turn from the line to the point."""
     solved = solve(loads(file.read_text("utf-8"), str(file)))
-    for name, side, one, two in SIDE.findall(" ".join(conditions(solved.plans, "en"))):
+    for name, side, one, two in SIDE.findall(" ".join(condition_sentences(solved.plans, "en"))):
         point, start, end = (complex(solved.positions[0].r[n]) for n in (name, one, two))
         assert (((end - start).conjugate() * (point - start)).imag > 0) == (side == "left"), (name, one, two)

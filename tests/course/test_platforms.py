@@ -24,9 +24,9 @@ import pytest
 from PIL import Image
 
 from planes.cli import main
-from planes.course.quiz import LEAST, PUPIL, SIGMAS, Pool, Quiz
-from planes.documents.packages import manifest
-from planes.documents.platforms import seeds
+from planes.course.quiz import LEAST_TOLERANCE_SHARE, PUPIL_PENCIL, TOLERANCE_SIGMAS, Pool, Quiz
+from planes.documents.packages import scorm_manifest
+from planes.documents.platforms import stack_seeds
 from planes.scene import load
 from planes.solving import solve
 from tests.helpers import ROOT
@@ -57,7 +57,7 @@ def out(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @cache
 def quizzes(out: Path) -> list[Quiz]:
-    return [Quiz.read(f.read_text("utf-8")) for f in sorted(out.glob("teacher/*/quiz.json"))]
+    return [Quiz.from_stored_text(f.read_text("utf-8")) for f in sorted(out.glob("teacher/*/quiz.json"))]
 
 
 def said(node: Element, path: str) -> str:
@@ -105,14 +105,16 @@ def test_answers_are_those_of_the_scene_and_what_a_pencil_draws_is_let_pass(out:
     for item in quiz.questions:
         true = exact.value(item.name)
         assert item.value == pytest.approx(abs(true) if item.name[0] in "va" else true, rel=1e-9, abs=1e-9)
-        assert item.tolerance >= LEAST * abs(item.value) * 0.99
+        assert item.tolerance >= LEAST_TOLERANCE_SHARE * abs(item.value) * 0.99
     for seed in range(100, 140):
-        drawn = solve(scene, None, type(PUPIL)(PUPIL.point_mm, PUPIL.ray_deg, PUPIL.ruler_mm, seed)).positions[0]
+        drawn = solve(
+            scene, None, type(PUPIL_PENCIL)(PUPIL_PENCIL.point_mm, PUPIL_PENCIL.ray_deg, PUPIL_PENCIL.ruler_mm, seed)
+        ).positions[0]
         for item in quiz.questions:
             got = drawn.value(item.name)
             tried += 1
             held += abs((abs(got) if item.name[0] in "va" else got) - item.value) <= item.tolerance
-    assert SIGMAS == 2.0 and held >= 0.9 * tried, (held, tried)
+    assert TOLERANCE_SIGMAS == 2.0 and held >= 0.9 * tried, (held, tried)
 
 
 def test_a_calculated_question_has_everybodys_numbers(out: Path) -> None:
@@ -124,7 +126,7 @@ def test_a_calculated_question_has_everybodys_numbers(out: Path) -> None:
         assert wild == set(sets) and len(sets) >= 2
         share = float(said(question, "answer/tolerance"))
         own = [quiz.questions[number] for quiz in quizzes(out)]
-        assert said(question, "answer/tolerancetype") == "1" and share >= LEAST
+        assert said(question, "answer/tolerancetype") == "1" and share >= LEAST_TOLERANCE_SHARE
         assert all(share * abs(one.value) >= one.tolerance * (1 - 1e-5) for one in own)
         for d in sets.values():
             items = d.findall("dataset_items/dataset_item")
@@ -176,7 +178,7 @@ def test_maxima_draws_every_student_and_grades_by_the_tolerance(out: Path) -> No
             check=True,
         )
         told.append(re.findall(r"^told (\S+)\s*$", done.stdout, re.M))
-    varied = Pool(quizzes(out), "en").varied
+    varied = Pool(quizzes(out), "en").varied_numbers
     for place, (quiz, words) in enumerate(zip(quizzes(out), told, strict=True)):
         given, answers = words[: len(shown)], words[len(shown) :]
         own = [f"{values[place]:.6g}" for values in varied.values()]
@@ -190,7 +192,7 @@ def test_maxima_draws_every_student_and_grades_by_the_tolerance(out: Path) -> No
 
 @pytest.mark.parametrize("count", [1, 2, 7, 31])
 def test_no_student_is_left_without_a_seed(count: int) -> None:
-    assert len(set(seeds(count))) == count
+    assert len(set(stack_seeds(count))) == count
 
 
 def test_the_manifest_of_a_lesson_says_what_scorm_asks(out: Path) -> None:
@@ -210,7 +212,7 @@ def test_the_manifest_of_a_lesson_says_what_scorm_asks(out: Path) -> None:
     item = organisations.find(f"{cp}organization/{cp}item")
     assert item is not None and item.get("identifierref") == resource.get("identifier")
     assert resource.get(f"{adl}scormtype") == "sco" and resource.get("href") == "index.html"
-    assert manifest("a", "x") == manifest("a", "x") != manifest("b", "x")
+    assert scorm_manifest("a", "x") == scorm_manifest("a", "x") != scorm_manifest("b", "x")
 
 
 @contextmanager

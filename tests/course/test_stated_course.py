@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from planes.course.numbers import drawn, main_answers, question, settle
-from planes.course.papers import amounts_of, stated
-from planes.course.quiz import questions
+from planes.course.numbers import draw_student_numbers, main_answers, settle_numbers, worker_question
+from planes.course.papers import amount_formulas, stated_equation_blocks
+from planes.course.quiz import quiz_items
 from planes.course.reading import read_course
-from planes.course.students import shares
-from planes.documents.course import Desk, Order, due, names_of
+from planes.course.students import shares_of_course
+from planes.documents.course import Desk, Order, files_of_scene, folders_by_file_name
 from planes.scene import load, loads
 from planes.solving import solve
 from tests.helpers import ROOT
@@ -25,15 +25,15 @@ def share(tmp_path: Path) -> tuple:  # type: ignore[type-arg]
     (tmp_path / "friction.yaml").write_text((VECTORS / "friction.yaml").read_text("utf-8"), "utf-8")
     (tmp_path / "students.txt").write_text("Иванов\nПетров\n", "utf-8")
     course = read_course(tmp_path)
-    return course, shares(course)
+    return course, shares_of_course(course)
 
 
 def test_everybody_has_other_numbers_and_their_answers(share: tuple) -> None:  # type: ignore[type-arg]
     course, given = share
-    asked = [question(course, s, "ru") for s in given]
-    one, two = map(drawn, asked)
+    asked = [worker_question(course, s, "ru") for s in given]
+    one, two = map(draw_student_numbers, asked)
     assert set(one) == {"l_OA", "l_AB", "omega_1"} and one != two
-    held = settle(asked[0])
+    held = settle_numbers(asked[0])
     scene = loads(held.scene, "scene.yaml")
     found = main_answers(scene, json.loads(held.key))
     l_oa, l_ab, f = (scene.parameters[k] for k in ("l_OA", "l_AB", "f"))
@@ -47,13 +47,13 @@ def test_everybody_has_other_numbers_and_their_answers(share: tuple) -> None:  #
 def test_a_task_says_equations_and_amounts_but_no_answer() -> None:
     scene = load(VECTORS / "six-link.yaml")
     here = solve(scene).positions[0]
-    told = " ".join(b.text for b in stated(scene, here, "ru") if hasattr(b, "text"))
+    told = " ".join(b.text for b in stated_equation_blocks(scene, here, "ru") if hasattr(b, "text"))
     assert "⟨a_CB^n⟩ = ⟨v_CB⟩^2/⟨l_BC⟩" in told and "⟨v_CB⟩ ⊥ ⟨r_BC⟩" in told and "⟨omega_2⟩" in told
-    assert scene.statement and "⟨r_AD⟩" not in " ".join(amounts_of(scene.statement)).split("=")[0]
+    assert scene.statement and "⟨r_AD⟩" not in " ".join(amount_formulas(scene.statement)).split("=")[0]
 
 
 def test_questions_have_a_tolerance() -> None:
-    asked = {q.name: q for q in questions(load(VECTORS / "friction.yaml"), "ru")}
+    asked = {q.name: q for q in quiz_items(load(VECTORS / "friction.yaml"), "ru")}
     assert asked["F_21"].value == pytest.approx(3200.352, abs=1e-3)
     assert asked["P_T"].unit == "W" and 0 < asked["P_T"].tolerance < 80  # T_30 is 4.5 mm long
 
@@ -61,9 +61,9 @@ def test_questions_have_a_tolerance() -> None:
 @pytest.mark.slow
 def test_every_document_of_stated_vectors_is_made(share: tuple) -> None:  # type: ignore[type-arg]
     course, given = share
-    held = settle(question(course, given[0], "ru"))
-    names = names_of(course) | {"note.pdf": "teacher", "quiz.json": "teacher", "scorm.zip": "teacher"}
-    files = due(names, loads(held.scene, "scene.yaml"))
+    held = settle_numbers(worker_question(course, given[0], "ru"))
+    names = folders_by_file_name(course) | {"note.pdf": "teacher", "quiz.json": "teacher", "scorm.zip": "teacher"}
+    files = files_of_scene(names, loads(held.scene, "scene.yaml"))
     assert "sheet-1.pdf" in files and "sheet-2.pdf" not in files
     desk = Desk(Order(held.scene, ("a", "", "b"), files, ("force",), "ru", ("friction", "", "Иванов")))
-    assert all(desk.file(name)[0] for name in files)
+    assert all(desk.file_contents(name)[0] for name in files)

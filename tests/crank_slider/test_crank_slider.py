@@ -9,9 +9,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from planes.crank_slider.forces import balance, classical, printed, replaced
-from planes.crank_slider.given import monotone
-from planes.crank_slider.kinematics import EngineCycle, as_plane_motion, as_points, swing
+from planes.crank_slider.forces import classical_forces, equations_as_printed, forces_over_cycle, replacement_masses
+from planes.crank_slider.given import monotone_cubic
+from planes.crank_slider.kinematics import EngineCycle, motion_by_coordinates, motion_by_instant_centre, rod_inclination
 from planes.crank_slider.shape import CrankSliderShape
 from tests.helpers.crank_slider_scenes import SAMPLE, calculated, changed, two_stroke
 
@@ -73,7 +73,7 @@ def test_motion_is_the_derivative_of_the_coordinates(phi):
     def beta(t):
         return mpmath.asin(shape.r * mpmath.sin(angle(t)) / shape.l)
 
-    for way in (as_points(shape, m), as_plane_motion(shape, m)):
+    for way in (motion_by_coordinates(shape, m), motion_by_instant_centre(shape, m)):
         assert way.v["B"][0].real == pytest.approx(float(mpmath.diff(x_b, 0)), rel=1e-12)
         assert way.a["B"][0].real == pytest.approx(float(mpmath.diff(x_b, 0, 2)), rel=1e-12)
         assert way.a["C"][0].imag == pytest.approx(float(mpmath.diff(y_c, 0, 2)), rel=1e-12)
@@ -83,7 +83,7 @@ def test_motion_is_the_derivative_of_the_coordinates(phi):
 
 def centre_speed(shape, m):
     """|v_C| by (7), the distance to the instant centre times ω_AB, written without dividing by cos φ."""
-    beta, c = swing(shape, m.phi), shape.c
+    beta, c = rod_inclination(shape, m.phi), shape.c
     ap = shape.l * np.cos(beta)  # AP·cos φ
     cos = np.cos(m.phi)
     square = (c * cos) ** 2 + ap**2 - 2 * c * cos * ap * np.cos(beta + m.phi)
@@ -93,7 +93,7 @@ def centre_speed(shape, m):
 def test_the_instant_centre_gives_the_speed_of_c_even_across_the_guide():
     """At φ = 90° the centre is infinitely far, the rod moves without turning: v_C = v_A = ωr."""
     m = EngineCycle(np.linspace(0, 360, 73), np.full(73, 30.0), np.zeros(73), np.zeros(73))
-    assert np.abs(centre_speed(MASSLESS, m) - np.abs(as_points(MASSLESS, m).v["C"])).max() < 1e-13
+    assert np.abs(centre_speed(MASSLESS, m) - np.abs(motion_by_coordinates(MASSLESS, m).v["C"])).max() < 1e-13
     assert centre_speed(MASSLESS, m)[18] == pytest.approx(30 * 0.1, rel=1e-15)
 
 
@@ -138,13 +138,13 @@ def test_the_text_is_wrong_by_hand_worked_numbers():
     T·r − G1·x_A = 63.93 − 1.53 = 62.40. The printed (22), (25), (26) give 28.64, 523.0, 621.0.
     """
     m = still(0.7, gas=1000.0)
-    way = as_plane_motion(MASSLESS, m)
-    f = balance(MASSLESS, m, way)
+    way = motion_by_instant_centre(MASSLESS, m)
+    f = forces_over_cycle(MASSLESS, m, way)
     assert f.P[0] * math.tan(math.asin(0.1 * math.sin(0.7) / 0.35)) == pytest.approx(152.03, abs=0.01)
     assert f.N[0] == pytest.approx(177.03, abs=0.01)
     assert (f.T[0], f.K[0]) == (pytest.approx(639.3, abs=0.05), pytest.approx(523.0, abs=0.05))
     assert f.torque[0] == pytest.approx(62.40, abs=0.01)
-    wrong = printed(MASSLESS, m, way, f, 0)
+    wrong = equations_as_printed(MASSLESS, m, way, f, 0)
     assert pytest.approx(28.64, abs=0.01) == wrong.R_B
     assert (pytest.approx(523.0, abs=0.05), pytest.approx(621.0, abs=0.05)) == (wrong.T, wrong.K)
 
@@ -153,8 +153,8 @@ def test_the_usual_formulas_hold_where_the_rod_is_two_points():
     """With J_C = m·AC·CB, no weights and no friction the rod *is* two points, so both calculations agree."""
     c = calculated(changed(("friction: {x-x: 0.08}", ""), ("gravity: 9.81", "")))
     shape = dataclasses.replace(c.given.shape, j2=c.given.shape.m2 * 0.063 * 0.147)
-    assert replaced(shape).error == pytest.approx(0.0, abs=1e-15)
-    exact, simple = balance(shape, c.motion, c.plane), classical(shape, c.motion, c.plane)
+    assert replacement_masses(shape).error == pytest.approx(0.0, abs=1e-15)
+    exact, simple = forces_over_cycle(shape, c.motion, c.plane), classical_forces(shape, c.motion, c.plane)
     for name in ("N", "T", "K"):
         assert np.abs(getattr(exact, name) - getattr(simple, name)).max() < 1e-9 * np.abs(exact.K).max()
 
@@ -192,9 +192,9 @@ def test_the_diagram_is_monotone_between_its_points():
 
     x, p = [0, 0.015, 0.04, 0.08, 0.15, 0.25, 0.4, 1], [2.9, 4.3, 4.8, 4.1, 2.75, 1.72, 1.04, 0.26]
     at = np.linspace(0, 1, 2001)
-    assert np.abs(monotone(x, p)(at) - PchipInterpolator(x, p)(at)).max() < 1e-14
+    assert np.abs(monotone_cubic(x, p)(at) - PchipInterpolator(x, p)(at)).max() < 1e-14
     for a, b in zip(range(7), range(1, 8), strict=True):
-        inside = monotone(x, p)(at[(at >= x[a]) & (at <= x[b])])
+        inside = monotone_cubic(x, p)(at[(at >= x[a]) & (at <= x[b])])
         assert min(p[a], p[b]) - 1e-12 <= inside.min() <= inside.max() <= max(p[a], p[b]) + 1e-12
 
 

@@ -9,12 +9,19 @@ import numpy as np
 import pytest
 
 from planes.crank_slider.given import Concentration, PistonPin, Shaft
-from planes.crank_slider.parts import Round, Shank, Web, made, steel, torsion_factor
-from planes.crank_slider.rod import moment_along, pin_strength
-from planes.crank_slider.shaft import Section, along, checked, sections, supports, total
+from planes.crank_slider.parts import RoundPart, Shank, Web, make_material, steel_by_name, torsion_factor
+from planes.crank_slider.rod import beam_moment_at, pin_strength
+from planes.crank_slider.shaft import (
+    Section,
+    bearing_reactions,
+    combined_safety_factor,
+    dangerous_sections,
+    fatigue_of_section,
+    moment_diagrams,
+)
 from tests.helpers.crank_slider_scenes import SAMPLE, calculated, changed
 
-BAR = Shaft(0.3, 0.1, 0.05, Round(0.05), Round(0.04), Web(0.06, 0.03), 2.0, 3.0, 0.02)
+BAR = Shaft(0.3, 0.1, 0.05, RoundPart(0.05), RoundPart(0.04), Web(0.06, 0.03), 2.0, 3.0, 0.02)
 
 
 def loads(c, out: float, t: float):
@@ -73,18 +80,18 @@ def test_bearings_and_moments_of_the_broken_bar():
     A″·0.06 = 60. Journal B: B′·0.05 = 359.9, 2000·0.05 = 100, 3000·0.06 = 180.
     """
     c = calculated()
-    s = supports(c.given.shape, BAR, None, None, loads(c, 6000.0, 3000.0))
+    s = bearing_reactions(c.given.shape, BAR, None, None, loads(c, 6000.0, 3000.0))
     web = 0.09 * 188.5**2
     assert s.web == pytest.approx(web)
     assert s.A1[0] == pytest.approx(web + 2000.0)
     assert s.B1[0] == pytest.approx(6000 + web - 2000.0)
     assert (s.A2[0], s.B2[0]) == (pytest.approx(1000.0), pytest.approx(2000.0))
-    cut = sections(c.given.shape, BAR, s)
+    cut = dangerous_sections(c.given.shape, BAR, s)
     pin, journal = cut["crankpin"], cut["journal_B"]
     assert pin.bending_z[0] == pytest.approx(0.1 * s.B1[0] - 0.05 * web)
     assert (pin.bending_y[0], pin.torsion[0]) == (pytest.approx(200.0), pytest.approx(60.0))
     assert journal.torsion[0] == pytest.approx(180.0)
-    _, z, _, torque = along(BAR, cut, 0)
+    _, z, _, torque = moment_diagrams(BAR, cut, 0)
     assert z[3] == pytest.approx(pin.bending_z[0])
     assert torque[-1] == pytest.approx(180.0)
 
@@ -100,12 +107,12 @@ def test_stress_of_a_round_section_by_the_third_theory():
         300 * one,
         400 * one,
         200 * one,
-        np.hypot(300, 400) / Round(0.04).modulus * 1e-6 * one,
-        200 / (2 * Round(0.04).modulus) * 1e-6 * one,
+        np.hypot(300, 400) / RoundPart(0.04).modulus * 1e-6 * one,
+        200 / (2 * RoundPart(0.04).modulus) * 1e-6 * one,
     )
-    assert Round(0.04).modulus * 1e9 == pytest.approx(6283.19, abs=0.01)
+    assert RoundPart(0.04).modulus * 1e9 == pytest.approx(6283.19, abs=0.01)
     assert name.equivalent[0] == pytest.approx(85.707, abs=1e-3)
-    cut = sections(c.given.shape, BAR, s)["crankpin"]
+    cut = dangerous_sections(c.given.shape, BAR, s)["crankpin"]
     assert cut.sigma[0] == pytest.approx(math.hypot(cut.bending_z[0], cut.bending_y[0]) / 6283.19e-9 * 1e-6, rel=1e-6)
 
 
@@ -113,7 +120,7 @@ def test_sections():
     """Hollow 60/20: W = π·60³/32·(1 − 1/81) = 20943.9 mm³. I 34 × 24, flanges and web 6: F = 2·24·6 + 22·6 = 420 mm²,
     J = (24·34³ − 18·22³)/12 = 62636 mm⁴, J across = (2·6·24³ + 22·6³)/12 = 14220 mm⁴. Square bar in torsion: α = 0.208.
     """
-    assert Round(60, 20).modulus == pytest.approx(20944, abs=1)
+    assert RoundPart(60, 20).modulus == pytest.approx(20944, abs=1)
     shank = Shank(34, 24, 6, 6)
     assert (shank.area, shank.inertia, shank.inertia_across) == (420, pytest.approx(62636), pytest.approx(14220))
     assert Shank(34, 24, 17, 24).inertia == pytest.approx(24 * 34**3 / 12)
@@ -128,20 +135,20 @@ def test_fatigue_of_a_journal_by_hand():
     """
     z, t, none = np.array([0.0, 400.0]), np.array([-100.0, 300.0]), np.zeros(2)
     section = Section("journal_B", z, none, t, z / 6283.19e-9 * 1e-6, np.abs(t) / 12566.4e-9 * 1e-6)
-    found = checked(section, Round(0.04), steel("45"), Concentration(1.9, 1.6, 0.8, 0.8))
+    found = fatigue_of_section(section, RoundPart(0.04), steel_by_name("45"), Concentration(1.9, 1.6, 0.8, 0.8))
     assert (found.sigma_a, found.sigma_m) == (pytest.approx(31.831, abs=1e-3), pytest.approx(31.831, abs=1e-3))
     assert (found.tau_a, found.tau_m) == (pytest.approx(15.915, abs=1e-3), pytest.approx(7.958, abs=1e-3))
     assert found.n_sigma == pytest.approx(3.2228, abs=2e-4)
     assert found.n_tau == pytest.approx(4.6203, abs=2e-4)
     assert found.n == pytest.approx(2.6433, abs=2e-4)
-    assert total(3.0, math.inf) == 3.0
+    assert combined_safety_factor(3.0, math.inf) == 3.0
 
 
 def test_the_worst_point_of_the_edge_is_found():
     """A load that turns with the section's 45° line bends it there and back: the worst point is at 45°."""
     z = np.array([300.0, -300.0])
     section = Section("crankpin", z, z, 0 * z, np.abs(z), 0 * z)
-    found = checked(section, Round(0.04), steel("45"), Concentration(1.0, 1.0, 1.0, 1.0))
+    found = fatigue_of_section(section, RoundPart(0.04), steel_by_name("45"), Concentration(1.0, 1.0, 1.0, 1.0))
     assert found.angle_deg % 180 == 45
     assert found.sigma_a == pytest.approx(300 * math.sqrt(2) / 6283.19e-9 * 1e-6, rel=1e-5)
 
@@ -149,9 +156,9 @@ def test_the_worst_point_of_the_edge_is_found():
 def test_bending_of_the_rod_by_its_own_inertia():
     """Even load q: q·l²/8 in the middle; a triangle from 0 to q: q·l²/(9√3), at l/√3 from its lighter end."""
     x = np.linspace(0, 2.0, 20001)
-    assert moment_along(5.0, 5.0, x, 2.0).max() == pytest.approx(5 * 4 / 8)
-    assert moment_along(0.0, 5.0, x, 2.0).max() == pytest.approx(5 * 4 / (9 * math.sqrt(3)), rel=1e-8)
-    assert x[moment_along(0.0, 5.0, x, 2.0).argmax()] == pytest.approx(2 / math.sqrt(3), abs=1e-4)
+    assert beam_moment_at(5.0, 5.0, x, 2.0).max() == pytest.approx(5 * 4 / 8)
+    assert beam_moment_at(0.0, 5.0, x, 2.0).max() == pytest.approx(5 * 4 / (9 * math.sqrt(3)), rel=1e-8)
+    assert x[beam_moment_at(0.0, 5.0, x, 2.0).argmax()] == pytest.approx(2 / math.sqrt(3), abs=1e-4)
 
 
 def test_buckling_of_a_short_and_of_a_slender_rod():
@@ -181,8 +188,8 @@ def test_the_piston_pin_as_a_beam():
     """
     c, one = calculated(), np.ones(1)
     m = dataclasses.replace(c.motion, phi_deg=one)
-    pin = PistonPin(Round(0.03, 0.018), 0.08, 0.034, 0.038)
-    p = pin_strength(m, dataclasses.replace(c.forces, on_rod_at_b=20000.0 * one + 0j), pin, steel("20Х"))
+    pin = PistonPin(RoundPart(0.03, 0.018), 0.08, 0.034, 0.038)
+    p = pin_strength(m, dataclasses.replace(c.forces, on_rod_at_b=20000.0 * one + 0j), pin, steel_by_name("20Х"))
     assert p.moment == pytest.approx(175.0)
     assert p.sigma == pytest.approx(75.85, abs=0.01)
     assert p.tau == pytest.approx(0.85 * 20000 * 1.96 / (0.8704 * 900), rel=0.002)
@@ -191,8 +198,8 @@ def test_the_piston_pin_as_a_beam():
 
 
 def test_steels():
-    assert steel("40X").name == "40Х"  # Latin letters that look the same
-    assert steel("99") is None
-    own = made("x", 800, 600, True, fatigue=390, torsion=220)
+    assert steel_by_name("40X").name == "40Х"  # Latin letters that look the same
+    assert steel_by_name("99") is None
+    own = make_material("x", 800, 600, True, fatigue=390, torsion=220)
     assert (own.fatigue, own.fatigue_torsion) == (390, 220)
-    assert steel("40Х").fatigue == pytest.approx(0.35 * 980 + 120)
+    assert steel_by_name("40Х").fatigue == pytest.approx(0.35 * 980 + 120)

@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 
 from planes.cli import main
-from planes.diagrams.summary import summary
-from planes.diagrams.text import as_json, report
+from planes.diagrams.summary import summarise_cycle
+from planes.diagrams.text import summary_json, summary_report
 from planes.plans import plans_of
-from planes.plans.assur.analysis import analyse
+from planes.plans.assur.analysis import analyse_structure
 from planes.scene import loads
 from planes.words.errors import SceneError
 from tests.helpers import ROOT
@@ -64,7 +64,7 @@ def chain(dyads: int, backwards: bool = False) -> str:
 def summed(text: str):  # type: ignore[no-untyped-def]
     scene = loads(text)
     assert scene.mechanism
-    return summary(scene, plans_of(scene.mechanism))
+    return summarise_cycle(scene, plans_of(scene.mechanism))
 
 
 # what turns, and what grows
@@ -72,28 +72,30 @@ def summed(text: str):  # type: ignore[no-untyped-def]
 
 def test_a_link_that_turns_all_round_is_said_to() -> None:
     found = summed(DRAG_LINK)
-    told = as_json(found)["curves"]
+    told = summary_json(found)["curves"]
     assert told["phi_3"] == {"unit": "°", "group": "place", "extremes": [], "rotates": True}
     assert [round(e["value"], 4) for e in told["omega_3"]["extremes"]] == [7.7952, 3.1425]
-    assert re.search(r"phi_3 +° +all the way round +— +— +—", report(found, "en"))
-    assert re.search(r"phi_3 +° +полный оборот +— +— +—", report(found, "ru"))
+    assert re.search(r"phi_3 +° +all the way round +— +— +—", summary_report(found, "en"))
+    assert re.search(r"phi_3 +° +полный оборот +— +— +—", summary_report(found, "ru"))
 
 
 @pytest.mark.slow
 def test_what_grows_without_bound_is_told_with_its_place() -> None:
     found = summed(GUIDED)
-    told = as_json(found)
+    told = summary_json(found)
     json.dumps(told, allow_nan=False)
     assert told["driven"]["stroke"] is None and told["paths"]["H"]["length"] is None
     ends = [(round(e["at"], 6), e["kind"]) for e in told["curves"]["s_3"]["extremes"] if e["unbounded"]]
     assert ends == [(43.999, "greatest"), (43.999, "least"), (223.999, "greatest"), (223.999, "least")]
-    assert "moves without bound" in report(found, "en") and "уходит в бесконечность" in report(found, "ru")
+    assert "moves without bound" in summary_report(found, "en") and "уходит в бесконечность" in summary_report(
+        found, "ru"
+    )
 
 
 @pytest.mark.slow
 def test_rounding_has_no_extremes() -> None:
     """Rods 0.4 long between pivots 0.4 apart only shift: what their angles vary by is rounding."""
-    told = as_json(summed(chain(3)))["curves"]
+    told = summary_json(summed(chain(3)))["curves"]
     assert all(told[name]["extremes"] == [] for name in ("phi_4", "u_41", "omega_4", "epsilon_4"))
     assert len(told["omega_3"]["extremes"]) == 2
     assert max(len(c["extremes"]) for c in told.values()) < 20
@@ -157,7 +159,7 @@ def test_a_cycle_of_many_links_holds_little_memory() -> None:
     sizes = []
     for dyads in (4, 8):
         tracemalloc.start()
-        as_json(summed(chain(dyads)))
+        summary_json(summed(chain(dyads)))
         sizes.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
     assert sizes[1] < 4.5 * sizes[0] and sizes[1] < 60e6
@@ -169,7 +171,7 @@ def test_structure_takes_work_as_links_squared() -> None:
         mechanism = loads(chain(dyads, backwards=True)).mechanism
         assert mechanism
         with at_most(3_000_000) as made:
-            assert len(analyse(mechanism).groups) == dyads
+            assert len(analyse_structure(mechanism).groups) == dyads
         counts.append(made[0])
     assert counts[1] < 4.5 * counts[0]
 

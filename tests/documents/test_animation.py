@@ -12,8 +12,8 @@ from PIL import Image
 
 import planes
 from planes.cli import main
-from planes.documents.animation import laid_out, positions
-from planes.words.names import mu_of
+from planes.documents.animation import frames_and_size, positions_over_turn
+from planes.words.names import mu_name
 from render.paper.marks import Arrow
 from tests.helpers import ROOT
 
@@ -31,14 +31,16 @@ def test_frames_are_the_positions_of_one_turn(tmp_path: Path) -> None:
 
 def test_one_scale_for_all_frames_and_poles_at_rest() -> None:
     scene = planes.load(FOUR_BAR)
-    drawn, back = positions(scene, 6, "en")
+    drawn, back = positions_over_turn(scene, 6, "en")
     assert not back and len(drawn) == 6
-    assert len({one.scales[mu_of("velocity")] for one in drawn}) == 1
-    pages, (wide, high) = laid_out(scene, drawn, "en")
+    assert len({one.scales[mu_name("velocity")] for one in drawn}) == 1
+    pages, (wide, high) = frames_and_size(scene, drawn, "en")
     tails = []
     for page, one in zip(pages, drawn, strict=True):
         (crank,) = [m for m in page if isinstance(m, Arrow) and m.name == "v_B"]
-        assert abs(crank.end - crank.start) == pytest.approx(abs(one.v["B"]) * one.scales[mu_of("velocity")], abs=1e-9)
+        assert abs(crank.end - crank.start) == pytest.approx(
+            abs(one.v["B"]) * one.scales[mu_name("velocity")], abs=1e-9
+        )
         tails.append(crank.start)
         assert all(0 < z.real < wide and 0 < z.imag < high for z in (crank.start, crank.end))
     assert max(abs(z - tails[0]) for z in tails) < 1e-9

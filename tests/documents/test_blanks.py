@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from planes.check.blank import blank_pole, roomy
-from planes.check.fiducials import CODE_MM, SHEET_MM, code_centre
+from planes.check.blank import blank_pole, plan_fitting_blank
+from planes.check.fiducials import CODE_SIDE_MM, SHEET_MM, code_centre
 from planes.check.grading.paper import Known
 from planes.check.grading.prepared_plan import Asked, prepare
 from planes.check.handed_in import read_paper
@@ -19,7 +19,7 @@ from planes.check.sheet_mark import SheetMark
 from planes.cli import main
 from planes.documents.check import blank_marks
 from planes.scene import load
-from planes.words import langs
+from planes.words import available_languages
 from planes.words.errors import PlanesError
 from render.paper.marks import Line, Text
 from render.paper.typeset import ink_width
@@ -34,7 +34,7 @@ def said(asked: Asked, lang: Any = "ru", **more: Any) -> list[str]:
     return [m.text for m in blank_marks(asked, lang, **more)[0] if isinstance(m, Text)]
 
 
-@pytest.mark.parametrize("lang", langs("check"))
+@pytest.mark.parametrize("lang", available_languages("check"))
 def test_a_blank_of_nobody_has_room_for_a_name(lang: str) -> None:
     """Two lines to write on, beside the title; of a known student the name itself."""
     marks, _ = blank_marks(Asked(SIX, "velocity"), lang)
@@ -42,7 +42,7 @@ def test_a_blank_of_nobody_has_room_for_a_name(lang: str) -> None:
     assert len(rules) == 2
     for (a, b), y in zip((r.points for r in rules), (SHEET_MM[1] - 15, SHEET_MM[1] - 22.5), strict=True):
         assert (b - a).imag == 0 and (b - a).real > 45 and y < a.imag and a.imag > SHEET_MM[1] - STRIP_MM
-        assert b.real < code_centre().real - CODE_MM / 2 - 3
+        assert b.real < code_centre().real - CODE_SIDE_MM / 2 - 3
     named = blank_marks(Asked(SIX, "velocity"), lang, mark=SheetMark("six-link", "", "Ким", "velocity"))[0]
     assert not [m for m in named if isinstance(m, Line) and m.layer == "text"]
     assert any("Ким" in m.text for m in named if isinstance(m, Text))
@@ -63,8 +63,8 @@ def test_a_pole_is_lettered_as_on_sheets_and_in_reports() -> None:
 @pytest.mark.parametrize(("plan", "mu"), [("acceleration", 1.0), ("velocity", None)])
 def test_a_pole_in_the_middle_tells_nobody_where_the_plan_goes(plan: str, mu: float | None) -> None:
     """The six-link's acceleration plan, 183 mm at the scene's μ, is drawn on its blank at half of that."""
-    bench = roomy(prepare(Asked(SIX, plan)))
-    assert bench.asked.mu == mu and SheetMark.of(bench.asked).mu == mu
+    bench = plan_fitting_blank(prepare(Asked(SIX, plan)))
+    assert bench.asked.mu == mu and SheetMark.from_asked(bench.asked).mu == mu
     middle, ends = complex(165, 105), [*bench.true_marks.values()]
     assert abs(blank_pole(bench) - middle) < 13
     if mu:  # turned any way it stays on the sheet, and away from what is printed above and below
@@ -79,7 +79,7 @@ def test_a_pole_in_the_middle_tells_nobody_where_the_plan_goes(plan: str, mu: fl
 def test_a_long_title_keeps_off_the_code_and_the_name(title: str, student: str) -> None:
     scene = replace(SIX, title={"ru": title.strip()})
     marks, _ = blank_marks(Asked(scene, "force:2-3"), "ru", mark=SheetMark("x", "", student, "force:2-3"))
-    left = code_centre().real - CODE_MM / 2
+    left = code_centre().real - CODE_SIDE_MM / 2
     rules = [m.points[0] for m in marks if isinstance(m, Line) and m.layer == "text"]
     for text in (m for m in marks if isinstance(m, Text) and m.turn_deg == 0):
         end = text.place.real + ink_width(text.text, text.height)

@@ -9,15 +9,15 @@ from typing import Any
 
 import pytest
 
-from planes.drafting.drawing import run
-from planes.lesson import Teller, value_of
+from planes.drafting.drawing import draw_program
+from planes.lesson import Teller, slot_value
 from planes.lesson.data import lesson_data
-from planes.lesson.formulas import LANGS, fill
-from planes.lesson.told import Told
+from planes.lesson.formulas import LESSON_LANGS, fill_slots
+from planes.lesson.told import SceneLesson
 from planes.plans import plans_of
-from planes.plans.scales import scales
+from planes.plans.scales import plan_scales
 from planes.scene import load
-from planes.solving import position
+from planes.solving import solve_position
 from tests.helpers import ROOT
 from tests.helpers.browser import until
 from tests.helpers.lessons import lesson_opened, lesson_written
@@ -65,8 +65,8 @@ def test_what_is_shown_at_any_position_is_what_is_solved(page: Any, value: float
     page.evaluate(f"state.frame = data.frames.length - 1; turn({value}); draw()")
     scene = load(str(SIX))
     plans = plans_of(scene.mechanism)
-    drawn = position(scene, plans, None, float(value), None, "en")
-    mus = scales(plans, scene.mu)
+    drawn = solve_position(scene, plans, None, float(value), None, "en")
+    mus = plan_scales(plans, scene.mu)
     shown = page.evaluate("Object.fromEntries(data.results.map(r => [r.name, number(live.value(r.value))]))")
     for name in ("2", "3"):
         for key in ("omega", "epsilon"):
@@ -90,19 +90,19 @@ def test_every_sentence_at_other_positions_has_the_numbers_reckoned_there(
     page.goto(lesson_written(tmp_path, HERE / f"{name}.yaml", "en", exported))
     plans, drive = plans_of(scene.mechanism), exported["drive"]
     mus = {n: z for n, z in exported["home"].items() if n.startswith("mu_")}
-    teller = Teller(plans, run(plans.program, {**plans.given, **mus}))
-    frames = Told.of(scene).frames
-    teller.frames()
+    teller = Teller(plans, draw_program(plans.program, {**plans.given, **mus}))
+    frames = SceneLesson.of(scene).frames
+    teller.lesson_frames()
     for value in [drive["from"] + k * (drive["to"] - drive["from"]) / 17.3 for k in range(17)]:
         page.evaluate(f"live.set({{[data.drive.given]: {value!r}}})")
         if page.evaluate("live.failed"):
             continue
-        there = run(plans.program, {**plans.given, **mus, plans.drive_given: value})
-        for lang in LANGS:
+        there = draw_program(plans.program, {**plans.given, **mus, plans.drive_given_name: value})
+        for lang in LESSON_LANGS:
             page.evaluate(f"state.lang = '{lang}'")
             shown = page.evaluate("data.frames.map(f => filled(inWords(f)))")
-            read = partial(value_of, teller=teller, drawing=there)
-            assert shown == [fill(f.said[lang], read, lang) for f in frames]
+            read = partial(slot_value, teller=teller, drawing=there)
+            assert shown == [fill_slots(f.words_with_rows[lang], read, lang) for f in frames]
     page.close()
 
 

@@ -9,8 +9,8 @@ import pytest
 
 from planes import cli
 from planes.lesson.data import lesson_data
-from planes.lesson.formulas import LANGS
-from planes.lesson.told import Told
+from planes.lesson.formulas import LESSON_LANGS
+from planes.lesson.told import SceneLesson
 from planes.scene import load
 from tests.documents.test_lesson_for_everyone import complaints
 from tests.helpers import ROOT
@@ -31,13 +31,15 @@ def with_centres(folder: Path, scene: Path, lang: str) -> str:
 
 
 def test_the_chapter_is_there_by_choice_alone(tmp_path: Path, capsys: Any) -> None:
-    plain, more = Told.of(load(str(SLIDER))), Told.of(load(str(SLIDER)), True)
+    plain, more = SceneLesson.of(load(str(SLIDER))), SceneLesson.of(load(str(SLIDER)), True)
     chapter = [f for f in more.frames if f.chapter == "centres"]
     assert not any(f.chapter == "centres" for f in plain.frames)
-    assert [f.said for f in more.frames if f not in chapter] == [f.said for f in plain.frames]
-    assert more.practice.id == plain.practice.id
+    assert [f.words_with_rows for f in more.frames if f not in chapter] == [f.words_with_rows for f in plain.frames]
+    assert more.practice.practice_id == plain.practice.practice_id
     for f in chapter:
-        assert {*f.said} == {*f.why} == {*LANGS} and len({*f.why.values()}) == len(LANGS), f.key
+        assert {*f.words_with_rows} == {*f.why} == {*LESSON_LANGS} and len({*f.why.values()}) == len(LESSON_LANGS), (
+            f.key
+        )
     sizes = []
     for options in ([], ["--centres"]):
         target = tmp_path / "lesson.html"
@@ -84,6 +86,8 @@ def test_every_sample_shows_its_centres_at_every_place(browser: Any, tmp_path: P
 
 
 def test_what_three_centres_do_not_give_is_told() -> None:
-    told = Told.of(load(str(ROOT / "samples" / "excavator.yaml")), True)
+    told = SceneLesson.of(load(str(ROOT / "samples" / "excavator.yaml")), True)
     last = [f for f in told.frames if f.chapter == "centres"][-1]
-    assert last.key == "centres_left" and "⟨P_50⟩" in last.said["en"] and "⟨P_23⟩" in last.said["en"]
+    assert (
+        last.key == "centres_left" and "⟨P_50⟩" in last.words_with_rows["en"] and "⟨P_23⟩" in last.words_with_rows["en"]
+    )

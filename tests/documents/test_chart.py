@@ -10,9 +10,9 @@ import pytest
 
 from planes.accuracy import methods, stability
 from planes.accuracy.comparison import Comparison
-from planes.accuracy.limits import find
+from planes.accuracy.limits import find_nearest_limit
 from planes.cli import main
-from planes.documents.charts import axis, moving
+from planes.documents.charts import distance_axis_title, with_moving_driver
 from planes.scene import load
 from tests.accuracy.test_stability import CRANK, plans
 from tests.helpers import ROOT
@@ -23,10 +23,10 @@ SAMPLES = ROOT / "samples"
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Few positions to time and to follow."""
-    monkeypatch.setattr(methods, "MANY", 500)
-    monkeypatch.setattr(stability, "CROWD", 1)
-    monkeypatch.setattr(stability, "BINS", range(2, 29, 6))
-    monkeypatch.setattr(stability, "BEGINS", frozenset({0}))
+    monkeypatch.setattr(methods, "TIMED_POSITIONS", 500)
+    monkeypatch.setattr(stability, "POSITIONS_PER_POINT", 1)
+    monkeypatch.setattr(stability, "DISTANCE_BINS", range(2, 29, 6))
+    monkeypatch.setattr(stability, "PATH_START_INDICES", frozenset({0}))
 
 
 @pytest.mark.slow
@@ -83,15 +83,15 @@ def test_where_nothing_leads_to_a_limit_the_chart_says_so(
     ],
 )
 def test_an_axis_says_what_is_altered(name: str, words: str) -> None:
-    limit = find(Comparison(plans(name)))
-    assert limit and axis(limit, "en") == words
+    limit = find_nearest_limit(Comparison(plans(name)))
+    assert limit and distance_axis_title(limit, "en") == words
 
 
 def test_a_driver_at_rest_is_moved() -> None:
     mechanism = load(str(SAMPLES / "bntu-1.yaml")).mechanism
-    assert mechanism and mechanism.drive.velocity == 0 and moving(mechanism).drive.velocity == 1
+    assert mechanism and mechanism.drive.velocity == 0 and with_moving_driver(mechanism).drive.velocity == 1
     quick = replace(mechanism, drive=replace(mechanism.drive, velocity=3.0))
-    assert moving(quick) is quick
+    assert with_moving_driver(quick) is quick
 
 
 def test_what_cannot_be_charted_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,17 +10,17 @@ from typing import Any
 
 import pytest
 
-from planes.batch.tape import LEAVES, TESTS
-from planes.check.grading.grading import Grading, empty
+from planes.batch.tape import LEAF_OPERATIONS, TEST_OPERATIONS
+from planes.check.grading.grading import Grading, grading_without_marks
 from planes.check.grading.paper import ReadMark, ReadPaper, read_table
-from planes.check.grading.prepared_plan import Asked, prepare, variants_of
+from planes.check.grading.prepared_plan import Asked, mistake_variants, prepare
 from planes.check.outcome import Outcome, check
-from planes.check.report import Checked, places, told_all
+from planes.check.report import Checked, phrases_for_reader, places
 from planes.check.report.places import wrong_places
-from planes.check.report.regrading import SURELY_MM, retrace
+from planes.check.report.regrading import SCREEN_MARK_ERROR_MM, grading_tape
 from planes.documents.check import write_report
 from planes.documents.class_work import ClassWork
-from planes.drafting.drawing import run
+from planes.drafting.drawing import draw_program
 from planes.scene import load
 from planes.words.errors import PlanesError
 from tests import confusion
@@ -73,16 +73,16 @@ def judged(page: Any) -> dict[str, Any]:
 def same(page: Any, found: Outcome) -> None:
     """The page and the program find the same."""
     shown, grading = judged(page), graded(found)
-    assert (shown["verdict"], shown["sentence"]) == (found.verdict, told_all(found, "here")[0].told("en"))
+    assert (shown["verdict"], shown["sentence"]) == (found.verdict, phrases_for_reader(found, "here")[0].told("en"))
     assert found.verdict == "unreadable" or (shown["first"], shown["mistake"]) == (found.first_wrong, found.mistake)
     assert set(shown["marks"]) == set(grading.judgement.misses)
     for mark, miss in grading.judgement.misses.items():
         verdict, x, y, own, free = shown["marks"][mark]
         assert verdict == grading.verdicts[mark], mark
-        reach = miss.reach(grading.judgement.limit)
+        reach = miss.tolerance_mm(grading.judgement.limit)
         assert abs(complex(x, y) - miss.off) < 1e-6 + 0.01 * reach  # errors by slopes here, by differences there
         assert own == pytest.approx(reach, rel=0.05)
-        assert free == pytest.approx(grading.free[mark].reach(grading.judgement.limit), rel=0.05)
+        assert free == pytest.approx(grading.free[mark].tolerance_mm(grading.judgement.limit), rel=0.05)
 
 
 @pytest.mark.few(1)
@@ -211,10 +211,10 @@ def test_marks_nobody_read_are_put_in_place(browser: Any, tmp_path: Path) -> Non
         page.evaluate(f"move({name!r}, {place.real}, {place.imag})")
     shown = judged(page)
     assert shown["verdict"] == "right" and len(shown["marks"]) == 5
-    spots = [ReadMark(s.name, s.place, SURELY_MM) if s.name in ("c", "h") else s for s in whole.paper.spots]
+    spots = [ReadMark(s.name, s.place, SCREEN_MARK_ERROR_MM) if s.name in ("c", "h") else s for s in whole.paper.spots]
     again = check(whole.bench.asked, ReadPaper("t", spots))
     for mark, miss in graded(again).judgement.misses.items():
-        assert abs(complex(*shown["marks"][mark][1:3]) - miss.off) < 1e-6 + 0.01 * miss.reach(1.0)
+        assert abs(complex(*shown["marks"][mark][1:3]) - miss.off) < 1e-6 + 0.01 * miss.tolerance_mm(1.0)
     page.close()
     assert errors == []
 
@@ -248,11 +248,13 @@ def test_a_window_shows_a_force_and_where_it_should_end() -> None:
 
 def test_a_window_is_made_once_for_a_row_and_its_report(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     made: list[str] = []
-    kept = places._windows
-    monkeypatch.setattr(places, "_windows", lambda found, grading: made.append(found.verdict) or kept(found, grading))
+    kept = places._place_windows
+    monkeypatch.setattr(
+        places, "_place_windows", lambda found, grading: made.append(found.verdict) or kept(found, grading)
+    )
     group = ClassWork("11", "en", str(tmp_path / "class"))
-    group.add(Checked("boris.jpg", handed_in("six-link", "velocity", CASES[0][2])))
-    group.close()
+    group.add_checked_drawing(Checked("boris.jpg", handed_in("six-link", "velocity", CASES[0][2])))
+    group.write_results()
     assert made == ["wrong"]
     assert all('class="place"' in (tmp_path / "class" / name).read_text() for name in ("index.html", "boris.jpg.html"))
 
@@ -284,7 +286,7 @@ def test_the_page_names_what_nobody_has_seen(
 def test_the_page_says_where_too_little_is_seen_to_judge_by(browser: Any, tmp_path: Path) -> None:
     """A mark near the pole, one by itself at the stated scale, one at a scale of its own, one that tells something."""
     bench = prepare(Asked(load(SAMPLES / "kind-1-rrr.yaml"), "velocity"))
-    c = complex(run(bench.program, bench.given)["velocity:c"])
+    c = complex(draw_program(bench.program, bench.given)["velocity:c"])
     keys = []
     for size, mu in ((0.1, bench.said_mu * 0.1), (0.2, bench.said_mu * 0.2), (0.4, None), (0.4, bench.said_mu * 0.4)):
         spots = [ReadMark("p", 0j), ReadMark("c", c * size)]
@@ -323,20 +325,22 @@ def test_the_page_reads_every_operation_of_a_tape() -> None:
     values, slopes = text.split("const SLOPES")
     for sample, plan, mistake in [*CASES, ("kind-1-rrr", "position", None)]:
         found = handed_in(sample, plan, mistake) if plan != "position" else None
-        grading = graded(found) if found else empty(prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan)))
+        grading = (
+            graded(found) if found else grading_without_marks(prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan)))
+        )
         bench = found.bench if found else prepare(Asked(load(SAMPLES / f"{sample}.yaml"), plan))
-        tape, _ = retrace(grading, variants_of(bench, grading.hand.taken, grading.mu))
-        names = set(tape["names"]) - LEAVES
+        tape, _ = grading_tape(grading, mistake_variants(bench, grading.hand.taken, grading.mu))
+        names = set(tape["names"]) - LEAF_OPERATIONS
         assert names and all(f'"{n}"' in values for n in names), names
-        assert all(re.search(rf"\b{n}:", slopes) for n in names - TESTS)
+        assert all(re.search(rf"\b{n}:", slopes) for n in names - TEST_OPERATIONS)
 
 
 def test_a_teacher_decides_on_the_page_of_a_class(browser: Any, tmp_path: Path) -> None:
     """A decision marks its row, is taken back, stands when the page is opened again, and goes into the table."""
     group = ClassWork("11", "en", str(tmp_path / "class"))
     for name, mistake in (("anna", None), ("boris", CASES[0][2])):
-        group.add(Checked(f"{name}.jpg", handed_in("six-link", "velocity", mistake)))
-    group.close()
+        group.add_checked_drawing(Checked(f"{name}.jpg", handed_in("six-link", "velocity", mistake)))
+    group.write_results()
     page = browser.new_page()
     errors = watched(page)
     page.goto((tmp_path / "class" / "index.html").as_uri())
@@ -371,9 +375,9 @@ def test_a_teacher_decides_on_the_page_of_a_class(browser: Any, tmp_path: Path) 
 def test_the_page_of_a_class_tells_whose_mistakes_and_is_sorted_at_will(browser: Any, tmp_path: Path) -> None:
     group = ClassWork("11", "en", str(tmp_path / "class"))
     for name, mistake in (("anna", None), ("boris", CASES[0][2]), ("gleb", CASES[0][2])):
-        group.add(Checked(f"{name}.jpg", handed_in("six-link", "velocity", mistake)))
-    group.add(Checked("vera.jpg", refused=PlanesError("vera.jpg: no picture"), report="../vera.jpg"))
-    group.close()
+        group.add_checked_drawing(Checked(f"{name}.jpg", handed_in("six-link", "velocity", mistake)))
+    group.add_checked_drawing(Checked("vera.jpg", refused=PlanesError("vera.jpg: no picture"), report="../vera.jpg"))
+    group.write_results()
     page = browser.new_page()
     errors = watched(page)
     page.goto((tmp_path / "class" / "index.html").as_uri())

@@ -13,18 +13,18 @@ from typing import Any
 import pytest
 
 from planes.check.grading.paper import Known, ReadPaper
-from planes.check.handed_in import HandedSheet, opened, read_paper
+from planes.check.handed_in import HandedSheet, open_picture, read_paper
 from planes.check.outcome import check
 from planes.check.report.class_rows import ClassRow
-from planes.check.saved_marks import corrected
+from planes.check.saved_marks import combine_with_picture
 from planes.check.sheet_mark import SheetMark
 from planes.cli import class_check as command
 from planes.cli import main
-from planes.course.handed_out import HandedOut, Task, handed_out, plan_named, variant_named
+from planes.course.handed_out import HandedOut, Task, plan_in_file_name, scenes_handed_out, variant_in_file_name
 from planes.documents.class_sorting import Sorter
 from planes.documents.class_work import ClassWork
-from planes.lesson.handed_practice import checksum
-from planes.lesson.told import Told
+from planes.lesson.handed_practice import fnv_checksum
+from planes.lesson.told import SceneLesson
 from planes.scene import load
 from planes.solving import solve
 from planes.words.errors import PlanesError
@@ -118,7 +118,7 @@ def test_sheets_say_whose_they_are(course: Path, folder: Path, capsys: pytest.Ca
 def test_counts_that_add_up_to_the_files_come_before_what_is_counted_twice() -> None:
     work = ClassWork("photos", "en")
     work.rows = [ClassRow(f"{k}.jpg", *row) for k, row in enumerate([("right", 3), ("wrong", 1), ("unreadable", 0)])]
-    counts = re.findall(r"<span>([^<]+) <b>(\d)</b></span>", work.page())
+    counts = re.findall(r"<span>([^<]+) <b>(\d)</b></span>", work.page_html())
     assert sum(int(count) for _, count in counts[:-1]) == 3
     assert counts[-1] == ("of these, to be checked by hand", "1")
 
@@ -150,14 +150,14 @@ def test_a_mark_says_what_is_asked() -> None:
     handed = HandedOut((Task(TWELVE, TWELVE.stem),))
     sorter = Sorter(handed, lambda scene, plan, value, mu: Asked(scene, plan, value, mu), plan="acceleration")
     sheet = HandedSheet(Path("IMG_1.jpg"))
-    _, asked, whose = sorter.asked(sheet, SheetMark("12", "Б", "Ким", "force:2-3", 45.0, 0.5))
+    _, asked, whose = sorter.identify_question(sheet, SheetMark("12", "Б", "Ким", "force:2-3", 45.0, 0.5))
     assert (asked.scene.variant, asked.plan, asked.value, asked.mu, whose) == ("Б", "force:2-3", 45.0, 0.5, "Ким, Б")
-    _, asked, whose = sorter.asked(HandedSheet(Path("Ким вариант А скорости.jpg")), None)
+    _, asked, whose = sorter.identify_question(HandedSheet(Path("Ким вариант А скорости.jpg")), None)
     assert (asked.scene.variant, asked.plan, asked.value, whose) == ("А", "velocity", None, "А")
-    assert sorter.asked(sheet, None)[1].plan == "acceleration"  # the options are left
+    assert sorter.identify_question(sheet, None)[1].plan == "acceleration"  # the options are left
     for mark in (SheetMark("13", "А", "", "velocity"), SheetMark("12", "Я", "", "velocity")):
         with pytest.raises(PlanesError):
-            sorter.asked(sheet, mark)
+            sorter.identify_question(sheet, mark)
 
 
 def test_what_was_judged_before_stands(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -213,9 +213,9 @@ def test_only_what_has_changed_is_judged_anew(
     assert "corrected by hand" in " ".join(after["IMG_2.jpg"]["warnings"])
     assert "data:image/jpeg" in (out / "IMG_2.jpg.html").read_text("utf-8")  # the picture still lies under them
     seen = cv2.imread(str(folder / "IMG_1.jpg"), cv2.IMREAD_GRAYSCALE)
-    look = opened(str(folder / "IMG_1.jpg"))
-    assert look and f'data-look="{look.look}"' in (out / "IMG_1.jpg.html").read_text("utf-8")
-    (folder / "IMG_1.csv").write_text(f"# sheet {look.look} IMG_1.csv\nmark,x_mm,y_mm\np,0,0\nb,5,5\n", "utf-8")
+    look = open_picture(str(folder / "IMG_1.jpg"))
+    assert look and f'data-look="{look.pixel_hash}"' in (out / "IMG_1.jpg.html").read_text("utf-8")
+    (folder / "IMG_1.csv").write_text(f"# sheet {look.pixel_hash} IMG_1.csv\nmark,x_mm,y_mm\np,0,0\nb,5,5\n", "utf-8")
     shutil.copy(folder / "IMG_1.csv", folder / "IMG_1 (1).csv")  # as a browser calls what is saved twice
     cv2.imwrite(str(folder / "IMG_1.jpg"), seen[:, 20:])
     again, after = run()  # the picture is another one since the marks were saved
@@ -317,19 +317,26 @@ def test_a_mark_leads_to_no_other_file(
 
 
 def test_names_of_files_tell_what_marks_do_not(course: Path) -> None:
-    handed = handed_out(course)
+    handed = scenes_handed_out(course)
     assert {t.student for t in handed.tasks} == {ANNA, BORIS}
     named = {
-        stem: (t.student if (t := handed.named(stem)) else None) for stem in ("Петрова", "анна петрова 2", "ИВАНОВ")
+        stem: (t.student if (t := handed.task_of_file_name(stem)) else None)
+        for stem in ("Петрова", "анна петрова 2", "ИВАНОВ")
     }
     assert named == {"Петрова": ANNA, "анна петрова 2": ANNA, "ИВАНОВ": BORIS}
-    assert handed.named("IMG_2026") is None and handed.named("../Петров") is None
+    assert handed.task_of_file_name("IMG_2026") is None and handed.task_of_file_name("../Петров") is None
     twins = HandedOut(tuple(Task(Path("x"), "", f"Ким-{name}") for name in ("Анна", "Олег")))
-    assert twins.named("ким") is None and twins.named("ким олег") == twins.tasks[1]
-    scene = handed.tasks[0].variant(None)
-    assert plan_named("план скоростей", scene) == "velocity" and plan_named("force 2-3", scene) == "force:2-3"
-    assert plan_named("IMG_3", scene) is None and plan_named("скорости и ускорения", scene) is None
-    assert variant_named("Ким вариант 2", ("1", "2", "12")) == "2" and variant_named("IMG_2", ("1", "2")) is None
+    assert twins.task_of_file_name("ким") is None and twins.task_of_file_name("ким олег") == twins.tasks[1]
+    scene = handed.tasks[0].scene_in_variant(None)
+    assert (
+        plan_in_file_name("план скоростей", scene) == "velocity"
+        and plan_in_file_name("force 2-3", scene) == "force:2-3"
+    )
+    assert plan_in_file_name("IMG_3", scene) is None and plan_in_file_name("скорости и ускорения", scene) is None
+    assert (
+        variant_in_file_name("Ким вариант 2", ("1", "2", "12")) == "2"
+        and variant_in_file_name("IMG_2", ("1", "2")) is None
+    )
 
 
 @pytest.mark.slow
@@ -386,7 +393,7 @@ def test_what_came_twice_and_whose_did_not_come(
     own = (course / "out" / "teacher" / BORIS / "scene.yaml").read_text("utf-8")
     (tmp_path / "own.yaml").write_text(own.replace("Иванов Пётр", "Иванов П. С."), "utf-8")
     work = ClassWork("", "en", tasks=(Task(tmp_path / "own.yaml", "", BORIS),))
-    assert work.missing() == "Иванов П. С"  # and the sentence ends with its own full stop
+    assert work.students_without_drawing() == "Иванов П. С"  # and the sentence ends with its own full stop
     page = (tmp_path / "out" / "index.html").read_text("utf-8")
     assert told[-1] in page and page.count("The same plan of the same student") == 2
     (photos / "Иванов скорости.csv").write_text("mark,x_mm,y_mm\np,0,0\nb,30,51.96\nc,20,8\n", "utf-8")
@@ -412,7 +419,7 @@ def test_every_page_of_a_file_is_read_once(
             raise PlanesError("nothing")
         return read_paper(str(table), asked, known)
 
-    monkeypatch.setattr(command, "marks_of", reading)
+    monkeypatch.setattr(command, "read_sheet_marks", reading)
     line = ["check", str(six), str(file), "--plan", "velocity", "--lang", "en"]
     assert main(line) == 0 and pages == [1, 2, 3, 4]
     assert "Page 3 of 4 was checked" in capsys.readouterr().out
@@ -470,15 +477,25 @@ def test_a_mark_upon_another_that_a_mistake_hides_is_not_called_seen(tmp_path: P
     assert out.verdict == "right_as_seen" and "s3" in out.unseen
     (table := tmp_path / "hidden.csv").write_text("mark,x_mm,y_mm\n", "utf-8")
     bound = prepare(asked).said_mu  # a blank's own scale is the only one, though it is the scene's
-    assert (paper.mu, out.bench.asked.mu, corrected(ReadPaper(str(table)), paper).mu) == (bound, bound, bound)
+    assert (paper.mu, out.bench.asked.mu, combine_with_picture(ReadPaper(str(table)), paper).mu) == (
+        bound,
+        bound,
+        bound,
+    )
 
 
 def practice(scene: Path, name: str, right: int = 0) -> str:
     """The code of a practice that was given up at once."""
-    told = Told.of(load(scene)).practice
-    data = {"id": told.id, "seed": 0, "right": right, "name": name, "answers": [None] * len(told.items())}
+    told = SceneLesson.of(load(scene)).practice
+    data = {
+        "id": told.practice_id,
+        "seed": 0,
+        "right": right,
+        "name": name,
+        "answers": [None] * len(told.practice_items()),
+    }
     letters = json.dumps(data, ensure_ascii=False).encode()
-    return f"planes-practice.{base64.urlsafe_b64encode(letters).decode()}.{checksum(letters):08x}"
+    return f"planes-practice.{base64.urlsafe_b64encode(letters).decode()}.{fnv_checksum(letters):08x}"
 
 
 @pytest.mark.slow
@@ -520,7 +537,7 @@ def test_work_that_is_right_for_another_student_is_said_to_be(course: Path, tmp_
     numbers = [
         (f.quantity.name, abs(f.vector))
         for f in position.found
-        if f.quantity.path[0] == "points" and f.quantity.key == "v"
+        if f.quantity.json_path[0] == "points" and f.quantity.key == "v"
     ]
     numbers = [(name, size) for name, size in numbers if size > 1e-3]
     assert len(numbers) >= 3

@@ -8,12 +8,12 @@ from typing import Any
 import pytest
 
 from planes.cli import main
-from planes.lesson.essay import PAGES, essay_data
-from planes.words import table
+from planes.lesson.essay import FIGURES_BY_PAGE, data_of_essay_pages
+from planes.words import sentence_table
 from tests.documents.test_lesson_for_everyone import complaints
 from tests.helpers.browser import watched
 
-NUMBERS = range(1, len(PAGES) + 1)
+NUMBERS = range(1, len(FIGURES_BY_PAGE) + 1)
 LARGEST = 160_000  # bytes of a page
 
 
@@ -26,24 +26,24 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_twelve_pages_are_written_and_are_small(folder: Path) -> None:
     assert sorted(f.name for f in folder.iterdir()) == sorted(f"{k}.html" for k in NUMBERS)
-    assert len(PAGES) == 12 and max(f.stat().st_size for f in folder.iterdir()) < LARGEST
+    assert len(FIGURES_BY_PAGE) == 12 and max(f.stat().st_size for f in folder.iterdir()) < LARGEST
 
 
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_every_paragraph_has_words_and_a_figure(lang: str) -> None:
-    told = [key for key in table(lang) if key.startswith("essay_") and key.count("_") == 2]
-    assert told == [f"essay_{n}_{k}" for n in NUMBERS for k in range(1, len(PAGES[n - 1]))]
+    told = [key for key in sentence_table(lang) if key.startswith("essay_") and key.count("_") == 2]
+    assert told == [f"essay_{n}_{k}" for n in NUMBERS for k in range(1, len(FIGURES_BY_PAGE[n - 1]))]
 
 
 @pytest.mark.few(2)
 @pytest.mark.parametrize("number", NUMBERS)
 def test_every_number_of_a_text_is_one_of_the_figures(number: int) -> None:
-    from planes.lesson.formulas import slots
+    from planes.lesson.formulas import slot_value_names
 
-    data = essay_data(number)
+    data = data_of_essay_pages(number)
     for paragraph in data["paragraphs"]:
         for text in paragraph["said"].values():
-            assert set(slots(text)) <= set(data["values"])
+            assert set(slot_value_names(text)) <= set(data["values"])
         known = {k["given"] for k in data["knobs"]} | {"phi"}
         assert set(paragraph["knobs"]) <= known
 
@@ -56,7 +56,7 @@ def test_a_page_answers_and_nothing_is_complained_of(browser: Any, folder: Path,
     page.goto((folder / f"{number}.html").as_uri())
     drawn = "[...document.querySelectorAll('figure > svg')].map(s => s.innerHTML)"
     before = page.evaluate(drawn)
-    assert len(before) == len(PAGES[number - 1]) - 1 and all(before)
+    assert len(before) == len(FIGURES_BY_PAGE[number - 1]) - 1 and all(before)
     page.evaluate(
         """() => { for (const i of document.querySelectorAll('.slid input')) {
         i.value = +i.value + (i.max - i.min) / 20; i.oninput(); } draw(); }"""

@@ -9,14 +9,14 @@ from typing import NamedTuple
 
 import pytest
 
-from planes.course.papers import answers
-from planes.documents.lesson import placed
+from planes.course.papers import answer_key_blocks
+from planes.documents.lesson import note_position
 from planes.documents.sheets import sheet_of
-from planes.lesson import value_of
-from planes.lesson.formulas import fill
+from planes.lesson import slot_value
+from planes.lesson.formulas import fill_slots
 from planes.lesson.note import Note
-from planes.lesson.told import Told
-from planes.plans.measuring import lettering
+from planes.lesson.told import SceneLesson
+from planes.plans.measuring import scene_lettering
 from planes.scene import load
 from planes.solving import solve
 from planes.solving.document import Block, DocumentTable
@@ -105,17 +105,17 @@ def rows_of_sheets(path: Path) -> Iterator[list[str]]:
 @pytest.mark.parametrize("path", SCENES, ids=[p.stem for p in SCENES])
 def test_each_number_is_that_of_the_results(path: Path) -> None:
     scene = load(str(path))
-    drawn, solved, shown = placed(scene, None, "ru"), solve(scene).positions[0], Told.of(scene)
+    drawn, solved, shown = note_position(scene, None, "ru"), solve(scene).positions[0], SceneLesson.of(scene)
 
     def read(name: str) -> float:
         own = name in shown.drawing.things
-        return float((shown.drawing[name] if own else value_of(name, shown.teller, shown.drawing)).real)
+        return float((shown.drawing[name] if own else slot_value(name, shown.teller, shown.drawing)).real)
 
-    lesson = "\n".join(fill(frame.said["ru"], read, "ru") for frame in shown.frames)
+    lesson = "\n".join(fill_slots(frame.words_with_rows["ru"], read, "ru") for frame in shown.frames)
     papers = [
-        *of_text(told(Note(scene, drawn, "ru").blocks()), "note"),
+        *of_text(told(Note(scene, drawn, "ru").document_blocks()), "note"),
         *of_text(lesson, "lesson"),
-        *of_answers(answers(scene, drawn, ("",), "ru")),
+        *of_answers(answer_key_blocks(scene, drawn, ("",), "ru")),
     ]
     assert len(papers) > 30
     said: dict[tuple[str, str], Printed] = {}
@@ -133,14 +133,14 @@ def test_each_number_is_that_of_the_results(path: Path) -> None:
 @pytest.mark.parametrize("path", SCENES, ids=[p.stem for p in SCENES])
 def test_each_row_of_a_sheet_is_that_of_the_results(path: Path) -> None:
     scene = load(str(path))
-    drawn = placed(scene, None, "ru")
-    naming, found = Naming("ru", **lettering(scene, drawn.plans)), 0
+    drawn = note_position(scene, None, "ru")
+    naming, found = Naming("ru", **scene_lettering(scene, drawn.plans)), 0
     rows: dict[str, list[list[str]]] = {}
     for row in rows_of_sheets(path):
         rows.setdefault(row[0], []).append(row)
-    for plan in (p for p in drawn.plans.drawn if p in ("velocity", "acceleration")):
+    for plan in (p for p in drawn.plans.plan_names if p in ("velocity", "acceleration")):
         for vector, _, measured in drawn.measured_on(plan):
-            for row in rows.get(naming.named(vector, plan), []):
+            for row in rows.get(naming.lettered_name(vector, plan), []):
                 numbers = [number(text) for text in row[2:4]]
                 if len(row) < 4 or number(row[1]) or any(n is None or n[2] for n in numbers):
                     continue

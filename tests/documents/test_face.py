@@ -22,7 +22,7 @@ import planes
 from planes.cli import main
 from planes.scene.mechanism import Assembly, Drive, Link, Mechanism
 from planes.solving import Solved, solve
-from planes.words.units import PLANS
+from planes.words.units import PLANS_WITH_MU
 from tests.helpers import ROOT
 
 SAMPLES = sorted([*(ROOT / "samples").glob("*.yaml"), *(ROOT / "samples" / "assignments").glob("0*.yaml")])
@@ -132,7 +132,7 @@ def test_a_mechanism_built_in_python() -> None:
     built = Mechanism(
         Link("0", points), MappingProxyType(links), Drive("1", "phi", 60.0, 10.0), assembly={"C": Assembly("left")}
     )
-    scene = planes.Scene("four-bar", mechanism=built, mu=dict.fromkeys(PLANS))
+    scene = planes.Scene("four-bar", mechanism=built, mu=dict.fromkeys(PLANS_WITH_MU))
     assert abs(planes.solve(scene).v["B"]) == pytest.approx(1.0)
     assert planes.picture(scene) and planes.cycle(scene, "v_C", phi=[60, 70])["v_C"].shape == (2,)
     with pytest.raises(planes.PlanesError, match="two ways"):

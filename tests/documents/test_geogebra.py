@@ -5,10 +5,10 @@ from typing import Any
 
 import pytest
 
-from planes.documents.constructed import LiveFigure, draw_constructed, figure_of, ggb
+from planes.documents.constructed import LiveFigure, draw_constructed, ggb, live_figure
 from planes.documents.constructed._numbers import GivenNumbers
 from planes.scene import load
-from planes.words.names import POLE, at, mu_of, plan_of
+from planes.words.names import POLE_LABEL, full_mark_name, mu_name, plan_of
 from tests.helpers import ROOT
 from tests.helpers.geogebra import COMMANDS, Page, intersect
 
@@ -18,23 +18,23 @@ NEAR = 1e-9
 
 
 def labels_of(figure: LiveFigure) -> dict[str, str]:
-    return ggb.labels_of(figure, GivenNumbers(figure))
+    return ggb.unique_labels(figure, GivenNumbers(figure))
 
 
 def compared(figure: LiveFigure, page: Page, labels: dict[str, str]) -> int:
     """Every mark that is shown beside the engine's own, from its pole."""
     made: dict[str, Any] = page.points()
-    for mark in figure.marks:
-        pole = made[labels[at(plan_of(mark), POLE)]]
-        own = [abs(figure.place(m)) for m in figure.marks if plan_of(m) == plan_of(mark)]
-        assert abs(made[labels[mark]] - pole - figure.place(mark)) <= NEAR * max(own), mark
-    return len(figure.marks)
+    for mark in figure.shown_marks:
+        pole = made[labels[full_mark_name(plan_of(mark), POLE_LABEL)]]
+        own = [abs(figure.place_on_plan(m)) for m in figure.shown_marks if plan_of(m) == plan_of(mark)]
+        assert abs(made[labels[mark]] - pole - figure.place_on_plan(mark)) <= NEAR * max(own), mark
+    return len(figure.shown_marks)
 
 
 def held(file: Path, view: str | None = None) -> None:
     scene = load(file)
-    figure = figure_of(scene, view, None, "en")
-    data, said = ggb.written(figure)
+    figure = live_figure(scene, view, None, "en")
+    data, said = ggb.file_and_limitations(figure)
     page, labels = Page(data), labels_of(figure)
     assert compared(figure, page, labels) > 2
     if said:
@@ -45,13 +45,13 @@ def held(file: Path, view: str | None = None) -> None:
     drive, counted = scene.mechanism.drive, 0
     for share in (-0.02, 0.01, 0.03):
         value = drive.position + share * (360 if drive.kind == "phi" else drive.position or 1)
-        moved = figure_of(scene, view, [value], "en")
+        moved = live_figure(scene, view, [value], "en")
         page.set = {
             labels[n]: float(moved.position.scales[n])
-            for n in map(mu_of, (*figure.stated.drawn, "position"))
+            for n in map(mu_name, (*figure.stated_plans.plan_names, "position"))
             if n in labels
         }
-        page.set[labels[drive.given]] = value
+        page.set[labels[drive.coordinate_name]] = value
         counted += compared(moved, page, labels) > 2
     assert counted == 3
 
@@ -70,8 +70,8 @@ def test_every_point_of_the_other_samples(file: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("file", sorted((ROOT / "samples" / "class-three").glob("*.yaml"))[:2], ids=lambda f: f.stem)
 def test_what_geogebra_cannot_draw_stays_and_is_said(file: Path, tmp_path: Path) -> None:
-    figure = figure_of(load(file), None, None, "en")
-    data, (said,) = ggb.written(figure)
+    figure = live_figure(load(file), None, None, "en")
+    data, (said,) = ggb.file_and_limitations(figure)
     compared(figure, Page(data), labels_of(figure))
     assert "stay where they are" in said and said.count("\n") == 0
     assert draw_constructed(load(file), None, None, str(tmp_path / "a.ggb"), "en") == (said,)
@@ -80,25 +80,25 @@ def test_what_geogebra_cannot_draw_stays_and_is_said(file: Path, tmp_path: Path)
 def test_a_length_moves_all_that_hangs_on_it() -> None:
     """A scene with another length, and the slider of that length, draw the same."""
     file = ROOT / "samples" / "kind-3-rpr.yaml"
-    figure, scene = figure_of(load(file), "velocity-plan", None, "en"), load(file, l_AB=0.13)
-    page, labels = Page(ggb.written(figure)[0]), labels_of(figure)
-    moved = figure_of(scene, "velocity-plan", None, "en")
+    figure, scene = live_figure(load(file), "velocity-plan", None, "en"), load(file, l_AB=0.13)
+    page, labels = Page(ggb.file_and_limitations(figure)[0]), labels_of(figure)
+    moved = live_figure(scene, "velocity-plan", None, "en")
     page.set = {labels["l_AB"]: 0.13} | {labels[n]: float(moved.position.scales[n]) for n in labels if n[:3] == "mu_"}
     compared(moved, page, labels)
 
 
 def test_the_order_in_which_meetings_are_found_does_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
     """Which of two meetings is meant is told by its side: GeoGebra may number them as it likes."""
-    figure = figure_of(load(ROOT / "samples" / "six-link.yaml"), "velocity-plan", None, "en")
-    page, labels = Page(ggb.written(figure)[0]), labels_of(figure)
+    figure = live_figure(load(ROOT / "samples" / "six-link.yaml"), "velocity-plan", None, "en")
+    page, labels = Page(ggb.file_and_limitations(figure)[0]), labels_of(figure)
     monkeypatch.setitem(COMMANDS, "Intersect", lambda a, b, k=0: intersect(a, b, 3 - k if k else 0))
     assert compared(figure, page, labels) > 2
 
 
 def test_every_thing_has_one_label_and_an_element_of_its_own() -> None:
-    figure = figure_of(load(ROOT / "samples" / "crank-slider.yaml"), None, None, "ru")
-    data = ggb.written(figure)[0]
-    assert data == ggb.written(figure)[0]
+    figure = live_figure(load(ROOT / "samples" / "crank-slider.yaml"), None, None, "ru")
+    data = ggb.file_and_limitations(figure)[0]
+    assert data == ggb.file_and_limitations(figure)[0]
     body = Page(data).body
     assert body is not None
     elements = [e.get("label") for e in body if e.tag == "element"]
@@ -113,6 +113,8 @@ def test_every_thing_has_one_label_and_an_element_of_its_own() -> None:
 
 def test_a_number_has_its_value_before_it_is_shown() -> None:
     """GeoGebra gives a number that is shown the limits ±5, and would make φ₁ = 150° of a later value 5°."""
-    body = Page(ggb.written(figure_of(load(ROOT / "samples" / "six-link.yaml"), None, None, "en"))[0]).body
+    body = Page(
+        ggb.file_and_limitations(live_figure(load(ROOT / "samples" / "six-link.yaml"), None, None, "en"))[0]
+    ).body
     numbers = [e for e in body or () if e.tag == "element" and e.find("value") is not None]
     assert any(e.get("label") == "φ_{1}" for e in numbers) and all(e[0].tag == "value" for e in numbers)

@@ -12,7 +12,7 @@ from planes.check.grading.paper import read_table
 from planes.check.grading.prepared_plan import Asked
 from planes.check.outcome import check
 from planes.check.report import page_data
-from planes.check.report.class_rows import WRONG, ClassRow
+from planes.check.report.class_rows import WRONG_RANK, ClassRow
 from planes.check.report.shown import tracing_data
 from planes.cli import main
 from planes.lesson.data import lesson_data
@@ -20,7 +20,7 @@ from planes.scene import load
 from planes.solving import document
 from planes.words.naming import Naming
 from render.page import check_pages, lesson_page, web_page
-from render.report import rendered
+from render.report import render_document
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
@@ -99,8 +99,8 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
         document.Figure(document.Chart("x", "y", (document.PlottedLine([0, 1], [0, 1]),)), name),
     ]
     return {
-        "lesson": lesson_page.page({**told["lesson"], "title": {"ru": name, "en": name}}, "en"),
-        "trace": check_pages.trace_page({**told["trace"], "title": name, "command": name}, "en"),
+        "lesson": lesson_page.whole_lesson_page({**told["lesson"], "title": {"ru": name, "en": name}}, "en"),
+        "trace": check_pages.tracing_page({**told["trace"], "title": name, "command": name}, "en"),
         "report": check_pages.report_page(checked, "en"),
         "class": check_pages.class_page(
             name,
@@ -108,10 +108,10 @@ def pages(told: dict[str, dict[str, Any]], name: str) -> dict[str, str]:
             [(name, [(name, name)])],
             name,
             [name, name],
-            [(ClassRow(name, "wrong", WRONG, link=name, places=[place]), [name, name])],
+            [(ClassRow(name, "wrong", WRONG_RANK, link=name, places=[place]), [name, name])],
             "en",
         ),
-        "note": rendered(blocks, ".html", Naming("en")).decode(),
+        "note": render_document(blocks, ".html", Naming("en")).decode(),
     }
 
 

@@ -13,16 +13,16 @@ from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import Asked, known_plans
 from planes.check.outcome import check
 from planes.course.numbers import main_answers
-from planes.documents.lesson import note
+from planes.documents.lesson import note_file_contents
 from planes.documents.sheets import sheet_of
-from planes.lesson.told import Told
-from planes.plans.curves import curves_of, named
-from planes.plans.quantities import Quantity, asked, catalogue
+from planes.lesson.told import SceneLesson
+from planes.plans.curves import curve_or_vector_by_name, curves_by_name
+from planes.plans.quantities import Quantity, quantities_asked_for, quantities_by_name
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.solving import Solved, solve
-from planes.solving.tables import report
-from planes.words import Lang, langs
+from planes.solving.tables import solve_report_text
+from planes.words import Lang, available_languages
 from planes.words.errors import PlanesError
 from planes.words.naming import Names
 from render.paper.marks import Text
@@ -62,22 +62,22 @@ def solved(sample: str, sheet: int) -> Solved:
 @cache
 def known_of(sample: str, sheet: int) -> tuple[dict[str, Quantity], Names]:
     plans = solved(sample, sheet).plans
-    known = catalogue(plans)
-    return known, plans.naming.names(known, poles=False)
+    known = quantities_by_name(plans)
+    return known, plans.default_naming.name_finder(known, poles=False)
 
 
 def printed(sample: str, sheet: int, lang: Lang) -> set[str]:
     """The names in the tables of ``planes solve``."""
-    lines = report(solved(sample, sheet), lang).splitlines()
+    lines = solve_report_text(solved(sample, sheet), lang).splitlines()
     cells = {match[1] for line in lines if (match := CELL.match(line))}
     plans = solved(sample, sheet).plans
-    return cells - {*plans.points, *plans.links, *plans.mechanism.names}
+    return cells - {*plans.points, *plans.links, *plans.mechanism.point_names}
 
 
 def meant(sample: str, sheet: int, written: str) -> list[Quantity]:
     """The quantities a written name may mean, each once."""
     known, names = known_of(sample, sheet)
-    return [*{known[n].path: known[n] for n in names.meant(written)}.values()]
+    return [*{known[n].json_path: known[n] for n in names.possible_names(written)}.values()]
 
 
 def gate(sample: str, sheet: int, lang: Lang) -> Iterator[tuple[str, Quantity]]:
@@ -91,28 +91,34 @@ def gate(sample: str, sheet: int, lang: Lang) -> Iterator[tuple[str, Quantity]]:
 def accepted(sample: str, sheet: int, lang: Lang) -> None:
     """Printed names are those of ``find:``, of Python and of ``--show``, and the numbers beside them are the same."""
     here, plans = solved(sample, sheet).positions[0], solved(sample, sheet).plans
-    curves = curves_of(plans) if plans.moves else {}
+    curves = curves_by_name(plans) if plans.has_mechanism else {}
     rows = list(gate(sample, sheet, lang))
-    assert [q.path for q in asked(plans, [written for written, _ in rows])] == [q.path for _, q in rows]
+    assert [q.json_path for q in quantities_asked_for(plans, [written for written, _ in rows])] == [
+        q.json_path for _, q in rows
+    ]
     for written, quantity in rows:
         if written[0] in "FR" and quantity.group == "reactions":
             size = abs(here.value(quantity.name))  # F_12 is opposite to F_21
             assert abs(here.value(written)) == pytest.approx(size, nan_ok=True)
-            assert named(written, curves, plans, "") is curves[quantity.name]
-    if sheet != list(langs()).index(lang) % len(SHEETS):  # a note in each language, and of each kind of sheets
+            assert curve_or_vector_by_name(written, curves, plans, "") is curves[quantity.name]
+    if sheet != list(available_languages()).index(lang) % len(
+        SHEETS
+    ):  # a note in each language, and of each kind of sheets
         return
     for answer, _ in main_answers(scene_of(sample, sheet), solved(sample, sheet).json()):
         assert len(meant(sample, sheet, answer)) == 1, answer
     for name in taught(sample, sheet) & known_of(sample, sheet)[0].keys():
-        written = re.sub(r"[{}]", "", plans.naming.vector(name))
-        assert [q.path for q in meant(sample, sheet, written)] == [known_of(sample, sheet)[0][name].path], written
-    for number in (1, 2) if plans.moves else ():
+        written = re.sub(r"[{}]", "", plans.default_naming.lettered_vector(name))
+        assert [q.json_path for q in meant(sample, sheet, written)] == [known_of(sample, sheet)[0][name].json_path], (
+            written
+        )
+    for number in (1, 2) if plans.has_mechanism else ():
         marks = sheet_of(scene_of(sample, sheet), None, lang=lang, number=number).marks
         texts = (m.text for m in marks if isinstance(m, Text))
         for letter, index, part in {found for text in texts for found in ON_SHEET.findall(text)}:
             written = f"{letter}_{index}" + (f"^{part}" if part else "")
             assert written in scene_of(sample, sheet).parameters or len(meant(sample, sheet, written)) == 1, written
-    text = note(scene_of(sample, sheet), None, ".html", lang).decode()
+    text = note_file_contents(scene_of(sample, sheet), None, ".html", lang).decode()
     for letter, index, part in set(LETTERED.findall(text)):
         if letter == ("R" if SHEETS[sheet][1] else "F") and re.fullmatch(r"\d+(,\d+)?", index) and len(index) > 1:
             assert len(meant(sample, sheet, f"{letter}_{index}" + (f"^{part}" if part else ""))) == 1, (index, part)
@@ -120,8 +126,8 @@ def accepted(sample: str, sheet: int, lang: Lang) -> None:
 
 def taught(sample: str, sheet: int) -> set[str]:
     """The names in the sentences of a lesson, as the program has them."""
-    frames = Told.of(scene_of(sample, sheet)).frames if solved(sample, sheet).plans.moves else ()
-    return {name for f in frames for said in f.said.values() for name in re.findall("⟨([^⟩]*)⟩", said)}
+    frames = SceneLesson.of(scene_of(sample, sheet)).frames if solved(sample, sheet).plans.has_mechanism else ()
+    return {name for f in frames for said in f.words_with_rows.values() for name in re.findall("⟨([^⟩]*)⟩", said)}
 
 
 def blamed(sample: str, sheet: int, lang: Lang) -> int:
@@ -129,7 +135,7 @@ def blamed(sample: str, sheet: int, lang: Lang) -> int:
     scene, here, count = scene_of(sample, sheet), solved(sample, sheet).positions[0], 0
     ask = Asked(scene, known_plans(scene_plans(scene))[0])
     for written, quantity in gate(sample, sheet, lang):
-        value = quantity.whole.take(here.drawing.things, here.drawing.tool.ar)
+        value = quantity.magnitude_column.read_from_drawing(here.drawing.things, here.drawing.tool.ar)
         if quantity.columns[0].unit in ("°", "1") or not abs(value) > 1e-6:
             continue
         outcome = check(ask, ReadPaper("t.csv", results=[(written, 3 * value, "")]))
@@ -156,7 +162,7 @@ def test_a_number_three_times_too_large_is_wrong_under_its_printed_name(sample: 
 @pytest.mark.parametrize("sample", OTHERS)
 def test_every_sample_has_names_that_are_read(sample: str) -> None:
     for sheet in range(len(SHEETS)) if scene_of(sample, 0).mechanism else (0,):
-        for lang in langs():
+        for lang in available_languages():
             accepted(sample, sheet, lang)
     blamed(sample, 0, "ru")
 
@@ -184,6 +190,6 @@ def test_a_name_that_may_mean_two_things_is_said_so() -> None:
     assert scene.mechanism
     scene = replace(scene, mechanism=replace(scene.mechanism, frame_number="2"))
     with pytest.raises(PlanesError, match=r"the name F_32 may mean F_3[02], F_3[02] here; write one of them"):
-        asked(scene_plans(scene), ["F_32"])
+        quantities_asked_for(scene_plans(scene), ["F_32"])
     ask = Asked(scene, "force:2-3")
     assert check(ask, ReadPaper("t.csv", results=[("F_32", 1.0, "N"), ("omega_2", 8.122, "")])).verdict != "right"

@@ -8,19 +8,19 @@ from pathlib import Path
 import pytest
 
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.course.papers import answers
-from planes.documents.lesson import placed
+from planes.course.papers import answer_key_blocks
+from planes.documents.lesson import note_position
 from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
-from planes.lesson.formulas import fill
+from planes.lesson.formulas import fill_slots
 from planes.lesson.note import Note
-from planes.plans.measuring import lettering
+from planes.plans.measuring import scene_lettering
 from planes.scene import Scene, load
 from planes.solving import solve
 from planes.solving.document import Block, DocumentTable, Figure, Paragraph
 from planes.solving.given import GivenTable
-from planes.words import decimal
-from planes.words.names import kind_of, mu_of
+from planes.words import with_decimal_sign
+from planes.words.names import mu_name, plan_kind
 from planes.words.naming import Naming
 from planes.words.units import Convention, mu_text
 from render.paper.marks import Text
@@ -38,7 +38,7 @@ PER_UNIT = re.compile(r"\d мм(/[А-Яа-я°(]|·с)")
 
 
 def told_mu(mu: float, plan: str) -> str:
-    return decimal(mu_text(mu, kind_of(plan), "ru"), "ru")
+    return with_decimal_sign(mu_text(mu, plan_kind(plan), "ru"), "ru")
 
 
 def texts(sheet: Sheet) -> set[str]:
@@ -64,8 +64,8 @@ def test_the_plans_of_three_groups_have_room_at_the_mu_of_the_note(tmp_path: Pat
     """At 1.4 of the usual size neither A2×3 nor A0 held them, and the sheet had a μ of its own."""
     scene = load(at_random(1, tmp_path, 41012)[0].path)
     found, mus = sheet_of(scene, None, "ru", 2), solve(scene).positions[0].scales
-    plans = {v.key: v.title for v, *_ in found.views if kind_of(v.key) == "force" and mu_of(v.key) in mus}
-    assert len(plans) == 4 and all(told_mu(mus[mu_of(plan)], plan) in title for plan, title in plans.items())
+    plans = {v.key: v.title for v, *_ in found.views if plan_kind(v.key) == "force" and mu_name(v.key) in mus}
+    assert len(plans) == 4 and all(told_mu(mus[mu_name(plan)], plan) in title for plan, title in plans.items())
     assert found.warnings == ()
 
 
@@ -73,16 +73,18 @@ def test_the_plans_of_three_groups_have_room_at_the_mu_of_the_note(tmp_path: Pat
 @pytest.mark.parametrize("name", SCENES)
 def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
     scene = SCENES[name]
-    position, drawn = solve(scene).positions[0], placed(scene, None, "ru")
+    position, drawn = solve(scene).positions[0], note_position(scene, None, "ru")
     assert position.scales == drawn.scales and position.results["plans"] == drawn.results["plans"]
     lesson = lesson_data(scene)
     sheets = {number: sheet_of(scene, None, "ru", number) for number in (None, 1, 2)}
-    naming = Naming("ru", **lettering(scene, drawn.plans))
-    key = told(list(answers(scene, drawn, ("",), "ru")))
-    for plan, mu in {p: drawn.scales[mu_of(p)] for p in drawn.plans.drawn if p not in ("lever", "motion")}.items():
+    naming = Naming("ru", **scene_lettering(scene, drawn.plans))
+    key = told(list(answer_key_blocks(scene, drawn, ("",), "ru")))
+    for plan, mu in {
+        p: drawn.scales[mu_name(p)] for p in drawn.plans.plan_names if p not in ("lever", "motion")
+    }.items():
         assert prepare(Asked(scene, plan)).said_mu == mu
         assert all(
-            fill(p["mu"]["ru"], lesson["home"].__getitem__, "ru") == told_mu(mu, plan)
+            fill_slots(p["mu"]["ru"], lesson["home"].__getitem__, "ru") == told_mu(mu, plan)
             for p in lesson["plans"]
             if p["key"] == plan
         )
@@ -93,8 +95,10 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
                 mm = f"{found['mm']:.1f}".replace(".", ",")
                 rows = [line for line in key.splitlines() if line.startswith(f"⟨{vector}⟩ ⟨")]
                 assert rows == [] or any(f" {mm} " in row or f" {mm.removesuffix(',0')} " in row for row in rows)
-    assert drawn.plans.structure.formula_as(naming.frame, True) in texts(sheets[1])
-    assert drawn.plans.structure.formula_as(naming.frame, True) in told(Note(scene, drawn, "ru").blocks())
+    assert drawn.plans.structure.formula_with_frame_number(naming.frame, True) in texts(sheets[1])
+    assert drawn.plans.structure.formula_with_frame_number(naming.frame, True) in told(
+        Note(scene, drawn, "ru").document_blocks()
+    )
 
 
 @pytest.mark.few(0, slow=6)
@@ -103,18 +107,25 @@ def test_every_paper_has_one_mu_and_the_same_millimetres(name: str) -> None:
 def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: Convention) -> None:
     """Groups and links apart and the lever too; diagrams and the scheme with loads have their own, written alike."""
     scene = Scene(**{**vars(SCENES[name]), "sheet": {**SCENES[name].sheet, "mu_convention": convention}})
-    drawn = placed(scene, None, "ru")
+    drawn = note_position(scene, None, "ru")
     still = drawn.plans.at_rest
     for number in (None, 1, 2):
         sheet = sheet_of(scene, None, "ru", number)
         for key, title in ((v.key, v.title) for v, *_ in sheet.views if " = " in v.title):
             plan = OF_PLAN.get(key, key)
-            if (mu := drawn.scales.get(mu_of(plan))) and key != "loaded" and not (key == "lever" and still):
-                assert title.endswith(decimal(mu_text(mu, kind_of(plan), "ru", convention), "ru")), (key, title, mu)
+            if (mu := drawn.scales.get(mu_name(plan))) and key != "loaded" and not (key == "lever" and still):
+                assert title.endswith(with_decimal_sign(mu_text(mu, plan_kind(plan), "ru", convention), "ru")), (
+                    key,
+                    title,
+                    mu,
+                )
         written = [text for text in texts(sheet) if "μ" in text]
         assert written and all(bool(PER_UNIT.search(t)) is (convention == "mm_per_unit") for t in written), written
     if convention == "unit_per_mm":
-        papers = told(Note(scene, drawn, "ru").blocks()), told(list(answers(scene, drawn, ("",), "ru")))
+        papers = (
+            told(Note(scene, drawn, "ru").document_blocks()),
+            told(list(answer_key_blocks(scene, drawn, ("",), "ru"))),
+        )
         assert not any(found := [PER_UNIT.search(paper) for paper in papers]), found
 
 
@@ -122,14 +133,16 @@ def test_every_figure_has_that_mu_as_the_scene_writes_it(name: str, convention: 
 @pytest.mark.parametrize("name", SCENES)
 def test_every_given_number_is_on_paper(name: str) -> None:
     scene = SCENES[name]
-    drawn = placed(scene, None, "ru")
-    rows = GivenTable(drawn, Naming("ru", **lettering(scene, drawn.plans)), scene.used)
-    note = told(Note(scene, drawn, "ru").blocks())
-    assert all(" ".join(row) in note for row in rows.rows())
+    drawn = note_position(scene, None, "ru")
+    rows = GivenTable(drawn, Naming("ru", **scene_lettering(scene, drawn.plans)), scene.used)
+    note = told(Note(scene, drawn, "ru").document_blocks())
+    assert all(" ".join(row) in note for row in rows.given_rows())
     for number in (None, 1, 2):
         shown = texts(sheet_of(scene, None, "ru", number))
-        assert {cell for row in rows.rows() for cell in row} <= shown, (number, name)
+        assert {cell for row in rows.given_rows() for cell in row} <= shown, (number, name)
     m = drawn.plans.mechanism
-    places = {r.name: r.value for r in rows.unnamed() if r.place}
+    places = {r.name: r.value for r in rows.unnamed_number_rows() if r.place}
     assert all(z == 0 or places[f"x_{{{p.replace('_', '')}}}"] == z.real for p, z in m.frame.points.items())
-    assert {link.mass for link in m.links.values() if link.mass} <= {r.value for r in rows.unnamed() if r.unit == "kg"}
+    assert {link.mass for link in m.links.values() if link.mass} <= {
+        r.value for r in rows.unnamed_number_rows() if r.unit == "kg"
+    }

@@ -17,11 +17,11 @@ cv2 = pytest.importorskip("cv2")
 import numpy as np  # noqa: E402
 
 from planes.check.fiducials import SHEET_MM  # noqa: E402
-from planes.documents.check import _overlay  # noqa: E402
+from planes.documents.check import _overlay_sheet_contents  # noqa: E402
 from render.files import pdf  # noqa: E402
 from render.paper.marks import Arrow, Text  # noqa: E402
 from render.paper.photo import Photo  # noqa: E402
-from render.sheet.check_sheet import compose  # noqa: E402
+from render.sheet.check_sheet import compose_check_sheet  # noqa: E402
 from tests import picture_corpus as corpus  # noqa: E402
 from tests.helpers import photographs  # noqa: E402
 from tests.helpers.conflicts import conflicts  # noqa: E402
@@ -66,7 +66,7 @@ def test_the_picture_lies_beneath_the_person_s_own_plan(plan: str, tmp_path: Pat
     drawn = corpus.drawn(one, None, rng)
     assert drawn is not None
     corpus.picture(drawn, corpus.pole_of(one), replace(photographs.PHONE, grid="square"), rng, file)
-    marks, photo = compose(SHEET_MM, _overlay(corpus.looked_at(one, file)[0], "ru"))
+    marks, photo = compose_check_sheet(SHEET_MM, _overlay_sheet_contents(corpus.looked_at(one, file)[0], "ru"))
     assert photo is not None
     own = [m for m in marks if isinstance(m, Arrow) and m.style == "own" and abs(m.end - m.start) > 12]
     assert len(own) >= 4
@@ -93,7 +93,7 @@ def test_printed_reports_carry_the_picture(
         return
     if suffix == ".pdf":
         assert data.count(b"/DCTDecode") == 1
-        data = pdf.png_of(data, 200)
+        data = pdf.png_of_pdf(data, 200)
     seen = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR).astype(int)
     blue, green, red = np.moveaxis(seen, 2, 0)
     assert ((blue - red) > 60).sum() > 500 and ((green - red) > 60).sum() > 500
@@ -110,7 +110,7 @@ def test_what_nobody_could_read_is_printed_whole(tmp_path: Path) -> None:
     corpus.picture(drawn, corpus.pole_of(one), photographs.SCAN, rng, file)
     found = corpus.looked_at(one, file)[0]
     assert found.verdict == "unreadable"
-    marks, photo = compose(SHEET_MM, _overlay(found, "ru"))
+    marks, photo = compose_check_sheet(SHEET_MM, _overlay_sheet_contents(found, "ru"))
     assert photo is not None and photo.box[2] - photo.box[0] > 180
     assert not any(isinstance(m, Arrow) and m.style == "own" for m in marks)
     assert any(isinstance(m, Arrow) and m.style == "truth" for m in marks)

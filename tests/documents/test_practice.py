@@ -11,7 +11,7 @@ import pytest
 
 from planes import cli
 from planes.lesson.handed_practice import PracticeJudge
-from planes.lesson.told import Told
+from planes.lesson.told import SceneLesson
 from planes.scene import load
 from tests.helpers import ROOT
 from tests.helpers.lessons import lesson_opened, lesson_written
@@ -366,7 +366,7 @@ MARKED: dict[str, list[pytest.MarkDecorator]] = {"bntu-4": [], "excavator": [pyt
     ids=[p.stem for p in SCENES],
 )
 def test_scales_of_ones_own_are_judged_alike_by_page_and_python(browser: Any, tmp_path: Path, path: Path) -> None:
-    judge, code = PracticeJudge(Told.of(load(str(path)))), tmp_path / "one.practice"
+    judge, code = PracticeJudge(SceneLesson.of(load(str(path)))), tmp_path / "one.practice"
     with lesson_opened(browser, lesson_written(tmp_path, path, "en")) as page:
         page.click("#practise")
         page.evaluate(OTHERWISE)
@@ -374,7 +374,7 @@ def test_scales_of_ones_own_are_judged_alike_by_page_and_python(browser: Any, tm
             page.evaluate(f"practice.begin({seed})")
             assert page.evaluate(SOLVE) == [True, True, []]
             code.write_text(page.evaluate("handed()"), "utf-8")
-            told = judge.judged(str(code))
+            told = judge.judge_file(str(code))
             assert told.right == told.count
 
 

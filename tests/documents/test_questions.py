@@ -12,23 +12,23 @@ from typing import Any
 import pytest
 
 from planes.cli import main
-from planes.documents.lesson import as_text, questions_of
-from planes.lesson.questions import ASKED, Questions
+from planes.documents.lesson import position_questions, questions_as_text
+from planes.lesson.questions import QUESTIONS_BY_CHAPTER, Questions
 from planes.scene import load, loads
 from planes.solving.document import Block, Chart, DocumentTable, Figure, Formula, Heading, Paragraph
-from planes.words import langs, table
+from planes.words import available_languages, sentence_table
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
 SCENES = ["six-link", "shaper", "crank-slider", "kind-1-rrr", "kind-5-rpp", "sliding-driver", "friction-circles"]
-KEYS = [key for keys in ASKED.values() for key in keys.split()]
+KEYS = [key for keys in QUESTIONS_BY_CHAPTER.values() for key in keys.split()]
 NUMBER = re.compile(r"[−-]?\d+(?:[.,]\d+)?(?:·10(?:\^\{?[−-]?\d+\}?|[⁻⁰¹²³⁴-⁹]+))?")
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 def asked(name: str, lang: str = "en") -> Questions:
-    return questions_of(load(str(SAMPLES / f"{name}.yaml")), None, lang)
+    return position_questions(load(str(SAMPLES / f"{name}.yaml")), None, lang)
 
 
 def answers(blocks: list[Block]) -> Iterator[tuple[str, list[Block]]]:
@@ -60,7 +60,7 @@ def read(text: str) -> float:
 def printed(blocks: list[Block]) -> Iterator[str]:
     """What is told with numbers: sentences without names and indices, lines of calculation, cells."""
     for b in blocks:
-        texts = [b.text] if isinstance(b, Paragraph) else [b.tex] if isinstance(b, Formula) else []
+        texts = [b.text] if isinstance(b, Paragraph) else [b.tex_source] if isinstance(b, Formula) else []
         texts += [cell for row in b.rows[1:] for cell in row[1:]] if isinstance(b, DocumentTable) else []
         for text in texts:
             yield re.sub(r"⟨[^⟩]*⟩|[_^]\{[^{}]*\}|[A-Za-zΦ_]+\d\w*|\\\w+", " ", text)
@@ -72,9 +72,9 @@ def known(q: Questions) -> list[float]:
     found = [*leaves(p.results), *leaves(p.plans.structure.json()), *leaves(dict(p.scales)), *map(float, range(60))]
     si = [x for x in leaves(dict(drawing.things)) if math.isfinite(x)]
     found += si + [x * mu for x in si for mu in p.scales.values()]
-    found += [x for row in q.cycle.extremes.values() for e in row for x in (e.place, e.value)]
-    stroke = q.cycle.stroke
-    found += [x for x in (stroke.swing, stroke.forth, stroke.back, stroke.K) if x] if stroke else []
+    found += [x for row in q.cycle_summary.extremes_by_curve.values() for e in row for x in (e.place, e.value)]
+    stroke = q.cycle_summary.driven_stroke
+    found += [x for x in (stroke.swing, stroke.forth, stroke.back, stroke.time_ratio) if x] if stroke else []
     found += [x.number for x in p.of("transfers").values()]
     found += [complex(f.vector).real for f in p.found if len(f.numbers) > 1] + [
         abs(f.vector) for f in p.found if len(f.numbers) > 1
@@ -95,7 +95,7 @@ def is_in(number: float, text: str, every: list[float]) -> bool:
 @pytest.mark.parametrize("name", SCENES)
 def test_every_number_is_one_of_the_results(name: str) -> None:
     q = asked(name)
-    blocks, every = q.blocks(), known(q)
+    blocks, every = q.document_blocks(), known(q)
     told = 0
     for question, answer in answers(blocks):
         for text in printed(answer):
@@ -108,14 +108,14 @@ def test_every_number_is_one_of_the_results(name: str) -> None:
 @pytest.mark.parametrize("name", ["class-three/rods", pytest.param("class-three/truss", marks=pytest.mark.slow)])
 def test_a_first_group_of_leads_has_no_kind_to_tell(name: str) -> None:
     """Its extreme positions are told as of any mechanism."""
-    assert len(dict(answers(asked(name).blocks()))) == len(KEYS)
+    assert len(dict(answers(asked(name).document_blocks()))) == len(KEYS)
 
 
 @pytest.mark.few(2)
 @pytest.mark.parametrize("name", SCENES)
 def test_no_question_is_left_without_an_answer(name: str) -> None:
-    for lang in langs():
-        replies = dict(answers(asked(name, lang).blocks()))
+    for lang in available_languages():
+        replies = dict(answers(asked(name, lang).document_blocks()))
         assert len(replies) == len(KEYS) == 29
         for question, answer in replies.items():
             assert question and answer and all(b.text.strip() for b in answer if isinstance(b, Paragraph)), question
@@ -126,8 +126,8 @@ def test_no_question_is_left_without_an_answer(name: str) -> None:
 
 def test_the_words_are_there_in_every_language() -> None:
     """None is borrowed from another language, and none is left in a wrong alphabet."""
-    keys = list(table("en", "questions"))
-    for lang in langs():
+    keys = list(sentence_table("en", "questions"))
+    for lang in available_languages():
         own = json.loads((ROOT / "planes" / "words" / lang / "questions.json").read_text("utf-8"))
         assert list(own) == keys
         assert all(bool(re.search("[а-яіїєў]", own[k])) == (lang != "en") for k in keys), lang
@@ -154,7 +154,7 @@ SAID = {
 @pytest.mark.parametrize("name", SAID)
 def test_what_is_answered_is_of_this_mechanism(name: str) -> None:
     q = asked(name)
-    replies = dict(zip(KEYS, (answer for _, answer in answers(q.blocks())), strict=True))
+    replies = dict(zip(KEYS, (answer for _, answer in answers(q.document_blocks())), strict=True))
     for key, words in SAID[name].items():
         texts = [b.text for b in replies[key] if isinstance(b, Paragraph)]
         texts += [cell for b in replies[key] if isinstance(b, DocumentTable) for row in b.rows for cell in row]
@@ -165,7 +165,7 @@ def test_what_is_answered_is_of_this_mechanism(name: str) -> None:
 def test_a_mechanism_without_loads_says_why_no_forces_are_found() -> None:
     text = (SAMPLES / "kind-1-rrr.yaml").read_text("utf-8")
     bare = re.sub(r", (mass|inertia): [\d.]+", "", text.partition("loads:")[0]).replace("gravity", "#")
-    replies = [*answers(questions_of(loads(bare), None, "en").blocks())]
+    replies = [*answers(position_questions(loads(bare), None, "en").document_blocks())]
     assert all("no masses and no loads" in answer[-1].text for _, answer in replies[20:])  # type: ignore[union-attr]
 
 
@@ -208,11 +208,11 @@ def test_what_is_refused(
 
 def test_what_is_asked_for_elsewhere_does_not_shorten_the_answers() -> None:
     text = (SAMPLES / "kind-1-rrr.yaml").read_text("utf-8")
-    assert as_text(questions_of(loads(text + "\nfind: [v_C]\n"), None, "en")) == as_text(
-        questions_of(loads(text), None, "en")
+    assert questions_as_text(position_questions(loads(text + "\nfind: [v_C]\n"), None, "en")) == questions_as_text(
+        position_questions(loads(text), None, "en")
     )
 
 
 def test_a_scene_without_a_mechanism_is_refused_in_python() -> None:
     with pytest.raises(PlanesError, match="has no mechanism"):
-        questions_of(load(str(SAMPLES / "vectors.yaml")), None, "en")
+        position_questions(load(str(SAMPLES / "vectors.yaml")), None, "en")

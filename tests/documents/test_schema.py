@@ -12,11 +12,11 @@ import pytest
 import yaml
 from jsonschema import Draft202012Validator
 
-from planes.course.reading import KEYS
-from planes.documents.schema import KINDS, schema
+from planes.course.reading import COURSE_KEYS
+from planes.documents.schema import SCHEMA_KINDS, json_schema
 from planes.scene import loads
 from planes.scene.settings import SHEET_KEYS
-from planes.words import table
+from planes.words import sentence_table
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT
 from tests.helpers.scene_texts import SIX_LINK, changed
@@ -48,14 +48,14 @@ def plain(thing: Any) -> Any:
 
 
 def faults(kind: str, text: str) -> list[str]:
-    found = Draft202012Validator(schema(kind, "en")).iter_errors(plain(yaml.load(text, EditorLoader)))
+    found = Draft202012Validator(json_schema(kind, "en")).iter_errors(plain(yaml.load(text, EditorLoader)))
     return [error.message for error in found]
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", SCHEMA_KINDS)
 @pytest.mark.parametrize("lang", ["ru", "en"])
 def test_each_is_a_schema_whose_every_key_is_described(kind: str, lang: str) -> None:
-    made = schema(kind, lang)
+    made = json_schema(kind, lang)
     Draft202012Validator.check_schema(made)
 
     def described(part: Any) -> None:
@@ -71,10 +71,10 @@ def test_each_is_a_schema_whose_every_key_is_described(kind: str, lang: str) -> 
     described(made)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", SCHEMA_KINDS)
 def test_the_files_of_the_repository_are_what_is_made(kind: str) -> None:
     written = json.loads((ROOT / "docs" / "schema" / f"{kind}.json").read_text("utf-8"))
-    assert written == schema(kind, "en"), f"planes schema {kind} --lang en -o docs/schema/{kind}.json"
+    assert written == json_schema(kind, "en"), f"planes schema {kind} --lang en -o docs/schema/{kind}.json"
 
 
 def test_every_sample_and_template_fits() -> None:
@@ -110,7 +110,7 @@ def test_what_the_reader_refuses_as_a_key_the_schema_refuses_too() -> None:
 
 
 def test_no_description_is_left_over() -> None:
-    told = {f"schema_{kind}" for kind in KINDS}
+    told = {f"schema_{kind}" for kind in SCHEMA_KINDS}
 
     def keys(part: Any) -> None:
         if isinstance(part, dict):
@@ -121,11 +121,11 @@ def test_no_description_is_left_over() -> None:
             for inner in part:
                 keys(inner)
 
-    for kind in KINDS:
-        keys(schema(kind, "en"))
-    words = table("en", "schema")
+    for kind in SCHEMA_KINDS:
+        keys(json_schema(kind, "en"))
+    words = sentence_table("en", "schema")
     assert not {k for k, text in words.items() if k not in told and text not in told}
-    assert {f"schema_sheet_{k}" for k in SHEET_KEYS} | {f"schema_course_{k}" for k in KEYS} <= words.keys()
+    assert {f"schema_sheet_{k}" for k in SHEET_KEYS} | {f"schema_course_{k}" for k in COURSE_KEYS} <= words.keys()
 
 
 def test_tables_fit(tmp_path: Path) -> None:

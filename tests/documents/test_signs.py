@@ -12,10 +12,17 @@ import pytest
 
 from planes.lesson.data import lesson_data
 from planes.scene import loads
-from render.page.signs import signs
+from render.page.signs import page_signs
 from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark
-from render.paper.style import LARGE_MM, PENS, ROUND_HATCH_MM, SMALL_MM, head, head_size
+from render.paper.style import (
+    INNER_BLOCK_SIZE_MM,
+    OUTER_BLOCK_SIZE_MM,
+    PEN_BY_STYLE,
+    ROUND_HATCHING_DEPTH_MM,
+    arrowhead_corners,
+    arrowhead_size,
+)
 from tests.helpers import ROOT
 from tests.helpers.lessons import lesson_opened, lesson_written
 
@@ -107,7 +114,9 @@ def test_a_mechanism_has_the_signs_of_its_sheet(browser: Any, tmp_path: Path, wi
     wanted += [
         (
             x["points"][0],
-            symbols.block(0j, figure["turned"][f"∥{x['slides']}"], {"4": SMALL_MM, "5": LARGE_MM}[x["name"]]),
+            symbols.block(
+                0j, figure["turned"][f"∥{x['slides']}"], {"4": INNER_BLOCK_SIZE_MM, "5": OUTER_BLOCK_SIZE_MM}[x["name"]]
+            ),
         )
         for x in scheme["links"]
         if x["slides"]
@@ -126,7 +135,7 @@ def test_supports_are_those_of_the_sheet(browser: Any, tmp_path: Path, name: str
     rollers = tuple(mark for mark, s in held.items() if s["sign"] == "roller")
     wanted = [(p, marks) for p, marks in hinges_and_points(scheme, rollers).items()]
     wanted += [(p, symbols.fixed_hinge(0j)) for p in scheme["pivots"]]
-    wanted += [(mark, symbols.wall(0j) if clamped else symbols.roller(0j)) for mark in held]
+    wanted += [(mark, symbols.clamp_wall(0j) if clamped else symbols.roller(0j)) for mark in held]
     same(drawn, [s for mark, marks in wanted for s in placed(marks, figure["at"][mark], figure["unit"])])
 
 
@@ -137,7 +146,7 @@ def test_an_arc_of_the_frame_is_hatched_as_on_the_sheet(browser: Any, tmp_path: 
         _, drawn = shown(page)
         arc = page.evaluate("document.querySelector('#scheme .rail.arc, #scheme .rail').getAttribute('d')")
     ways = [b - a for pen, (a, *rest), _ in drawn for b in rest if pen == "thin" and len(rest) == 1]
-    assert arc.count("A") == 1 and sum(abs(abs(way) / PX - ROUND_HATCH_MM) < 0.05 for way in ways) > 15
+    assert arc.count("A") == 1 and sum(abs(abs(way) / PX - ROUND_HATCHING_DEPTH_MM) < 0.05 for way in ways) > 15
 
 
 def test_arrows_of_a_plan_have_the_heads_and_pens_of_the_sheet(browser: Any, tmp_path: Path) -> None:
@@ -150,16 +159,16 @@ def test_arrows_of_a_plan_have_the_heads_and_pens_of_the_sheet(browser: Any, tmp
         start = complex(*arrow["start"])
         lit = "lit" in arrow["cls"]
         pen = "vector" if "part" in arrow["cls"] and not lit else "thick"
-        long, wide = head_size(abs(corners[0] - start) / PX, PENS[pen].width)
-        wanted = head(corners[0], corners[0] - start, long * PX, wide * PX)
+        long, wide = arrowhead_size(abs(corners[0] - start) / PX, PEN_BY_STYLE[pen].width)
+        wanted = arrowhead_corners(corners[0], corners[0] - start, long * PX, wide * PX)
         assert all(min(abs(a - b) for b in corners) < 0.3 for a in wanted), arrow
-        assert lit or float(arrow["width"].removesuffix("px")) == pytest.approx(PENS[pen].width * PX, abs=0.01)
+        assert lit or float(arrow["width"].removesuffix("px")) == pytest.approx(PEN_BY_STYLE[pen].width * PX, abs=0.01)
 
 
 def test_no_script_draws_a_sign_itself() -> None:
     """Whatever has the class of a sign comes from the table; rectangles and closed triangles are nobody's."""
     room = ROOT / "render" / "page"
-    names = "|".join(signs()["signs"])
+    names = "|".join(page_signs()["signs"])
     for file in sorted(room.glob("*.js")):
         own = [line for line in file.read_text("utf-8").split("\n") if re.search(r'svg\("(path|rect|circle)"', line)]
         assert not [line for line in own if re.search(rf'"({names}|hatch)[" ]|"rect"', line)], file.name

@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import pytest
 
-from planes.documents.lesson import note
+from planes.documents.lesson import note_file_contents
 from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, load
-from planes.solving import Position, plans_of, position
-from planes.words.names import kind_of
+from planes.solving import Position, plans_for_requested_results, solve_position
+from planes.words.names import plan_kind
 from planes.words.naming import Naming
 from render.views.scheme import Scheme
 from tests.helpers import ROOT
@@ -30,8 +30,8 @@ def asks(scene: Scene) -> dict[str, tuple[str, ...]]:
 
 def shown(scene: Scene) -> Position:
     """The position as it is drawn on paper."""
-    plans, wanted = plans_of(scene, shown=True)
-    return position(scene, plans, wanted, plans.mechanism.drive.position, None, "en")
+    plans, wanted = plans_for_requested_results(scene, shown=True)
+    return solve_position(scene, plans, wanted, plans.mechanism.drive.position, None, "en")
 
 
 @pytest.mark.few(2)
@@ -42,12 +42,12 @@ def test_papers_show_what_is_asked_on_the_whole_scheme(name: str, kind: str) -> 
     scene = replace(every, find=asks(every)[kind])
     now, all_of_it = shown(scene), shown(replace(every, find=None))
     naming = Naming("en", scene.frame_number)
-    assert len(Scheme(now, naming).drawn()) == len(Scheme(all_of_it, naming).drawn())
-    kinds = {kind_of(plan) for plan in now.plans.drawn}
+    assert len(Scheme(now, naming).drawn_marks()) == len(Scheme(all_of_it, naming).drawn_marks())
+    kinds = {plan_kind(plan) for plan in now.plans.plan_names}
     assert kind in kinds and (kind == "force" or "force" not in kinds)
     frames = lesson_data(scene)["frames"]
-    assert {kind_of(f["plan"]) for f in frames} <= kinds
+    assert {plan_kind(f["plan"]) for f in frames} <= kinds
     assert len(frames) < len(lesson_data(replace(every, find=None))["frames"])
     assert sheet_of(scene, None).marks
     heavy = any(link.mass for link in now.plans.mechanism.links.values())
-    assert (">kg<" in note(scene, None, ".html", "en").decode()) == (kind == "force" and heavy)
+    assert (">kg<" in note_file_contents(scene, None, ".html", "en").decode()) == (kind == "force" and heavy)

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from planes.documents.studio import engine, write_studio
+from planes.documents.studio import engine_archive, write_studio
 from planes.scene import load, loads
 from planes.solving.of_scene import solve
 from tests.helpers import ROOT
@@ -198,7 +198,7 @@ def test_nobody_is_shut_out(browser: Any, address: str, view: str) -> None:
 
 def test_the_archive_of_the_engine_is_enough(tmp_path: Path) -> None:
     """A worker has the standard library and this archive, nothing installed."""
-    (tmp_path / "planes.zip").write_bytes(engine())
+    (tmp_path / "planes.zip").write_bytes(engine_archive())
     script = f"import sys; sys.path.insert(0, {str(tmp_path / 'planes')!r}); import render.page.studio_page"
     shutil.unpack_archive(tmp_path / "planes.zip", tmp_path / "planes")
     ran = subprocess.run([sys.executable, "-I", "-S", "-c", script], check=False, capture_output=True, text=True)

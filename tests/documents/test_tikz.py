@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from planes.documents.constructed import figure_of, tex
+from planes.documents.constructed import live_figure, tex
 from planes.documents.drawn import draw_sheet
 from planes.scene import load
-from planes.words import langs
+from planes.words import available_languages
 from planes.words.errors import PlanesError
-from render.files.tikz import in_math, in_text
+from render.files.tikz import latex_math, latex_text
 from tests.helpers import ROOT
 
 SAMPLES = sorted([*(ROOT / "samples").glob("*.yaml"), *(ROOT / "samples" / "class-three").glob("*.yaml")])
@@ -37,11 +37,11 @@ def read(text: str) -> dict[str, complex]:
 
 
 def held(file: Path) -> None:
-    figure = figure_of(load(file), None, None, "en")
-    text = tex.written(figure)[0].decode()
+    figure = live_figure(load(file), None, None, "en")
+    text = tex.file_and_limitations(figure)[0].decode()
     found = read(text)
-    for mark in figure.marks:
-        assert abs(found[tex.name_of(mark)] - figure.at(mark)) < 1e-8, mark
+    for mark in figure.shown_marks:
+        assert abs(found[tex.coordinate_name(mark)] - figure.place_on_picture(mark)) < 1e-8, mark
     assert text.count("\\draw[whole]") + text.count("\\draw[part]") > 0
 
 
@@ -57,18 +57,18 @@ def test_coordinates_of_all_samples(file: Path) -> None:
 
 
 def test_names_are_mathematics_and_sentences_are_of_each_language() -> None:
-    assert in_math("a_{CB}^{n}") == "a_{CB}^{n}"
-    assert in_math("b_{3}′") == "b_{3}'"
-    assert in_math("M_{ур}^{Ж}") == r"M_{\text{ур}}^{\text{Ж}}"
-    assert in_text("μ_{v} = 5 мм/% · м") == r"$\mu_{v}$ = 5 мм/\% $\cdot$ м"
+    assert latex_math("a_{CB}^{n}") == "a_{CB}^{n}"
+    assert latex_math("b_{3}′") == "b_{3}'"
+    assert latex_math("M_{ур}^{Ж}") == r"M_{\text{ур}}^{\text{Ж}}"
+    assert latex_text("μ_{v} = 5 мм/% · м") == r"$\mu_{v}$ = 5 мм/\% $\cdot$ м"
     scene, told = load(ROOT / "samples" / "kind-3-rpr.yaml"), set()
-    for lang in langs():
-        text = tex.written(figure_of(scene, "velocity-plan", None, lang))[0].decode()
+    for lang in available_languages():
+        text = tex.file_and_limitations(live_figure(scene, "velocity-plan", None, lang))[0].decode()
         assert "$v_{B3B}$" in text
         told.add(
             next(line for line in text.splitlines() if line.startswith("% ") and "l_CB" not in line and "A, C" in line)
         )
-    assert len(told) == len(langs())
+    assert len(told) == len(available_languages())
 
 
 def test_a_view_that_is_no_plan_is_refused_with_those_there_are(tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from planes.drafting.clearness import clear, far_apart
+from planes.drafting.clearness import has_wide_length_range, is_clear_drawing
 from planes.drafting.steps.crossings import CrossArc, CrossArcs, Touch
 from planes.drafting.steps.reckoning import Calculate, Choose, Product, Sense, SenseBetween, Trial
 from planes.drafting.steps.settling import Fed, Settle
@@ -76,29 +76,33 @@ def test_plans_whose_slope_has_turned_over_are_of_another_assembly_of_forces(by:
 @pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
 def test_lengths_are_far_apart_by_how_many_times_the_shortest_goes_into_the_longest(unit: float) -> None:
     means = {"l": Meaning("length"), "m": Meaning("length"), "e": Meaning("offset")}
-    assert not far_apart({"l": unit, "m": 0.9e6 * unit}, means) and far_apart({"l": unit, "m": 1.1e6 * unit}, means)
-    assert not far_apart({"l": unit, "e": 1e-9 * unit}, means)  # a guide may pass as near as it likes
-    assert far_apart({"l": unit, "e": 1.1e6 * unit}, means) and not far_apart({"e": unit}, means)
+    assert not has_wide_length_range({"l": unit, "m": 0.9e6 * unit}, means) and has_wide_length_range(
+        {"l": unit, "m": 1.1e6 * unit}, means
+    )
+    assert not has_wide_length_range({"l": unit, "e": 1e-9 * unit}, means)  # a guide may pass as near as it likes
+    assert has_wide_length_range({"l": unit, "e": 1.1e6 * unit}, means) and not has_wide_length_range(
+        {"e": unit}, means
+    )
 
 
 def test_only_a_force_of_nothing_makes_an_ordinary_position_doubtful() -> None:
     found = solve(load(ROOT / "samples" / "six-link.yaml")).positions[0]
     drawn, sides = found.drawing, {(r.start, r.end) for r in found.plans.reactions.values()}
-    assert len(sides) == 6 and clear(drawn.program, drawn.things, drawn.tool, sides)
+    assert len(sides) == 6 and is_clear_drawing(drawn.program, drawn.things, drawn.tool, sides)
     start, _ = sides.pop()
-    assert not clear(drawn.program, drawn.things, drawn.tool, {*sides, (start, start)})
+    assert not is_clear_drawing(drawn.program, drawn.things, drawn.tool, {*sides, (start, start)})
 
 
 @pytest.mark.parametrize("apart", [0.0, 2.0, 3.0, -3.0, 4.0])
 def test_how_open_a_line_and_an_arc_are_is_the_square_of_half_their_chord(apart: float) -> None:
     """Of an arc of 3 mm; negative where the line passes it by."""
     env = {"a": 7 + 1j, "x": 1 + 0j, "c": -2 + 1j + 1j * apart, "r": 0.03, "mu": 100.0, "s": 1.0}
-    assert CrossArc("p", "a", "x", "c", "r", "mu", "s").opening(env) == pytest.approx(9 - apart**2)
+    assert CrossArc("p", "a", "x", "c", "r", "mu", "s").opening_measure(env) == pytest.approx(9 - apart**2)
 
 
 def test_how_open_arcs_are_is_by_heron_and_a_tangent_by_pythagoras() -> None:
     env = {"a": 1 + 1j, "b": 4 + 5j, "r": 0.03, "q": 0.04, "mu": 100.0, "s": 1.0}  # 5 mm apart
-    assert CrossArcs("p", "a", "r", "b", "q", "mu", "s").opening(env) == pytest.approx(16 * 6.0**2)
-    assert CrossArcs("p", "a", "r", "b", "r", "mu", "s").opening(env) == pytest.approx(16 * 25 * (9 - 6.25) / 4)
-    assert Touch("u", "a", "b", "r", "mu", "s").opening(env) == pytest.approx(4.0**2)
-    assert Touch("u", "a", "b", None, "mu", "s").opening(env) == pytest.approx(5.0**2)
+    assert CrossArcs("p", "a", "r", "b", "q", "mu", "s").opening_measure(env) == pytest.approx(16 * 6.0**2)
+    assert CrossArcs("p", "a", "r", "b", "r", "mu", "s").opening_measure(env) == pytest.approx(16 * 25 * (9 - 6.25) / 4)
+    assert Touch("u", "a", "b", "r", "mu", "s").opening_measure(env) == pytest.approx(4.0**2)
+    assert Touch("u", "a", "b", None, "mu", "s").opening_measure(env) == pytest.approx(5.0**2)

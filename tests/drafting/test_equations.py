@@ -30,44 +30,44 @@ def circle(name: str, start: str, end: str) -> Term:
     ],
 )
 def test_the_underlines_of_a_term(given: dict[str, Any], known: int) -> None:
-    assert Term("v", "p", "a", **given).known == known
+    assert Term("v", "p", "a", **given).known_part_count == known
 
 
 def test_two_lines_cross() -> None:
     e = Equation("velocity", ((V_B, V_CB), (V_C,)), "v_C")
-    assert e.kind == "cross"
-    assert e.unknowns == (("v_CB", "length"), ("v_C", "length"))
-    assert e.text == "v_C = v_B + v_CB = v_C"
-    assert [t.name for t in e.terms] == ["v_B", "v_CB", "v_C"]
+    assert e.construction_kind == "cross"
+    assert e.unknown_parts == (("v_CB", "length"), ("v_C", "length"))
+    assert e.equation_text == "v_C = v_B + v_CB = v_C"
+    assert [t.name for t in e.all_terms] == ["v_B", "v_CB", "v_C"]
 
 
 def test_one_unknown_vector_closes_the_polygon() -> None:
     e = Equation("velocity", ((V_B, replace(V_CB, length="v_CB")), ()), "v_C")
-    assert e.kind == "close"
-    assert e.unknowns == (("v_C", "length"), ("v_C", "direction"))
-    assert e.text == "v_C = v_B + v_CB"
+    assert e.construction_kind == "close"
+    assert e.unknown_parts == (("v_C", "length"), ("v_C", "direction"))
+    assert e.equation_text == "v_C = v_B + v_CB"
     polygon = Equation("force", ((V_B, Term("F", "b", "p")), ()))
-    assert polygon.kind == "close" and polygon.unknowns == (("F", "length"), ("F", "direction"))
+    assert polygon.construction_kind == "close" and polygon.unknown_parts == (("F", "length"), ("F", "direction"))
 
 
 def test_a_line_and_an_arc() -> None:
     e = Equation("position", ((circle("AB", "a", "b"),), (Term("CB", "a", "b", direction="u"),)), "r_B", "side")
-    assert e.kind == "arc"
+    assert e.construction_kind == "arc"
     turned = Equation("position", ((Term("CB", "a", "b", direction="u"),), (circle("AB", "a", "b"),)))
-    assert turned.kind == "arc"
+    assert turned.construction_kind == "arc"
 
 
 def test_two_arcs() -> None:
     e = Equation("position", ((circle("AB", "a", "b"),), (circle("DB", "a", "b"),)))
-    assert e.kind == "arcs"
-    assert e.unknowns == (("AB", "direction"), ("DB", "direction"))
+    assert e.construction_kind == "arcs"
+    assert e.unknown_parts == (("AB", "direction"), ("DB", "direction"))
 
 
 def test_both_unknowns_in_one_chain() -> None:
     e = Equation(
         "velocity", ((V_B, replace(V_CB, end="n"), Term("w", "n", "c", direction="u")), (replace(V_C, drawn=True),))
     )
-    assert e.kind == "cross" and e.unknowns == (("v_CB", "length"), ("w", "length"))
+    assert e.construction_kind == "cross" and e.unknown_parts == (("v_CB", "length"), ("w", "length"))
 
 
 @pytest.mark.parametrize(
@@ -79,9 +79,9 @@ def test_both_unknowns_in_one_chain() -> None:
 )
 def test_without_a_total_only_what_is_taken_away_closes_a_polygon(other: int, text: str) -> None:
     e = Equation("velocity", ((V_B, V_CB), (replace(V_C, sign=other),)))
-    assert e.text == text and e.closed == (other < 0)
-    assert [len(side) for side in e.written] == ([3] if other < 0 else [2, 1])
-    assert not replace(e, total="v_C").closed
+    assert e.equation_text == text and e.is_closed_polygon == (other < 0)
+    assert [len(side) for side in e.sides_as_written] == ([3] if other < 0 else [2, 1])
+    assert not replace(e, total="v_C").is_closed_polygon
 
 
 def test_a_broken_chain_is_told_by_its_names() -> None:

@@ -13,13 +13,13 @@ from hypothesis import given, settings
 import planes.drafting.steps
 import planes.drafting.steps.reckoning
 from planes.drafting.draft import Draft
-from planes.drafting.drawing import run
+from planes.drafting.drawing import draw_program
 from planes.drafting.program import Program
 from planes.drafting.steps import Aim, Carry, LayOff, Put, Step, Through, Turn
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Measure, Product, Protractor
-from planes.plans import Plans, plans_of, sliced
-from planes.plans.quantities import asked
+from planes.plans import Plans, plans_cut_to_names, plans_of
+from planes.plans.quantities import quantities_asked_for
 from planes.scene import loads
 from planes.words.errors import ProgramError
 from planes.words.names import Meaning
@@ -85,17 +85,17 @@ def test_kinds_and_chaining_are_refused_by_name(steps: tuple[Step, ...], says: s
 
 def test_what_no_step_makes_must_be_given() -> None:
     program = Program((POLE, AIM, LAY))
-    assert program.givens == ("angle", "v_B", "mu")
+    assert program.given_names == ("angle", "v_B", "mu")
     with pytest.raises(ProgramError, match="to draw this, give v_B, mu"):
-        run(program, {"angle": 90.0})
-    drawing = run(program, {"angle": 90.0, "v_B": 2.0, "mu": 30.0})
+        draw_program(program, {"angle": 90.0})
+    drawing = draw_program(program, {"angle": 90.0, "v_B": 2.0, "mu": 30.0})
     assert drawing["velocity:b"] == 60j
     with pytest.raises(ProgramError, match="the drawing has no velocity:c"):
         drawing["velocity:c"]
 
 
 def kinds_drawn(plans: Plans) -> set[str]:
-    return {plan.partition(":")[0] for plan in plans.drawn}
+    return {plan.partition(":")[0] for plan in plans.plan_names}
 
 
 @pytest.mark.parametrize(
@@ -113,42 +113,44 @@ def kinds_drawn(plans: Plans) -> set[str]:
 )
 def test_only_what_leads_to_the_asked_is_drawn(wanted: list[str], plans: set[str]) -> None:
     whole = plans_from(LOADED)
-    cut = sliced(whole, [n for q in asked(whole, wanted) for n in q.needs])
+    cut = plans_cut_to_names(whole, [n for q in quantities_asked_for(whole, wanted) for n in q.needed_names])
     assert kinds_drawn(cut) == plans
     assert set(cut.program.steps) < set(whole.program.steps)
-    one = run(cut.program, {n: whole.given.get(n, 100.0) for n in cut.program.givens})
-    for name in (n for q in asked(whole, wanted) for n in q.needs):
+    one = draw_program(cut.program, {n: whole.given.get(n, 100.0) for n in cut.program.given_names})
+    for name in (n for q in quantities_asked_for(whole, wanted) for n in q.needed_names):
         assert name in one
 
 
 def test_asking_for_a_place_takes_neither_masses_nor_speeds() -> None:
     whole = plans_from(LOADED)
-    cut = whole.program.sliced(["position:C"])
-    assert not [g for g in cut.givens if g.startswith(("m_", "J_", "omega", "epsilon", "P_", "M_", "g", "mu_v"))]
-    velocity = whole.program.sliced(["velocity:c"])
-    assert not [g for g in velocity.givens if g.startswith(("m_", "J_", "epsilon", "P_", "M_", "g", "mu_a", "mu_f"))]
+    cut = whole.program.cut_to_names(["position:C"])
+    assert not [g for g in cut.given_names if g.startswith(("m_", "J_", "omega", "epsilon", "P_", "M_", "g", "mu_v"))]
+    velocity = whole.program.cut_to_names(["velocity:c"])
+    assert not [
+        g for g in velocity.given_names if g.startswith(("m_", "J_", "epsilon", "P_", "M_", "g", "mu_a", "mu_f"))
+    ]
     assert not [s for s in velocity.steps if s.makes.startswith(("acceleration", "force", "a_", "F_", "h_"))]
 
 
 def test_the_force_plan_of_one_group_leaves_the_driver_out() -> None:
     whole = plans_from(LOADED)
     r = whole.reactions["F_30"]
-    cut = sliced(whole, [r.start, r.end])
-    assert "force:2-3" in cut.drawn and "force:1" not in cut.drawn and "lever" not in cut.drawn
+    cut = plans_cut_to_names(whole, [r.start, r.end])
+    assert "force:2-3" in cut.plan_names and "force:1" not in cut.plan_names and "lever" not in cut.plan_names
 
 
 def test_a_slice_gives_the_numbers_of_the_whole() -> None:
     for seed in range(20):
         case = make(random.Random(seed), random.Random(seed).choices(KINDS, k=2))
         plans = plans_from(to_yaml(case.scene))
-        given = {**plans.given, **{f"mu_{p}": 2.0 for p in plans.drawn}}
-        whole = run(plans.program, given)
+        given = {**plans.given, **{f"mu_{p}": 2.0 for p in plans.plan_names}}
+        whole = draw_program(plans.program, given)
         names = [s.makes for s in plans.program.steps]
         for name in random.Random(seed).sample(names, 12):
-            cut = plans.program.sliced([name])
-            same = run(cut, {n: given[n] for n in cut.givens})[name]
+            cut = plans.program.cut_to_names([name])
+            same = draw_program(cut, {n: given[n] for n in cut.given_names})[name]
             assert same == whole[name] or (math.isnan(abs(same)) and math.isnan(abs(whole[name])))
-            assert cut.sliced([name]) == cut
+            assert cut.cut_to_names([name]) == cut
 
 
 @pytest.mark.parametrize(
@@ -255,7 +257,7 @@ def test_whatever_the_points_are_called_the_numbers_are_the_same(one: str, other
     plans = plans_from(text)
     numbers = []
     for p in (base, plans):
-        drawing = run(p.program, {**p.given, **{f"mu_{x}": 1.0 for x in p.drawn}})
+        drawing = draw_program(p.program, {**p.given, **{f"mu_{x}": 1.0 for x in p.plan_names}})
         marks = [m for x in p.points.values() for m in (x.position, x.velocity, x.acceleration)]
         numbers.append([*(drawing[m] for m in marks), drawing[p.balancing], drawing[p.zhukovsky]])
     assert numbers[0] == pytest.approx(numbers[1], rel=1e-12)
@@ -277,16 +279,16 @@ def _words(text: str) -> list[str]:
 )
 def test_a_direction_the_other_way_means_the_opposite(line: Meaning, back: Meaning) -> None:
     draft = Draft()
-    turned = draft.reversed(draft.aim("u", 30.0, line))
-    assert draft.steps[turned].means == back and draft.steps[draft.reversed(turned)].means == line
+    turned = draft.draw_reversed_direction(draft.draw_direction_at_angle("u", 30.0, line))
+    assert draft.steps[turned].means == back and draft.steps[draft.draw_reversed_direction(turned)].means == line
 
 
 def test_what_is_found_by_its_name_has_no_namesake_and_other_values_are_marked() -> None:
     draft = Draft()
     for name in ("v_B", "omega_2", "l_B"):
-        draft.step(Calculate(name, (Product(1.0, ()),)))
-        assert draft.step(Calculate(name, (Product(1.0, ()),))) == name  # the same again
-    assert draft.step(Calculate("l_B", (Product(2.0, ()),))) == "l_B′"
+        draft.add_step(Calculate(name, (Product(1.0, ()),)))
+        assert draft.add_step(Calculate(name, (Product(1.0, ()),))) == name  # the same again
+    assert draft.add_step(Calculate("l_B", (Product(2.0, ()),))) == "l_B′"
     for name in ("v_B", "omega_2"):
         with pytest.raises(ProgramError):
-            draft.step(Calculate(name, (Product(2.0, ()),)))
+            draft.add_step(Calculate(name, (Product(2.0, ()),)))

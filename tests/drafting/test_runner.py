@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from planes.drafting.drawing import reached
+from planes.drafting.drawing import draw_until_failure
 from planes.drafting.steps import Step
 from planes.drafting.tools import Tool
-from planes.plans.scales import unit_scales
+from planes.plans.scales import unit_scales_of_plans
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load
 from tests.helpers import ROOT
@@ -26,16 +26,18 @@ def test_a_drawing_is_drawn_once_as_far_as_it_goes(monkeypatch: pytest.MonkeyPat
         return draw(tool, step, things)
 
     monkeypatch.setattr(Tool, "draw", counted)
-    drawing, failure = reached(plans.program, {**plans.given, **unit_scales(plans), plans.drive_given: phi})
+    drawing, failure = draw_until_failure(
+        plans.program, {**plans.given, **unit_scales_of_plans(plans), plans.drive_given_name: phi}
+    )
     assert (failure is None) == whole == (drawing.program.steps == plans.program.steps)
-    assert set(drawn.values()) == {1} and drawing.program.made <= set(drawing.things)
+    assert set(drawn.values()) == {1} and drawing.program.result_names <= set(drawing.things)
 
 
 def test_what_is_fixed_stays_whatever_leads_to_it() -> None:
     program = scene_plans(load(str(ROOT / "samples" / "six-link.yaml"))).program
-    moved = [s.makes for s in program.touched(["l_AB"])]
+    moved = [s.makes for s in program.steps_to_redraw(["l_AB"])]
     assert {"position:B", "position:C"} <= set(moved)
-    fixed = [s.makes for s in program.touched(["l_AB"], fixed=["position:B"])]
+    fixed = [s.makes for s in program.steps_to_redraw(["l_AB"], fixed=["position:B"])]
     assert "position:B" in fixed and "position:C" not in fixed
-    redrawn = {s.makes for s in program.touched([], ["position:B"])}
+    redrawn = {s.makes for s in program.steps_to_redraw([], ["position:B"])}
     assert {"position:B", "position:C"} <= redrawn < set(moved)  # l_AB leads to more than B

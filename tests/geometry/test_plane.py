@@ -48,7 +48,7 @@ def test_lines_meet_where_rationals_say(p: complex, a: float, q: complex, b: flo
     """The error is a few units in the last place of the data, over the sharpness."""
     u = ONE.cis_deg(a)
     w = ONE.cis_deg(a + b) if close else ONE.cis_deg(b)
-    place, sharpness, gap = plane.lines(p, u, q, w)
+    place, sharpness, gap = plane.intersect_lines(p, u, q, w)
     assume(abs(sharpness) > 1e-14)
     assert abs(sharpness - plane.cross(u, w)) == 0
     size = abs(p) + abs(q) + abs(place - p)  # a crossing far off the sheet is wrong in proportion
@@ -60,7 +60,7 @@ def test_lines_meet_where_rationals_say(p: complex, a: float, q: complex, b: flo
 @given(PLACE, ANGLE, PLACE, ANGLE)
 def test_lines_meet_where_shapely_says(p: complex, a: float, q: complex, b: float) -> None:
     u, w = ONE.cis_deg(a), ONE.cis_deg(b)
-    place, sharpness, _ = plane.lines(p, u, q, w)
+    place, sharpness, _ = plane.intersect_lines(p, u, q, w)
     assume(abs(sharpness) > 1e-3)
     reach = 2 * (abs(p) + abs(q) + 1) / abs(sharpness)
     ends = [
@@ -89,7 +89,7 @@ def test_a_line_and_an_arc_meet_where_50_digits_say(
     u = ONE.cis_deg(a)
     if near < -3:
         p = c - 1j * u * r * (1 - 10**near) + u * p.real
-    place, sharpness, miss = plane.line_arc(p, u, c, r, side, ONE)
+    place, sharpness, miss = plane.intersect_line_circle(p, u, c, r, side, ONE)
     with mpmath.workdps(50):
         up = mp(u) / abs(mp(u))
         h = (mpmath.conj(up) * (mp(c) - mp(p))).imag
@@ -114,7 +114,7 @@ def test_arcs_meet_where_50_digits_say(
     if near < -3:  # almost touching, from outside or inside
         s = apart - r * (1 - 10**near) if not inside else apart + r * (1 - 10**near)
         assume(s > 0.01)
-    place, sharpness, far, inner = plane.arcs(c, r, d, s, side, ONE)
+    place, sharpness, far, inner = plane.intersect_circles(c, r, d, s, side, ONE)
     assert math.isclose(far, apart - (r + s), abs_tol=4 * EPS * (apart + r + s))
     assert math.isclose(inner, abs(r - s) - apart, abs_tol=4 * EPS * (apart + r + s))
     assume(far < 0 and inner < 0)
@@ -154,8 +154,8 @@ def test_circles_that_touch_in_decimals_touch() -> None:
     for _ in range(200):
         crank, rod = round(rng.uniform(0.05, 0.12), 3), round(rng.uniform(0.2, 0.4), 3)
         far, near = round(crank + 2 * rod, 6) + 0j, round(crank + rod, 6) + 0j
-        assert plane.arcs(crank + 0j, rod, far, rod, 1.0, ONE)[1] == 0
-        assert plane.arcs(crank + 0j, 2 * rod, near, rod, 1.0, ONE)[1] == 0
+        assert plane.intersect_circles(crank + 0j, rod, far, rod, 1.0, ONE)[1] == 0
+        assert plane.intersect_circles(crank + 0j, 2 * rod, near, rod, 1.0, ONE)[1] == 0
 
 
 @SETTINGS
@@ -164,7 +164,7 @@ def test_a_tangent_touches_its_circle(c: complex, a: complex, part: float, side:
     apart = abs(a - c)
     assume(apart > 1e-3)
     offset = apart * part if near > -3 else math.copysign(apart * (1 - 10**near), part)
-    u, sharpness, large = plane.tangent(c, a, offset, side, ONE)
+    u, sharpness, large = plane.tangent_direction(c, a, offset, side, ONE)
     assume(large < 0)
     with mpmath.workdps(50):
         way = mp(a) - mp(c)
@@ -223,18 +223,21 @@ def test_arrays_give_the_numbers_of_one() -> None:
     ]
     p, q, u, w, r, s, side = (np.array(column) for column in zip(*rows, strict=True))
     some = {
-        "lines": (plane.lines(p, u, q, w)[:2], [plane.lines(a, c, b, d)[:2] for a, b, c, d, *_ in rows]),
+        "lines": (
+            plane.intersect_lines(p, u, q, w)[:2],
+            [plane.intersect_lines(a, c, b, d)[:2] for a, b, c, d, *_ in rows],
+        ),
         "line_arc": (
-            plane.line_arc(p, u, q, r, side, MANY)[:2],
-            [plane.line_arc(a, c, b, x, k, ONE)[:2] for a, b, c, _, x, _, k in rows],
+            plane.intersect_line_circle(p, u, q, r, side, MANY)[:2],
+            [plane.intersect_line_circle(a, c, b, x, k, ONE)[:2] for a, b, c, _, x, _, k in rows],
         ),
         "arcs": (
-            plane.arcs(p, r, q, s, side, MANY)[:2],
-            [plane.arcs(a, x, b, y, k, ONE)[:2] for a, b, _, _, x, y, k in rows],
+            plane.intersect_circles(p, r, q, s, side, MANY)[:2],
+            [plane.intersect_circles(a, x, b, y, k, ONE)[:2] for a, b, _, _, x, y, k in rows],
         ),
         "tangent": (
-            plane.tangent(p, q, r / 5, side, MANY)[:2],
-            [plane.tangent(a, b, x / 5, k, ONE)[:2] for a, b, _, _, x, _, k in rows],
+            plane.tangent_direction(p, q, r / 5, side, MANY)[:2],
+            [plane.tangent_direction(a, b, x / 5, k, ONE)[:2] for a, b, _, _, x, _, k in rows],
         ),
     }
     for name, ((places, sharps), singles) in some.items():
@@ -245,15 +248,15 @@ def test_arrays_give_the_numbers_of_one() -> None:
 
 
 def test_degenerate_data_give_no_exception_and_no_sharpness() -> None:
-    assert plane.lines(0j, 1 + 0j, 1j, 1 + 0j)[1] == 0
-    assert plane.line_arc(0j, 1 + 0j, 1j, 0.0, 1.0, ONE)[1] == 0
-    assert plane.arcs(0j, 0.0, 1 + 0j, 1.0, 1.0, ONE)[1] == 0
-    assert plane.arcs(1j, 2.0, 1j, 2.0, 1.0, ONE)[1] == 0
-    assert plane.tangent(1j, 1j, 0.0, 1.0, ONE)[1] == 0
-    assert plane.unit(0j, ONE) == 1 and plane.unit(-3j, ONE) == -1j
+    assert plane.intersect_lines(0j, 1 + 0j, 1j, 1 + 0j)[1] == 0
+    assert plane.intersect_line_circle(0j, 1 + 0j, 1j, 0.0, 1.0, ONE)[1] == 0
+    assert plane.intersect_circles(0j, 0.0, 1 + 0j, 1.0, 1.0, ONE)[1] == 0
+    assert plane.intersect_circles(1j, 2.0, 1j, 2.0, 1.0, ONE)[1] == 0
+    assert plane.tangent_direction(1j, 1j, 0.0, 1.0, ONE)[1] == 0
+    assert plane.unit_direction(0j, ONE) == 1 and plane.unit_direction(-3j, ONE) == -1j
 
 
 def test_scales_of_a_micrometre_and_a_megametre_are_alike() -> None:
     for k in (1e-60, 1e-6, 1.0, 1e6, 1e60):
-        place, sharpness, *_ = plane.arcs(0j, 3.0 * k, 5.0 * k + 0j, 4.0 * k, 1.0, ONE)
+        place, sharpness, *_ = plane.intersect_circles(0j, 3.0 * k, 5.0 * k + 0j, 4.0 * k, 1.0, ONE)
         assert abs(place / k - (1.8 + 2.4j)) < 4 * EPS and abs(sharpness - 1) < 4 * EPS

@@ -10,7 +10,7 @@ import numpy as np
 
 from planes.accuracy.digits import Long
 from planes.batch.cycle import Cycle
-from planes.batch.tracing import given_values
+from planes.batch.tracing import given_values_by_name
 from planes.plans import plans_of
 from planes.plans.position import reckoned
 from planes.scene.mechanism import Mechanism
@@ -45,11 +45,11 @@ def long(thing: Any, places: Mapping[complex, tuple[float, ...]]) -> Any:
 
 def givens(mechanism: Mechanism) -> dict[str, Any]:
     """All givens of the drawing, computed with long numbers."""
-    kept, reckoned.ARITHMETIC = reckoned.ARITHMETIC, LONG
+    kept, reckoned.FLOAT_ARITHMETIC = reckoned.FLOAT_ARITHMETIC, LONG
     try:
         return dict(plans_of(long(mechanism, mechanism.written.places)).given)
     finally:
-        reckoned.ARITHMETIC = kept
+        reckoned.FLOAT_ARITHMETIC = kept
 
 
 def pair(x: Any) -> Two:
@@ -62,7 +62,7 @@ def truth(c: Cycle, values: Any) -> list[Two]:
     """The columns of scenes as written, computed in numbers of 106 bits."""
     true = givens(c.plans.mechanism)
     flat: dict[str, Any] = {}
-    for name, rounded in given_values(c.given).items():
+    for name, rounded in given_values_by_name(c.given).items():
         value: object = rounded
         own, part = (name[:-2], name[-1]) if name.endswith((".x", ".y")) else (name, "")
         if own in true:
@@ -70,5 +70,5 @@ def truth(c: Cycle, values: Any) -> list[Two]:
             value = pair({"": lambda x: x, "x": lambda x: x.real, "y": lambda x: x.imag}[part](LONG.mp.mpmathify(x)))
         flat[name] = value
     parts = [pair(decimal(v)) for v in values]
-    flat[c.plans.drive_given] = np.array([p[0] for p in parts]), np.array([p[1] for p in parts])
+    flat[c.plans.drive_given_name] = np.array([p[0] for p in parts]), np.array([p[1] for p in parts])
     return read_long(c, flat, values.shape)

@@ -13,9 +13,9 @@ import pypdfium2
 from planes.check.blank import blank_pole
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.prepared_plan import Asked, prepare
-from planes.check.report.shown import vectors
+from planes.check.report.shown import vector_end_labels
 from planes.scene import Scene
-from planes.words.names import POLE
+from planes.words.names import POLE_LABEL
 
 DPI = 200
 PX = DPI / 25.4
@@ -36,8 +36,8 @@ def drawn(
 ) -> Any:
     """The plan on its blank, its marks changed by ``wrong`` if given."""
     bench = prepare(Asked(scene, plan))
-    places, pole, out = {POLE: 0j, **wrong(dict(bench.true_marks))}, blank_pole(bench), sheet.copy()
-    for a, b in vectors(bench):
+    places, pole, out = {POLE_LABEL: 0j, **wrong(dict(bench.true_marks))}, blank_pole(bench), sheet.copy()
+    for a, b in vector_end_labels(bench):
         if abs(places[b] - places[a]) > 1:
             _arrow(out, places[a] + pole, places[b] + pole)
     return out

@@ -10,9 +10,9 @@ from typing import Any
 
 import yaml
 
-from planes.drafting.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, draw_program
 from planes.plans import Plans, plans_of
-from planes.plans.scales import scales
+from planes.plans.scales import plan_scales
 from planes.scene import Scene, loads
 from tests.helpers.mechanisms import Case, to_yaml, unmoved
 from tests.helpers.oracle import Solution, reaction_key, solve
@@ -39,7 +39,7 @@ class Drawn:
     @property
     def sharpest(self) -> float:
         """The smallest sharpness of intersections in the drawing."""
-        found = [s for name, s in self.drawing.sharpness.items() if not name.endswith(("+", "-"))]
+        found = [s for name, s in self.drawing.crossing_sharpness.items() if not name.endswith(("+", "-"))]
         return float(min([1.0, *found]))
 
 
@@ -48,10 +48,10 @@ def draw(scene: Mapping[str, Any] | str, value: Any = None, mu: Mapping[str, flo
     read = loads(scene if isinstance(scene, str) else to_yaml(scene))
     assert read.mechanism
     plans = plans_of(read.mechanism)
-    one = {plans.drive_given: value} if isinstance(value, (int, float)) else {}
-    chosen = dict(mu or scales(plans, read.mu, one))
-    moved = {} if value is None else {plans.drive_given: value}
-    return Drawn(read, plans, chosen, run(plans.program, {**plans.given, **chosen, **moved}))
+    one = {plans.drive_given_name: value} if isinstance(value, (int, float)) else {}
+    chosen = dict(mu or plan_scales(plans, read.mu, one))
+    moved = {} if value is None else {plans.drive_given_name: value}
+    return Drawn(read, plans, chosen, draw_program(plans.program, {**plans.given, **chosen, **moved}))
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from render.labels.footprints import TOUCH_MM, Bounds, InkedShapes, ink, polygons
+from render.labels.footprints import BOX_SHRINKAGE_MM, Bounds, InkedShapes, inked_shapes, make_polygons
 from render.labels.nearness import Shapes
 from render.paper.marks import Arc, Arrow, Mark, Text
-from render.paper.typeset import box_of, layout
+from render.paper.typeset import lay_out_text, text_box_corners
 
 
 @dataclass(frozen=True)
@@ -35,15 +35,15 @@ def conflicts(texts: Sequence[Text], marks: Sequence[Mark] = (), field: Bounds |
     Texts among the marks are labels, too; the same text given twice counts as one.
     """
     labels = tuple(dict.fromkeys([*texts, *(mark for mark in marks if isinstance(mark, Text))]))
-    labels = tuple(label for label in labels if layout(label).strokes)
+    labels = tuple(label for label in labels if lay_out_text(label).strokes)
     others = [mark for mark in marks if not isinstance(mark, Text)]
-    boxes = shapely.buffer(polygons([box_of(label) for label in labels]), -TOUCH_MM)
+    boxes = shapely.buffer(make_polygons([text_box_corners(label) for label in labels]), -BOX_SHRINKAGE_MM)
     return (*_struck(labels, boxes, others), *_outside((*labels, *others), field))
 
 
 def _owned(marks: Sequence[Mark]) -> tuple[InkedShapes, list[int]]:
     """The ink of marks, mark by mark, and for each shape the number of its mark."""
-    parts = [ink([mark]) for mark in marks]
+    parts = [inked_shapes([mark]) for mark in marks]
     shapes = np.concatenate([part.shapes for part in parts]) if parts else np.array([], object)
     halves = np.concatenate([part.halves for part in parts]) if parts else np.array([])
     return InkedShapes(shapes, halves), [k for k, part in enumerate(parts) for _ in part.shapes]
@@ -56,7 +56,7 @@ def _struck(labels: Sequence[Text], boxes: Shapes, others: Sequence[Mark]) -> It
             yield Conflict("label", labels[i].text, labels[j].text, labels[i].place)
     inked, owners = _owned(others)
     if len(inked.shapes) and labels:
-        for i, k in sorted({(i, owners[k]) for i, k in inked.within(boxes, 0.0).T.tolist()}):
+        for i, k in sorted({(i, owners[k]) for i, k in inked.pairs_within(boxes, 0.0).T.tolist()}):
             yield Conflict("stroke", labels[i].text, described(others[k]), labels[i].place)
 
 
@@ -65,7 +65,7 @@ def _outside(marks: Sequence[Mark], field: Bounds | None) -> list[Conflict]:
         return []
     inked, owners = _owned(marks)
     bounds = shapely.bounds(inked.shapes) + np.outer(inked.halves, [-1, -1, 1, 1])
-    out = (bounds - np.array(field)) * np.array([-1, -1, 1, 1]) > TOUCH_MM
+    out = (bounds - np.array(field)) * np.array([-1, -1, 1, 1]) > BOX_SHRINKAGE_MM
     beyond = sorted({owners[k] for k in np.flatnonzero(out.any(axis=1))})
     return [Conflict("field", described(marks[k]), "field", _first(marks[k])) for k in beyond]
 

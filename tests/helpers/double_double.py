@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from planes.batch.array_ops import OPS, read
+from planes.batch.array_ops import ARRAY_OPERATIONS, numbers_at_places
 from planes.batch.cycle import Cycle
-from planes.batch.rounding import REST
+from planes.batch.rounding import CONSTANT_ROUNDING_ERRORS
 from planes.batch.tape import Op
-from planes.batch.tracing import trace
+from planes.batch.tracing import trace_program
 from planes.geometry.arithmetic import Real, Truth, two_product, two_sum
 from planes.geometry.arrays import Array, Floats
 
@@ -133,7 +133,7 @@ def arctangent(y: Two, x: Two) -> Two:
 
 
 TWO_OPS: dict[str, Op] = {
-    **OPS,
+    **ARRAY_OPERATIONS,
     "add": add,
     "sub": subtract,
     "mul": multiply,
@@ -158,13 +158,17 @@ TWO_OPS: dict[str, Op] = {
 
 def twofold(x: Floats | Two) -> Two:
     """A number of the tape with the remainder beyond its double; pairs are returned unchanged."""
-    return x if isinstance(x, tuple) else (np.float64(x), np.float64(REST.get(x, 0.0) if isinstance(x, float) else 0.0))
+    return (
+        x
+        if isinstance(x, tuple)
+        else (np.float64(x), np.float64(CONSTANT_ROUNDING_ERRORS.get(x, 0.0) if isinstance(x, float) else 0.0))
+    )
 
 
 def read_long(c: Cycle, given: Mapping[str, Any], shape: tuple[int, ...]) -> list[Two]:
     """The columns of a cycle for given numbers, or pairs of them, including its drive's."""
-    drawn = trace(c.program, c.given, [x.take for x in c.columns], c.folded, fine=FINE)
-    found = read(drawn.tape, drawn.tape.needed(list(drawn.outputs)), given, twofold, TWO_OPS)
+    drawn = trace_program(c.program, c.given, [x.read_from_drawing for x in c.columns], c.folded, fine=FINE)
+    found = numbers_at_places(drawn.tape, drawn.tape.places_needed(list(drawn.outputs)), given, twofold, TWO_OPS)
     return [tuple(np.broadcast_to(part, shape) for part in found[p]) for p in drawn.outputs]  # type: ignore[misc]
 
 

@@ -14,12 +14,12 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import cached_property
 
-from planes.plans.force.loads import load_names
+from planes.plans.force.loads import names_of_loads
 from planes.scene import Scene
 from planes.scene.mechanism import Amount, Drive, Guide, Journal, Link, Load, LoadLaw, Mechanism, RoundGuide, StrokeLoad
 from planes.scene.structures import StaticLoad
 from planes.scene.vectors import Statement
-from planes.words.lettering import greek
+from planes.words.lettering import parameter_lettering
 from planes.words.naming import Naming
 
 _VALUE = r"(?: ?= ?[^\W\d][^=]{0,12}?)*?(?: ?= ?| )([-−]?\d[\d ]*(?:[.,]\d+)?(?:(?:·10|[eE])[-−]?\d+)?)(?![\w·^])"
@@ -116,7 +116,7 @@ class Rebuilt:
             frame=self.frame(m.frame),
             links={name: self.link(link) for name, link in m.links.items()},
             drive=self.drive(m.drive),
-            loads=tuple(self.load(name, x) for name, x in zip(load_names(m), m.loads, strict=True)),
+            loads=tuple(self.load(name, x) for name, x in zip(names_of_loads(m), m.loads, strict=True)),
             gravity=None if m.gravity is None else paper.number("g"),
             friction={name: paper.number(f"f{name}") for name in m.friction},
             journals={name: self.journal(name, x) for name, x in m.journals.items()},
@@ -159,7 +159,7 @@ class Rebuilt:
         return cmath.rect(self.length(one, two), angle)
 
     def link(self, link: Link) -> Link:
-        paper, first, n = self.paper, link.first_point, self.naming.link(link.name)
+        paper, first, n = self.paper, link.first_point, self.naming.link_number(link.name)
         points = {name: self.way(first, name) if name != first else 0j for name in link.points}
         guides = {}
         for name, guide in link.guides.items():
@@ -177,23 +177,23 @@ class Rebuilt:
         )  # fmt: skip
 
     def inertias(self, link: Link) -> Iterable[str]:
-        n = self.naming.link(link.name)
+        n = self.naming.link_number(link.name)
         return f"J{n}", f"JS{n}", f"J{link.mass_centre}"
 
     def drive(self, drive: Drive) -> Drive:
-        names = [self.naming.vector(name) for name in drive.letters]
+        names = [self.naming.lettered_vector(name) for name in drive.motion_names]
         position, velocity, acceleration = (self.paper.of(name) or 0.0 for name in names)
         return replace(drive, position=position, velocity=velocity, acceleration=acceleration)
 
     def load(self, name: str, load: Load) -> Load:
         """A law is given as a sentence; if not in English, it is left unchanged."""
-        sign, value, angle = self.naming.vector(name), load.value, load.direction_deg
+        sign, value, angle = self.naming.lettered_vector(name), load.value, load.direction_deg
         if isinstance(value, float | int):
             value = self.paper.number(sign)
         elif self.naming.lang == "en":
             value = self.paper.law(sign, value)
         if isinstance(angle, float | int):
-            of = f"({self.naming.link(load.direction_link)})" if load.direction_link else ""
+            of = f"({self.naming.link_number(load.direction_link)})" if load.direction_link else ""
             angle = self.paper.number(f"∠{sign}{of}")
         return replace(load, value=value, direction_deg=angle)
 
@@ -207,12 +207,12 @@ def restated(scene: Scene, paper: Paper) -> Statement:
     assert stated
     vectors = {}
     for name, v in stated.vectors.items():
-        sign = paper.naming.vector(name)
+        sign = paper.naming.lettered_vector(name)
         size = paper.number(sign) if isinstance(v.value, float | int) else v.value
         way = paper.number(f"∠{sign}") if isinstance(v.direction, float | int) else v.direction
         near = None if v.near_deg is None else paper.stated_near(sign)
         vectors[name] = replace(v, value=size, direction=way, near_deg=near)
-    parameters = {name: paper.number(greek(name)) for name in stated.parameters if name in scene.used}
+    parameters = {name: paper.number(parameter_lettering(name)) for name in stated.parameters if name in scene.used}
     return replace(stated, vectors=vectors, parameters={**stated.parameters, **parameters})
 
 
@@ -224,7 +224,7 @@ def restated_statics(scene: Scene, paper: Paper) -> Statement:
     points = {name: paper.place(name) for name in shape.points}
     loads = tuple(static_load(x, points, paper) for x in shape.loads)
     supports = tuple(
-        replace(s, normal_deg=paper.number(f"∠{paper.naming.vector(s.name)}")) if s.kind == "roller" else s
+        replace(s, normal_deg=paper.number(f"∠{paper.naming.lettered_vector(s.name)}")) if s.kind == "roller" else s
         for s in shape.supports
     )
     pole = None if shape.pole is None else paper.place("O")
@@ -234,7 +234,7 @@ def restated_statics(scene: Scene, paper: Paper) -> Statement:
 
 def static_load(load: StaticLoad, points: Mapping[str, complex], paper: Paper) -> StaticLoad:
     """A load of a body; a distributed one acts at the joint resultant of its triangle and its rectangle."""
-    sign = paper.naming.vector(load.name)
+    sign = paper.naming.lettered_vector(load.name)
     way = load.direction_deg if load.direction_deg is None else paper.number(f"∠{sign}")
     if load.spread is None:
         return replace(load, size=paper.number(sign), direction_deg=way, place=points.get(load.point, 0j))

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 
 import numpy
 
-from planes.check.evidence.sheet_ink import DARKEST, PX_PER_MM, SheetInk
-from planes.check.vision.image.opencv import cv, shrunk
+from planes.check.evidence.sheet_ink import CLEAR_LINE_DARKNESS, PX_PER_MM, SheetInk
+from planes.check.vision.image.opencv import cv, resize_by_factor
 from planes.geometry.arrays import Greys
 
 SOFT_PX = 2  # line width
@@ -25,5 +25,5 @@ def drawn(strokes: Iterable[tuple[complex, complex]], rim_mm: float = 30.0) -> S
         ends_px = (32 * PX_PER_MM * (z - low) for z in line)
         px = [(round(z.real) - 8, 16 * len(page) - round(z.imag) - 8) for z in ends_px]
         cv().line(page, *px, 255, SOFT_PX, cv().LINE_AA, 4)
-    small = shrunk(page, 0.5)
-    return SheetInk((small / DARKEST).astype(numpy.float32), low, len(small) / PX_PER_MM)
+    small = resize_by_factor(page, 0.5)
+    return SheetInk((small / CLEAR_LINE_DARKNESS).astype(numpy.float32), low, len(small) / PX_PER_MM)

@@ -17,10 +17,10 @@ import numpy as np
 from planes.accuracy.digits import Digits
 from planes.batch import compiled
 from planes.batch.cycle import Cycle
-from planes.drafting.drawing import run
+from planes.drafting.drawing import draw_program
 from planes.drafting.steps import tracks
 from planes.scene import loads
-from planes.solving import plans_of, solve
+from planes.solving import plans_for_requested_results, solve
 from planes.words.errors import PlanFailure
 from tests.helpers.mechanisms import make, to_yaml
 
@@ -113,7 +113,7 @@ def dead_point(rng: random.Random, kind: str) -> tuple[str, float]:
     """A group of a higher class, and an end of the range of its assembly."""
     while True:
         text = to_yaml(make(rng, [kind], sliding=False).scene)
-        given = plans_of(loads(text))[0].given
+        given = plans_for_requested_results(loads(text))[0].given
         middle, half = (next(v for n, v in given.items() if n.startswith(f"{what}_")) for what in ("middle", "half"))
         if half < 179.0:
             return text, float(middle + rng.choice((1, -1)) * half)
@@ -150,10 +150,10 @@ def truth(c: Cycle, value: float) -> Any:
     """The columns at many digits; None without a mechanism."""
     try:
         with patch.object(tracks, "BEFORE", DIGITS):  # where two assemblies meet, Newton's iteration converges slowly
-            drawing = run(c.program, {**c.given, c.plans.drive_given: value}, Digits(DIGITS))
+            drawing = draw_program(c.program, {**c.given, c.plans.drive_given_name: value}, Digits(DIGITS))
     except PlanFailure:
         return None
-    return np.array([float(x.take(drawing.things, drawing.tool.ar)) for x in c.columns])
+    return np.array([float(x.read_from_drawing(drawing.things, drawing.tool.ar)) for x in c.columns])
 
 
 def worst(c: Cycle, row: Any, true: Any) -> float:
@@ -178,8 +178,8 @@ def walk(family: str, seed: int, count: int) -> Counter[str]:
     """
     text, values = case(family, random.Random(f"{family}{seed}"), count)
     scene = loads(text)
-    c = Cycle(plans_of(scene)[0])
-    ways = {"arrays": False, "compiled": True} if compiled.available() and seed == 0 else {"arrays": False}
+    c = Cycle(plans_for_requested_results(scene)[0])
+    ways = {"arrays": False, "compiled": True} if compiled.is_compiler_available() and seed == 0 else {"arrays": False}
     tables = {way: next(c.blocks(values, fast=fast)) for way, fast in ways.items()}
     tally, cycles = Counter[str](positions=count), {id(c.plans): c}
     for k, value in enumerate(values):
@@ -190,7 +190,7 @@ def walk(family: str, seed: int, count: int) -> Counter[str]:
         tally.update(refused=not solved.positions)
         for p in solved.positions:
             own = cycles.setdefault(id(p.plans), Cycle(p.plans))  # leads that lean there delegate to others
-            found = {x.name: x.take(p.drawing.things, p.drawing.tool.ar) for x in own.columns}
+            found = {x.name: x.read_from_drawing(p.drawing.things, p.drawing.tool.ar) for x in own.columns}
             row = np.array([found[x.name] for x in c.columns], float)
             wrong = bool(worst(c, row, true) > WRONG)
             tally.update(wrong=wrong, unsaid=wrong and not p.results["warnings"], warned=bool(p.results["warnings"]))

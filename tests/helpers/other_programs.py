@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from planes.accuracy.baselines import differences
+from planes.accuracy.baselines import rates_by_central_differences
 from planes.accuracy.comparison import Comparison, OtherProgram, Triple
 from planes.plans import Plans
 from planes.plans.assur.groups import Group, Pair
@@ -34,14 +34,14 @@ def installed() -> list[OtherProgram]:
 
 def near_of(bench: Comparison, values: Any) -> Near:
     """The approximate positions of all points, by the number of the position."""
-    table = bench.many(values, False)
+    table = bench.columns_by_loop(values, False)
     rows = {c.name: row for c, row in zip(bench.cycle.columns, table, strict=True)}
     return lambda k: {p: complex(rows[f"r_{p}_x"][k], rows[f"r_{p}_y"][k]) for p in bench.points}
 
 
 def _pylinkage(number: str) -> OtherProgram:
     def work(bench: Comparison, values: Any) -> Any:
-        return bench.rows(pylinkage_at(bench.at, values, near_of(bench, values)))
+        return bench.columns_from_point_results(pylinkage_at(bench.plans_at, values, near_of(bench, values)))
 
     def quickest(bench: Comparison, values: Any) -> Callable[[Any], Any]:
         return pylinkage_run(bench.plans, values[0], near_of(bench, values)(0))
@@ -51,7 +51,7 @@ def _pylinkage(number: str) -> OtherProgram:
 
 def _kinepy(number: str) -> OtherProgram:
     def work(bench: Comparison, values: Any) -> Any:
-        return bench.rows(kinepy_at(bench.at, values, near_of(bench, values)))
+        return bench.columns_from_point_results(kinepy_at(bench.plans_at, values, near_of(bench, values)))
 
     return OtherProgram(f"kinepy {number}", lambda _: True, work, lambda bench, _: kinepy_run(bench.plans), 10_000)
 
@@ -63,7 +63,7 @@ class Pylinkage:
     def can(plans: Plans) -> bool:
         """Whether it supports all the groups: RRR, and RRP with the slider's hinge on a guide of the frame."""
         reached = set(plans.mechanism.frame.points) | set(plans.mechanism.links[plans.mechanism.drive.link].points)
-        for g in plans.structure.dyads:
+        for g in plans.structure.class_two_groups:
             if not (g.kind == 1 or (g.kind == 2 and _on_frame(plans.mechanism, g))):
                 return False
             if not {p.point for p in (g.first_outer, g.last_outer) if p.kind == "R"} <= reached:
@@ -82,7 +82,7 @@ class Pylinkage:
         self.extra: list[Any] = []
         self.step = step  # rad of the crank between positions
         self._cranks(value)
-        for g in plans.structure.dyads:
+        for g in plans.structure.class_two_groups:
             self._group(g, near[g.inner.point])
         self.linkage = Linkage([*self.named.values(), *self.extra], name="scene")
         for crank in self.cranks:
@@ -134,7 +134,11 @@ class Pylinkage:
 
 def _on_frame(m: Mechanism, g: Group) -> bool:
     slides, link = m.link(g.last).slides, m.link(g.last)
-    here = g.last_outer.mate(g.last) == FRAME and g.last_outer.link == g.last and link.first_point == g.inner.point
+    here = (
+        g.last_outer.other_link_of_pair(g.last) == FRAME
+        and g.last_outer.link == g.last
+        and link.first_point == g.inner.point
+    )
     return bool(here and slides and not slides.offset)
 
 
@@ -240,7 +244,7 @@ def _kinepy_one(plans: Plans, value: float, near: dict[str, complex]) -> dict[st
 
     best = min(map(tried, itertools.product((1, -1), repeat=len(tool.keys))), key=off)
     rates = drive.velocity, drive.acceleration, PER_STEP
-    return {p: (z[1], *differences(z[1], z[0], z[2], *rates)) for p, z in best.items()}
+    return {p: (z[1], *rates_by_central_differences(z[1], z[0], z[2], *rates)) for p, z in best.items()}
 
 
 def pylinkage_run(plans: Plans, value: float, near: dict[str, complex]) -> Callable[[Any], Any]:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from itertools import permutations
 
-from planes.drafting.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, draw_program
 from planes.drafting.tools import Thing
 from planes.plans import plans_of
 from planes.scene.mechanism import Link, Mechanism
@@ -24,7 +24,7 @@ def drawn_anew(mechanism: Mechanism, numbers: Mapping[str, float], file: str, ne
     for name, value in numbers.items():
         if name in given and name not in plans.reckoned and not name.startswith(CHOSEN):
             given[name] = value
-    return run(plans.program, {**given, **{n: z for n, z in numbers.items() if n.startswith("mu_")}})
+    return draw_program(plans.program, {**given, **{n: z for n, z in numbers.items() if n.startswith("mu_")}})
 
 
 def resized(mechanism: Mechanism, numbers: Mapping[str, float]) -> Mechanism:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from planes.batch.plain_tape import DIGITS
+from planes.batch.plain_tape import DIGIT_LETTERS
 from planes.words.records import Json
 
 READ: Mapping[str, Callable[..., float]] = {
@@ -35,7 +35,7 @@ READ: Mapping[str, Callable[..., float]] = {
 
 def operations(tape: Json) -> Iterator[tuple[str, list[int]]]:
     """Each operation with the positions of its arguments, from the letters of a tape."""
-    digits, names = map(DIGITS.index, tape["ops"]), [*tape["names"].items()]
+    digits, names = map(DIGIT_LETTERS.index, tape["ops"]), [*tape["names"].items()]
     for place, first in enumerate(digits):
         name, count = names[first]
         yield name, [place - _number(digits) for _ in range(count)]

@@ -11,7 +11,7 @@ from typing import Any
 import cv2
 import numpy as np
 
-from planes.check.fiducials import SHEET_MM, SIDE_MM, cells, centres
+from planes.check.fiducials import MARK_SIDE_MM, SHEET_MM, corner_mark_cells, corner_mark_centres
 
 Stroke = tuple[complex, complex]
 PAPER, PRINT = 246, 40  # grey of clean paper and of print
@@ -131,11 +131,11 @@ class Page:
 
     def square(self, number: int, centre: complex) -> None:
         """A corner mark."""
-        step = SIDE_MM / 7
-        for r, row in enumerate(cells(number)):
+        step = MARK_SIDE_MM / 7
+        for r, row in enumerate(corner_mark_cells(number)):
             for c, black in enumerate(row):
                 if black:
-                    z = centre + complex(-SIDE_MM / 2 + c * step, SIDE_MM / 2 - r * step)
+                    z = centre + complex(-MARK_SIDE_MM / 2 + c * step, MARK_SIDE_MM / 2 - r * step)
                     one = round(z.real * self.k), round((self.size[1] - z.imag) * self.k)
                     two = round((z.real + step) * self.k) - 1, round((self.size[1] - z.imag + step) * self.k) - 1
                     cv2.rectangle(self.grey, one, two, 25, -1)
@@ -143,7 +143,7 @@ class Page:
     def print_blank(self, pole: complex | None, corners: bool) -> None:
         w, h = self.size
         if corners:
-            for number, z in enumerate(centres(self.size)):
+            for number, z in enumerate(corner_mark_centres(self.size)):
                 self.square(number, z)
         self.line([20 + 5j, w - 5 + 5j, complex(w - 5, h - 5), complex(20, h - 5), 20 + 5j], PRINT, 0.25)
         if pole is not None:

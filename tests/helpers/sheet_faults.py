@@ -12,10 +12,10 @@ from itertools import combinations
 
 import shapely
 
-from render.labels.footprints import bounds
-from render.paper.hues import PART
+from render.labels.footprints import box_around_marks
+from render.paper.hues import DETAIL_NAME_SUFFIX
 from render.paper.marks import Arrow, Line, Text
-from render.paper.typeset import box_of, layout, plain
+from render.paper.typeset import lay_out_text, plain_text, text_box_corners
 from render.sheet import Sheet
 from render.views import View
 
@@ -30,7 +30,7 @@ BESIDE_MM, ASKEW = 4.0, 0.05  # maximum overlap of two arrows on one line; angle
 def small_letters(sheet: Sheet) -> Iterator[str]:
     """Texts with letters or indices below the smallest of the standard."""
     for text in (m for m in sheet.marks if isinstance(m, Text)):
-        if any(run.height < LEAST_MM - 1e-9 for run in layout(text).runs):
+        if any(run.height < LEAST_MM - 1e-9 for run in lay_out_text(text).runs):
             yield f"{text.text!r} has letters under {LEAST_MM} mm"
 
 
@@ -43,13 +43,14 @@ def one_word(sheet: Sheet) -> Iterator[str]:
 def _joined(texts: Sequence[Text]) -> Iterator[str]:
     signs = {round(m.place.imag, 6) for m in texts if set("=+Σ") & set(m.text)}  # of equations
     named = [m for m in texts if m.name and not m.turn_deg and round(m.place.imag, 6) not in signs]
-    boxes = [box_of(m) for m in named]
+    boxes = [text_box_corners(m) for m in named]
     tree = shapely.STRtree([shapely.box(b[0].real, b[0].imag, b[2].real, b[2].imag) for b in boxes])
     for i, j in sorted(map(tuple, tree.query(tree.geometries, "dwithin", APART * LARGEST_MM).T.tolist())):
         level = min(boxes[i][2].imag, boxes[j][2].imag) - max(boxes[i][0].imag, boxes[j][0].imag)
         gap, high = boxes[j][0].real - boxes[i][2].real, min(named[i].height, named[j].height)
         if level > high / 2 and 0 < gap < APART * high - 1e-3:
-            yield f"{plain(named[i].text)!r} and {plain(named[j].text)!r} read as one word, {gap:.2f} mm apart"
+            one, other = plain_text(named[i].text), plain_text(named[j].text)
+            yield f"{one!r} and {other!r} read as one word, {gap:.2f} mm apart"
 
 
 def out_of_order(sheet: Sheet) -> Iterator[str]:
@@ -73,14 +74,18 @@ def _upon(view: View) -> Iterator[str]:
     shown = ("force", "result") if view.key.startswith("force") else ("force",)
     forces = [m for m in view.marks if m.layer in shown and isinstance(m, (Arrow, Line))]
     arrows = [m for m in forces if isinstance(m, Arrow) and m.name]
-    parts = [m for m in forces if isinstance(m, Line) and m.name.endswith(PART)]  # of forces that end outside a detail
+    parts = [
+        m for m in forces if isinstance(m, Line) and m.name.endswith(DETAIL_NAME_SUFFIX)
+    ]  # of forces that end outside a detail
     ends = [(m.name, m.start, m.end) for m in arrows] + [(m.name, m.points[0], m.points[1]) for m in parts]
     lines = [shapely.LineString([(z.real, z.imag) for z in (a, b)]) for _, a, b in ends]
     texts = [m for m in view.marks if isinstance(m, Text)]
     numbered = {m.name.removeprefix("value ") for m in texts if re.search(r"\(\d+–\d+\)", m.text)}
     numbered |= {name for name, a, b in ends if any(x in numbered and (a, b) == (d, c) for x, c, d in ends)}
     for (one, a), (two, b) in combinations(zip(ends, lines, strict=True), 2):
-        if {one[0].removesuffix(PART), two[0].removesuffix(PART)} <= numbered or _forked(one[1:], two[1:]):
+        if {one[0].removesuffix(DETAIL_NAME_SUFFIX), two[0].removesuffix(DETAIL_NAME_SUFFIX)} <= numbered or _forked(
+            one[1:], two[1:]
+        ):
             continue
         turn = (one[2] - one[1]) * (two[2] - two[1]).conjugate()
         if abs(turn.imag) < ASKEW * abs(turn) and a.buffer(0.3).intersection(b).length > BESIDE_MM:
@@ -101,8 +106,8 @@ def longest(view: View) -> float:
     """The longer side of a drawing, without its words; of a force plan without its details."""
     drawn = [m for m in view.marks if not isinstance(m, Text) and m.layer != "text"]
     if view.key.startswith("force"):
-        drawn = [m for m in drawn if isinstance(m, Arrow) and not m.name.endswith(PART)]
-    x0, y0, x1, y1 = bounds(drawn)
+        drawn = [m for m in drawn if isinstance(m, Arrow) and not m.name.endswith(DETAIL_NAME_SUFFIX)]
+    x0, y0, x1, y1 = box_around_marks(drawn)
     return max(x1 - x0, y1 - y0)
 
 

@@ -278,9 +278,9 @@ def faults(one: Snapped) -> Iterator[str]:
         yield from _sentence(failure["error"], one.answered)
     for position in found.positions:
         yield from _numbers(found, position)
-        if found.plans.moves:
+        if found.plans.has_mechanism:
             yield from _against(one.text, position)
-    if found.plans.moves:
+    if found.plans.has_mechanism:
         yield from _run(re.sub(r"(?m)^find:.*\n", "", one.text))
 
 
@@ -351,7 +351,7 @@ def _run(text: str) -> Iterator[str]:
         told = [m for m in there[value].found if m.quantity.group in ("points", "links", "slides")]
         alone = {c.name: x for m in told for c, x in zip(m.quantity.columns, m.numbers, strict=True)}
         units = {c.name: c.unit for c in cycle.columns}
-        sharp = min([1.0, *there[value].drawing.sharpness.values()])
+        sharp = min([1.0, *there[value].drawing.crossing_sharpness.values()])
         for name, x in alone.items():
             size = max([1.0, *(abs(y or 0.0) for n, y in alone.items() if units.get(n) == units.get(name))])
             if x is not None and name in many and not abs(_apart(x, many[name], units[name])) * sharp <= NEAR * size:

@@ -8,8 +8,8 @@ import re
 import pytest
 
 import planes
-from planes.scene.outline import KEYS
-from planes.words import table
+from planes.scene.outline import ALL_SCENE_KEYS
+from planes.words import sentence_table
 from tests.helpers import ROOT
 from tests.helpers.prose import sentences, words_of
 
@@ -29,7 +29,7 @@ def test_the_scenes_of_the_format_are_read(text: str) -> None:
 
 
 def test_every_part_of_a_scene_is_described() -> None:
-    known = {*KEYS} - {"note", "text", "missing", "sheet", "crank_slider"}
+    known = {*ALL_SCENE_KEYS} - {"note", "text", "missing", "sheet", "crank_slider"}
     assert not {key for key in known if not re.search(rf"\b{key}\b", SCENE)}
 
 
@@ -57,7 +57,9 @@ def test_the_map_for_newcomers_names_what_is_there() -> None:
 def test_every_mistake_has_its_name() -> None:
     listed = CHECKING[CHECKING.index("- position:") : CHECKING.index("**Names of marks")]
     told = set(re.findall(r"`([a-z0-9]+(?:_[a-z0-9]+)+)`", listed))
-    assert told == {key.removeprefix("mistake_") for key in table("en", "mistakes") if key.startswith("mistake_")}
+    assert told == {
+        key.removeprefix("mistake_") for key in sentence_table("en", "mistakes") if key.startswith("mistake_")
+    }
 
 
 def test_the_newest_version_is_told_alike() -> None:

@@ -54,6 +54,6 @@ def test_no_key_of_a_word_is_taken_for_a_name() -> None:
 
 def test_pages_know_no_grammar_of_names() -> None:
     """What the lesson's scripts draw by is told them: letters, helping marks, corners of vectors."""
-    from render.page.web_page import part
+    from render.page.web_page import page_files_text
 
-    assert not re.search(r"\^\[nk\]_|\[[⊥°]{2}\]|_given|MZ|omega", part("figure.js", "plan.js", "scheme.js"))
+    assert not re.search(r"\^\[nk\]_|\[[⊥°]{2}\]|_given|MZ|omega", page_files_text("figure.js", "plan.js", "scheme.js"))

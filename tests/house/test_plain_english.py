@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from planes.words import table
+from planes.words import sentence_table
 from tests.helpers import ROOT
 from tests.house.test_rooms import MODULES, tree
 
@@ -57,7 +57,9 @@ def test_no_docstring_or_comment_is_translated_word_by_word(phrase: str, docstri
 
 @pytest.mark.parametrize("phrase", BANNED)
 def test_no_message_is_translated_word_by_word(phrase: str) -> None:
-    files = {f.stem: list(table("en", f.stem).values()) for f in (ROOT / "planes" / "words" / "en").glob("*.json")}
+    files = {
+        f.stem: list(sentence_table("en", f.stem).values()) for f in (ROOT / "planes" / "words" / "en").glob("*.json")
+    }
     assert len(files) > 25 and not found(BANNED[phrase], files)
 
 

@@ -105,7 +105,7 @@ def test_every_key_of_a_scene_stands_on_its_page(hooks: ModuleType) -> None:
     told = set(re.findall("<!-- keys (.*?) -->", PAGES["en"]["scene.md"]))
     assert all(hooks.with_keys(text, lang) == text for lang, every in PAGES.items() for text in every.values())
     named = {name for block in told for name in block.split()}
-    tables = hooks.found(hooks.schema("scene", "en"))
+    tables = hooks.found(hooks.json_schema("scene", "en"))
     again = {n for n in tables if "_" in n and n.split("_")[0] in tables} - {"crank_slider", "piston_pin"}
     left = tables.keys() - named - again - {"points", "through", "centre", "near", "working", "idle", "moment", "angle"}
     assert left <= {

@@ -8,8 +8,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from planes.documents.drawn import SUFFIXES
-from planes.scene.files import PART
+from planes.documents.drawn import DRAWING_SUFFIXES
+from planes.scene.files import DRAFT_SUFFIX
 from tests.helpers.sheets import sheet
 from tests.house.test_rooms import MODULES, tree
 
@@ -51,9 +51,9 @@ def test_a_sheet_of_any_format_is_written_to_a_draft(tmp_path: Path) -> None:
             opened.append(str(args[0]))
 
     sys.addaudithook(watch)
-    for suffix in SUFFIXES:
+    for suffix in DRAWING_SUFFIXES:
         sheet("vectors").write(tmp_path / f"sheet{suffix}")
     watching = False
     written = [path for path in opened if Path(path).parent == tmp_path]
-    assert len(written) >= len(SUFFIXES) and all(path.endswith(PART) for path in written)
-    assert {path.suffix for path in tmp_path.iterdir()} == set(SUFFIXES)
+    assert len(written) >= len(DRAWING_SUFFIXES) and all(path.endswith(DRAFT_SUFFIX) for path in written)
+    assert {path.suffix for path in tmp_path.iterdir()} == set(DRAWING_SUFFIXES)

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from planes.lesson.told import Told
+from planes.lesson.told import SceneLesson
 from planes.scene import load, loads
-from planes.words import langs, table
+from planes.words import available_languages, sentence_table
 from planes.words.errors import PlanesError
-from planes.words.names import kind_of, links_of
+from planes.words.names import force_plan_links, plan_kind
 from tests.helpers import ROOT
 from tests.helpers.mechanisms import KINDS, make, to_yaml
 
@@ -23,20 +23,20 @@ SCENES = [
 ]
 
 
-def forces(told: Told) -> Iterator[tuple[str, list[int]]]:
+def forces(told: SceneLesson) -> Iterator[tuple[str, list[int]]]:
     """Every force polygon, with the numbers of its frames."""
-    for plan in (p for p in told.plans.drawn if kind_of(p) == "force"):
+    for plan in (p for p in told.plans.plan_names if plan_kind(p) == "force"):
         yield plan, [k for k, f in enumerate(told.frames) if f.plan == plan]
 
 
-def in_order(told: Told) -> int:
+def in_order(told: SceneLesson) -> int:
     """Checks the frames of every force polygon; how many there are."""
     polygons = 0
     sought = [told.plans.moments[f.moments].unknown if f.moments is not None else "" for f in told.frames]
     for plan, own in forces(told):
         keys = [told.frames[k].key for k in own]
-        links, reactions = links_of(plan), told.plans.reactions.values()
-        stated = {t.name.partition("^")[0] for e in told.plans.equations if e.plan == plan for t in e.terms}
+        links, reactions = force_plan_links(plan), told.plans.reactions.values()
+        stated = {t.name.partition("^")[0] for e in told.plans.equations if e.plan == plan for t in e.all_terms}
         closed = {r.key for r in reactions if r.plan == plan and {r.pair.link, r.pair.other} <= {*links}}
         inside = closed - stated  # of class IV some are in the equation itself
         assert keys[0] == "free_body" and keys.count("free_body") == keys.count("pole") == 1
@@ -52,7 +52,7 @@ def in_order(told: Told) -> int:
             measured = {r.name for r in f.rows}
             assert f.key == "apart" or not measured & inside, (plan, f.key, measured & inside)
             known |= measured
-        assert {r for r in closed if told.teller.span(r, plan)} <= known, plan
+        assert {r for r in closed if told.teller.segment_ends(r, plan)} <= known, plan
         polygons += 1
     return polygons
 
@@ -60,7 +60,7 @@ def in_order(told: Told) -> int:
 @pytest.mark.few(10)
 @pytest.mark.parametrize("path", SCENES, ids=lambda p: str(p.relative_to(SAMPLES))[:-5])
 def test_each_group_is_told_from_its_free_body_to_its_links(path: Path) -> None:
-    told = Told.of(load(path))
+    told = SceneLesson.of(load(path))
     assert in_order(told) >= bool(told.plans.reactions)
 
 
@@ -70,7 +70,7 @@ def test_random_mechanisms_are_told_in_the_same_order() -> None:
     for seed in range(100):
         try:
             rng = random.Random(seed)
-            told = Told.of(loads(to_yaml(make(rng, rng.choices(KINDS, k=2), friction=seed % 3 == 0).scene)))
+            told = SceneLesson.of(loads(to_yaml(make(rng, rng.choices(KINDS, k=2), friction=seed % 3 == 0).scene)))
         except PlanesError:
             continue
         polygons += in_order(told)
@@ -81,12 +81,12 @@ def test_random_mechanisms_are_told_in_the_same_order() -> None:
 def test_other_words_change_no_frame(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """With every sentence of a lesson reworded in every language, all but the words is as before."""
     whole = lambda told: [(f.key, f.plan, f.makes, f.terms, f.rows, f.numbers) for f in told.frames]  # noqa: E731
-    before = Told.of(load(SAMPLES / f"{name}.yaml"))
-    for lang in langs():
-        words = table(lang)
+    before = SceneLesson.of(load(SAMPLES / f"{name}.yaml"))
+    for lang in available_languages():
+        words = sentence_table(lang)
         for key in [k for k in words if k.startswith(("lesson_", "why_"))]:
             names = re.findall(r"{\w+}", words[key])
             monkeypatch.setitem(words, key, "§ " + " ~ ".join(reversed(names)))  # type: ignore[arg-type]
-    after = Told.of(load(SAMPLES / f"{name}.yaml"))
+    after = SceneLesson.of(load(SAMPLES / f"{name}.yaml"))
     assert whole(after) == whole(before) and after.frames != before.frames
-    assert after.practice.items() == before.practice.items()
+    assert after.practice.practice_items() == before.practice.practice_items()

@@ -12,30 +12,30 @@ from pathlib import Path
 import pytest
 
 from planes import cli
-from planes.documents.lesson import Lesson, placed
-from planes.drafting.drawing import run
+from planes.documents.lesson import Lesson, note_position
+from planes.drafting.drawing import draw_program
 from planes.drafting.steps import LayOff
-from planes.lesson import Teller, value_of
+from planes.lesson import Teller, slot_value
 from planes.lesson.data import lesson_data
-from planes.lesson.formulas import LANGS, fill
-from planes.lesson.frame import needed
+from planes.lesson.formulas import LESSON_LANGS, fill_slots
+from planes.lesson.frame import values_of_frames
 from planes.lesson.note import Note
 from planes.plans import plans_of
 from planes.plans.measuring import DrawingReader
-from planes.plans.quantities import catalogue
-from planes.plans.scales import scales
+from planes.plans.quantities import quantities_by_name
+from planes.plans.scales import plan_scales
 from planes.scene import load, loads
 from planes.solving import solve
 from planes.solving.document import Cover, DocumentTable, Figure, Formula, Heading, Paragraph
 from planes.words.errors import PlanesError, PlanFailure, SceneError
-from planes.words.names import at, label_of
+from planes.words.names import full_mark_name, label_of
 from planes.words.naming import Naming
-from render.page.lesson_page import page
+from render.page.lesson_page import whole_lesson_page
 from render.paper.marks import Line
-from render.report import rendered
+from render.report import render_document
 from render.report.figures import DocumentSetter
 from render.sheet.composer import Composer
-from render.views.plotted import of_position
+from render.views.plotted import plot_position
 from tests.helpers import ROOT
 from tests.helpers.other_sizes import drawn_anew
 from tests.helpers.page_tape import PageTape
@@ -61,10 +61,10 @@ def told(path: Path):
     """The teller of a sample, its frames, and its drawing."""
     scene = load(str(path))
     plans = plans_of(scene.mechanism)
-    mus = scales(plans, scene.mu)
-    drawing = run(plans.program, {**plans.given, **mus})
+    mus = plan_scales(plans, scene.mu)
+    drawing = draw_program(plans.program, {**plans.given, **mus})
     teller = Teller(plans, drawing)
-    return teller, teller.frames(), drawing
+    return teller, teller.lesson_frames(), drawing
 
 
 @pytest.mark.few(1, slow=8)
@@ -86,13 +86,15 @@ def test_every_mark_of_every_frame_is_exported(path: Path) -> None:
 def test_every_frame_says_what_and_why_in_both_languages(path: Path) -> None:
     teller, frames, drawing = told(path)
     for frame in frames:
-        for lang in LANGS:
-            said = fill(frame.said[lang], lambda n: float(value_of(n, teller, drawing)), lang)
+        for lang in LESSON_LANGS:
+            said = fill_slots(frame.words_with_rows[lang], lambda n: float(slot_value(n, teller, drawing)), lang)
             assert "⟦" not in said and "{" not in said and said.endswith("."), said
             assert frame.why[lang].endswith("."), frame.why[lang]
             cyrillic = bool(re.search("[а-яё]", re.sub("⟨[^⟩]*⟩", "", said)))
             assert cyrillic == (lang != "en"), said
-        assert set(re.findall("⟨[^⟩]*⟩", frame.said["ru"])) == set(re.findall("⟨[^⟩]*⟩", frame.said["en"]))
+        assert set(re.findall("⟨[^⟩]*⟩", frame.words_with_rows["ru"])) == set(
+            re.findall("⟨[^⟩]*⟩", frame.words_with_rows["en"])
+        )
 
 
 @pytest.mark.few(3)
@@ -101,7 +103,7 @@ def test_every_formula_comes_to_the_value_it_states(path: Path) -> None:
     teller, frames, drawing = told(path)
     found = 0
     for frame in frames:
-        said = fill(frame.said["en"], lambda n: float(value_of(n, teller, drawing)), "en")
+        said = fill_slots(frame.words_with_rows["en"], lambda n: float(slot_value(n, teller, drawing)), "en")
         for part in re.split(r"[;:] |\. ", said):
             sides = part.rstrip(".").split(" = ")
             if len(sides) < 3 or "⟨" in sides[-2] or "mm" in sides[-2]:
@@ -128,17 +130,17 @@ def test_the_numbers_of_sentences_are_those_that_are_solved(path: Path) -> None:
     teller, frames, drawing = told(path)
     reader, known = (
         DrawingReader(teller.plans, drawing, {n: float(drawing[n]) for n in drawing.things if n.startswith("mu_")}),
-        catalogue(teller.plans),
+        quantities_by_name(teller.plans),
     )
     compared = 0
-    for name in needed(frames):
+    for name in values_of_frames(frames):
         plain = name.strip("|‖")
         quantity = known.get(plain)
         if quantity is None or quantity.group == "plans":
             continue
-        answer = reader.read(quantity)
+        answer = reader.read_quantity(quantity)
         size = answer.number if len(answer.numbers) == 1 else abs(answer.vector)
-        own = float(value_of(name, teller, drawing))
+        own = float(slot_value(name, teller, drawing))
         assert (own if len(answer.numbers) == 1 else abs(own)) == pytest.approx(size, rel=1e-9, abs=1e-9), name
         compared += 1
     assert compared
@@ -153,13 +155,13 @@ def test_the_tape_of_a_page_draws_what_is_solved(path: Path) -> None:
     """At any value of the drive, not at whole degrees alone; and it fails where solving does."""
     exported, scene = data(path), load(str(path))
     plans, drive = plans_of(scene.mechanism), exported["drive"]
-    mus = scales(plans, scene.mu)
+    mus = plan_scales(plans, scene.mu)
     mus = {n: exported["home"][n] for n in mus}
     draw, drawn = random.Random(path.stem), 0
     for value in [drive["at"]] + [draw.uniform(drive["from"], drive["to"]) for _ in range(12)]:
         shown = PageTape(exported, value)
         try:
-            exact = run(plans.program, {**plans.given, **mus, plans.drive_given: value})
+            exact = draw_program(plans.program, {**plans.given, **mus, plans.drive_given_name: value})
         except PlanFailure as failure:
             assert shown.failed and failure.phrase.told("en").split(":")[0][:20] in shown.failed["en"]
             continue
@@ -195,7 +197,7 @@ def test_a_page_with_other_numbers_draws_what_is_solved_with_them(path: Path) ->
             continue  # its own series leads no further, and says so
         drawn += 1
         size = max(abs(exact[m]) for m in exported["marks"] if m in exact)
-        named = {n: z for n, z in exact.things.items() if label_of(n).upper() in scene.mechanism.names}
+        named = {n: z for n, z in exact.things.items() if label_of(n).upper() in scene.mechanism.point_names}
         same = named if path in HIGHER else exact.things  # other leads may meet in S
         assert not shown.failed and shown.worst(same) < CLOSE_MM * max(1.0, size / 1e3)
     assert drawn > 2
@@ -229,8 +231,8 @@ def test_a_failure_is_told_by_the_step_that_fails() -> None:
 
 def built(names: list[str], plan: str, drawing) -> complex:
     """The place of a mark drawn by nothing but the names its sentence tells, in their order."""
-    mark = {n: drawing[at(plan, n)] for n in names if plan == "position" or not n[0].isupper()}
-    spot = {n: drawing[at("position", n)] for n in names if n[0].isupper()}
+    mark = {n: drawing[full_mark_name(plan, n)] for n in names if plan == "position" or not n[0].isupper()}
+    spot = {n: drawing[full_mark_name("position", n)] for n in names if n[0].isupper()}
     if len(names) == 7:  # first, second; one, two, own; own, end
         first, second, one, two, own = names[:5]
         return mark[first] + (mark[second] - mark[first]) * (spot[own] - spot[one]) / (spot[two] - spot[one])
@@ -243,16 +245,18 @@ def built(names: list[str], plan: str, drawing) -> complex:
 def test_similarity_is_told_as_it_is_drawn(path: Path) -> None:
     _, frames, drawing = told(path)
     for frame in (f for f in frames if f.key in ("image", "carried_image")):
-        for lang in LANGS:
-            names = re.findall("⟨([^⟩]*)⟩", frame.said[lang])
+        for lang in LESSON_LANGS:
+            names = re.findall("⟨([^⟩]*)⟩", frame.words_with_rows[lang])
             assert built(names, frame.plan, drawing) == pytest.approx(drawing[frame.makes[0]], abs=1e-6)
-            assert set(frame.uses) <= {at(frame.plan if not n[0].isupper() else "position", n) for n in names}
+            assert set(frame.uses) <= {
+                full_mark_name(frame.plan if not n[0].isupper() else "position", n) for n in names
+            }
 
 
 def test_the_sheet_draws_no_triangle_where_similarity_is_carried() -> None:
     scene = load(str(HERE / "kind-3-rpr.yaml"))
-    drawn = placed(scene, None, "en")
-    marks = Composer(scene, "en").plan(of_position(drawn), "velocity").marks
+    drawn = note_position(scene, None, "en")
+    marks = Composer(scene, "en").plan(plot_position(drawn), "velocity").marks
     sides = [m.points for m in marks if isinstance(m, Line) and (m.style, m.layer) == ("thin", "construction")]
     assert sides == [tuple(drawn.drawing[f"velocity:{k}"] for k in ends) for ends in (("b", "s2"), ("b", "e"))]
 
@@ -260,10 +264,10 @@ def test_the_sheet_draws_no_triangle_where_similarity_is_carried() -> None:
 @pytest.mark.few(2)
 @pytest.mark.parametrize("path", [*SAMPLES, *HIGHER], ids=lambda f: f.stem)
 def test_a_page_is_whole_small_and_loads_nothing(path: Path) -> None:
-    sizes = [len(page(data(path), lang).encode()) for lang in LANGS]
+    sizes = [len(whole_lesson_page(data(path), lang).encode()) for lang in LESSON_LANGS]
     assert max(sizes) < LARGEST, sizes
-    for lang in LANGS:
-        text = page(data(path), lang)
+    for lang in LESSON_LANGS:
+        text = whole_lesson_page(data(path), lang)
         assert not re.search(r'(?:src|href)\s*=\s*["\']?(?:https?:)?//', text) and f'<html lang="{lang}">' in text
         assert "{" + "css}" not in text
 
@@ -278,7 +282,7 @@ def test_wrong_places_of_the_practice_are_wrong_and_have_names(path: Path) -> No
         assert abs(home.pair(slip["place"]) - home.mark(slip["at"])) > 0.29, slip
         sentence = exported["mistakes"][slip["m"]]
         assert len(sentence["parts"]) == len(slip["names"]) and all(slip["names"]), slip
-        for lang in LANGS:
+        for lang in LESSON_LANGS:
             assert set(re.findall(r"{(\w+)}", sentence["said"][lang])) == set(sentence["parts"])
 
 
@@ -377,17 +381,17 @@ def test_a_note_says_whose_it_is_as_the_sheet_does() -> None:
         (f"sheet: {{{cells}}}\n", ("Done by: Smith J., M-31", "Checked by: Jones"), ("BNTU", "TMM")),
     ):
         scene = loads(text + sheet, "s.yaml")
-        cover = next(Note(scene, placed(scene, None, "en"), "en").opening())
+        cover = next(Note(scene, note_position(scene, None, "en"), "en").opening_blocks())
         assert isinstance(cover, Cover) and (cover.people, cover.above) == (people, above)
         assert cover.foot == ("2026" if sheet else "")
 
 
 @pytest.mark.few(3)
 @pytest.mark.parametrize("path", SAMPLES, ids=NAMES)
-@pytest.mark.parametrize("lang", LANGS)
+@pytest.mark.parametrize("lang", LESSON_LANGS)
 def test_a_note_stands_in_the_usual_order(path: Path, lang) -> None:
     scene = load(str(path))
-    blocks = Note(scene, placed(scene, None, lang), lang).blocks()
+    blocks = Note(scene, note_position(scene, None, lang), lang).document_blocks()
     kinds = [type(b) for b in blocks]
     assert (
         isinstance(blocks[0], Cover)
@@ -401,7 +405,7 @@ def test_a_note_stands_in_the_usual_order(path: Path, lang) -> None:
     captions = [re.match(r"\D+(\d+)", b.caption)[1] for b in blocks if isinstance(b, Figure) and b.caption]
     assert captions == [str(k + 1) for k in range(len(captions))]
     assert all(len(row) == len(b.rows[0]) for b in blocks if isinstance(b, DocumentTable) for row in b.rows)
-    told = [b.text if isinstance(b, Paragraph) else b.tex for b in blocks if isinstance(b, Paragraph | Formula)]
+    told = [b.text if isinstance(b, Paragraph) else b.tex_source for b in blocks if isinstance(b, Paragraph | Formula)]
     assert not any("⟦" in text or "⟪" in text or "nan" in text for text in told)
 
 
@@ -439,20 +443,20 @@ def test_a_note_is_refused_in_a_sentence(tmp_path: Path, capsys) -> None:
     assert cli.main(["note", str(SIX), "--phi", "90", "-o", str(tmp_path / "n.html"), "--lang", "en"]) == 2
     assert "φ = 90°" in capsys.readouterr().err
     with pytest.raises(PlanesError, match="one position, but 3"):
-        placed(load(str(SIX)), [150.0, 160.0, 170.0], "en")
+        note_position(load(str(SIX)), [150.0, 160.0, 170.0], "en")
     assert not list(tmp_path.iterdir())
 
 
 def test_the_note_has_every_figure_it_speaks_of() -> None:
     scene = load(str(SIX))
-    drawn = placed(scene, None, "en")
-    blocks, naming = Note(scene, drawn, "en").blocks(), Composer(scene, "en").naming
+    drawn = note_position(scene, None, "en")
+    blocks, naming = Note(scene, drawn, "en").document_blocks(), Composer(scene, "en").naming
     keys = [b.of.views[0][0] for b in blocks if isinstance(b, Figure)]
     assert all(DocumentSetter(Naming("en")).shown(b)[0] for b in blocks if isinstance(b, Figure))
     assert "scheme" in keys and "force:2-3" in keys
-    text = rendered(blocks, ".html", naming).decode()
+    text = render_document(blocks, ".html", naming).decode()
     assert text.count("<svg") == len(keys) and "<i>v</i><i><sub>CB</sub></i>" in text
-    assert json.dumps(text) and at("position", "C") not in text
+    assert json.dumps(text) and full_mark_name("position", "C") not in text
 
 
 def test_numbers_that_are_nothing_are_offered_as_far_as_others_of_their_kind() -> None:

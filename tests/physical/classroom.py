@@ -24,17 +24,17 @@ import cv2
 import numpy as np
 import pypdfium2
 
-from planes.check.blank import blank_pole, roomy
-from planes.check.fiducials import SHEET_MM, squares, within
-from planes.check.grading.polygons import Side, sides_of
-from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare, variants_of
-from planes.check.report.shown import vectors
+from planes.check.blank import blank_pole, plan_fitting_blank
+from planes.check.fiducials import SHEET_MM, is_within_square, mark_and_code_squares
+from planes.check.grading.polygons import Side, polygon_sides
+from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, mistake_variants, prepare
+from planes.check.report.shown import vector_end_labels
 from planes.cli import main
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load
-from planes.words.names import POLE, kind_of, label_of
+from planes.words.names import POLE_LABEL, label_of, plan_kind
 from tests.helpers import ROOT
 from tests.helpers.line_drawings import beside_lines, labels, vector_labels
 from tests.physical import camera
@@ -88,12 +88,12 @@ def filled(out: Path, seed: int) -> Iterator[Filled]:
     for scene in sorted(out.glob("teacher/*/scene.yaml")):
         student, rng = scene.parent.name, random.Random(f"{seed} {scene.parent.name}")
         asked = load(scene)
-        plans = [p for p in known_plans(scene_plans(asked)) if kind_of(p) != "position"]
+        plans = [p for p in known_plans(scene_plans(asked)) if plan_kind(p) != "position"]
         with pypdfium2.PdfDocument(out / "students" / student / "blank.pdf") as blank:
             assert len(blank) == len(plans), (student, len(blank), plans)
             for page, plan in zip(blank, plans, strict=True):
                 grey = cv2.cvtColor(page.render(scale=PX_PER_MM * 25.4 / 72).to_numpy()[..., :3], cv2.COLOR_BGR2GRAY)
-                bench = roomy(prepare(Asked(asked, plan)))
+                bench = plan_fitting_blank(prepare(Asked(asked, plan)))
                 mistake, one = drawing(bench, rng)
                 if one.strokes:  # an empty plan is not submitted
                     yield Filled(student, plan, mistake, taken(bench, one, grey, rng), one.marks)
@@ -114,19 +114,21 @@ def taken(bench: PreparedPlan, one: Drawn, blank: Any, rng: random.Random) -> An
 
 def drawing(bench: PreparedPlan, rng: random.Random) -> tuple[str, Drawn]:
     """A plan as drawn by a person, and its mistake, "" for a right one."""
-    true = {POLE: 0j, **bench.true_marks}
+    true = {POLE_LABEL: 0j, **bench.true_marks}
     tried = [("", true)]
     if rng.random() < WRONG:
-        every = variants_of(bench, {}, bench.said_mu)
+        every = mistake_variants(bench, {}, bench.said_mu)
         drawn = ((v.mistake, _marks(bench, v)) for v in rng.sample(every, len(every)))
         tried = [*((name, marks) for name, marks in drawn if marks), *tried]
     for mistake, marks in tried:
         moved = max(abs(marks[n] - z) for n, z in true.items())
         if all(map(_roomy, (z + blank_pole(bench) for z in marks.values()))) and (moved > MOVED_MM or not mistake):
             break
-    shaken = {n: z + ERROR_MM * complex(rng.gauss(0, 1), rng.gauss(0, 1)) for n, z in marks.items()} | {POLE: 0j}
-    force = kind_of(bench.asked.plan) == "force"
-    sides = sides_of(bench.plans, bench.asked.plan) if force else [Side("", a, b) for a, b in vectors(bench)]
+    shaken = {n: z + ERROR_MM * complex(rng.gauss(0, 1), rng.gauss(0, 1)) for n, z in marks.items()} | {POLE_LABEL: 0j}
+    force = plan_kind(bench.asked.plan) == "force"
+    sides = (
+        polygon_sides(bench.plans, bench.asked.plan) if force else [Side("", a, b) for a, b in vector_end_labels(bench)]
+    )
     sides = [s for s in sides if abs(shaken[s.end] - shaken[s.start]) > 0.5]
     strokes = [(shaken[s.start], shaken[s.end]) for s in sides]
     if force:
@@ -139,13 +141,13 @@ def drawing(bench: PreparedPlan, rng: random.Random) -> tuple[str, Drawn]:
 
 
 def _marks(bench: PreparedPlan, variant: Any) -> dict[str, complex]:
-    things = bench.drawn(variant, Tool(Arithmetic()))
-    return {} if things is None else {POLE: 0j, **{label_of(m): complex(things[m]) for m in bench.marks}}
+    things = bench.draw_program(variant, Tool(Arithmetic()))
+    return {} if things is None else {POLE_LABEL: 0j, **{label_of(m): complex(things[m]) for m in bench.marks}}
 
 
 def _roomy(z: complex) -> bool:
     inside = ROOM[0].real + 12 < z.real < ROOM[1].real and ROOM[0].imag < z.imag < ROOM[1].imag
-    return inside and not any(within(z, square, 5.0) for square in squares(SHEET_MM))
+    return inside and not any(is_within_square(z, square, 5.0) for square in mark_and_code_squares(SHEET_MM))
 
 
 def handed_in(sheets: list[Filled], folder: Path, rng: random.Random) -> dict[str, Filled]:

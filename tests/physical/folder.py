@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from planes.check.handed_in import PICTURES
+from planes.check.handed_in import PICTURE_SUFFIXES
 from planes.cli import main
 from tests.physical.counting import Tally, Truth
 
@@ -37,7 +37,7 @@ def pairs(folder: Path) -> Iterator[Pair]:
     """Every picture with marks in a folder and its subfolders."""
     for picture in sorted(folder.rglob("*")):
         marks = picture.with_suffix(".csv")
-        if picture.suffix.lower() in PICTURES and marks.is_file():
+        if picture.suffix.lower() in PICTURE_SUFFIXES and marks.is_file():
             yield paired(picture, marks)
 
 

@@ -20,8 +20,8 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from planes.check.evidence import letter_net
-from planes.check.evidence.letter_net import SHAPES, features
-from render.paper.lettering import strokes as pen_paths
+from planes.check.evidence.letter_net import LETTER_SHAPES, letter_features
+from render.paper.lettering import letter_strokes as pen_paths
 
 EACH, HIDDEN, ROUNDS, BATCH = 600, 64, 20, 256
 HERSHEY = ["SIMPLEX", "PLAIN", "DUPLEX", "COMPLEX", "TRIPLEX", "SCRIPT_SIMPLEX", "SCRIPT_COMPLEX"]
@@ -116,12 +116,12 @@ def scrap(rng: random.Random) -> Any:
             start, end = [(rng.randint(50, 150), rng.randint(40, 120)) for _ in range(2)]
             cv2.line(page, start, end, 255, wide, cv2.LINE_AA)
     elif kind == 4:
-        page = by_strokes(rng.choice(SHAPES[:-2]), rng)
+        page = by_strokes(rng.choice(LETTER_SHAPES[:-2]), rng)
         across = np.flatnonzero(page.any(axis=0))
         half = round(across[0] + (across[-1] - across[0]) * rng.uniform(0.3, 0.7))
         page[:, slice(0, half) if rng.random() < 0.5 else slice(half, None)] = 0
     else:
-        two = [by_strokes(rng.choice(SHAPES[:-2]), rng) for _ in range(2)]
+        two = [by_strokes(rng.choice(LETTER_SHAPES[:-2]), rng) for _ in range(2)]
         shift = np.array([[1, 0, rng.uniform(45, 70)], [0, 1, rng.uniform(-25, 25)]], np.float32)
         page = np.maximum(two[0], cv2.warpAffine(two[1], shift, (200, 160)))
     return page
@@ -162,7 +162,7 @@ def as_seen(page: Any, rng: random.Random) -> Any:
 def letters(sources: Sequence[Drawing], each: int, rng: random.Random) -> tuple[Any, Any]:
     """Features of letters, equally many of every shape, and their shapes."""
     rows, told = [], []
-    for number, shape in enumerate(SHAPES):
+    for number, shape in enumerate(LETTER_SHAPES):
         for _ in range(each if shape != "*" else 4 * each):
             char = rng.choice(CHARS.get(shape, shape))
             draw = rng.choice(sources)
@@ -171,12 +171,12 @@ def letters(sources: Sequence[Drawing], each: int, rng: random.Random) -> tuple[
             page = scrap(rng) if shape == "*" else draw(char, rng)
             rows.append(as_seen(page if page.any() else by_strokes(char, rng), rng))
             told.append(number)
-    return np.array([features(row) for row in rows]), np.array(told)
+    return np.array([letter_features(row) for row in rows]), np.array(told)
 
 
 def trained(x: Any, y: Any, rng: Any) -> list[Any]:
     """Weights of a net with one hidden layer, by Adam."""
-    n, count = x.shape[1], len(SHAPES)
+    n, count = x.shape[1], len(LETTER_SHAPES)
     held = [
         rng.standard_normal((n, HIDDEN)) * (2 / n) ** 0.5,
         np.zeros(HIDDEN),
@@ -207,7 +207,7 @@ def trained(x: Any, y: Any, rng: Any) -> list[Any]:
 
 def calibration(x: Any, y: Any) -> str:
     """Recognition rates by certainty."""
-    p = np.exp(letter_net.odds(x))
+    p = np.exp(letter_net.shape_log_probabilities(x))
     best, sure = p.argmax(1), p.max(1)
     lines = [f"{(best == y).mean():.3f} of {len(y)} rightly told"]
     for low, high in ((0, 0.5), (0.5, 0.7), (0.7, 0.85), (0.85, 0.95), (0.95, 1.01)):
@@ -234,7 +234,7 @@ def main(folders: list[str]) -> None:
     np.savez_compressed(
         place, **{k: w.astype(np.float16) for k, w in zip(("w1", "b1", "w2", "b2"), weights, strict=True)}
     )
-    letter_net._net.cache_clear()
+    letter_net._net_weights.cache_clear()
     print(f"strokes: {calibration(*letters([by_strokes], 20, random.Random(2)))}")
     print(f"fonts not seen: {calibration(*letters(kept, 40, random.Random(3)))}")
     print(f"{place.stat().st_size} bytes")

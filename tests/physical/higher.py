@@ -16,8 +16,8 @@ from functools import cache
 from pathlib import Path
 
 from planes.check.grading.paper import Known
-from planes.check.grading.polygons import sides_of
-from planes.check.grading.prepared_plan import PreparedPlan, prepare, variants_of
+from planes.check.grading.polygons import polygon_sides
+from planes.check.grading.prepared_plan import PreparedPlan, mistake_variants, prepare
 from planes.check.grading.variants import Variant
 from planes.check.handed_in import read_paper
 from planes.check.outcome import Outcome, check
@@ -25,7 +25,7 @@ from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic, Point
 from planes.words.errors import PlanesError
-from planes.words.names import POLE, at, kind_of, label_of
+from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_kind
 from tests import confusion
 from tests.confusion import Easel
 from tests.helpers import line_drawings
@@ -47,17 +47,17 @@ def easels() -> tuple[Easel, ...]:
     """The plans of velocity, acceleration and forces of every sample of class III and IV."""
     found = []
     for sample in HIGHER:
-        plans = prepare(confusion.bench(sample, "velocity").asked).plans.drawn
-        kinds = [p for p in plans if kind_of(p) in ("velocity", "acceleration", "force")]
+        plans = prepare(confusion.bench(sample, "velocity").asked).plans.plan_names
+        kinds = [p for p in plans if plan_kind(p) in ("velocity", "acceleration", "force")]
         found += [confusion.easel(sample, plan) for plan in kinds]
     return tuple(found)
 
 
 def mistakes(bench: PreparedPlan) -> list[Variant]:
     """The mistakes of the catalogue that move a mark visibly, one for each name and place."""
-    right, found = bench.drawn(None, Tool(Arithmetic())) or {}, dict[tuple[str, str], Variant]()
-    for one in variants_of(bench, {}, bench.said_mu):
-        wrong = bench.drawn(one, Tool(Arithmetic())) or {}
+    right, found = bench.draw_program(None, Tool(Arithmetic())) or {}, dict[tuple[str, str], Variant]()
+    for one in mistake_variants(bench, {}, bench.said_mu):
+        wrong = bench.draw_program(one, Tool(Arithmetic())) or {}
         moved = max((abs(wrong[m] - right[m]) for m in bench.marks if m in wrong), default=0.0)
         if MOVED_MM < moved < ROOM[1] - ROOM[0]:
             found.setdefault((one.mistake, one.blames), one)
@@ -71,8 +71,8 @@ class _ByHand(Tool):
         super().__init__(Arithmetic())
         self.marks, self.rng = marks, rng
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
-        made = super().make(step, way, things)
+    def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Point:
+        made = super().draw_by_other_steps(step, way, things)
         if step.makes in self.marks:
             made = things[step.makes] = made + HAND_MM * complex(self.rng.gauss(0, 1), self.rng.gauss(0, 1))
         return made
@@ -81,15 +81,15 @@ class _ByHand(Tool):
 def drawn(easel: Easel, mistake: Variant | None, rng: random.Random) -> Drawn | None:
     """One drawing by hand; None if it leaves the sheet."""
     bench = confusion.bench(easel.sample, easel.plan)
-    things = bench.drawn(mistake, _ByHand(bench.marks, rng))
+    things = bench.draw_program(mistake, _ByHand(bench.marks, rng))
     if things is None:
         return None
     ends = {label_of(m): complex(things[m]) for m in bench.marks}
-    if kind_of(easel.plan) == "force":
+    if plan_kind(easel.plan) == "force":
         strokes, words = _polygon(bench, things)
     else:
-        marks = {POLE: 0j, **ends}
-        strokes = [(marks[a], marks[b]) for a, b in bench.vectors if a in marks and b in marks]
+        marks = {POLE_LABEL: 0j, **ends}
+        strokes = [(marks[a], marks[b]) for a, b in bench.vector_names if a in marks and b in marks]
         words = line_drawings.labels(marks, rng)
     strokes = [(a, b) for a, b in strokes if abs(b - a) > SEEN_MM]
     pole, (left, right, lower, upper) = pole_of(easel), ROOM
@@ -100,8 +100,11 @@ def drawn(easel: Easel, mistake: Variant | None, rng: random.Random) -> Drawn | 
 def _polygon(bench: PreparedPlan, things: Mapping[str, Point]) -> tuple[list[Stroke], list[tuple[str, complex]]]:
     """The vectors of a force polygon and their names."""
     strokes, words = list[Stroke](), [("p", -3 - 3j)]
-    for side in sides_of(bench.plans, bench.asked.plan):
-        a, b = (0j if n == POLE else complex(things[at(bench.asked.plan, n)]) for n in (side.start, side.end))
+    for side in polygon_sides(bench.plans, bench.asked.plan):
+        a, b = (
+            0j if n == POLE_LABEL else complex(things[full_mark_name(bench.asked.plan, n)])
+            for n in (side.start, side.end)
+        )
         if abs(b - a) > SEEN_MM:
             strokes.append((a, b))
             words.append((side.name, (a + b) / 2 + 2j))
@@ -173,7 +176,7 @@ def main(words: list[str]) -> None:
                     made[1],
                     flush=True,
                 )
-                table[condition, kind_of(easel.plan), *made] += 1
+                table[condition, plan_kind(easel.plan), *made] += 1
     for found, times in sorted(table.items()):
         print(*found, times)
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import cv2
 import numpy as np
 
-from render.paper.lettering import strokes as pen_paths
+from render.paper.lettering import letter_strokes as pen_paths
 from tests.physical.paper import PX_PER_MM
 from tests.physical.strokes import Hand
 

@@ -9,7 +9,15 @@ import numpy as np
 import pytest
 
 from planes.plans import Plans, plans_of
-from planes.plans.assur.alignment import CHOICES, FREEDOMS, _places, aligned, determinant, firm, steadily
+from planes.plans.assur.alignment import (
+    LOOSER_PAIR_KINDS,
+    PAIR_FREEDOMS,
+    _pair_places_in_cycle,
+    constrains_in_all_positions,
+    constraint_determinant,
+    matrix_determinant,
+    self_aligning_variant,
+)
 from planes.plans.assur.groups import Pair
 from planes.scene import load
 from tests.diagrams.test_diagrams import ROCKER, plans_from
@@ -74,14 +82,14 @@ def matrix(p: Plans, signs: dict[Pair, str], places: dict[Pair, Any]) -> np.ndar
 @pytest.mark.parametrize("name", NAMES)
 def test_one_freedom_and_nothing_redundant_as_bodies_in_space(name: str) -> None:
     p = plans(name)
-    variant, places = aligned(p), _places(p, name)[0].lines
+    variant, places = self_aligning_variant(p), _pair_places_in_cycle(p, name)[0].lines
     n = len(p.mechanism.links)
     own = matrix(p, {pair: pair.kind for pair in p.structure.pairs}, places)
     assert len(own) - np.linalg.matrix_rank(own, 1e-9) == p.structure.q
     loosened = matrix(p, dict(variant.pairs), places)
-    assert (variant.W, variant.q) == (1, 0) and len(loosened) == 6 * n - 1
+    assert (variant.degree_of_freedom, variant.redundant_constraints) == (1, 0) and len(loosened) == 6 * n - 1
     assert np.linalg.matrix_rank(loosened, 1e-9) == 6 * n - 1
-    p5, p4, p3 = variant.counts
+    p5, p4, p3 = variant.pair_counts_by_class
     assert 6 * n - 5 * p5 - 4 * p4 - 3 * p3 == 1 and p5 + p4 + p3 == len(p.structure.pairs)
 
 
@@ -90,37 +98,37 @@ def test_assignments_have_a_variant_that_holds_all_through_the_cycle(file: Path)
     mechanism = load(str(file)).mechanism
     assert mechanism
     p = plans_of(mechanism)
-    variant, cycle = aligned(p), _places(p, file.name)
-    assert (variant.W, variant.q) == (1, 0)
+    variant, cycle = self_aligning_variant(p), _pair_places_in_cycle(p, file.name)
+    assert (variant.degree_of_freedom, variant.redundant_constraints) == (1, 0)
     for group in p.structure.groups:
-        signs = tuple(variant.sign(pair) for pair in group.pairs)
-        assert all(sign in CHOICES[pair.kind] for pair, sign in zip(group.pairs, signs, strict=True))
-        assert steadily(group, signs, cycle)
+        signs = tuple(variant.new_kind_of_pair(pair) for pair in group.pairs)
+        assert all(sign in LOOSER_PAIR_KINDS[pair.kind] for pair, sign in zip(group.pairs, signs, strict=True))
+        assert constrains_in_all_positions(group, signs, cycle)
 
 
 def test_a_rod_between_two_spheres_counts_right_and_is_refused() -> None:
     p = plans_from(ROCKER)
-    group, places = p.structure.groups[0], _places(p, "")[0]
+    group, places = p.structure.groups[0], _pair_places_in_cycle(p, "")[0]
     signs = ("S", "S", "R")  # the coupler may spin: one freedom too many, one constraint too many
-    assert sum(FREEDOMS[s] for s in signs) - 3 == 4
-    assert abs(firm(group, signs, places)) < 1e-12
+    assert sum(PAIR_FREEDOMS[s] for s in signs) - 3 == 4
+    assert abs(constraint_determinant(group, signs, places)) < 1e-12
     counted = ("S", "R", "C")
-    assert sum(FREEDOMS[s] for s in counted) - 3 == 3
-    assert abs(firm(group, counted, places)) > 1e-3
+    assert sum(PAIR_FREEDOMS[s] for s in counted) - 3 == 3
+    assert abs(constraint_determinant(group, counted, places)) > 1e-3
 
 
 def test_a_variant_loose_in_one_position_only_is_not_taken() -> None:
     """A ball on the crank and a round rod in its guide let the slider turn about the guide when the ball is on it."""
     p = plans("kind-5-rpp")
-    group, cycle = p.structure.groups[0], _places(p, "")
-    assert abs(firm(group, ("S", "P", "C"), cycle[0])) > 1e-3
-    assert not steadily(group, ("S", "P", "C"), cycle)
-    assert [s for _, s in aligned(p).pairs] == ["R", "C", "C", "C"]
+    group, cycle = p.structure.groups[0], _pair_places_in_cycle(p, "")
+    assert abs(constraint_determinant(group, ("S", "P", "C"), cycle[0])) > 1e-3
+    assert not constrains_in_all_positions(group, ("S", "P", "C"), cycle)
+    assert [s for _, s in self_aligning_variant(p).pairs] == ["R", "C", "C", "C"]
 
 
 def test_determinants() -> None:
     rng = np.random.default_rng(3)
     for n in (1, 3, 6):
         rows = rng.standard_normal((n, n))
-        assert determinant(rows.tolist()) == pytest.approx(np.linalg.det(rows), rel=1e-11)
-    assert determinant([[1.0, 2.0], [0.0, 0.0]]) == 0.0
+        assert matrix_determinant(rows.tolist()) == pytest.approx(np.linalg.det(rows), rel=1e-11)
+    assert matrix_determinant([[1.0, 2.0], [0.0, 0.0]]) == 0.0

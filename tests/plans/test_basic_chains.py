@@ -14,14 +14,14 @@ import pytest
 import yaml
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
-from planes.drafting.drawing import run
+from planes.drafting.drawing import draw_program
 from planes.geometry import plane
-from planes.geometry.searched import proved, searched
-from planes.geometry.tracks import Pose, Tie, TieKind, advanced, origins
-from planes.geometry.two_tracks import both_assemblies
+from planes.geometry.searched import is_proved_assembly, search_assemblies
+from planes.geometry.tracks import Pose, Tie, TieKind, link_origins, newton_step
+from planes.geometry.two_tracks import two_link_assemblies
 from planes.plans import Plans
-from planes.plans.other_leads import met, with_others
-from planes.plans.scales import scales
+from planes.plans.other_leads import plans_by_next_leads, steps_with_other_leads
+from planes.plans.scales import plan_scales
 from planes.scene import loads
 from planes.words.errors import PlanesError, SceneError
 from tests.helpers import ROOT
@@ -45,7 +45,7 @@ def planted(kinds: list[TieKind], rng: random.Random, held: tuple[int, ...] = (0
     links = 1 + max(held)
     pose = spot(rng), *(cmath.rect(1.0, rng.uniform(-math.pi, math.pi)) for _ in range(links))
     hinges = [Tie("hinge", spot(rng), 0j, 0.0, link=k - 1) for k in range(2, links)]
-    places, ties = origins(hinges, pose), list[Tie]()
+    places, ties = link_origins(hinges, pose), list[Tie]()
     for kind, k in zip(kinds, held, strict=True):
         local, place, turn = spot(rng), spot(rng), cmath.rect(1.0, rng.uniform(-math.pi, math.pi))
         axis = pose[1 + k]
@@ -93,11 +93,11 @@ def none_is_missed(seed: str) -> int:
     rng = random.Random(seed)
     kinds: list[TieKind] = ["arc"] * 4 if rng.random() < 0.3 else rng.choices(TIES, k=4)
     ties, pose = planted(kinds, rng)
-    found = both_assemblies(ties)
-    assert found.proved and found.count == counted(ties), (seed, kinds, found.count)
+    found = two_link_assemblies(ties)
+    assert found.is_count_proved and found.count == counted(ties), (seed, kinds, found.count)
     assert min(max(abs(a - b) for a, b in zip(pose, p, strict=True)) for p in found.poses) < 1e-8, seed
-    assert all(abs(t.wrench(p[0], p[1 + t.link])[0]) < 1e-11 for p in found.poses for t in ties), seed
-    assert all(abs(advanced(ties, p)[1]) < 1e-9 for p in found.poses), seed
+    assert all(abs(t.error_and_wrench(p[0], p[1 + t.link])[0]) < 1e-11 for p in found.poses for t in ties), seed
+    assert all(abs(newton_step(ties, p)[1]) < 1e-9 for p in found.poses), seed
     return found.count
 
 
@@ -121,8 +121,8 @@ def test_a_search_meets_all_that_an_exact_count_has() -> None:
     for seed in range(40):
         rng = random.Random(f"met {seed}")
         ties, _ = planted(rng.choices(TIES, k=4), rng)
-        exact_ones, found = both_assemblies(ties), searched(ties, 1.0)
-        assert not found.whole and found.proved and len(found.poses) == exact_ones.count, seed
+        exact_ones, found = two_link_assemblies(ties), search_assemblies(ties, 1.0)
+        assert not found.whole and found.is_count_proved and len(found.poses) == exact_ones.count, seed
         assert all(min(apart(p, q) for q in found.poses) < 1e-9 for p in exact_ones.poses), seed
 
 
@@ -133,23 +133,23 @@ def test_a_search_meets_what_was_planted_in_longer_chains() -> None:
         rng = random.Random(f"planted {seed}")
         held = (0, 0, 1, 2, 2) if seed % 4 else (0, 0, 1, 2, 3, 3)
         ties, pose = planted(rng.choices(TIES, k=len(held)), rng, held)
-        found = searched(ties, 1.0)
-        assert min(apart(pose, p) for p in found.poses) < 1e-8 and found.proved, seed
+        found = search_assemblies(ties, 1.0)
+        assert min(apart(pose, p) for p in found.poses) < 1e-8 and found.is_count_proved, seed
         assert len(found.poses) % 2 == 0, (seed, len(found.poses))
 
 
 def test_what_is_proved_is_a_single_root() -> None:
     """A planted pose is; beside it none is, and where two assemblies are one it is not single."""
     ties, pose = planted(["arc", "line", "guide", "arc", "arc"], random.Random("proved"), (0, 0, 1, 2, 2))
-    assert proved(ties, pose)
-    assert not proved(ties, (pose[0] + 1e-7, *pose[1:]))
+    assert is_proved_assembly(ties, pose)
+    assert not is_proved_assembly(ties, (pose[0] + 1e-7, *pose[1:]))
     ties = [
         Tie("arc", 0j, 0j, 1.0),
         Tie("line", 0j, 1j, 0.0),
         Tie("line", 1 + 0j, 1j, 0.0),
     ]  # an arc that a line touches
-    assert not proved(ties, (1j, 1 + 0j))
-    assert proved([ties[0], *(replace(t, place=0.6j) for t in ties[1:])], (0.8 + 0.6j, 1 + 0j))
+    assert not is_proved_assembly(ties, (1j, 1 + 0j))
+    assert is_proved_assembly([ties[0], *(replace(t, place=0.6j) for t in ties[1:])], (0.8 + 0.6j, 1 + 0j))
 
 
 def kind_of(rng: random.Random, seed: int) -> str:
@@ -192,13 +192,13 @@ def test_whichever_is_found_last_every_number_is_the_same(links: int) -> None:
         rng = random.Random(f"last {links} {seed}")
         case = make(rng, [kind_of(rng, seed) if links == 2 else of_three(rng)], sliding=False)
         plans = draw(to_yaml(case.scene)).plans
-        special, turns = met(plans.program)[0].makes, {""}
+        special, turns = steps_with_other_leads(plans.program)[0].makes, {""}
         for k in range(3 * links - 1):
-            d = by(case, with_others(plans, special, k))
+            d = by(case, plans_by_next_leads(plans, special, k))
             wanted = {n.name: n for n in expected(oracle_solve(case.scene, pose_of(d)), True)}
             assert max(differences(d, wanted).values()) * d.sharpest <= 1e-9, (seed, k)
             balanced(d)
-            turns.add(d.plans.leads[next(iter(d.plans.leads))][-1].name)
+            turns.add(d.plans.leads[next(iter(d.plans.leads))][-1].pair_letters)
         assert len(turns) > 1
 
 
@@ -242,8 +242,8 @@ def test_a_star_of_four_basic_links() -> None:
 
 def by(case: Case, plans: Plans) -> Drawn:
     value = plans.mechanism.drive.position
-    chosen = {**scales(plans, {}, plans.at(value)), **plans.at(value)}
-    return Drawn(loads(to_yaml(case.scene)), plans, chosen, run(plans.program, {**plans.given, **chosen}))
+    chosen = {**plan_scales(plans, {}, plans.drive_givens_at(value)), **plans.drive_givens_at(value)}
+    return Drawn(loads(to_yaml(case.scene)), plans, chosen, draw_program(plans.program, {**plans.given, **chosen}))
 
 
 @pytest.mark.slow

@@ -12,7 +12,7 @@ import pytest
 
 from planes import cycle, solve
 from planes.plans import plans_of, structure_of
-from planes.plans.assur.alignment import aligned
+from planes.plans.assur.alignment import self_aligning_variant
 from planes.scene import loads
 from planes.words.errors import PlanesError, SceneError, StructureError
 from tests.helpers.comparing import balanced, draw, standing, turned_about
@@ -55,10 +55,10 @@ def test_a_weightless_cylinder_pushes_along_itself_alone() -> None:
 
 def test_its_structure() -> None:
     structure = structure_of(loads(KNEE).mechanism)  # type: ignore[arg-type]
-    assert structure.formula == "I(1;2) -> II(1-2-3-4;5)" and structure.q == 6
+    assert structure.structural_formula == "I(1;2) -> II(1-2-3-4;5)" and structure.q == 6
     assert structure.json()["groups"][0]["drive"] == ["1", "2"] and structure.json()["groups"][0]["across"] == "A"
-    found = aligned(plans_of(loads(KNEE).mechanism))  # type: ignore[arg-type]
-    assert found.q == 0 and len(found.pairs) == 7 == len({p for p, _ in found.pairs})
+    found = self_aligning_variant(plans_of(loads(KNEE).mechanism))  # type: ignore[arg-type]
+    assert found.redundant_constraints == 0 and len(found.pairs) == 7 == len({p for p, _ in found.pairs})
 
 
 @pytest.mark.slow
@@ -156,9 +156,9 @@ def test_a_cylinder_lifts_a_coupler_as_its_curve_says() -> None:
     power += 0.9 * found.epsilon["4"] * found.omega["4"]
     assert found.value("Fb_2") * 0.1 == pytest.approx(power, rel=1e-10)
     structure = structure_of(loads(LEAD).mechanism)  # type: ignore[arg-type]
-    assert structure.formula == "I(1;2) -> III(1-2;3;4;5)"
-    found_variant = aligned(plans_of(loads(LEAD).mechanism))  # type: ignore[arg-type]
-    assert found_variant.q == 0 and len(found_variant.pairs) == 7
+    assert structure.structural_formula == "I(1;2) -> III(1-2;3;4;5)"
+    found_variant = self_aligning_variant(plans_of(loads(LEAD).mechanism))  # type: ignore[arg-type]
+    assert found_variant.redundant_constraints == 0 and len(found_variant.pairs) == 7
 
 
 BETWEEN = """\
@@ -179,13 +179,13 @@ gravity: 9.81
 
 def test_a_cylinder_between_two_rockers_closes_a_contour() -> None:
     structure = structure_of(loads(BETWEEN).mechanism)  # type: ignore[arg-type]
-    assert structure.formula == "I(1;2) -> IV(1-2;3;4;5)"
+    assert structure.structural_formula == "I(1;2) -> IV(1-2;3;4;5)"
     found = solve(loads(BETWEEN))
     assert abs(found.r["P"] - found.r["Q"]) == pytest.approx(0.8, abs=1e-12)
     assert abs(found.r["A"] - found.r["B"]) == pytest.approx(0.8, abs=1e-12)
     assert found.value("Fb_2") == pytest.approx(found.value("zhukovsky_force"), rel=1e-10)
-    found_variant = aligned(plans_of(loads(BETWEEN).mechanism))  # type: ignore[arg-type]
-    assert found_variant.q == 0 and len(found_variant.pairs) == 7
+    found_variant = self_aligning_variant(plans_of(loads(BETWEEN).mechanism))  # type: ignore[arg-type]
+    assert found_variant.redundant_constraints == 0 and len(found_variant.pairs) == 7
 
 
 def test_a_cylinder_that_makes_a_parallelogram_is_at_a_dead_point() -> None:

@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from planes.drafting.drawing import Drawing, run
+from planes.drafting.drawing import Drawing, draw_program
 from planes.plans import Plans
-from planes.plans.scales import unit_scales
-from planes.plans.three_centres import with_centres
+from planes.plans.scales import unit_scales_of_plans
+from planes.plans.three_centres import plans_with_instant_centres
 from planes.scene import Scene, load, loads
 from planes.scene.mechanism import FRAME
-from planes.solving import plans_of
+from planes.solving import plans_for_requested_results
 from planes.words.errors import PlanesError
-from planes.words.names import at
+from planes.words.names import full_mark_name
 from tests.helpers import ROOT
 from tests.helpers.mechanisms import any_scene
 
@@ -31,22 +31,22 @@ CLOSE = 1e-9
 
 def drawn(scene: Scene, count: int = 24) -> tuple[Plans, Drawing]:
     """The plans with centres, in SI, in many positions."""
-    plans = with_centres(plans_of(scene, shown=True)[0])
-    drive, reach = plans.mechanism.drive, plans.reach
+    plans = plans_with_instant_centres(plans_for_requested_results(scene, shown=True)[0])
+    drive, reach = plans.mechanism.drive, plans.longest_link_length
     turn = np.linspace(0, 360, count, endpoint=False) if drive.kind == "phi" else np.linspace(-0.1, 0.1, count) * reach
     try:
-        where = plans.at(drive.position + turn)
+        where = plans.drive_givens_at(drive.position + turn)
     except PlanesError:  # a law that holds in the scene's own position
-        where = plans.at(drive.position + np.zeros(1))
-    return plans, run(plans.program, {**plans.given, **unit_scales(plans), **where})
+        where = plans.drive_givens_at(drive.position + np.zeros(1))
+    return plans, draw_program(plans.program, {**plans.given, **unit_scales_of_plans(plans), **where})
 
 
 def velocities(plans: Plans, drawing: Drawing, link: str, mark: str) -> Any:
     """The velocity of the point of a link at a mark of the scheme, by a point whose velocity is drawn and by ω."""
     if link == FRAME:
         return np.zeros_like(drawing[mark])
-    own = (p for p in plans.mechanism.links[link].points if plans.points[p].velocity in drawing.program.made)
-    point = next((p for p in own if plans.points[p].position in drawing.program.made), None)
+    own = (p for p in plans.mechanism.links[link].points if plans.points[p].velocity in drawing.program.result_names)
+    point = next((p for p in own if plans.points[p].position in drawing.program.result_names), None)
     if point is None:
         return None
     omega = drawing[plans.links[link].omega] if plans.links[link].omega else 0.0
@@ -56,7 +56,7 @@ def velocities(plans: Plans, drawing: Drawing, link: str, mark: str) -> Any:
 
 def told(plans: Plans, drawing: Drawing) -> int:
     """How many centres were held against the velocity plan, and checks that are rows of a lesson."""
-    size, count = plans.reach, 0
+    size, count = plans.longest_link_length, 0
     for c in (c for c in plans.centres if c.mark):
         one, two = (velocities(plans, drawing, x, c.mark) for x in c.links)
         if one is None or two is None:
@@ -64,7 +64,7 @@ def told(plans: Plans, drawing: Drawing) -> int:
         near = (np.abs(drawing[c.mark]) < FAR * size) & np.isfinite(one + two)  # where the mechanism goes together
         if not near.any():
             continue
-        others = [drawing[m.velocity] for m in plans.points.values() if m.velocity in drawing.program.made]
+        others = [drawing[m.velocity] for m in plans.points.values() if m.velocity in drawing.program.result_names]
         scale = np.maximum(np.abs(one), np.nanmax([np.abs(v) for v in np.broadcast_arrays(*others)], axis=0))
         assert np.all((np.abs(one - two) <= CLOSE * scale)[near]), c.name
         count += 1
@@ -72,7 +72,9 @@ def told(plans: Plans, drawing: Drawing) -> int:
         speeds = [np.abs(drawing[omega] * drawing[far]) for omega, far in check.sides]
         if check.read:
             own = next(s for s in plans.segments if s.name == check.name and s.plan == "velocity")
-            speeds.append(np.abs(drawing[at("velocity", own.end)] - drawing[at("velocity", own.start)]))
+            speeds.append(
+                np.abs(drawing[full_mark_name("velocity", own.end)] - drawing[full_mark_name("velocity", own.start)])
+            )
         near = np.logical_and.reduce([drawing[far] < FAR * size for _, far in check.sides]) & np.isfinite(sum(speeds))
         assert np.all((np.abs(speeds[0] - speeds[1]) <= CLOSE * np.maximum(*speeds) + 1e-12)[near]), check
         count += 1

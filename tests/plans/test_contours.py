@@ -11,7 +11,7 @@ import pytest
 from flint import fmpq, fmpq_poly
 
 from planes.geometry import plane
-from planes.geometry.sextic import assemblies
+from planes.geometry.sextic import three_tie_assemblies
 from planes.geometry.tracks import Tie
 from tests.helpers.comparing import standing
 from tests.helpers.mechanisms import KINDS, make
@@ -103,8 +103,8 @@ def disagreements(seeds: range) -> Counter[int]:
     for seed in seeds:
         near, far, rods, apart = drawn(random.Random(f"assemblies of a contour {seed}"))
         ties = [Tie("arc", b, a, rod) for a, b, rod in zip(near, far, rods, strict=True)]
-        found = assemblies([*ties, Tie("arc", 0j, 0j, apart)])
-        same = found.proved and found.count == counted(near, far, rods, apart)
+        found = three_tie_assemblies([*ties, Tie("arc", 0j, 0j, apart)])
+        same = found.is_count_proved and found.count == counted(near, far, rods, apart)
         seen[found.count if same else -1] += 1
     return seen
 
@@ -196,8 +196,8 @@ def guides_disagree(seeds: range) -> Counter[int]:
     seen = Counter[int]()
     for seed in seeds:
         outer, ties, rows = with_guides(seed)
-        found = assemblies(ties)
-        seen[found.count if found.proved and found.count == counted_with_guides(outer, rows) else -1] += 1
+        found = three_tie_assemblies(ties)
+        seen[found.count if found.is_count_proved and found.count == counted_with_guides(outer, rows) else -1] += 1
     return seen
 
 

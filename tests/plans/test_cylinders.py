@@ -126,13 +126,13 @@ def test_the_motor_told_from_either_side() -> None:
     found = solve(loads(MOTOR))
     assert other.value("M_1") == pytest.approx(-found.value("M_2"), rel=1e-12)
     assert other.epsilon == pytest.approx(found.epsilon, rel=1e-12)
-    assert structure_of(loads(MOTOR).mechanism).formula == "I(1;2) -> II(1-2;3)"  # type: ignore[arg-type]
+    assert structure_of(loads(MOTOR).mechanism).structural_formula == "I(1;2) -> II(1-2;3)"  # type: ignore[arg-type]
     assert loads(loads(MOTOR).to_yaml()).mechanism == loads(MOTOR).mechanism
 
 
 def test_its_structure() -> None:
     structure = structure_of(loads(LIFT).mechanism)  # type: ignore[arg-type]
-    assert structure.formula == "I(1;2) -> II(1-2;3)"
+    assert structure.structural_formula == "I(1;2) -> II(1-2;3)"
     assert structure.json()["groups"] == [{"links": ["1", "3"], "kind": 1, "name": "RRR", "drive": ["1", "2"]}]
     assert structure.q == 1 - 6 * 3 + 5 * 4
 
@@ -221,7 +221,7 @@ def test_a_stick_on_a_boom_that_its_cylinder_holds() -> None:
     """The boom stands; the cylinder works alone, and the rod that holds the boom bears what moments about O give."""
     found = solve(loads(BOOM))
     structure = structure_of(loads(BOOM).mechanism)  # type: ignore[arg-type]
-    assert structure.formula == "I(3;4) -> II(1;2) -> II(3-4;5)"
+    assert structure.structural_formula == "I(3;4) -> II(1;2) -> II(3-4;5)"
     assert found.v["D"] == 0 == found.a["Q"] and abs(found.r["P"] - found.r["Q"]) == pytest.approx(1.3, rel=1e-13)
     push = 5000 * cmath.exp(1j * math.radians(60))
     power = (push * found.v["T"].conjugate()).real + (-150j * 9.81 * found.v["S5"].conjugate()).real
@@ -281,5 +281,5 @@ def test_the_rod_is_written_before_what_slides_whatever_their_links_are_called(n
     carriage = (ROOT / "samples" / "carriage.yaml").read_text(encoding="utf-8")
     mechanism = loads(carriage.replace("\n  1: {", f"\n  {name}: {{").replace("on: 1", f"on: {name}")).mechanism
     assert mechanism
-    (velocity,) = (e.text for e in plans_of(mechanism).equations if e.plan == "velocity")
+    (velocity,) = (e.equation_text for e in plans_of(mechanism).equations if e.plan == "velocity")
     assert velocity == f"v_B = v_C + v_BC = v_B0 + v_BB{name} + v_B{name}B0"

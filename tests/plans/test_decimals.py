@@ -32,12 +32,12 @@ def stated(text: str) -> Plans:
 def test_what_is_left_out_of_a_given_is_known_to_the_last_digit(seed: int) -> None:
     plans = stated(to_yaml(make(random.Random(seed), [KINDS[seed % 5]], limit=1e4).scene))
     true, counted = givens(plans.mechanism), 0
-    for name, (lost, off) in plans.lost.items():
+    for name, (lost, off) in plans.decimal_rounding_errors.items():
         more = LONG.mp.mpmathify(true[name]) - LONG.mp.mpmathify(plans.given[name])
         left = complex(more - 360 * round(float(more.real) / 360))  # half a turn is told from either side
         assert off == 0.0 and abs(lost - left) <= 1e-14 * abs(left) + 1e-36, name
         counted += abs(lost) > 0
-    assert counted > 8 and len(plans.lost) == len(plans.given) - 1  # the drive is elsewhere
+    assert counted > 8 and len(plans.decimal_rounding_errors) == len(plans.given) - 1  # the drive is elsewhere
 
 
 def test_what_is_reckoned_of_expressions_is_off_by_no_more_than_said() -> None:
@@ -47,7 +47,7 @@ def test_what_is_reckoned_of_expressions_is_off_by_no_more_than_said() -> None:
     e = mp.mpc(mp.sqrt(mp.mpf("0.02")), mp.mpf("0.07"))
     true = {"l_AB": a / 3, "l_DC": abs(d), "place_D": mp.mpc(2 * a / 3, mp.mpf("0.1")), "ratio_E_2": e / mp.mpf("0.41")}
     for name, exact in true.items():
-        lost, off = plans.lost[name]
+        lost, off = plans.decimal_rounding_errors[name]
         assert off > 0 and abs(complex(exact - mp.mpmathify(plans.given[name])) - lost) <= off, name
         assert off < 1e-15
-    assert plans.lost["omega_1"] == (pytest.approx(float(a - mp.mpf(0.37)), rel=1e-12), 0.0)
+    assert plans.decimal_rounding_errors["omega_1"] == (pytest.approx(float(a - mp.mpf(0.37)), rel=1e-12), 0.0)

@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 
 from planes.batch.cycle import Cycle
-from planes.drafting.drawing import prove_many, run
+from planes.drafting.drawing import draw_program, mask_unproved_drawings
 from planes.geometry.assemblies import all_assemblies
 from planes.geometry.tracks import Tie
 from planes.plans import plans_of
-from planes.plans.scales import unit_scales
+from planes.plans.scales import unit_scales_of_plans
 from planes.scene import loads
 from planes.solving import Position, solve
 from planes.words.errors import SceneError
@@ -92,12 +92,12 @@ def test_a_group_that_stands_still_has_its_numbers_at_every_place_of_the_drive()
 def test_what_does_not_move_is_drawn_in_the_shape_of_what_does() -> None:
     """Of many drawings every thing is an array of as many, and so is what failed."""
     plans = plans_of(loads(STANDING, "s.yaml").mechanism)
-    given = {**plans.given, **unit_scales(plans), **plans.at(np.linspace(0.0, 90.0, 5))}
-    drawing = run(plans.program, given)
-    prove_many(drawing, given)
+    given = {**plans.given, **unit_scales_of_plans(plans), **plans.drive_givens_at(np.linspace(0.0, 90.0, 5))}
+    drawing = draw_program(plans.program, given)
+    mask_unproved_drawings(drawing, given)
     assert {np.shape(thing) for thing in drawing.things.values()} == {(5,)}
-    drawing.tool.require(False, plans.program.steps[0], "parallel")
-    assert np.asarray(drawing.failed()).tolist() == [True] * 5
+    drawing.tool.fail_unless(False, plans.program.steps[0], "parallel")
+    assert np.asarray(drawing.failed_mask()).tolist() == [True] * 5
 
 
 # parallel lines
@@ -181,18 +181,18 @@ def test_ties_with_parallel_lines_are_all_counted(kind: str, beside: str) -> Non
     for seed in range(60):
         ties, origin, axis = _planted(kind, beside, random.Random(f"{kind}{beside}{seed}"))
         found = all_assemblies(ties, 1.0)
-        assert found.proved
+        assert found.is_count_proved
         assert min(abs(o - origin) + abs(a - axis) for o, a in found.poses) < 1e-9
         assert found.count == _counted(ties)
         for o, a in found.poses:
-            assert max(abs(t.wrench(o, a)[0]) for t in ties) < 1e-12
+            assert max(abs(t.error_and_wrench(o, a)[0]) for t in ties) < 1e-12
 
 
 def test_a_line_kept_twice_is_no_assembly_to_be_counted() -> None:
     tie = Tie("line", 0.3 + 0.1j, 0.2j, 0.1)
-    assert not all_assemblies([tie, tie, Tie("arc", 0j, 1 + 1j, 0.7)], 1.0).proved
+    assert not all_assemblies([tie, tie, Tie("arc", 0j, 1 + 1j, 0.7)], 1.0).is_count_proved
     three = [Tie("line", z, 0j, 0.1) for z in (0j, 1 + 0j, 0.3 + 0.2j)]
-    assert not all_assemblies(three, 1.0).proved
+    assert not all_assemblies(three, 1.0).is_count_proved
 
 
 # places midway, and places that contradict each other

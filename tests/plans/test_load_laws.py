@@ -12,12 +12,12 @@ import pytest
 
 from planes.accuracy.digits import Digits
 from planes.batch.cycle import Cycle
-from planes.course.papers import conditions
-from planes.drafting.drawing import run
+from planes.course.papers import condition_sentences
+from planes.drafting.drawing import draw_program
 from planes.drafting.instruments import Pencil
 from planes.lesson.note import Note
 from planes.plans import plans_of
-from planes.plans.law_words import law_said
+from planes.plans.law_words import law_in_words
 from planes.plans.scales import drawn_in_si
 from planes.scene import Scene, loads
 from planes.scene.mechanism import LoadLaw, StrokeLoad
@@ -28,7 +28,7 @@ from planes.solving.of_scene import solve as solve_one
 from planes.words import say
 from planes.words.errors import PlanesError, SceneError
 from planes.words.naming import Naming
-from planes.words.units import PLANS
+from planes.words.units import PLANS_WITH_MU
 from tests.helpers.comparing import against
 from tests.helpers.mechanisms import KINDS, to_yaml
 from tests.helpers.mixtures import lawful
@@ -55,14 +55,14 @@ def test_many_positions_have_the_numbers_of_each(seed) -> None:
     cycle, drive = Cycle(plans_of(scene.mechanism), None), scene.mechanism.drive
     values = [drive.position + (2.0 if drive.kind == "phi" else 1e-3) * k for k in range(-8, 9)]
     arrays, loop = (next(cycle.blocks(values, fast=fast)) for fast in (False, True))
-    assert (arrays.codes == loop.codes).all() and (~arrays.failed).sum() >= 5
+    assert (arrays.codes == loop.codes).all() and (~arrays.failed_mask).sum() >= 5
     units = [c.unit for c in cycle.columns]
     most = [np.nanmax(abs(arrays.table[[k for k, x in enumerate(units) if x == u]])) for u in units]
     balancing = next(k for k, c in enumerate(cycle.columns) if c.value == cycle.plans.balancing)
-    for i in np.flatnonzero(~arrays.failed):
+    for i in np.flatnonzero(~arrays.failed_mask):
         one = drawn_in_si(cycle.plans, values[i])
         for k, column in enumerate(cycle.columns):
-            numbers = arrays.table[k, i], loop.table[k, i], column.take(one.things, one.tool.ar)
+            numbers = arrays.table[k, i], loop.table[k, i], column.read_from_drawing(one.things, one.tool.ar)
             assert np.nanmax(np.abs(np.subtract.outer(numbers, numbers))) <= MOST * most[k] or column.beside
         sol = follow(case.scene, case.guess, values[i], 4)
         assert abs(arrays.table[balancing, i] - sol.balancing) < MOST * most[balancing]
@@ -74,11 +74,11 @@ def test_no_number_of_a_law_is_further_off_than_claimed(seed) -> None:
     assert scene.mechanism
     cycle = Cycle(plans_of(scene.mechanism), None)
     own = scene.mechanism.drive.position
-    table, claimed = cycle.table(np.array([own]), fast=False)[0], cycle.claims.bounds([own])
-    truth = run(cycle.program, {**cycle.given, cycle.plans.drive_given: own}, Digits(40))
+    table, claimed = cycle.table(np.array([own]), fast=False)[0], cycle.error_claims.error_bounds_of_columns([own])
+    truth = draw_program(cycle.program, {**cycle.given, cycle.plans.drive_given_name: own}, Digits(40))
     for column, found, bound in zip(cycle.columns, table[:, 0], claimed[:, 0], strict=True):
         if not column.beside:
-            assert abs(column.take(truth.things, truth.tool.ar) - found) <= bound, column.name
+            assert abs(column.read_from_drawing(truth.things, truth.tool.ar) - found) <= bound, column.name
 
 
 ENGINE = """planes: 1
@@ -119,10 +119,10 @@ def test_a_number_that_holds_in_one_position_is_refused_on_either_side_of_it() -
     plans = plans_of(scene.mechanism)
     for value in (39.0, 41.0, np.array([40.0, 39.0]), np.array([41.0, 40.0])):
         with pytest.raises(SceneError, match="valid at phi = 40 only"):
-            plans.at(value)
-    assert plans.at(40.0) == {plans.drive_given: 40.0}
-    assert (plans.at(np.full(2, 40.0))[plans.drive_given] == 40).all()
-    assert plans.at(39.0, known={"omega_1"}) == {plans.drive_given: 39.0}  # another speed is said
+            plans.drive_givens_at(value)
+    assert plans.drive_givens_at(40.0) == {plans.drive_given_name: 40.0}
+    assert (plans.drive_givens_at(np.full(2, 40.0))[plans.drive_given_name] == 40).all()
+    assert plans.drive_givens_at(39.0, known={"omega_1"}) == {plans.drive_given_name: 39.0}  # another speed is said
 
 
 def test_a_table_over_a_turn_repeats_itself() -> None:
@@ -197,7 +197,9 @@ def test_laws_of_a_mechanism_built_in_python() -> None:
     assert built
     law = LoadLaw("200*sin(phi)"), LoadLaw("s_3", ((0.2, 10.0), (0.4, 30.0))), StrokeLoad(LoadLaw("v_3^2"), 7.0, "3")
     for value, now in zip(law, (200 * math.sin(math.radians(40)), 25.68, 7.0), strict=True):
-        scene = Scene(mechanism=replace(built, loads=(replace(built.loads[0], value=value),)), mu=dict.fromkeys(PLANS))
+        scene = Scene(
+            mechanism=replace(built, loads=(replace(built.loads[0], value=value),)), mu=dict.fromkeys(PLANS_WITH_MU)
+        )
         assert load_at(scene) == pytest.approx([now], rel=1e-3)
     for value in (LoadLaw("sin("), LoadLaw("M_1"), StrokeLoad(1.0, 2.0, "2")):
         with pytest.raises(SceneError, match=r"^e.yaml:11: "):
@@ -210,13 +212,13 @@ def test_law_and_value_are_told(lang) -> None:
     law = {"en": "3000·sin(⟨phi_1⟩)", "ru": "3000·sin(⟨phi_1⟩)"}[lang]
     (here,) = planes_solve(scene).positions
     assert here.value("P_3") == pytest.approx(3000 * math.sin(math.radians(40)))
-    note = [row for b in Note(scene, here, lang).opening() if isinstance(b, DocumentTable) for row in b.rows]
+    note = [row for b in Note(scene, here, lang).opening_blocks() if isinstance(b, DocumentTable) for row in b.rows]
     assert any(row[:2] == ("P_{3}", "1928") for row in note)
-    assert any(law in line for line in conditions(here.plans, lang))
+    assert any(law in line for line in condition_sentences(here.plans, lang))
     given = GivenTable(here, Naming(lang), scene.parameters)
-    assert ("P_{3}", "1928", {"en": "N", "ru": "Н"}[lang]) in [*given.rows(), *given.laws()]
+    assert ("P_{3}", "1928", {"en": "N", "ru": "Н"}[lang]) in [*given.given_rows(), *given.load_law_rows()]
     newton = say("N", lang)
-    assert list(given.formulas()) == [
+    assert list(given.load_law_formulas()) == [
         f"P_{{3}} = (3000·sin(φ_{{1}})), {newton} ({say('stroke_working', lang)})",
         f"P_{{3}} = 200 {newton} ({say('stroke_idle', lang)})",
     ]
@@ -224,4 +226,6 @@ def test_law_and_value_are_told(lang) -> None:
 
 def test_only_squares_and_cubes_have_small_figures() -> None:
     drive = loads(ENGINE.replace("LAW", "5")).mechanism.drive
-    assert law_said(LoadLaw("phi^2 + 2*phi^3 - phi^4/phi^-1"), drive, str, "en") == "phi_1²+2·phi_1³−phi_1^4/phi_1^−1"
+    assert (
+        law_in_words(LoadLaw("phi^2 + 2*phi^3 - phi^4/phi^-1"), drive, str, "en") == "phi_1²+2·phi_1³−phi_1^4/phi_1^−1"
+    )

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from planes.accuracy.variation import alterable, altered
+from planes.accuracy.variation import alterable_given_names, plans_with_changed_given
 from planes.check.grading.mistakes_force import force_variants
 from planes.check.grading.plan_steps import PlanSteps
-from planes.check.grading.prepared_plan import Asked, marks_of, prepare
+from planes.check.grading.prepared_plan import Asked, plan_marks, prepare
 from planes.drafting.steps.reckoning import Calculate
 from planes.lesson.data import lesson_data
 from planes.plans import Plans, plans_of
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load, loads
-from planes.words.names import kind_of, label_of, links_of
+from planes.words.names import force_plan_links, label_of, plan_kind
 from tests.helpers import ROOT
 
 RRP = (ROOT / "samples" / "kind-2-rrp.yaml").read_text(encoding="utf-8")
@@ -36,16 +36,16 @@ def plans_from(text: str) -> Plans:
 
 def test_a_point_named_with_a_minus_is_a_mark_like_any_other() -> None:
     plain, odd = plans_from(RRP), plans_from(renamed("C", "C-"))
-    for plan in plain.drawn:
-        named = [label_of(m).replace("c-", "c").replace("C-", "C") for m in marks_of(odd, plan)]
-        assert named == [label_of(m) for m in marks_of(plain, plan)] != []
+    for plan in plain.plan_names:
+        named = [label_of(m).replace("c-", "c").replace("C-", "C") for m in plan_marks(odd, plan)]
+        assert named == [label_of(m) for m in plan_marks(plain, plan)] != []
 
 
 def test_trials_feet_and_places_of_guides_are_asked_of_nobody() -> None:
     plans = plans_from(RRP)
-    helpers = {label_of(name): plans.means[name].quantity for name in plans.helpers}
+    helpers = {label_of(name): plans.means[name].quantity for name in plans.auxiliary_marks}
     assert helpers == {"°q-q": "guide", "F_30+": "trial", "F_30-": "trial"}
-    asked = {label_of(m) for plan in plans.drawn for m in marks_of(plans, plan)}
+    asked = {label_of(m) for plan in plans.plan_names for m in plan_marks(plans, plan)}
     assert not asked & set(helpers)
 
 
@@ -72,10 +72,10 @@ drive: {link: 1, phi: 60, omega: 1}
 def test_a_length_is_its_links_however_the_letters_run_together(rocker: float) -> None:
     """The crank A, BC and the rocker AB, C: both lengths are l_ABC, and now and then as long."""
     plans = plans_from(RUN_TOGETHER.replace("0.32", str(rocker)).replace("0.3,", "0.33,"))
-    names = alterable(plans, plans.lengths)
+    names = alterable_given_names(plans, plans.link_lengths)
     assert {plans.means[n].link: plans.given[n] for n in names} == {"1": 0.1, "2": 0.35, "3": rocker}
     for name in names:
-        other = altered(plans, name, 1.01 * plans.given[name]).mechanism
+        other = plans_with_changed_given(plans, name, 1.01 * plans.given[name]).mechanism
         assert [n for n, x in other.links.items() if x != plans.mechanism.links[n]] == [plans.means[name].link]
 
 
@@ -84,9 +84,9 @@ def test_a_point_called_as_a_part_of_an_acceleration_is_a_point() -> None:
     plain = plans_from(RRP)
     for name in ("N_1", "K_1"):
         odd = plans_from(renamed("C", name))
-        corners = [c.replace(f"{name}", "C") for c in map(label_of, sorted(odd.program.corners))]
-        assert corners == [label_of(c) for c in sorted(plain.program.corners)] != []
-        assert not any(odd.points[name].acceleration == c for c in odd.program.corners)
+        corners = [c.replace(f"{name}", "C") for c in map(label_of, sorted(odd.program.component_end_marks))]
+        assert corners == [label_of(c) for c in sorted(plain.program.component_end_marks)] != []
+        assert not any(odd.points[name].acceleration == c for c in odd.program.component_end_marks)
 
 
 def test_the_arm_of_one_load_is_not_taken_for_that_of_another() -> None:
@@ -111,20 +111,25 @@ def test_the_arm_of_one_load_is_not_taken_for_that_of_another() -> None:
 def test_only_vectors_of_points_of_the_frame_have_its_number() -> None:
     """The block of the press has a place on the frame's guide, and one on the guide of plate 2."""
     press = (ROOT / "samples" / "class-four" / "press.yaml").read_text(encoding="utf-8")
-    assert plans_from(press).lettering["grounded"] == ["v_G0", "v_GG0", "a_G0", "a_GG0"]
+    assert plans_from(press).lettering_settings["grounded"] == ["v_G0", "v_GG0", "a_G0", "a_GG0"]
 
 
 @pytest.mark.parametrize("name", ["carriage", "excavator", "hinge-motor"])
 def test_a_moment_equation_belongs_to_one_force_plan(name: str) -> None:
     """Where one link of a group has a force plan of its own as well."""
     plans = scene_plans(load(ROOT / "samples" / f"{name}.yaml"))
-    each = [m.unknown for plan in plans.drawn if kind_of(plan) == "force" for m in plans.on(links_of(plan))]
+    each = [
+        m.unknown
+        for plan in plans.plan_names
+        if plan_kind(plan) == "force"
+        for m in plans.moment_equations_on_links(force_plan_links(plan))
+    ]
     assert len(each) == len({*each})
 
 
 def test_a_stated_tangential_part_is_one_and_no_other_force_is() -> None:
     """The lesson tells why it is laid off; a normal part, and a whole reaction, have no such reason."""
     plans = scene_plans(load(ROOT / "samples" / "vectors" / "group.yaml"))
-    kinds = {label_of(n): m.quantity for n, m in plans.means.items() if kind_of(n) == "force"}
+    kinds = {label_of(n): m.quantity for n, m in plans.means.items() if plan_kind(n) == "force"}
     assert {n for n, kind in kinds.items() if kind == "tangential"} == {"F_21t", "F_36t"}
     assert kinds["G_2"] == "weight" and "F_21n" not in kinds and "F_24" not in kinds

@@ -66,13 +66,13 @@ def test_arrays_the_compiled_loop_and_one_position_agree(seed: int) -> None:
     cycle, drive = Cycle(plans_of(scene.mechanism), None), scene.mechanism.drive
     values = [drive.position + (1.0 if drive.kind == "phi" else 2e-3) * k for k in range(-3, 4)]
     arrays, loop = (next(cycle.blocks(values, fast=fast)) for fast in (False, True))
-    assert (arrays.codes == loop.codes).all() and (~arrays.failed).sum() >= 4
+    assert (arrays.codes == loop.codes).all() and (~arrays.failed_mask).sum() >= 4
     units = [c.unit for c in cycle.columns]
     most = [np.nanmax(abs(arrays.table[[k for k, x in enumerate(units) if x == u]])) for u in units]
-    for i in np.flatnonzero(~arrays.failed):
+    for i in np.flatnonzero(~arrays.failed_mask):
         one = drawn_in_si(cycle.plans, values[i])
         for k, column in enumerate(cycle.columns):
-            numbers = arrays.table[k, i], loop.table[k, i], column.take(one.things, one.tool.ar)
+            numbers = arrays.table[k, i], loop.table[k, i], column.read_from_drawing(one.things, one.tool.ar)
             assert np.nanmax(np.abs(np.subtract.outer(numbers, numbers))) <= MOST * most[k] or column.beside, (
                 column.name
             )

@@ -9,7 +9,7 @@ import pytest
 
 from planes.cli import main
 from planes.plans import structure_of
-from planes.plans.assur.analysis import analyse
+from planes.plans.assur.analysis import analyse_structure
 from planes.scene import load, loads
 from planes.scene.mechanism import Drive, Mechanism
 from planes.words.errors import StructureError
@@ -46,7 +46,7 @@ def pairs(m: Mechanism) -> list[tuple[str, str]]:
     for link in (m.frame, *m.links.values()):
         for point in link.points:
             holders.setdefault(point, []).append(link.name)
-    slides = [(x.name, m.owner(x.slides.guide)) for x in m.links.values() if x.slides]
+    slides = [(x.name, m.owner_of_guide(x.slides.guide)) for x in m.links.values() if x.slides]
     return [(a, b) for held in holders.values() for a, b in pairwise(held)] + slides
 
 
@@ -72,18 +72,18 @@ def test_drivers_found_are_those_with_which_smaller_groups_come_off(sample: str)
     m = mechanism(sample)
     grounded = {a if b == m.frame.name else b for a, b in pairs(m) if m.frame.name in (a, b)} - {m.drive.link}
     assert heaviest(m, m.drive.link) == 4
-    two = {w.driver for w in structure_of(m).ways if w.level == "II"}
+    two = {w.driver for w in structure_of(m).ways if w.mechanism_class == "II"}
     assert two == {link for link in grounded if heaviest(m, link) == 2}
     for way in structure_of(m).ways:
         slides = (m.links[way.driver].name, m.frame.name) in pairs(m) and m.links[way.driver].slides
-        on_frame = slides and m.owner(slides.guide) == m.frame.name
-        again = analyse(replace(m, drive=Drive(way.driver, "s" if on_frame else "phi", 0.0)))
-        assert (again.formula, again.level) == (way.formula, way.level)
+        on_frame = slides and m.owner_of_guide(slides.guide) == m.frame.name
+        again = analyse_structure(replace(m, drive=Drive(way.driver, "s" if on_frame else "phi", 0.0)))
+        assert (again.structural_formula, again.mechanism_class) == (way.structural_formula, way.mechanism_class)
 
 
 def test_a_contour_becomes_of_class_three() -> None:
     (way,) = structure_of(mechanism("class-four/tray")).ways
-    assert (way.driver, way.formula) == ("3", "I(0;3) -> III(1;2;4;5)")
+    assert (way.driver, way.structural_formula) == ("3", "I(0;3) -> III(1;2;4;5)")
 
 
 def test_of_class_two_nothing_is_said() -> None:
@@ -98,7 +98,7 @@ def test_a_refused_chain_is_told_the_drivers_that_serve() -> None:
     said = str(caught.value)
     assert "link 6, I(0;6) -> II(5;7) -> II(3;4) -> II(1;2); link 7" in said
     for driver in "467":
-        assert analyse(replace(m, drive=replace(m.drive, link=driver))).heaviness == (driver == "4")
+        assert analyse_structure(replace(m, drive=replace(m.drive, link=driver))).class_index == (driver == "4")
 
 
 @pytest.mark.parametrize("lang", ["ru", "en", "uk", "be"])

@@ -9,15 +9,15 @@ import pytest
 
 from planes.batch import compiled
 from planes.batch.cycle import Cycle
-from planes.drafting.drawing import run
+from planes.drafting.drawing import draw_program
 from planes.geometry import plane
 from planes.geometry.arrays import Array
 from planes.plans import Plans
-from planes.plans.other_leads import fitting, met
-from planes.plans.scales import drawn_in_si, scales
+from planes.plans.other_leads import plans_with_sharp_leads, steps_with_other_leads
+from planes.plans.scales import drawn_in_si, plan_scales
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load, loads
-from planes.solving import plans_of, solve
+from planes.solving import plans_for_requested_results, solve
 from tests.helpers import ROOT
 from tests.helpers.comparing import Drawn, balanced, differences, expected, pose
 from tests.helpers.mechanisms import make, to_yaml
@@ -37,8 +37,8 @@ FOUND = [
 
 def parallel_at(plans: Plans, low: float, high: float) -> float | None:
     """Where the two leads that meet are parallel, to the last bit."""
-    step, *_ = met(plans.program)
-    program = plans.program.sliced(step.crossed)
+    step, *_ = steps_with_other_leads(plans.program)
+    program = plans.program.cut_to_names(step.sharp_directions)
 
     def crossing(values: Array) -> Array:
         things = drawn_in_si(plans, values, program)
@@ -59,15 +59,20 @@ def parallel_at(plans: Plans, low: float, high: float) -> float | None:
 def test_parallel_leads_are_passed_by_another_pair(leads: str, seed: int) -> None:
     case = make(random.Random(f"parallel {leads} {seed}"), [leads], sliding=False)
     scene = loads(to_yaml(case.scene))
-    plans, _ = plans_of(scene)
+    plans, _ = plans_for_requested_results(scene)
     start = plans.mechanism.drive.position
     value = parallel_at(plans, start - 60, start + 60)
     assert value is not None
-    step, *_ = met(plans.program)
-    assert step.crossings(drawn_in_si(plans, value, plans.program.sliced(step.crossed)).things)[0] < 1e-12
-    fit = fitting(plans, value)
-    chosen = {**scales(fit, {}, fit.at(value)), **fit.at(value)}
-    d = Drawn(scene, fit, chosen, run(fit.program, {**fit.given, **chosen}))
+    step, *_ = steps_with_other_leads(plans.program)
+    assert (
+        step.crossing_sharpnesses(drawn_in_si(plans, value, plans.program.cut_to_names(step.sharp_directions)).things)[
+            0
+        ]
+        < 1e-12
+    )
+    fit = plans_with_sharp_leads(plans, value)
+    chosen = {**plan_scales(fit, {}, fit.drive_givens_at(value)), **fit.drive_givens_at(value)}
+    d = Drawn(scene, fit, chosen, draw_program(fit.program, {**fit.given, **chosen}))
     there = {**case.scene, "drive": {**case.scene["drive"], "phi": value}}
     wanted = {n.name: n for n in expected(oracle_solve(there, pose(d)), True)}
     assert max(differences(d, wanted).values()) * d.sharpest <= 1e-9
@@ -75,10 +80,10 @@ def test_parallel_leads_are_passed_by_another_pair(leads: str, seed: int) -> Non
     (told,) = solve(scene, [value]).positions
     cycle = Cycle(plans)
     values = value + np.linspace(-0.01, 0.01, 41)
-    for fast in (False, True) if compiled.available() else (False,):
+    for fast in (False, True) if compiled.is_compiler_available() else (False,):
         (block,) = cycle.blocks(values, fast=fast)
-        assert not block.failed.any()
-        found, claims = block.table[:, 20], cycle.claimed(values[20:21], np.array([20]))[:, 0]
+        assert not block.failed_mask.any()
+        found, claims = block.table[:, 20], cycle.decimal_error_bounds(values[20:21], np.array([20]))[:, 0]
         here = dict(zip((c.name for c in cycle.columns), found, strict=True))
         assert all(
             abs(told.v[p] - complex(here[f"v_{p}_x"], here[f"v_{p}_y"])) <= 1e-9 * abs(told.v[p]) for p in told.v
@@ -89,11 +94,15 @@ def test_parallel_leads_are_passed_by_another_pair(leads: str, seed: int) -> Non
 @pytest.mark.parametrize("name", ["guide", "rods", "three-basic-links"])
 def test_leads_that_cross_well_are_kept(name: str) -> None:
     plans = scene_plans(load(ROOT / "samples" / "class-three" / f"{name}.yaml"))
-    assert met(plans.program) and fitting(plans, plans.mechanism.drive.position) is plans
+    assert (
+        steps_with_other_leads(plans.program) and plans_with_sharp_leads(plans, plans.mechanism.drive.position) is plans
+    )
 
 
 def test_leads_that_are_parallel_are_not() -> None:
-    plans, _ = plans_of(loads(to_yaml(make(random.Random("parallel RR-RR-RR 2"), ["RR-RR-RR"], sliding=False).scene)))
+    plans, _ = plans_for_requested_results(
+        loads(to_yaml(make(random.Random("parallel RR-RR-RR 2"), ["RR-RR-RR"], sliding=False).scene))
+    )
     start = plans.mechanism.drive.position
     where = parallel_at(plans, start - 60.0, start + 60.0)
-    assert where is not None and fitting(plans, where) is not plans
+    assert where is not None and plans_with_sharp_leads(plans, where) is not plans

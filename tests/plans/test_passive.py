@@ -10,7 +10,7 @@ import pytest
 
 from planes import solve
 from planes.batch.cycle import Cycle
-from planes.documents.lesson import note
+from planes.documents.lesson import note_file_contents
 from planes.documents.sheets import sheet_of
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import loads
@@ -138,7 +138,7 @@ def test_passive_links_move_as_what_holds_them(phi: float) -> None:
 
 
 def test_a_note_of_a_mechanism_with_a_passive_slider_has_its_self_aligning_variant() -> None:
-    assert note(loads(trammel()), None, ".html", "en")
+    assert note_file_contents(loads(trammel()), None, ".html", "en")
 
 
 def test_forces_that_are_not_determined_are_told_of() -> None:

@@ -12,7 +12,7 @@ import pytest
 
 from planes.batch.cycle import Cycle
 from planes.cli import main
-from planes.drafting.drawing import proved, run
+from planes.drafting.drawing import draw_program, refuse_unproved_drawing
 from planes.drafting.instruments import Pencil
 from planes.drafting.proofs import Facts, Twofold
 from planes.drafting.steps import Carry, Similar
@@ -39,9 +39,9 @@ Spoil = Callable[[pytest.MonkeyPatch], None]
 def half_coriolis(m: pytest.MonkeyPatch) -> None:
     def wrong(self: Rates, leg: Any) -> str:
         root = self.bodies.known[leg.link].root
-        return self.bodies.draft.product(f"a_{leg.symbol}^k", **{f"omega_{root}": 1, f"v_{leg.symbol}": 1})
+        return self.bodies.draft.add_product(f"a_{leg.symbol}^k", **{f"omega_{root}": 1, f"v_{leg.symbol}": 1})
 
-    m.setattr(Rates, "coriolis", wrong)
+    m.setattr(Rates, "state_coriolis_length", wrong)
 
 
 def mirrored(m: pytest.MonkeyPatch) -> None:
@@ -52,18 +52,22 @@ def mirrored(m: pytest.MonkeyPatch) -> None:
 
 
 def beside_the_crossing(m: pytest.MonkeyPatch) -> None:
-    lines = plane.lines
+    lines = plane.intersect_lines
 
     def wrong(p: Any, u: Any, q: Any, w: Any) -> Any:
         place, sharpness, gap = lines(p, u, q, w)
         return place + 1e-6 * abs(place) * u * 1j, sharpness, gap
 
-    m.setattr(plane, "lines", wrong)
+    m.setattr(plane, "intersect_lines", wrong)
 
 
 def couples_forgotten(m: pytest.MonkeyPatch) -> None:
-    seat = Statics.seat
-    m.setattr(Statics, "seat", lambda self, r, link, about, forces, couples: seat(self, r, link, about, forces, []))
+    seat = Statics.find_slider_couple_and_arm
+    m.setattr(
+        Statics,
+        "find_slider_couple_and_arm",
+        lambda self, r, link, about, forces, couples: seat(self, r, link, about, forces, []),
+    )
 
 
 def lever_not_turned(m: pytest.MonkeyPatch) -> None:
@@ -166,13 +170,13 @@ def test_of_many_positions_the_wrong_ones_are_masked_with_the_reason(
 
     values = np.arange(0.0, 80.0, 1.0)
     (whole,) = cycle_of(TANGENT, ["M_1"]).blocks(values, fast=fast)
-    assert not whole.failed.any()
+    assert not whole.failed_mask.any()
     monkeypatch.setattr(Drop, "draw", wrong)
     c = cycle_of(TANGENT, ["M_1", "v_B"])
     (block,) = c.blocks(values, fast=fast)
-    assert (block.failed == (values > 50)).all() and np.isnan(block.table[:, block.failed]).all()
-    assert np.isfinite(block.table[:, ~block.failed]).all()
-    assert {c.reasons[k - 1].key for k in set(block.codes[block.failed].tolist())} == {"balance_apart"}
+    assert (block.failed_mask == (values > 50)).all() and np.isnan(block.table[:, block.failed_mask]).all()
+    assert np.isfinite(block.table[:, ~block.failed_mask]).all()
+    assert {c.reasons[k - 1].key for k in set(block.codes[block.failed_mask].tolist())} == {"balance_apart"}
 
 
 def test_a_balancing_load_is_never_drawn_without_the_other() -> None:
@@ -180,7 +184,7 @@ def test_a_balancing_load_is_never_drawn_without_the_other() -> None:
     for names in (["M_1"], ["MZ_1"]):
         cut = cycle_of(TANGENT, names).program
         assert any(isinstance(p, Twofold) for p in cut.proofs)
-        assert {"M_1", "MZ_1"} <= cut.made and len(cut.steps) < len(whole.steps)
+        assert {"M_1", "MZ_1"} <= cut.result_names and len(cut.steps) < len(whole.steps)
     assert not any(isinstance(p, Twofold) for p in cycle_of(TANGENT, ["F_21"]).program.proofs)
 
 
@@ -190,7 +194,7 @@ def test_every_proof_holds_to_rounding_and_shared_scenes_have_them_all() -> None
         assert {type(p).__name__ for p in d.plans.program.proofs} >= {"Twofold", "VectorProof", "Slid", "Balanced"}
         shown = Facts(d.drawing.things, Arithmetic())
         for proof in d.plans.program.proofs:
-            gap, size = proof.compared(shown)
+            gap, size = proof.gap_and_comparison_size(shown)
             assert size < 1e-9 or gap <= 1e-13 * size, (proof, gap, size)
 
 
@@ -204,7 +208,7 @@ def test_rounding_is_never_refused_on_the_way_to_a_dead_point() -> None:
         )
         try:
             d = draw(case.scene)
-            proved(d.plans.program, {**d.plans.given, **d.mu})
+            refuse_unproved_drawing(d.plans.program, {**d.plans.given, **d.mu})
             drawn += 1
         except PlanFailure:
             continue
@@ -220,7 +224,11 @@ def test_a_pencil_misses_by_what_it_claims_and_is_not_refused(name: str) -> None
         (position,) = solve(scene, None, Pencil(seed=seed)).positions
         found.append(position.results["balancing_moment"] - position.results["zhukovsky_moment"])
     p = solve(scene).plans
-    crowd = {**p.given, **solve(scene).positions[0].scales, p.drive_given: np.full(200, p.mechanism.drive.position)}
-    many = run(p.program, crowd, Pencil(seed=99))
+    crowd = {
+        **p.given,
+        **solve(scene).positions[0].scales,
+        p.drive_given_name: np.full(200, p.mechanism.drive.position),
+    }
+    many = draw_program(p.program, crowd, Pencil(seed=99))
     spread = float(np.nanstd(many[p.balancing] - many[p.zhukovsky]))
     assert max(abs(x) for x in found) <= 5 * spread

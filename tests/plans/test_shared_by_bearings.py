@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import planes
-from planes.lesson.stated_note import note_of
+from planes.lesson.stated_note import position_note
 from planes.scene import loads
 from planes.solving import solve
 from planes.solving.document import Paragraph
-from planes.solving.tables import report
-from planes.words import langs
+from planes.solving.tables import solve_report_text
+from planes.words import available_languages
 from planes.words.errors import SceneError
 
 SCENE = """planes: 1
@@ -79,9 +79,9 @@ def test_table_json_and_note_tell_them() -> None:
     solved = solve(made)
     (p,) = solved.positions
     assert p.results["bearings"].keys() == {"F_10^1", "F_10^2"} and p.results["bearings"]["F_10^2"] < 0
-    assert "Reactions in the bearings of a shaft" in report(solved, "en")
-    for lang in langs():
-        told = [b.text for b in note_of(made, p, lang).results() if isinstance(b, Paragraph)]
+    assert "Reactions in the bearings of a shaft" in solve_report_text(solved, "en")
+    for lang in available_languages():
+        told = [b.text for b in position_note(made, p, lang).result_blocks() if isinstance(b, Paragraph)]
         assert sum("⟨F_10^1⟩ = " in t or "⟨F_10^2⟩ = −" in t for t in told) == 2
 
 

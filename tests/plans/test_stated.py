@@ -216,7 +216,7 @@ def test_what_lies_end_to_end_is_read_there() -> None:
 
 def test_a_line_of_action_is_told_by_the_vector_it_is_across() -> None:
     plans = scene_plans(load(str(SAMPLES / "vectors" / "six-link.yaml")))
-    lines = {t.name: t.action for e in plans.equations for t in e.terms if not t.drawn}
+    lines = {t.name: t.action for e in plans.equations for t in e.all_terms if not t.drawn}
     assert (lines["v_LC"], lines["v_CB"], lines["a_CB^n"]) == ("⊥CH", "⊥BC", "C→B")
 
 

@@ -9,7 +9,7 @@ import pytest
 import yaml
 
 from planes.documents.sheets import sheet_of
-from planes.lesson.told import Told
+from planes.lesson.told import SceneLesson
 from planes.scene import load, loads
 from planes.solving import solve
 from tests.helpers import ROOT
@@ -62,7 +62,7 @@ def test_a_sample_has_a_sheet_and_a_lesson(sample: object) -> None:
     for lang in ("ru", "en"):
         sheet = sheet_of(scene, None, lang)  # type: ignore[arg-type]
         assert not sheet.warnings, sheet.warnings
-    frames = Told.of(scene).frames
+    frames = SceneLesson.of(scene).frames
     assert len(frames) > 4 and all(f.marked["ru"] and f.why["ru"] for f in frames)
 
 
@@ -83,9 +83,9 @@ def test_the_task_of_a_structure_shows_nothing_that_is_found(name: str) -> None:
     from render.sheet.sizes import Sizes
 
     scene = load(ROOT / "samples" / "statics" / f"{name}.yaml")
-    drawn = DrawnPosition(scene, None, "en").at(Sizes())
+    drawn = DrawnPosition(scene, None, "en").position_at_sizes(Sizes())
     composer = Composer(scene, "en", drawn.plans)
-    shown, whole = (composer.space(drawn, asked) for asked in (True, False))
+    shown, whole = (composer.space_diagram_view(drawn, asked) for asked in (True, False))
     assert shown and whole
     texts, every = ({m.text for m in v.marks if isinstance(m, Text)} for v in (shown, whole))
     assert texts < every and any(t.startswith("P_") for t in texts)

@@ -12,11 +12,11 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 
-from planes.plans.assur.analysis import analyse
+from planes.plans.assur.analysis import analyse_structure
 from planes.plans.assur.basic_links import Triad
-from planes.plans.assur.groups import KIND_NAMES
+from planes.plans.assur.groups import DYAD_KIND_NAMES
 from planes.plans.assur.structure import Structure
-from planes.plans.assur.unsolvable import Joint, freedom, unsolvable
+from planes.plans.assur.unsolvable import Joint, degree_of_freedom_of_links, find_unsolvable_links
 from planes.plans.quantities import Quantity
 from planes.scene import loads
 from planes.solving import solve
@@ -57,7 +57,7 @@ drive: {link: 1, phi: 40}
 def structure(text: str) -> Structure:
     scene = loads(text)
     assert scene.mechanism
-    return analyse(scene.mechanism, "scene.yaml")
+    return analyse_structure(scene.mechanism, "scene.yaml")
 
 
 def refusal(text: str) -> str:
@@ -77,21 +77,21 @@ def refusal(text: str) -> str:
 )
 def test_one_group(text: str, kind: str, links: tuple[str, str]) -> None:
     s = structure(text)
-    assert (s.W, s.q, s.formula) == (1, 1 - 18 + 20, f"I(0;1) -> II({';'.join(links)})")
+    assert (s.W, s.q, s.structural_formula) == (1, 1 - 18 + 20, f"I(0;1) -> II({';'.join(links)})")
     (group,) = s.groups
-    assert (group.name, group.kind, group.links) == (kind, KIND_NAMES.index(kind) + 1, links)
+    assert (group.pair_letters, group.kind, group.links) == (kind, DYAD_KIND_NAMES.index(kind) + 1, links)
     assert len(s.pairs) == 4 and s.pairs[0] == s.drive_pair and s.driver == "1"
 
 
 def test_a_crank_alone_has_no_groups() -> None:
     s = structure("planes: 1\nframe: {points: {A: [0, 0]}}\nlinks: {1: {points: {A: 0}}}\ndrive: {link: 1, phi: 0}\n")
-    assert (s.W, s.q, s.formula, s.groups) == (1, 0, "I(0;1)", ())
+    assert (s.W, s.q, s.structural_formula, s.groups) == (1, 0, "I(0;1)", ())
 
 
 def test_groups_stand_in_the_order_they_attach() -> None:
     s = structure(SHEARS)
-    assert s.formula == "I(0;1) -> II(2;3) -> II(4;5)"
-    assert [g.name for g in s.groups] == ["RRP", "PRP"]
+    assert s.structural_formula == "I(0;1) -> II(2;3) -> II(4;5)"
+    assert [g.pair_letters for g in s.groups] == ["RRP", "PRP"]
     assert (s.W, s.q) == (1, 1 - 30 + 35)
     assert s.groups[1].first_outer.other == "2" and s.groups[1].last_outer.other == "0"
 
@@ -101,7 +101,7 @@ def test_a_hinge_of_three_links_is_two_pairs() -> None:
         "assembly", "  4: {points: {C: 0, E: 0.3}}\n  5: {points: {E: 0, F: 0.2}}\nassembly"
     ).replace("D: [0.4, 0]", "D: [0.4, 0], F: [0.6, 0.4]")
     s = structure(text)
-    assert s.formula == "I(0;1) -> II(2;3) -> II(4;5)"
+    assert s.structural_formula == "I(0;1) -> II(2;3) -> II(4;5)"
     hinges = [p for p in s.pairs if p.point == "C"]
     assert [(p.link, p.other) for p in hinges] == [("3", "2"), ("4", "2")]
 
@@ -111,7 +111,7 @@ def test_two_groups_on_one_hinge_of_the_frame() -> None:
         FOUR_BAR.replace("assembly", "  4: {points: {C: 0, E: 0.3}}\n  5: {points: {E: 0, A: 0.2}}\nassembly")
     )
     assert [p.other for p in s.pairs if p.point == "A"] == ["0", "0"]
-    assert s.formula == "I(0;1) -> II(2;3) -> II(4;5)"
+    assert s.structural_formula == "I(0;1) -> II(2;3) -> II(4;5)"
 
 
 @pytest.mark.slow
@@ -123,15 +123,15 @@ def test_groups_of_random_chains_are_those_they_were_made_of(case: Case) -> None
     assert s.q == 1 - 6 * len(case.scene["links"]) + 5 * len(s.pairs)
     assert 2 * len(s.pairs) == 3 * len(case.scene["links"]) - 1
     made = {frozenset((i, j)): kind for kind, i, j in case.groups}
-    assert {frozenset(g.links): g.name for g in s.groups} == made
+    assert {frozenset(g.links): g.pair_letters for g in s.groups} == made
     assert [frozenset(g) for g in case.solution.groups] == [frozenset(g.links) for g in s.groups]
     assert {(p.link, p.other) for p in s.pairs} == set(case.solution.reactions)
     done = {"0", s.driver}
     for g in s.groups:
         assert {g.first, g.last} == set(g.links) and g.links == tuple(x for x in case.scene["links"] if x in g.links)
         for pair, link in ((g.first_outer, g.first), (g.last_outer, g.last)):
-            assert pair.joins(link) and pair.mate(link) in done
-        assert g.inner.joins(g.first) and g.inner.joins(g.last)
+            assert pair.has_link(link) and pair.other_link_of_pair(link) in done
+        assert g.inner.has_link(g.first) and g.inner.has_link(g.last)
         done |= set(g.links)
 
 
@@ -165,9 +165,9 @@ drive: {link: 1, phi: 0}
 def test_class_three_names_its_basic_link_and_leads() -> None:
     s = structure(CLASS_THREE)
     (group,) = s.groups
-    assert isinstance(group, Triad) and s.dyads == ()
-    assert (group.basic, [lead.link for lead in group.leads], group.name) == ("3", ["2", "4", "5"], "RR-RR-RR")
-    assert (s.W, s.q, s.formula) == (1, 6, "I(0;1) -> III(2;3;4;5)")
+    assert isinstance(group, Triad) and s.class_two_groups == ()
+    assert (group.basic, [lead.link for lead in group.leads], group.pair_letters) == ("3", ["2", "4", "5"], "RR-RR-RR")
+    assert (s.W, s.q, s.structural_formula) == (1, 6, "I(0;1) -> III(2;3;4;5)")
     assert s.json()["groups"] == [
         {
             "links": ["2", "3", "4", "5"],
@@ -194,8 +194,8 @@ drive: {link: 1, phi: 0}
 
 
 def test_class_four_names_its_contour() -> None:
-    found = analyse(loads(CONTOUR).mechanism)
-    assert found.formula == "I(0;1) -> IV(2;3;4;5)"
+    found = analyse_structure(loads(CONTOUR).mechanism)
+    assert found.structural_formula == "I(0;1) -> IV(2;3;4;5)"
     wanted = {"class": 4, "order": 2, "contour": ["2", "3", "4", "5"], "outer": ["2", "4"], "name": "RR-RRRR"}
     assert found.groups[0].json() == {"links": ["2", "3", "4", "5"], **wanted}
 
@@ -203,7 +203,7 @@ def test_class_four_names_its_contour() -> None:
 def test_a_contour_that_slides_names_its_pairs() -> None:
     text = CONTOUR.replace("5: {points: {K: 0, D: 0.3}}", "5: {points: {K: 0}, slides: d}")
     text = text.replace("D: [0.1, 0.2]}}", "D: [0.1, 0.2]}, guides: {d: {through: D, angle: 30}}}")
-    assert [g.name for g in analyse(loads(text).mechanism).groups] == ["RR-RRPR"]
+    assert [g.pair_letters for g in analyse_structure(loads(text).mechanism).groups] == ["RR-RRPR"]
 
 
 def test_a_contour_may_hang_on_two_guides() -> None:
@@ -211,7 +211,7 @@ def test_a_contour_may_hang_on_two_guides() -> None:
     text = text.replace("K: [0.1, 0.2]}}", "K: [0.1, 0.2]}, slides: x-x}")
     text = text.replace("{A: 0, B: 0.1}}", "{A: 0, B: 0.1}, guides: {u: {through: B, angle: 40}}}")
     text = text.replace("2: {points: {B: 0, C: 0.3, D: [0.1, 0.2]}}", "2: {points: {C: 0, D: [0.1, 0.2]}, slides: u}")
-    assert [g.name for g in analyse(loads(text).mechanism).groups] == ["PP-RRRR"]
+    assert [g.pair_letters for g in analyse_structure(loads(text).mechanism).groups] == ["PP-RRRR"]
 
 
 def test_too_much_freedom_and_too_little_tell_the_pairs() -> None:
@@ -274,7 +274,7 @@ def test_the_driver_needs_one_fitting_pair_with_the_frame(drive: str, says: str 
     if says:
         assert says in refusal(text)
     else:
-        assert structure(text).formula == "I(0;3) -> II(1;2)"
+        assert structure(text).structural_formula == "I(0;3) -> II(1;2)"
 
 
 def test_a_driver_with_two_hinges_on_the_frame_is_refused() -> None:
@@ -344,17 +344,17 @@ def test_links_named_as_over_constrained_or_as_one_group_are_so(seed: int) -> No
     rng = random.Random(seed)
     links = [str(k) for k in range(rng.choice((4, 4, 6)))]
     joints: list[Joint] = []
-    while 2 * sum(joint.pairs(links) for joint in joints) < 3 * len(links):
+    while 2 * sum(joint.pairs_among_links(links) for joint in joints) < 3 * len(links):
         some = rng.sample(links, rng.choice((1, 2, 2, 2, 3)))
         joint = Joint(tuple(some), len(some) == 1 or rng.random() < 0.2)
-        if 2 * sum(j.pairs(links) for j in (*joints, joint)) <= 3 * len(links):
+        if 2 * sum(j.pairs_among_links(links) for j in (*joints, joint)) <= 3 * len(links):
             joints.append(joint)
     parts = [c for size in range(1, len(links) + 1) for c in combinations(links, size)]
-    least = min(freedom(part, joints) for part in parts)
-    named = unsolvable(links, joints)
-    assert (freedom(named, joints) < 0) == (least < 0)
+    least = min(degree_of_freedom_of_links(part, joints) for part in parts)
+    named = find_unsolvable_links(links, joints)
+    assert (degree_of_freedom_of_links(named, joints) < 0) == (least < 0)
     if least == 0 and named:
-        closed = [part for part in parts if freedom(part, joints) == 0]
+        closed = [part for part in parts if degree_of_freedom_of_links(part, joints) == 0]
         assert named in closed and not any(set(part) < set(named) and len(part) > 2 for part in closed)
 
 
@@ -387,7 +387,7 @@ def test_structure_of_any_order_takes_work_as_links_squared_at_most(make: Callab
         mechanism = loads(make(dyads)).mechanism
         assert mechanism
         with at_most(120_000) as made:
-            assert len(analyse(mechanism).groups) == dyads
+            assert len(analyse_structure(mechanism).groups) == dyads
         counts.append(made[0] / (2 * dyads + 1) ** 2)
     assert max(counts) == counts[0]
 
@@ -413,16 +413,16 @@ def test_two_rods_in_one_hinge_of_the_base_are_no_contour() -> None:
     """They are one body with the basic link then: the figure is a triangle that nothing turns in."""
     tray = (ROOT / "samples" / "class-four" / "tray.yaml").read_text(encoding="utf-8")
     mechanism = loads(tray, "s.yaml").mechanism
-    assert mechanism and [group.level for group in analyse(mechanism).groups] == ["IV"]
+    assert mechanism and [group.level for group in analyse_structure(mechanism).groups] == ["IV"]
     mechanism = loads(tray.replace("5: {points: {D: 0,", "5: {points: {B: 0,"), "s.yaml").mechanism
     with pytest.raises(StructureError, match="links 2, 3, 4, 5 form an Assur group of a high class"):
-        assert mechanism and analyse(mechanism)
+        assert mechanism and analyse_structure(mechanism)
 
 
 @pytest.mark.parametrize(("one", "two"), [("F_12", "F_21"), ("F_21", "F_12")])
 def test_a_reaction_of_the_other_link_is_reversed_whichever_comes_first(one: str, two: str) -> None:
-    assert Quantity(one, (), "reactions", two).reversed and not Quantity(one, (), "reactions", one).reversed
-    assert not Quantity(one, (), "loads", two).reversed
+    assert Quantity(one, (), "reactions", two).is_reversed and not Quantity(one, (), "reactions", one).is_reversed
+    assert not Quantity(one, (), "loads", two).is_reversed
 
 
 def test_a_loose_chain_beside_a_link_held_twice_is_no_contour() -> None:

@@ -187,16 +187,16 @@ def test_two_hundred_trusses(make: object) -> None:
 
 def test_a_truss_says_how_its_members_are_strained() -> None:
     """A king post: rafters pressed, tie pulled, the post idle; by a cut where joints stop."""
-    from planes.plans.structures.figure import strains
+    from planes.plans.structures.figure import member_strains
 
     text = "points: {A: [0, 0], B: [4, 0], C: [2, 2], D: [2, 0]}\nmembers: [AC, CB, AD, DB, CD]\n"
     text += "supports: {A: hinge, B: roller}\nloads: [{point: C, force: 10000, direction: -90}]\n"
     (position,) = solve(loads("planes: 1\n" + text)).positions
-    told = strains(position.plans.figure, position.drawing)
+    told = member_strains(position.plans.figure, position.drawing)
     assert told == {"S_AC": "compression", "S_CB": "compression", "S_AD": "tension", "S_DB": "tension", "S_CD": "idle"}
     assert position.of("values")["S_AC"].number == pytest.approx(-5000 * math.sqrt(2), rel=1e-14)
     rounding = {**position.drawing.things, "S_CD": 1e-6}  # beside 7071 N
-    assert strains(position.plans.figure, replace(position.drawing, things=rounding))["S_CD"] == "idle"
+    assert member_strains(position.plans.figure, replace(position.drawing, things=rounding))["S_CD"] == "idle"
 
 
 BAR = "points: {A: [0, 0], B: [4, 0], C: [1, 0], E: [4, 3]}\nbodies: {1: [A, C, B]}\n"

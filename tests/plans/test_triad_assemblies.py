@@ -16,7 +16,7 @@ from flint import fmpq, fmpq_poly
 from planes.batch.cycle import Cycle
 from planes.drafting.tools import Thing
 from planes.geometry import plane
-from planes.geometry.sextic import assemblies
+from planes.geometry.sextic import three_tie_assemblies
 from planes.geometry.tracks import Tie
 from planes.plans import plans_of
 from planes.plans.position.branch import Waypoint, _Way
@@ -34,8 +34,8 @@ def held(bases: list[complex], platform: list[complex], legs: list[float]) -> li
 
 
 def turns(ties: list[Tie]) -> list[float]:
-    found = assemblies(ties)
-    assert found.proved
+    found = three_tie_assemblies(ties)
+    assert found.is_count_proved
     return [math.degrees(cmath.phase(axis)) for _, axis in found.poses]
 
 
@@ -144,10 +144,10 @@ def test_none_is_missed(kinds: tuple[str, ...]) -> None:
     rng = random.Random("-".join(kinds))
     for _ in range(3):
         ties, origin, axis = planted(kinds, rng)
-        found = assemblies(ties)
-        assert found.proved and found.count == counted(ties)
+        found = three_tie_assemblies(ties)
+        assert found.is_count_proved and found.count == counted(ties)
         assert min(abs(o - origin) + abs(a - axis) for o, a in found.poses) < 1e-8
-        assert all(abs(t.wrench(o, a)[0]) < 1e-12 for o, a in found.poses for t in ties)
+        assert all(abs(t.error_and_wrench(o, a)[0]) < 1e-12 for o, a in found.poses for t in ties)
 
 
 @pytest.mark.long
@@ -156,8 +156,8 @@ def test_none_is_missed_of_ten_thousand(part: int) -> None:
     rng = random.Random(f"many {part}")
     for _ in range(1000):
         ties, _, _ = planted(tuple(rng.choices(KINDS, k=3)), rng)
-        found = assemblies(ties)
-        assert found.proved and found.count == counted(ties)
+        found = three_tie_assemblies(ties)
+        assert found.is_count_proved and found.count == counted(ties)
 
 
 SCENE = """\
@@ -215,8 +215,8 @@ def test_the_way_of_an_assembly_is_all_it_lasts_but_no_more_than_a_turn(low: flo
     """Of an assembly that lasts from ``low`` to ``high`` about 0: half a turn to each side, or what one side leaves."""
     way = _Way.__new__(_Way)
     way.start, way.step, way.turning = Waypoint(0.0, [], (0j, 1 + 0j)), 1.0, True
-    way.found = lambda value, near: Waypoint(value, [], near) if low <= value <= high else None  # type: ignore[method-assign]
-    spots = [spot.value for spot in way.whole()]
+    way.find_pose_at = lambda value, near: Waypoint(value, [], near) if low <= value <= high else None  # type: ignore[method-assign]
+    spots = [spot.value for spot in way.poses_on_path()]
     ahead = min(high, max(180.0, 360.0 + max(low, -180.0)))
     behind = max(low, ahead - 360.0)
     assert spots == sorted(spots) and (spots[0], spots[-1]) == pytest.approx((behind, ahead), abs=1e-3)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from planes.cli import main
-from planes.lesson.told import Told
+from planes.lesson.told import SceneLesson
 from planes.scene import loads
 from planes.solving import solve
 from planes.words.errors import SceneError
@@ -75,9 +75,9 @@ def test_a_table_of_them_is_written(tmp_path: Path) -> None:
 
 
 def test_a_lesson_of_them_turns_by_its_slider() -> None:
-    drive = Told.of(loads(CRANE % LOAD)).drive
+    drive = SceneLesson.of(loads(CRANE % LOAD)).drive
     assert drive["to"] - drive["from"] == 360.0 and drive["at"] == 30.0
-    assert Told.of(loads(CRANE % ("1000", "-60"))).drive["to"] == 30.0  # nothing goes by it
+    assert SceneLesson.of(loads(CRANE % ("1000", "-60"))).drive["to"] == 30.0  # nothing goes by it
 
 
 @pytest.mark.parametrize(

@@ -17,16 +17,16 @@ import pypdfium2.raw as raw
 import pytest
 from PIL import Image
 
-from planes.drafting.pens import THICK
-from planes.scene.files import keep
+from planes.drafting.pens import THICK_PEN_HEAD
+from planes.scene.files import save_file_or_refuse
 from planes.solving.document import DocumentTable, Formula, Heading, Paragraph
 from planes.words.naming import Naming
 from render import report
 from render.files import pdf, svg
 from render.paper import style
-from render.paper.ink import arrow_parts, flattened, hatch_strokes
+from render.paper.ink import arrow_parts, flatten_arc, hatch_strokes
 from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text
-from render.paper.typeset import box_of, extent, layout, plain
+from render.paper.typeset import ink_bounds, lay_out_text, plain_text, text_box_corners
 
 SIZE = (210.0, 297.0)
 SVG = "{http://www.w3.org/2000/svg}"
@@ -69,7 +69,7 @@ def ink_box(marks: tuple[Mark, ...], dpi: float = 1016.0) -> tuple[float, float,
 @pytest.mark.parametrize("write", WRITERS)
 def test_the_same_bytes_twice_and_in_the_file(write: Callable[..., bytes], tmp_path: Path) -> None:
     first = write(SHEET, SIZE, "План скоростей")
-    keep(first, tmp_path / "sheet")
+    save_file_or_refuse(first, tmp_path / "sheet")
     assert first == write(SHEET, SIZE, "План скоростей")
     assert (tmp_path / "sheet").read_bytes() == first
     assert [path.name for path in tmp_path.iterdir()] == ["sheet"]
@@ -87,7 +87,7 @@ def test_svg_places_to_the_micrometre() -> None:
     assert (root.get("width"), root.get("height"), root.get("viewBox")) == ("210mm", "297mm", "0 0 210 297")
     assert root.get("role") == "img" and root.get("aria-label") == root.findtext(f"{SVG}title") == "План скоростей"
     groups = {group.get("id"): group for group in root.findall(f"{SVG}g")}
-    assert list(groups) == [layer for layer in style.LAYERS if layer in groups]
+    assert list(groups) == [layer for layer in style.LAYERS_FROM_LOWEST if layer in groups]
     shaft, head = groups["plan"].findall(f".//{SVG}path")
     numbers = [[float(x) for x in re.findall(r"-?[\d.]+", str(path.get("d")))] for path in (shaft, head)]
     assert numbers[0][:2] == [100, 147] and numbers[1][:2] == [160, 107]
@@ -183,7 +183,7 @@ def test_pdf_pages_have_their_own_sizes() -> None:
         (Arc(30 + 20j, 10), (19.7, 9.7, 40.3, 30.3)),
         (Arc(30 + 20j, 10, 0, 90, "thin"), (29.9, 19.9, 40.1, 30.1)),
         (Shape((10 + 10j, 50 + 10j, 30 + 30j)), (10, 10, 50, 30)),
-        (Arrow(20 + 10j, 20 + 35j), (20 - THICK.wide / 2, 9.7, 20 + THICK.wide / 2, 35)),
+        (Arrow(20 + 10j, 20 + 35j), (20 - THICK_PEN_HEAD.wide / 2, 9.7, 20 + THICK_PEN_HEAD.wide / 2, 35)),
     ],
 )
 def test_places_in_the_picture(mark: Mark, box: tuple[float, ...]) -> None:
@@ -194,7 +194,7 @@ def test_places_in_the_picture(mark: Mark, box: tuple[float, ...]) -> None:
 @pytest.mark.parametrize("anchor", ["start", "middle", "end"])
 def test_the_box_of_a_text_is_where_its_ink_is(anchor: str, turn: float) -> None:
     text = Text("a_{CB}^{n}", 30 + 20j, 5, anchor, turn)  # type: ignore[arg-type]
-    laid, pens = layout(text), [0.5, 0.35]
+    laid, pens = lay_out_text(text), [0.5, 0.35]
     points = [(z, pen / 2) for pen, stroke in zip(laid.pens, laid.strokes, strict=True) for z in stroke]
     assert sorted(set(laid.pens), reverse=True) == pytest.approx(pens)
     box = (
@@ -204,29 +204,29 @@ def test_the_box_of_a_text_is_where_its_ink_is(anchor: str, turn: float) -> None
         max(z.imag + half for z, half in points),
     )
     assert ink_box((text,)) == pytest.approx(box, abs=0.06)
-    corners = box_of(text)
+    corners = text_box_corners(text)
     assert abs(corners[1] - corners[0]) == pytest.approx(laid.width)
     assert min(z.real for z in corners) <= box[0] + 0.01 and max(z.imag for z in corners) >= box[3] - 0.01
 
 
 def test_both_indices_stand_above_each_other() -> None:
-    base, lower, upper = layout(Text("a_{CB}^{n}", 0j, 5)).runs
+    base, lower, upper = lay_out_text(Text("a_{CB}^{n}", 0j, 5)).runs
     assert lower.at.real == upper.at.real > base.width
     assert lower.at.imag < 0 < lower.at.imag + lower.height < upper.at.imag
     assert lower.height == upper.height == 3.5
-    swapped = layout(Text("a^{n}_{CB}", 0j, 5))
+    swapped = lay_out_text(Text("a^{n}_{CB}", 0j, 5))
     assert sorted(run.text for run in swapped.runs) == ["CB", "a", "n"]
-    assert swapped.width == layout(Text("a_{CB}^{n}", 0j, 5)).width
+    assert swapped.width == lay_out_text(Text("a_{CB}^{n}", 0j, 5)).width
 
 
 def test_text_without_markup_stays_as_it_is() -> None:
-    assert plain("F_21 = x^2") == "F_21 = x^2"
-    assert plain("v_{C} = v_{B} + v_{CB}") == "vC = vB + vCB"
-    assert extent("", 5) == (0, 0, 0, 0) and layout(Text("", 1j)).plain == ""
+    assert plain_text("F_21 = x^2") == "F_21 = x^2"
+    assert plain_text("v_{C} = v_{B} + v_{CB}") == "vC = vB + vCB"
+    assert ink_bounds("", 5) == (0, 0, 0, 0) and lay_out_text(Text("", 1j)).plain_text == ""
     with pytest.raises(ValueError, match="is not closed"):
-        layout(Text("v_{C", 0j))
+        lay_out_text(Text("v_{C", 0j))
     with pytest.raises(ValueError, match="letter height"):
-        layout(Text("v", 0j, 0))
+        lay_out_text(Text("v", 0j, 0))
 
 
 def test_png_knows_its_size() -> None:
@@ -248,12 +248,12 @@ def test_a_png_has_the_pixels_of_its_page(style_name: str) -> None:
 
 def test_a_coordinate_is_the_rounded_number_without_zeros() -> None:
     for value in (0.0, -0.0, -0.0004, 0.0005, 2.5, -1.0005, 100.0, 1e5, 123.4567, -7e-9, *np.linspace(-3, 3, 997)):
-        assert svg.number(value) == f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
+        assert svg.svg_number(value) == f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
 
 
 @pytest.mark.parametrize("length", [11, 12, 14, 25, 40, 77.3, 300])
 def test_chain_lines_end_with_dashes(length: float) -> None:
-    dash, *rest = style.fitted(style.pen("axis").pattern, length) or (length,)
+    dash, *rest = style.fit_dash_pattern(style.pen_of_style("axis").pattern, length) or (length,)
     periods = (length - dash) / (dash + sum(rest))
     assert periods == pytest.approx(round(periods), abs=1e-9)
     assert 5 <= dash <= 30 and bool(rest) == (length >= 12)
@@ -276,10 +276,10 @@ def test_hatching_and_arcs_stay_in_their_shapes() -> None:
     ends = [z for stroke in hatch_strokes(square) for z in stroke]
     assert all(-1e-9 <= part <= 10 + 1e-9 for z in ends for part in (z.real, z.imag))
     assert len(ends) == 14
-    assert all(abs(abs(z - 1j) - 50) < 1e-9 for z in flattened(Arc(1j, 50, 10, 200)))
+    assert all(abs(abs(z - 1j) - 50) < 1e-9 for z in flatten_arc(Arc(1j, 50, 10, 200)))
 
 
-@pytest.mark.parametrize("suffix", report.SUFFIXES)
+@pytest.mark.parametrize("suffix", report.MODULE_OF_SUFFIX)
 def test_a_document_of_every_kind_of_block_is_written(suffix: str) -> None:
     row = (("точка", "v, м/с"), ("B", "3,14"))
     blocks = [
@@ -289,7 +289,7 @@ def test_a_document_of_every_kind_of_block_is_written(suffix: str) -> None:
         Paragraph("почему", why=True),
         Formula(("v_B=1",), "2"),
     ]
-    data = report.rendered([*blocks, DocumentTable("Таблица 1", row)], suffix, Naming())
+    data = report.render_document([*blocks, DocumentTable("Таблица 1", row)], suffix, Naming())
     if suffix == ".pdf":
         said = pdf_text(data)
     elif suffix == ".docx":

@@ -19,10 +19,10 @@ from planes.documents.drawn import draw_sheet
 from planes.scene import load
 from render.files import pdf
 from render.paper import form1, lettering, symbols
-from render.paper.ink import arrow_parts, is_circle, uncovered
+from render.paper.ink import arrow_parts, is_circle, visible_marks
 from render.paper.marks import Arc, Arrow, Line, Text
-from render.paper.style import HINGE_MM, LAYERS, pen
-from render.paper.typeset import layout
+from render.paper.style import HINGE_RADIUS_MM, LAYERS_FROM_LOWEST, pen_of_style
+from render.paper.typeset import lay_out_text
 from tests.helpers import ROOT
 from tests.helpers.counting import at_most
 from tests.helpers.sheets import sheet
@@ -57,13 +57,13 @@ def test_the_file_has_no_errors_and_is_in_millimetres(name, text):
     assert document.units == 4
     assert tuple(document.header["$EXTMAX"])[:2] == document.header["$LIMMAX"] == sheet(name).size
     used = {e.dxf.layer for e in document.modelspace()}
-    assert used <= {layer.upper() for layer in LAYERS} and {"FRAME", "TEXT"} <= used
+    assert used <= {layer.upper() for layer in LAYERS_FROM_LOWEST} and {"FRAME", "TEXT"} <= used
 
 
 def test_places_agree_with_the_marks():
     found = sheet("kind-1-rrr")
     entities = apart(read(found))
-    marks = uncovered(found.marks)
+    marks = visible_marks(found.marks)
     lines = [complex(e.dxf.start.x, e.dxf.start.y) for e in entities if e.dxftype() == "LINE"]
     straight = [m.points[0] for m in marks if isinstance(m, Line) and len(m.points) == 2]
     for z in straight:
@@ -78,8 +78,8 @@ def test_text_is_text_fitted_to_its_lettering():
     space = read(found).modelspace()
     texts = {(e.dxf.text, round(e.dxf.insert.x, 2), round(e.dxf.insert.y, 2)): e for e in space.query("TEXT")}
     title = next(m for m in found.marks if isinstance(m, Text) and m.text.startswith("Исходные данные"))
-    run = layout(title).runs[0]
-    place = layout(title).origin + run.at
+    run = lay_out_text(title).runs[0]
+    place = lay_out_text(title).origin + run.at
     entity = texts[run.text.strip(), round(place.real, 2), round(place.imag, 2)]
     assert entity.dxf.height == run.height
     assert abs(entity.dxf.align_point.x - entity.dxf.insert.x - run.width) < 1e-4
@@ -89,7 +89,7 @@ def test_text_is_text_fitted_to_its_lettering():
 def test_a_narrowed_name_is_as_narrow():
     marks = [Text("Константинопольский", 10 + 50j, 1.8, narrow=0.45)]
     (found,) = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode())).modelspace()
-    assert found.dxf.align_point.x - found.dxf.insert.x == pytest.approx(layout(marks[0]).runs[0].width, abs=1e-4)
+    assert found.dxf.align_point.x - found.dxf.insert.x == pytest.approx(lay_out_text(marks[0]).runs[0].width, abs=1e-4)
 
 
 @pytest.mark.parametrize("said", ["↓", "B→A", "a_{2}→b"])
@@ -98,7 +98,7 @@ def test_signs_that_librecad_has_no_letter_for_are_drawn(said):
     drawing = ezdxf.read(io.StringIO(written))
     letters, plain = drawing.modelspace()
     strokes = drawing.blocks[letters.dxf.name]
-    assert plain.dxf.text == "⊥BC" and len(strokes) == len(layout(Text(said, 0j)).strokes)
+    assert plain.dxf.text == "⊥BC" and len(strokes) == len(lay_out_text(Text(said, 0j)).strokes)
 
 
 def test_a_dashed_path_of_short_sides_is_a_block_of_its_dashes():
@@ -117,14 +117,14 @@ def test_a_dashed_path_of_short_sides_is_a_block_of_its_dashes():
 def test_a_label_with_indices_is_one_text():
     found = sheet("kind-1-rrr")
     space = read(found).modelspace()
-    wanted = [m for m in found.marks if isinstance(m, Text) and len(layout(m).runs) > 1]
+    wanted = [m for m in found.marks if isinstance(m, Text) and len(lay_out_text(m).runs) > 1]
     said = {e.text: e for e in space.query("MTEXT")}
     assert len(space.query("MTEXT")) == len(wanted) > 20
     assert r"v{\H0.7x;\S^ CB;}" in said and r"a{\H0.7x;\Sn^ CB;}" in said
     label = next(m for m in wanted if m.text == "v_{CB}")
     held = [complex(*e.dxf.insert.vec2) for e in space.query("MTEXT") if e.text == r"v{\H0.7x;\S^ CB;}"]
     part = {"start": 0.0, "middle": 0.5, "end": 1.0}[label.anchor]
-    assert min(abs(z - layout(label).origin - part * layout(label).width) for z in held) < 1e-4
+    assert min(abs(z - lay_out_text(label).origin - part * lay_out_text(label).width) for z in held) < 1e-4
 
 
 def test_signs_of_the_format_in_a_text_are_written_so_that_they_stay():
@@ -189,8 +189,8 @@ def test_the_layout_is_the_sheet_set_up_for_printing():
 
 def test_no_layer_is_paler_than_it_prints():
     for layer in read(sheet("kind-1-rrr")).layers:
-        if layer.dxf.name.lower() in LAYERS:
-            colour = pen(dxf.LAYER_STYLES[layer.dxf.name.lower()]).colour
+        if layer.dxf.name.lower() in LAYERS_FROM_LOWEST:
+            colour = pen_of_style(dxf.STYLE_OF_LAYER[layer.dxf.name.lower()]).colour
             wanted = bytes.fromhex(colour[1:])
             assert tuple(layer.rgb or (0, 0, 0)) == tuple(wanted)
             assert max(aci2rgb(layer.dxf.color)) <= max(wanted) or layer.dxf.color == 7  # which is black on paper
@@ -216,7 +216,7 @@ def test_dashes_are_stretched_to_whole_ones_as_in_the_other_formats():
     ends = (70 + 10j, 24 + 20j, 18 + 30j)
     marks = [Line((complex(10, z.imag), z), "axis", "axis") for z in ends]
     long, piece, short = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode())).modelspace().query("LINE")
-    period = sum(pen("axis").pattern)
+    period = sum(pen_of_style("axis").pattern)
     count = round((60 - 10) / period)
     assert long.dxf.ltscale == pytest.approx(60 / (count * period + 10), abs=1e-5)
     assert not long.dxf.hasattr("linetype")  # its layer's
@@ -245,7 +245,7 @@ def test_the_same_bytes_whatever_python_makes_its_sets_of():
     run = [sys.executable, "-c", program]
     seeds = ({**os.environ, "PYTHONPATH": str(ROOT), "PYTHONHASHSEED": seed} for seed in "12")
     told = {subprocess.run(run, env=e, capture_output=True, check=True).stdout for e in seeds}
-    assert told == {b"".join(sheet("kind-1-rrr").rendered(suffix) for suffix in (".dxf", ".svg", ".pdf"))}
+    assert told == {b"".join(sheet("kind-1-rrr").file_contents(suffix) for suffix in (".dxf", ".svg", ".pdf"))}
 
 
 # blocks
@@ -255,7 +255,9 @@ def test_hinges_supports_sliders_and_points_are_blocks():
     found = sheet("six-link")
     inserts = read(found).modelspace().query("INSERT")
     names = [e.dxf.name for e in inserts]
-    hinges = [m for m in found.marks if isinstance(m, Arc) and m.fill == "paper" and abs(m.radius - HINGE_MM) < 1e-9]
+    hinges = [
+        m for m in found.marks if isinstance(m, Arc) and m.fill == "paper" and abs(m.radius - HINGE_RADIUS_MM) < 1e-9
+    ]
     assert names.count("HINGE") + names.count("SUPPORT") == len(hinges)
     assert names.count("SUPPORT") == 2  # A and D
     assert {"POINT", "FORM_1"} <= set(names)
@@ -269,7 +271,7 @@ def test_a_support_is_known_at_any_turn_and_one_that_is_cut_stays_lines(turn):
     (insert,) = ezdxf.read(io.StringIO(dxf.write(marks, (100, 100), "t").decode())).modelspace()
     assert (insert.dxf.name, tuple(insert.dxf.insert)[:2]) == ("SUPPORT", (50.0, 50.0))
     assert (insert.dxf.rotation - turn + 180) % 360 - 180 == pytest.approx(0, abs=1e-6)
-    over = (*marks, *symbols.hinge(50 + 50j - 7j * symbols.unit(turn)))
+    over = (*marks, *symbols.hinge(50 + 50j - 7j * symbols.unit_vector(turn)))
     space = ezdxf.read(io.StringIO(dxf.write(over, (100, 100), "t").decode())).modelspace()
     assert [e.dxf.name for e in space.query("INSERT")] == ["HINGE", "HINGE"]
     assert len(space.query("LINE")) > 5
@@ -284,7 +286,7 @@ def test_the_cells_of_the_form_are_attributes_to_be_edited():
     assert (values["STUDENT"], values["DESIGNATION"]) == ("Иванов И. И.", "ТММ.01.02.000")
     assert values["DESIGNATION_TURNED"] == "ТММ.01.02.000" and values["TEACHER"] == ""
     assert f"{values['TITLE']} {values['TITLE_LINE_2']}" == "Длинное название механизма"
-    assert {key.upper() for key in form1.cells(found.size)} <= set(values)
+    assert {key.upper() for key in form1.fill_in_cells(found.size)} <= set(values)
     defined = {e.dxf.tag: e for e in document.blocks["FORM_1"].query("ATTDEF")}
     assert set(defined) == set(values)
     assert defined["STUDENT"].dxf.prompt == "разработал (11)"
@@ -304,7 +306,7 @@ def test_strokes_instead_of_texts_have_the_width_of_their_pen():
     entities = apart(read(found, text="strokes"))
     assert not [e for e in entities if e.dxftype() in ("TEXT", "MTEXT", "ATTRIB")]
     word = next(m for m in found.marks if isinstance(m, Text) and m.text.startswith("План скоростей"))
-    first = layout(word).strokes[0]
+    first = lay_out_text(word).strokes[0]
     drawn = [e for e in entities if e.dxftype() == "LWPOLYLINE" and len(e) == len(first)]
     near = [e for e in drawn if abs(complex(*e[0][:2]) - first[0]) < 1e-5]
     assert [e.dxf.lineweight for e in near] == [50]  # a tenth of 5 mm
@@ -316,7 +318,7 @@ def test_slanted_lettering_is_oblique():
     assert document.styles.get("lc_opengost-br").dxf.oblique == 15
     texts = document.modelspace().query("TEXT")
     assert {(e.dxf.oblique, e.dxf.style) for e in texts} == {(15.0, "lc_opengost-br")}
-    assert pytest.approx(np.tan(np.radians(15))) == lettering.SLANT
+    assert pytest.approx(np.tan(np.radians(15))) == lettering.SLANT_SHEAR
 
 
 @pytest.mark.slow
@@ -411,7 +413,7 @@ def test_an_index_is_a_text_of_its_own_by_choice(said, text, kinds):
     assert [e.dxftype() for e in found] == kinds
     if text == "pieces":
         assert [(e.dxf.text, round(e.dxf.height, 3)) for e in found] == [
-            (run.text, round(run.height, 3)) for run in layout(mark).runs
+            (run.text, round(run.height, 3)) for run in lay_out_text(mark).runs
         ]
 
 
@@ -420,6 +422,6 @@ def test_a_line_of_prose_is_as_wide_as_drawn():
         "значения расходятся с точными на 5 %; вне допуска одно: v_{H} = 1,38 м/с вместо 1,001 м/с", 10 + 50j, 2.5
     )
     found = list(ezdxf.read(io.StringIO(dxf.write([mark], (300, 100), "t").decode())).modelspace())
-    assert {e.dxftype() for e in found} == {"TEXT"} and len(found) == len(layout(mark).runs) == 3
+    assert {e.dxftype() for e in found} == {"TEXT"} and len(found) == len(lay_out_text(mark).runs) == 3
     end = max((e.dxf.align_point if e.dxf.hasattr("align_point") else e.dxf.insert).x for e in found)
-    assert end == pytest.approx(10 + layout(mark).width, abs=0.5)
+    assert end == pytest.approx(10 + lay_out_text(mark).width, abs=0.5)

@@ -14,7 +14,7 @@ import pytest
 from render.files import dxf
 from render.paper.ink import arrow_parts
 from render.paper.marks import Arc, Arrow, Line, Text
-from render.paper.typeset import layout
+from render.paper.typeset import lay_out_text
 from tests.helpers.sheets import sheet
 
 NEAR_MM = 0.6  # a letter's neighbour is farther off
@@ -51,7 +51,7 @@ def kept(wanted, shown) -> float:
 def test_librecad_shows_the_letters_of_the_title_block(tmp_path):
     """Cyrillic and Greek texts and the cells are where their strokes are; in another style's font they are not."""
     found = sheet("kind-2-rrp", student="Иванов И. И.", designation="ТММ.01.02.000", title="Механизм с углом φ и ω")
-    block = found.paper.block
+    block = found.paper.title_block
     marks = [m for m in found.marks if m.layer == "frame" and isinstance(m, Text)]
     marks = [m for m in marks if m.place.real > block[0] and m.height >= 2.5]
     corner = Line((0j, complex(*found.size)), "thin")  # both drawings of one extent
@@ -128,6 +128,6 @@ def test_freecad_takes_letters_drawn_by_lines_as_one_thing_a_text(tmp_path):
     (tmp_path / "count.py").write_text(COUNTED)
     subprocess.run(["freecadcmd", "count.py"], cwd=tmp_path, check=True, capture_output=True, timeout=120)
     count, long = json.loads((tmp_path / "seen.json").read_text())
-    pieces = [abs(b - a) for m in texts for stroke in layout(m).strokes for a, b in pairwise(stroke)]
+    pieces = [abs(b - a) for m in texts for stroke in lay_out_text(m).strokes for a, b in pairwise(stroke)]
     assert count <= len(texts) and len(pieces) > 10 * len(texts)
     assert abs(long / sum(pieces) - 1) < 1e-3

@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 
 from planes.cli import main
-from planes.documents.drawn import view_of
+from planes.documents.drawn import page_of_view
 from planes.documents.sheets import sheet_of
 from planes.scene import load
 from render.files import pdf, svg
 from render.paper import lettering, outlines
-from render.paper.marks import OWN, Face, Text, current, lettered
-from render.paper.outlines import dejavu
-from render.paper.typeset import box_of, extent, layout
+from render.paper.marks import BUILT_IN_FACE, Face, Text, current_face, using_face
+from render.paper.outlines import dejavu_file
+from render.paper.typeset import ink_bounds, lay_out_text, text_box_corners
 from tests.helpers import ROOT
 from tests.helpers.sheets import sheet
 from tests.render.test_backends import pdf_text
@@ -27,8 +27,13 @@ from tests.render.test_golden import agree, farthest, letters, of_pdf, of_svg
 from tests.render.test_sheet import clashes
 
 SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))}
-SANS = Face(str(dejavu()), False, "DejaVu Sans")
-FACES = {"own": OWN, "slanted": Face("", True), "font": SANS, "font slanted": Face(SANS.font, True, SANS.family)}
+SANS = Face(str(dejavu_file()), False, "DejaVu Sans")
+FACES = {
+    "own": BUILT_IN_FACE,
+    "slanted": Face("", True),
+    "font": SANS,
+    "font slanted": Face(SANS.font, True, SANS.family),
+}
 WORDS = ["План скоростей, μ_{v} = 30 мм/(м·с⁻¹)", "a_{CB}^{n} ⊥ BC", "Щёлкающий съезд, ў і ї є ґ", "F_{21}^{t}"]
 
 
@@ -40,26 +45,28 @@ def ink(laid):
 @pytest.mark.parametrize("text", WORDS)
 @pytest.mark.parametrize("turn", [0.0, 90.0, 200.0])
 def test_a_label_measures_what_it_draws(face, text, turn):
-    with lettered(FACES[face]):
+    with using_face(FACES[face]):
         mark = Text(text, 40 + 30j, 5.0, "middle", turn)
-        x0, y0, x1, y1 = extent(text, 5.0)
-    laid = layout(mark)
+        x0, y0, x1, y1 = ink_bounds(text, 5.0)
+    laid = lay_out_text(mark)
     half = max(laid.pens) / 2
     level = (ink(laid) - laid.origin) * np.exp(-1j * math.radians(turn))
     assert level.real.min() - half - 1e-6 <= x0 <= level.real.min() + 1e-6
     assert level.real.max() - 1e-6 <= x1 <= level.real.max() + half + 1e-6
     assert level.imag.min() - half - 1e-6 <= y0 and y1 <= level.imag.max() + half + 1e-6
     assert laid.width == pytest.approx(x1 - x0)
-    middle = sum(box_of(mark)[:2]) / 2
+    middle = sum(text_box_corners(mark)[:2]) / 2
     across = (40 + 30j - middle) * np.exp(-1j * math.radians(turn))
     assert abs(across.real) < 1e-6  # anchored by the middle of its ink
 
 
 @pytest.mark.parametrize("height", [2.5, 5.0, 10.0])
 def test_letters_of_a_font_have_the_height_of_capitals(height):
-    low, _, high, _ = box_of(Text("Н", 0j, height, face=SANS))
+    low, _, high, _ = text_box_corners(Text("Н", 0j, height, face=SANS))
     assert (low.real, low.imag, high.imag) == pytest.approx((0, 0, height))
-    assert outlines.width("НН", height, SANS.font) == pytest.approx(2 * outlines.width("НН", height / 2, SANS.font))
+    assert outlines.line_ink_width("НН", height, SANS.font) == pytest.approx(
+        2 * outlines.line_ink_width("НН", height / 2, SANS.font)
+    )
 
 
 def test_outlines_are_those_of_the_font():
@@ -71,35 +78,35 @@ def test_outlines_are_those_of_the_font():
         path = TextPath((0, 0), char, size=1.0, prop=FontProperties(fname=SANS.font))
         whole = np.vstack([p for p in path.to_polygons() if len(p)])
         capitals = 0.729  # of DejaVu Sans
-        own = np.array([z for line in outlines.contours(char, 1.0, SANS.font) for z in line]) * capitals
+        own = np.array([z for line in outlines.line_contours(char, 1.0, SANS.font) for z in line]) * capitals
         wide, high = np.ptp(whole[:, 0]), np.ptp(whole[:, 1])
         assert np.ptp(own.real) == pytest.approx(wide, abs=0.01) and np.ptp(own.imag) == pytest.approx(high, abs=0.01)
         assert own.imag.min() == pytest.approx(whole[:, 1].min(), abs=0.01)
 
 
 def test_a_character_the_font_lacks_comes_from_another(tmp_path):
-    mathematics = Path(str(dejavu())).with_name("STIXSizeOneSym.ttf")
-    path = str(mathematics if mathematics.exists() else dejavu().with_name("cmr10.ttf"))
-    with lettered(Face(path, False, "few letters")):
-        box = extent("Ж⊥漢", 5.0)
+    mathematics = Path(str(dejavu_file())).with_name("STIXSizeOneSym.ttf")
+    path = str(mathematics if mathematics.exists() else dejavu_file().with_name("cmr10.ttf"))
+    with using_face(Face(path, False, "few letters")):
+        box = ink_bounds("Ж⊥漢", 5.0)
     assert box[2] > 5
-    own, spare = outlines.opened(path), outlines.opened(str(dejavu()))
-    assert [c for c in "Ж⊥漢" if not own.has(c) and not spare.has(c)] == ["漢"]
+    own, spare = outlines.open_font(path), outlines.open_font(str(dejavu_file()))
+    assert [c for c in "Ж⊥漢" if not own.has_character(c) and not spare.has_character(c)] == ["漢"]
 
 
 def test_slanted_lettering_is_the_upright_one_sheared_indices_with_it():
-    upright, slanted = (layout(Text("a_{CB}^{n}", 0j, 7.0, face=f)) for f in (OWN, FACES["slanted"]))
+    upright, slanted = (lay_out_text(Text("a_{CB}^{n}", 0j, 7.0, face=f)) for f in (BUILT_IN_FACE, FACES["slanted"]))
     a, b = ink(upright) - upright.origin, ink(slanted) - slanted.origin
     assert b.imag == pytest.approx(a.imag)
-    assert b.real - a.real == pytest.approx(a.imag * lettering.SLANT, abs=1e-9)
+    assert b.real - a.real == pytest.approx(a.imag * lettering.SLANT_SHEAR, abs=1e-9)
 
 
 def test_the_face_is_that_of_the_time_a_mark_is_made():
-    with lettered(SANS):
+    with using_face(SANS):
         held = Text("A", 0j)
-        assert current() == SANS
-    assert current() == OWN and Text("A", 0j).face == OWN
-    assert held.face == SANS and layout(held).filled
+        assert current_face() == SANS
+    assert current_face() == BUILT_IN_FACE and Text("A", 0j).face == BUILT_IN_FACE
+    assert held.face == SANS and lay_out_text(held).filled
 
 
 # whole sheets
@@ -113,7 +120,7 @@ SETTINGS = [{"lettering": "slanted"}, {"font": "DejaVu Sans"}, {"font": "dejavu 
 def test_nothing_overlaps_in_any_face(name, settings):
     found = sheet(name, **settings)
     faces = {m.face for m in found.marks if isinstance(m, Text)}
-    assert len(faces) == 1 and faces != {OWN}
+    assert len(faces) == 1 and faces != {BUILT_IN_FACE}
     assert clashes(found) == []
 
 
@@ -144,7 +151,7 @@ def test_letters_of_a_font_are_filled_and_their_holes_are_open():
     from tests.render.test_backends import ink_box
 
     box = ink_box((mark,))
-    wanted = box_of(mark)
+    wanted = text_box_corners(mark)
     assert box == pytest.approx((wanted[0].real, wanted[0].imag, wanted[2].real, wanted[2].imag), abs=0.05)
     import io
 
@@ -161,7 +168,7 @@ def test_letters_of_a_font_are_filled_and_their_holes_are_open():
 
 def test_one_view_is_lettered_so_too():
     scene = load(SAMPLES["kind-1-rrr"])
-    found = view_of(replace(scene, sheet={"font": "DejaVu Serif"}), "velocity-plan")
+    found = page_of_view(replace(scene, sheet={"font": "DejaVu Serif"}), "velocity-plan")
     assert {m.face.family for m in found.marks if isinstance(m, Text)} == {"DejaVu Serif"}
     assert found._repr_svg_().startswith("<svg")
 
@@ -177,7 +184,7 @@ def scene_with(tmp_path, setting):
 
 @pytest.mark.slow
 def test_a_font_is_given_by_its_file_beside_the_scene(tmp_path):
-    shutil.copy(dejavu().with_name("DejaVuSerif.ttf"), tmp_path / "мой.ttf")
+    shutil.copy(dejavu_file().with_name("DejaVuSerif.ttf"), tmp_path / "мой.ttf")
     found = sheet_of(load(scene_with(tmp_path, "font: мой.ttf")), None)
     assert {m.face for m in found.marks if isinstance(m, Text)} == {
         Face(str(tmp_path / "мой.ttf"), False, "DejaVu Serif")
@@ -210,7 +217,7 @@ def test_a_font_that_is_not_there_is_one_sentence_with_its_line(setting, said, t
 def test_a_broken_font_is_one_sentence_or_is_drawn(seed, tmp_path, capsys):
     import random
 
-    chance, data = random.Random(seed), bytearray(dejavu().read_bytes())
+    chance, data = random.Random(seed), bytearray(dejavu_file().read_bytes())
     if seed % 2:
         del data[chance.randrange(len(data)) :]
     for _ in range(400 if seed % 2 == 0 else 0):

@@ -8,16 +8,16 @@ from dataclasses import replace
 import pytest
 
 from planes.documents.sheets import sheet_of
-from planes.plans.measuring import lettering
+from planes.plans.measuring import scene_lettering
 from planes.scene import load
 from planes.solving import solve
-from planes.words.names import kind_of
+from planes.words.names import plan_kind
 from planes.words.naming import Naming
-from render.paper.hues import PART
+from render.paper.hues import DETAIL_NAME_SUFFIX
 from render.paper.marks import Arrow, Text
 from render.sheet.composer import drawn_plans
-from render.views.plotted import of_position
-from render.views.polygon import Polygon, tick
+from render.views.plotted import plot_position
+from render.views.polygon import Polygon, tick_ends
 from tests.helpers import ROOT
 
 FEW = ["samples/shaper.yaml", "samples/six-link.yaml", *(f"samples/assignments/{k}.yaml" for k in (16, 31, 50, 61))]
@@ -30,17 +30,19 @@ def polygons(path):
     if scene.mechanism is None:
         return
     position = solve(replace(scene, find=None)).positions[0]
-    plotted, naming = of_position(position), Naming("ru", **lettering(scene, position.plans))
-    for plan in (p for p in drawn_plans(plotted, position) if kind_of(p) == "force"):
+    plotted, naming = plot_position(position), Naming("ru", **scene_lettering(scene, position.plans))
+    for plan in (p for p in drawn_plans(plotted, position) if plan_kind(p) == "force"):
         yield Polygon(plotted, plan, naming)
 
 
 @pytest.mark.parametrize("path", [*FEW, *(pytest.param(p, marks=pytest.mark.slow) for p in ALL if p not in FEW)])
 def test_terms_stand_head_to_tail(path):
     for polygon in polygons(path):
-        arrows = {m.name: m for m in polygon.drawn() if isinstance(m, Arrow) and not m.name.endswith(PART)}
+        arrows = {
+            m.name: m for m in polygon.drawn_marks() if isinstance(m, Arrow) and not m.name.endswith(DETAIL_NAME_SUFFIX)
+        }
         for equation in (e for e in polygon.plotted.equations if e.plan == polygon.plan):
-            for term in equation.terms:
+            for term in equation.all_terms:
                 for ends in (term.start, term.end), (term.end, term.start):
                     for drawn in (arrows[names[0]] for names in (polygon.arrows.get(ends),) if names):
                         off = [
@@ -51,7 +53,7 @@ def test_terms_stand_head_to_tail(path):
 
 def test_ends_of_forces_in_one_line_are_numbered():
     (polygon,) = (p for p in polygons("samples/assignments/31.yaml") if p.plan == "force:4-5")
-    marks = polygon.drawn()
+    marks = polygon.drawn_marks()
     texts = {m.name: m.text for m in marks if isinstance(m, Text)}
     assert texts["G_5"] == "G_{5} (1–2)" and texts["P_5"] == "P_{5} (3–4)"
     assert texts["F_54"] == "F_{54} = F_{43} (4–1) = −F_{45}"
@@ -61,18 +63,18 @@ def test_ends_of_forces_in_one_line_are_numbered():
 
 def test_a_sum_stands_beside_its_forces_with_ticks_at_its_ends():
     (polygon,) = (p for p in polygons("samples/assignments/16.yaml") if p.plan == "force:2-3")
-    polygon.drawn()
+    polygon.drawn_marks()
     *ticks, arrow = polygon.aside[-3:]
     assert arrow.name == "F_32" and len(ticks) == 2
     true = [polygon.mark(label) for label in next(k for k, names in polygon.arrows.items() if "F_32" in names)]
-    assert [t.points for t in ticks] == [tick(true[0], arrow.start), tick(true[1], arrow.end)]
+    assert [t.points for t in ticks] == [tick_ends(true[0], arrow.start), tick_ends(true[1], arrow.end)]
     assert abs(arrow.start - true[0]) in (pytest.approx(2.0), pytest.approx(4.0))
 
 
 @pytest.mark.parametrize("sample", ["six-link", "kind-1-rrr", "bntu-3"])
 def test_the_pole_of_a_force_polygon_has_its_letter(sample: str) -> None:
     for polygon in polygons(f"samples/{sample}.yaml"):
-        texts = [m.text for m in polygon.drawn() if isinstance(m, Text)]
+        texts = [m.text for m in polygon.drawn_marks() if isinstance(m, Text)]
         assert any(text.split(", ")[0] in ("p", "π") for text in texts), polygon.plan
 
 
@@ -81,13 +83,13 @@ def test_a_reaction_with_friction_leans_on_its_normal_force_and_its_friction(pat
     """A right triangle head to tail: its legs are N and T of the results, T against the motion along the guide."""
     polygon = next(p for p in polygons(path) if p.plotted.leaning)
     (reaction,) = polygon.plotted.leaning
-    arrows = {m.name: m for m in polygon.drawn() if isinstance(m, Arrow)}
+    arrows = {m.name: m for m in polygon.drawn_marks() if isinstance(m, Arrow)}
     normal, friction, whole_force = arrows["N_30"], arrows["T_30"], arrows["F_30"]
     assert abs(normal.end - friction.start) < 1e-9
     assert abs(normal.start - whole_force.start) < 1e-9 and abs(friction.end - whole_force.end) < 1e-9
     way = complex(polygon.plotted.drawing[f"∥{reaction.pair.guide}"])
     assert abs(((normal.end - normal.start) * way.conjugate()).real) < 1e-9
-    mu, made = polygon.plotted.mu(polygon.plan), polygon.plotted.drawing
+    mu, made = polygon.plotted.plan_mu(polygon.plan), polygon.plotted.drawing
     assert abs(normal.end - normal.start) == pytest.approx(mu * abs(float(made[reaction.normal])))
     assert abs(friction.end - friction.start) == pytest.approx(mu * abs(float(made[reaction.friction])))
 

@@ -9,14 +9,14 @@ import pypdfium2
 import pytest
 
 from planes.documents.sheets import sheet_of
-from planes.plans.scales import fits_on
+from planes.plans.scales import plan_sizes_on_format
 from planes.scene import load, loads
-from planes.scene.settings import SHEET_WORDS
-from planes.solving import plans_of
+from planes.scene.settings import SHEET_WORD_CHOICES
+from planes.solving import plans_for_requested_results
 from planes.words.errors import PlanesError, SceneError
 from render.files import pdf
 from render.paper.marks import Text
-from render.sheet.frame import EXTENDED, FORMATS, Paper
+from render.sheet.frame import EXTENDED_FORMATS, FORMATS, Paper
 from tests.helpers import ROOT
 from tests.helpers.scene_texts import SIX_LINK
 
@@ -30,16 +30,21 @@ def scene(text: str, **settings: str):
 
 
 def test_extended_formats_are_so_many_of_a_format_side_by_side() -> None:
-    assert {"A4x3": (630, 297), "A4x4": (841, 297), "A3x3": (891, 420), "A2x3": (1261, 594)}.items() <= EXTENDED.items()
-    for name, (wide, high) in EXTENDED.items():
+    assert {
+        "A4x3": (630, 297),
+        "A4x4": (841, 297),
+        "A3x3": (891, 420),
+        "A2x3": (1261, 594),
+    }.items() <= EXTENDED_FORMATS.items()
+    for name, (wide, high) in EXTENDED_FORMATS.items():
         base, count = FORMATS[name[:2]], int(name[3:])
         assert high == max(base) or (name == "A0x2" and high == 1189)
         assert abs(wide - count * min(base)) < count  # sides are rounded to a millimetre
-    assert len(EXTENDED) == 19
+    assert len(EXTENDED_FORMATS) == 19
 
 
 def test_a_scene_may_ask_for_every_format_there_is() -> None:
-    assert {*FORMATS, *EXTENDED} == {*SHEET_WORDS["format"]} - {"auto"}
+    assert {*FORMATS, *EXTENDED_FORMATS} == {*SHEET_WORD_CHOICES["format"]} - {"auto"}
 
 
 @pytest.mark.parametrize("written", ["A3x3", "a3X3", "A3×3", "А3х3"])  # the last in Russian letters
@@ -52,20 +57,20 @@ def test_a_format_that_is_none_is_refused() -> None:
         scene(PLAIN, format="A3x8")
 
 
-@pytest.mark.parametrize("name", [*FORMATS, *EXTENDED])
+@pytest.mark.parametrize("name", [*FORMATS, *EXTENDED_FORMATS])
 def test_the_page_of_a_file_is_of_the_very_size_and_says_its_format(name: str) -> None:
     paper = Paper(name)
-    page = pypdfium2.PdfDocument(pdf.write(paper.marks({}), paper.size, "a"))[0]
+    page = pypdfium2.PdfDocument(pdf.write(paper.frame_marks({}), paper.size, "a"))[0]
     assert page.get_size() == pytest.approx([side / 25.4 * 72 for side in paper.size], abs=0.01)
-    (said,) = (m.text for m in paper.marks({}) if isinstance(m, Text) and m.name == "cell format")
+    (said,) = (m.text for m in paper.frame_marks({}) if isinstance(m, Text) and m.name == "cell format")
     assert said == name.replace("x", "×")
 
 
-@pytest.mark.parametrize("name", EXTENDED)
+@pytest.mark.parametrize("name", EXTENDED_FORMATS)
 def test_plans_are_as_large_on_an_extended_format_as_on_one_as_high(name: str) -> None:
-    plans = plans_of(load(ROOT / "samples" / "kind-1-rrr.yaml"))[0]
-    as_high = [usual for usual, size in FORMATS.items() if min(size) == EXTENDED[name][1]] or ["A0"]
-    fits, usual = fits_on({"format": name}, plans), fits_on({"format": as_high[0]}, plans)
+    plans = plans_for_requested_results(load(ROOT / "samples" / "kind-1-rrr.yaml"))[0]
+    as_high = [usual for usual, size in FORMATS.items() if min(size) == EXTENDED_FORMATS[name][1]] or ["A0"]
+    fits, usual = plan_sizes_on_format({"format": name}, plans), plan_sizes_on_format({"format": as_high[0]}, plans)
     assert fits == usual or (name[:2] == "A0" and fits["position"] > usual["position"])
 
 

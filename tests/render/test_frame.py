@@ -12,8 +12,8 @@ from planes.documents.sheets import sheet_of
 from planes.scene import loads
 from render.paper import form1
 from render.paper.marks import Line, Text
-from render.paper.typeset import box_of, extent, layout
-from render.sheet.frame import FORMATS, Paper, fitted
+from render.paper.typeset import ink_bounds, lay_out_text, text_box_corners
+from render.sheet.frame import FORMATS, Paper, fit_text_in_cell
 from tests.helpers.conflicts import conflicts
 from tests.helpers.scene_texts import SIX_LINK
 
@@ -27,7 +27,7 @@ def corner(size):
 def own_lines(size):
     """Lines of the title block from its lower left corner, with their kinds."""
     at = corner(size)
-    inside = [(a - at, b - at, kind) for a, b, kind in form1.lines(size) if a.real >= at.real and a.imag <= 60]
+    inside = [(a - at, b - at, kind) for a, b, kind in form1.form_lines(size) if a.real >= at.real and a.imag <= 60]
     return {(round(a.real), round(a.imag), round(b.real), round(b.imag), kind) for a, b, kind in inside}
 
 
@@ -58,8 +58,8 @@ def test_the_title_block_has_the_lines_of_the_standard():
 
 @pytest.mark.parametrize("size", SIZES)
 def test_no_line_runs_through_a_cell(size):
-    lines = list(form1.lines(size))
-    cells = [*form1.cells(size).values(), *(cell for _, cell in form1.words(size, "ru"))]
+    lines = list(form1.form_lines(size))
+    cells = [*form1.fill_in_cells(size).values(), *(cell for _, cell in form1.printed_words(size, "ru"))]
     for cell in cells:
         for a, b, _ in lines:
             x0, x1 = sorted((a.real, b.real))
@@ -76,7 +76,7 @@ def test_no_line_runs_through_a_cell(size):
 @pytest.mark.parametrize("size", SIZES)
 def test_the_cells_tile_the_form(size):
     """Cells and words cover the block 185 × 55 and the columns of 12 mm beside the frame, and none lies on another."""
-    cells = [*form1.cells(size).values(), *(cell for _, cell in form1.words(size, "ru"))]
+    cells = [*form1.fill_in_cells(size).values(), *(cell for _, cell in form1.printed_words(size, "ru"))]
     for a, b in combinations(cells, 2):
         apart = (a.x + a.width - b.x, b.x + b.width - a.x, a.y + a.height - b.y, b.y + b.height - a.y)
         assert min(apart) <= 1e-9, (a, b)
@@ -93,7 +93,7 @@ def test_the_cells_tile_the_form(size):
 @pytest.mark.parametrize("name", list(FORMATS))
 def test_the_columns_stand_where_the_standard_puts_them(name):
     paper = Paper(name)
-    cells, high = form1.cells(paper.size), paper.size[1]
+    cells, high = form1.fill_in_cells(paper.size), paper.size[1]
     beside = {k: (c.x, c.y, c.width, c.height) for k, c in cells.items() if c.turn_deg == 90}
     assert beside == {
         "inventory": (13, 5, 7, 25),
@@ -106,7 +106,7 @@ def test_the_columns_stand_where_the_standard_puts_them(name):
     }
     top = cells["designation_turned"]
     assert (top.x, top.y + top.height, top.width, top.height, top.turn_deg) == (20, high - 5, 70, 14, 180)
-    assert paper.taken[1] == (20, high - 19, 90, high - 5)
+    assert paper.occupied_areas[1] == (20, high - 19, 90, high - 5)
 
 
 EVERY = {
@@ -179,10 +179,10 @@ def test_every_cell_is_filled_from_the_scene_and_fits():
     )
     assert said["designation_turned"] == said["designation"] == "ТММ.01.12.000"
     assert said["format"] == found.paper.name
-    cells = form1.cells(found.size)
+    cells = form1.fill_in_cells(found.size)
     for mark in (m for m in found.marks if isinstance(m, Text) and m.name.startswith("cell ")):
         cell = cells[mark.name.removeprefix("cell ")]
-        xs, ys = [z.real for z in box_of(mark)], [z.imag for z in box_of(mark)]
+        xs, ys = [z.real for z in text_box_corners(mark)], [z.imag for z in text_box_corners(mark)]
         assert cell.x < min(xs) and max(xs) < cell.x + cell.width, mark.text
         assert cell.y < min(ys) and max(ys) < cell.y + cell.height, mark.text
     frame = [m for m in found.marks if m.layer == "frame"]
@@ -200,7 +200,7 @@ def test_words_of_the_form_are_in_the_language_of_the_sheet():
     ru = {m.text for m in sheet().marks if isinstance(m, Text)}
     en = {m.text for m in sheet("en").marks if isinstance(m, Text)}
     for (word, _), (english, _) in zip(
-        form1.words((420.0, 297.0), "ru"), form1.words((420.0, 297.0), "en"), strict=True
+        form1.printed_words((420.0, 297.0), "ru"), form1.printed_words((420.0, 297.0), "en"), strict=True
     ):
         assert word in ru and word not in en, word
         assert english in en, english
@@ -211,38 +211,38 @@ def test_words_of_the_form_are_in_the_language_of_the_sheet():
 def test_a_text_is_broken_or_made_smaller_until_it_fits(turn, text):
     wide, high = (70, 25) if turn % 180 == 0 else (25, 70)
     cell = form1.Cell(100, 100, wide, high, 5.0, "middle", turn)
-    marks = fitted(text, cell)
+    marks = fit_text_in_cell(text, cell)
     assert " ".join(m.text for m in marks) == text
     heights = {m.height for m in marks}
     assert max(heights) <= 5.0 and (len(text.split()) == 1 or heights <= {5.0, 3.5, 2.5, 1.8})
     for mark in marks:
-        for z in box_of(mark):
+        for z in text_box_corners(mark):
             assert 100 < z.real < 100 + wide and 100 < z.imag < 100 + high
     if turn == 0 and len(marks) > 1:  # lines are read from the top down
         assert marks[0].place.imag > marks[1].place.imag
 
 
 def test_a_turned_text_is_the_upright_one_turned_about_its_cell():
-    upright = fitted("ТММ.01", form1.Cell(-35, -7, 70, 14, 7.0))
+    upright = fit_text_in_cell("ТММ.01", form1.Cell(-35, -7, 70, 14, 7.0))
     for turn in (90, 180):
         wide, high = (70, 14) if turn == 180 else (14, 70)
-        (mark,) = fitted("ТММ.01", form1.Cell(-wide / 2, -high / 2, wide, high, 7.0, "middle", turn))
+        (mark,) = fit_text_in_cell("ТММ.01", form1.Cell(-wide / 2, -high / 2, wide, high, 7.0, "middle", turn))
         assert abs(mark.place - upright[0].place * cmath.rect(1, math.radians(turn))) < 1e-9
 
 
 @pytest.mark.parametrize("name", list(FORMATS))
 def test_the_frame_is_20_5_5_5(name):
     paper = Paper(name)
-    frame = next(m for m in paper.marks({}) if isinstance(m, Line) and m.closed)
+    frame = next(m for m in paper.frame_marks({}) if isinstance(m, Line) and m.closed)
     wide, high = paper.size
     assert set(frame.points) == {20 + 5j, complex(wide - 5, 5), complex(wide - 5, high - 5), complex(20, high - 5)}
     assert frame.style == "frame"
-    assert extent(name, 2.5)[2] < 35
+    assert ink_bounds(name, 2.5)[2] < 35
 
 
 def test_words_of_the_form_are_of_the_least_height_for_capitals_and_small_letters():
     """«Изм.» in its 7 mm is the tightest word of the form."""
-    words = [m for m in Paper("A3").marks({}) if isinstance(m, Text)]
+    words = [m for m in Paper("A3").frame_marks({}) if isinstance(m, Text)]
     assert {m.height for m in words} == {2.5}
     narrowed = {m.text: m.narrow for m in words if m.narrow < 1}
     assert list(narrowed) == ["Изм."] and narrowed["Изм."] > 0.9
@@ -258,18 +258,18 @@ LONG = {
 
 
 def test_long_names_are_shared_among_lines_and_no_letter_is_off_the_standard_series():
-    cells, said = form1.cells((420.0, 297.0)), {}
+    cells, said = form1.fill_in_cells((420.0, 297.0)), {}
     for key, cell in (("company", "company"), ("student", "student"), ("title", "title"), ("date", "student_date")):
         said[cell] = LONG[key]
     said["first_use"] = LONG["first_use"]
-    marks = [m for m in Paper("A3").marks(said) if isinstance(m, Text)]
+    marks = [m for m in Paper("A3").frame_marks(said) if isinstance(m, Text)]
     assert {m.height for m in marks} <= {1.8, 2.5, 3.5, 5.0, 7.0, 10.0}
     lines = {key: [m for m in marks if m.name == f"cell {key}"] for key in said}
     for key, found in lines.items():
         assert " ".join(m.text for m in found) == said[key]
         cell = cells[key]
         for mark in found:
-            xs, ys = [z.real for z in box_of(mark)], [z.imag for z in box_of(mark)]
+            xs, ys = [z.real for z in text_box_corners(mark)], [z.imag for z in text_box_corners(mark)]
             assert cell.x < min(xs) and max(xs) < cell.x + cell.width, mark.text
             assert cell.y < min(ys) and max(ys) < cell.y + cell.height, mark.text
     assert len(lines["company"]) > 2 and min(m.narrow for m in lines["company"]) > 0.95
@@ -283,7 +283,7 @@ def test_a_short_name_of_a_department_is_not_torn():
 
 
 def test_a_narrowed_text_is_as_high_and_so_many_times_as_wide():
-    usual, narrowed = (layout(Text("Пров. v_{CB}", 10 + 10j, 5.0, turn_deg=90, narrow=by)) for by in (1.0, 0.6))
+    usual, narrowed = (lay_out_text(Text("Пров. v_{CB}", 10 + 10j, 5.0, turn_deg=90, narrow=by)) for by in (1.0, 0.6))
     assert [r.height for r in narrowed.runs] == [r.height for r in usual.runs]
     for one, other in zip(usual.strokes, narrowed.strokes, strict=True):
         for a, b in zip(one, other, strict=True):

@@ -16,10 +16,10 @@ import shapely
 from pypdfium2 import raw
 
 from render.files import dxf, pdf, svg
-from render.files.dxf_entities import PROSE, UNKNOWN
-from render.paper.ink import arrow_parts, is_circle, uncovered
-from render.paper.marks import Arc, Arrow, Line, Shape, Text, moved
-from render.paper.typeset import layout, plain
+from render.files.dxf_entities import CHARACTERS_NOT_IN_FONT, LEAST_PROSE_LETTERS
+from render.paper.ink import arrow_parts, is_circle, visible_marks
+from render.paper.marks import Arc, Arrow, Line, Shape, Text, move_mark
+from render.paper.typeset import lay_out_text, plain_text
 from tests.helpers.listings import GOLDEN, difference, listing
 from tests.helpers.sheets import sheet
 
@@ -44,7 +44,7 @@ def test_a_difference_is_read_at_a_glance():
     found = sheet("kind-2-rrp")
     kept = listing(found)
     at, arrow = next((k, m) for k, m in enumerate(found.marks) if isinstance(m, Arrow))
-    other = replace(found, marks=(*found.marks[:at], moved(arrow, 0.02 + 0j), *found.marks[at + 1 :]))
+    other = replace(found, marks=(*found.marks[:at], move_mark(arrow, 0.02 + 0j), *found.marks[at + 1 :]))
     told = difference(kept, listing(other))
     assert told.startswith("1 lines are gone, 1 are new")
     assert len(told.splitlines()) == 5
@@ -66,7 +66,7 @@ def corners(marks):
 
 
 def letters(marks):
-    return [z for m in marks if isinstance(m, Text) for stroke in layout(m).strokes for z in stroke]
+    return [z for m in marks if isinstance(m, Text) for stroke in lay_out_text(m).strokes for z in stroke]
 
 
 def farthest(wanted, found):
@@ -174,7 +174,7 @@ def test_svg_has_everything_where_the_marks_are(name):
     found = sheet(name)
     points, texts = of_svg(svg.write(found.marks, found.size, found.title), found.size[1])
     assert farthest([*corners(found.marks), *letters(found.marks)], points) < NEAR_MM
-    wanted = [layout(m) for m in found.marks if isinstance(m, Text)]
+    wanted = [lay_out_text(m) for m in found.marks if isinstance(m, Text)]
     assert sorted(t for t, _ in texts) == sorted("".join(r.text for r in laid.runs) for laid in wanted if laid.runs)
     assert agree([laid.origin for laid in wanted if laid.runs], [z for _, z in texts])
 
@@ -185,7 +185,9 @@ def test_pdf_has_everything_where_the_marks_are(name):
     found = sheet(name)
     points, starts = of_pdf(pdf.write(found.marks, found.size, found.title))
     assert farthest([*corners(found.marks), *letters(found.marks)], points) < NEAR_MM
-    assert agree([layout(m).origin for m in found.marks if isinstance(m, Text) and layout(m).plain], starts)
+    assert agree(
+        [lay_out_text(m).origin for m in found.marks if isinstance(m, Text) and lay_out_text(m).plain_text], starts
+    )
 
 
 @pytest.mark.few(1)
@@ -193,20 +195,20 @@ def test_pdf_has_everything_where_the_marks_are(name):
 def test_dxf_has_everything_where_the_marks_are(name):
     found = sheet(name)
     points, circles, texts = of_dxf(dxf.write(found.marks, found.size, found.title))
-    cut = uncovered(found.marks)
+    cut = visible_marks(found.marks)
     assert farthest(corners(cut), points) < NEAR_MM
     for arc in (m for m in cut if isinstance(m, Arc) and is_circle(m)):
         assert any(abs(c - arc.centre) < NEAR_MM and abs(r - arc.radius) < NEAR_MM for c, r in circles)
-    for mark in (m for m in found.marks if isinstance(m, Text) and not UNKNOWN & set(m.text)):
-        laid, turn = layout(mark), np.exp(1j * np.radians(mark.turn_deg))
+    for mark in (m for m in found.marks if isinstance(m, Text) and not CHARACTERS_NOT_IN_FONT & set(m.text)):
+        laid, turn = lay_out_text(mark), np.exp(1j * np.radians(mark.turn_deg))
         foot = laid.origin + {"start": 0.0, "middle": 0.5, "end": 1.0}[mark.anchor] * laid.width * turn
-        in_pieces = len(laid.runs) > 1 and len(plain(mark.text)) > PROSE
+        in_pieces = len(laid.runs) > 1 and len(plain_text(mark.text)) > LEAST_PROSE_LETTERS
         for run in laid.runs if in_pieces else laid.runs[:1]:
             at = laid.origin + run.at * turn
             centred = at + run.width / 2 * turn  # of empty cells alone
             held = {"CENTER": centred, "FIT": at, "LEFT": at, "MTEXT": foot}
-            said = all_letters(run.text.strip() if in_pieces else laid.plain)
-            assert any(t == said and abs(z - held[kind]) < NEAR_MM for t, kind, z in texts), laid.plain
+            said = all_letters(run.text.strip() if in_pieces else laid.plain_text)
+            assert any(t == said and abs(z - held[kind]) < NEAR_MM for t, kind, z in texts), laid.plain_text
 
 
 @pytest.mark.slow

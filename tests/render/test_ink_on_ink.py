@@ -13,11 +13,11 @@ from xml.etree import ElementTree
 import pytest
 import shapely
 
-from planes.documents.drawn import view_of
+from planes.documents.drawn import page_of_view
 from planes.documents.sheets import sheet_of
 from planes.scene import Scene, load, loads
 from planes.words.errors import PlanesError
-from render.paper.typeset import plain
+from render.paper.typeset import plain_text
 from render.sheet import Sheet
 from render.sheet.single import Page
 from tests.helpers import ROOT
@@ -89,13 +89,13 @@ def ink_on_ink(svg: bytes) -> list[str]:
 
 def unsaid(drawn: Sheet | Page) -> list[str]:
     """Ink on ink that no sentence speaks of."""
-    return [t for t in ink_on_ink(drawn.rendered(".svg")) if not any(t in w for w in drawn.warnings)]
+    return [t for t in ink_on_ink(drawn.file_contents(".svg")) if not any(t in w for w in drawn.warnings)]
 
 
 @pytest.mark.few(0)
 @pytest.mark.parametrize("path", SOME, ids=[p.stem for p in SOME])
 def test_no_ink_on_ink_on_a_written_sheet(path: Path) -> None:
-    assert ink_on_ink(sheet_of(load(path), None, "ru").rendered(".svg")) == []
+    assert ink_on_ink(sheet_of(load(path), None, "ru").file_contents(".svg")) == []
 
 
 @cache
@@ -110,7 +110,7 @@ def test_no_ink_on_ink_unsaid_on_random_mechanisms(seed: int) -> None:
     drawn = 0
     for view in VIEWS:
         try:
-            page = view_of(random_scene(seed), view, None, "ru")
+            page = page_of_view(random_scene(seed), view, None, "ru")
         except PlanesError as error:
             assert "нечего чертить" in str(error) or "φ = " in str(error) or "s = " in str(error)
             continue
@@ -135,10 +135,10 @@ def test_no_ink_on_ink_unsaid_on_crowded_sheets(seed: int) -> None:
 
 
 def test_the_reader_sees_ink_on_ink() -> None:
-    page = view_of(load(HERE / "kind-1-rrr.yaml"), "velocity-plan", None, "ru")
+    page = page_of_view(load(HERE / "kind-1-rrr.yaml"), "velocity-plan", None, "ru")
     text = next(m for m in page.marks if getattr(m, "text", "") == "c")
     line = next(m for m in page.marks if getattr(m, "points", ()))
     struck = replace(line, points=(text.place, text.place + 3 + 3j), style="thin")
-    assert ink_on_ink(replace(page, marks=(*page.marks, struck)).rendered(".svg")) == ["c"]
+    assert ink_on_ink(replace(page, marks=(*page.marks, struck)).file_contents(".svg")) == ["c"]
     twice = replace(text, place=text.place + 0.7)
-    assert plain(twice.text) in ink_on_ink(replace(page, marks=(*page.marks, twice)).rendered(".svg"))
+    assert plain_text(twice.text) in ink_on_ink(replace(page, marks=(*page.marks, twice)).file_contents(".svg"))

@@ -9,10 +9,10 @@ from dataclasses import replace
 import pytest
 
 import render.labels as labels_room
-from render.labels import Label, board, place
-from render.labels.candidates import Candidates, met
-from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text, moved
-from render.paper.typeset import box_of
+from render.labels import Label, board, place_labels
+from render.labels.candidates import Candidates, count_clashes
+from render.paper.marks import Arc, Arrow, Hatch, Line, Mark, Shape, Text, move_mark
+from render.paper.typeset import text_box_corners
 from tests.helpers.conflicts import conflicts
 
 FIELD = (0.0, 0.0, 420.0, 297.0)
@@ -33,7 +33,7 @@ def scene(labels: int, segments: int, seed: int) -> tuple[list[Label], list[Mark
 
 
 def distance(text: Text, point: complex) -> float:
-    box = box_of(text)
+    box = text_box_corners(text)
     dx = max(box[0].real - point.real, 0, point.real - box[1].real)
     dy = max(box[0].imag - point.imag, 0, point.imag - box[2].imag)
     return abs(complex(dx, dy))
@@ -43,16 +43,16 @@ def distance(text: Text, point: complex) -> float:
 @pytest.mark.parametrize("seed", range(3))
 def test_a_crowded_sheet_has_no_conflict(seed: int) -> None:
     labels, marks = scene(60, 90, seed)
-    placed = place(labels, marks, FIELD)
+    placed = place_labels(labels, marks, FIELD)
     assert conflicts(placed.texts, [*marks, *placed.leaders], FIELD) == ()
     assert [text.text for text in placed.texts] == [label.text for label in labels]
     assert len(placed.leaders) <= 12
-    assert place(labels, marks, FIELD) == placed
+    assert place_labels(labels, marks, FIELD) == placed
 
 
 def test_a_hundred_labels() -> None:
     labels, marks = scene(100, 200, 5)
-    placed = place(labels, marks, FIELD)
+    placed = place_labels(labels, marks, FIELD)
     assert len(conflicts(placed.texts, [*marks, *placed.leaders], FIELD)) <= 1
 
 
@@ -60,7 +60,7 @@ def test_labels_stand_near_what_they_name() -> None:
     a, b, c = 50 + 50j, 90 + 80j, 140 + 50j
     marks: list[Mark] = [Line((a, b, c)), *(Arc(z, 1.5, fill="paper") for z in (a, b, c))]
     labels = [Label(name, z, clear=1.8) for name, z in (("A", a), ("B", b), ("C", c))]
-    placed = place([*labels, Label("2", (b, c))], marks, (0, 0, 200, 150))
+    placed = place_labels([*labels, Label("2", (b, c))], marks, (0, 0, 200, 150))
     assert conflicts(placed.texts, marks) == () and placed.leaders == ()
     for text, point in zip(placed.texts, (a, b, c), strict=False):
         assert 1.8 < distance(text, point) < 5.5
@@ -68,15 +68,15 @@ def test_labels_stand_near_what_they_name() -> None:
 
 @pytest.mark.parametrize("side", [1, 1j, -1, -1j])
 def test_the_wished_side_is_taken_when_it_is_free(side: complex) -> None:
-    (text,) = place([Label("S_{2}", 50 + 50j, side=side)], [Arc(50 + 50j, 0.8, fill="ink")]).texts
-    box = box_of(text)
+    (text,) = place_labels([Label("S_{2}", 50 + 50j, side=side)], [Arc(50 + 50j, 0.8, fill="ink")]).texts
+    box = text_box_corners(text)
     middle = sum(box) / 4 - 50 - 50j
     assert (middle / side).real > 2 and abs((middle / side).imag) < 1
 
 
 def test_a_label_boxed_in_gets_a_leader() -> None:
     around: list[Mark] = [Arc(50 + 50j, r, style="thin") for r in (2.0, 4.0, 6.0, 8.0, 10.0)]
-    placed = place([Label("S_{2}", 50 + 50j)], around, (0, 0, 100, 100))
+    placed = place_labels([Label("S_{2}", 50 + 50j)], around, (0, 0, 100, 100))
     (leader,) = placed.leaders
     assert abs(leader.points[1] - 50 - 50j) < 1
     assert conflicts(placed.texts, [*around, *placed.leaders], (0, 0, 100, 100)) == ()
@@ -86,17 +86,17 @@ def test_what_is_told_elsewhere_makes_way_where_there_is_no_room_for_all() -> No
     field = (0.0, 0.0, 14.0, 14.0)
     points = [Label(name, complex(7, 3 + 4 * k), clear=1.0) for k, name in enumerate("BCD")]
     arms = [Label(f"h_{{{k}}}", 7 + 7j, 3.5, name=f"arm {k}") for k in range(9)]
-    every = place([*points, *arms], [], field)
+    every = place_labels([*points, *arms], [], field)
     assert len(every.texts) == 12 and conflicts(every.texts, [], field) != ()
-    some = place([*points, *(replace(arm, told=True) for arm in arms)], [], field)
+    some = place_labels([*points, *(replace(arm, told=True) for arm in arms)], [], field)
     assert conflicts(some.texts, some.leaders, field) == ()
     assert {"B", "C", "D"} <= {t.text for t in some.texts} and 3 < len(some.texts) < 12
-    there = place([*points[:1], replace(arms[0], told=True)], [], (0, 0, 40, 40))
+    there = place_labels([*points[:1], replace(arms[0], told=True)], [], (0, 0, 40, 40))
     assert len(there.texts) == 2
 
 
 def test_labels_of_one_point_do_not_read_as_one() -> None:
-    placed = place([Label("b", 50 + 50j), Label("c", 50 + 50j), Label("p", 50 + 50j)], [])
+    placed = place_labels([Label("b", 50 + 50j), Label("c", 50 + 50j), Label("p", 50 + 50j)], [])
     assert conflicts(placed.texts) == ()
 
 
@@ -108,9 +108,9 @@ def test_the_work_grows_with_the_labels_and_not_with_their_square(count: int, mo
     def counted(some: Candidates, others: Candidates) -> object:
         nonlocal compared
         compared += len(some.wish) * len(others.wish)
-        return met(some, others)
+        return count_clashes(some, others)
 
-    monkeypatch.setattr(board, "met", counted)
+    monkeypatch.setattr(board, "count_clashes", counted)
     labels, marks = scene(40, 60, 3)
     heaps = [600 * k for k in range(count // 40)]
     shifted = [
@@ -118,7 +118,7 @@ def test_the_work_grows_with_the_labels_and_not_with_their_square(count: int, mo
         for by in heaps
         for x in labels
     ]
-    place(shifted, [moved(m, by) for by in heaps for m in marks])
+    place_labels(shifted, [move_mark(m, by) for by in heaps for m in marks])
     assert compared < 6_000 * count
 
 
@@ -127,8 +127,8 @@ def test_labels_that_cannot_all_stand_are_given_up_after_so_many_moves(monkeypat
     made = []
     monkeypatch.setattr(labels_room, "Board", lambda *given: made.append(board.Board(*given)) or made[-1])
     crowd = [Label(f"F_{{{k}}}", complex(k % 8, k // 8)) for k in range(64)]
-    place(crowd, [], (-10, -10, 20, 20))
-    assert made[0].moves < board.PATIENCE + 20 * len(crowd)
+    place_labels(crowd, [], (-10, -10, 20, 20))
+    assert made[0].moves < board.MOST_MOVES + 20 * len(crowd)
 
 
 @pytest.mark.few(1)
@@ -136,7 +136,7 @@ def test_labels_that_cannot_all_stand_are_given_up_after_so_many_moves(monkeypat
 def test_neighbours_stand_apart_by_more_than_letters_of_one_word(seed: int) -> None:
     """Of 100 labels on a crowded sheet no two in one line are nearer than 0.6 of their letters' height."""
     labels, marks = scene(100, 120, seed)
-    boxes = [(text.height, box_of(text)) for text in place(labels, marks, FIELD).texts]
+    boxes = [(text.height, text_box_corners(text)) for text in place_labels(labels, marks, FIELD).texts]
     for k, (high, one) in enumerate(boxes):
         for other_high, other in boxes[:k]:
             in_line = min(one[2].imag, other[2].imag) > max(one[0].imag, other[0].imag)
@@ -147,10 +147,10 @@ def test_neighbours_stand_apart_by_more_than_letters_of_one_word(seed: int) -> N
 def test_the_number_of_a_link_is_underlined_and_its_leader_ends_in_a_dot() -> None:
     bar = (50 + 50j, 70 + 50j)
     fence: list[Mark] = [Line((complex(30, y), complex(90, y)), "thin") for y in range(38, 63) if y != 50]
-    placed = place([Label("2", bar, underlined=True), Label("K", 60 + 55.5j)], [Line(bar), *fence])
+    placed = place_labels([Label("2", bar, underlined=True), Label("K", 60 + 55.5j)], [Line(bar), *fence])
     lines = [m for m in placed.signs if isinstance(m, Line)]
     dots = [m for m in placed.signs if isinstance(m, Arc)]
-    box = box_of(placed.texts[0])
+    box = text_box_corners(placed.texts[0])
     assert len(lines) == 1 and lines[0].points[0].imag < box[0].imag
     assert lines[0].points[0].real < box[0].real < box[2].real < lines[0].points[1].real
     ends = [leader.points[1] for leader in placed.leaders]
@@ -159,7 +159,7 @@ def test_the_number_of_a_link_is_underlined_and_its_leader_ends_in_a_dot() -> No
 
 
 def test_nothing_to_place() -> None:
-    assert place([]).marks == ()
+    assert place_labels([]).marks == ()
     assert conflicts([]) == ()
 
 

@@ -10,11 +10,11 @@ import pytest
 
 from planes.lesson.data import lesson_data
 from planes.plans import plans_of
-from planes.plans.measuring import lettering
+from planes.plans.measuring import scene_lettering
 from planes.scene import Scene, loads
 from planes.words.naming import Naming
-from render.page.lesson_page import page
-from render.paper.letters import pieces, sentence
+from render.page.lesson_page import whole_lesson_page
+from render.paper.letters import lettered_pieces, sentence_html
 from tests.helpers import ROOT
 from tests.helpers.lessons import brought
 
@@ -32,13 +32,13 @@ def scene_of(text: str) -> Scene:
 def naming(text: str) -> Naming:
     scene = scene_of(text)
     assert scene.mechanism is not None
-    return Naming("ru", **lettering(scene, plans_of(scene.mechanism)))
+    return Naming("ru", **scene_lettering(scene, plans_of(scene.mechanism)))
 
 
 @cache
 def written(text: str) -> dict[str, Any]:
     """The letters a lesson's page brings along."""
-    return json.loads(brought(page(lesson_data(scene_of(text)), "ru"))["letters"])  # type: ignore[no-any-return]
+    return json.loads(brought(whole_lesson_page(lesson_data(scene_of(text)), "ru"))["letters"])  # type: ignore[no-any-return]
 
 
 @pytest.mark.parametrize(
@@ -55,7 +55,7 @@ def written(text: str) -> dict[str, Any]:
     ],
 )
 def test_a_point_may_end_with_a_nought_and_the_frame_has_its_number(text: str, name: str, lettered: str) -> None:
-    assert naming(text).vector(name) == lettered
+    assert naming(text).lettered_vector(name) == lettered
 
 
 @pytest.mark.parametrize("text", [RRP, ODD, RRP.replace("planes: 1\n", "planes: 1\nsheet: {reactions: from-on}\n")])
@@ -64,7 +64,7 @@ def test_a_page_letters_as_the_sheet_does(text: str) -> None:
     own, names = naming(text), {term["name"] for e in equations for side in e["sides"] for term in side}
     assert len(names) > 20
     for name in names:
-        assert written(text)["ru"][name] == [[p.text, p.shift] for p in pieces(f"⟨{name}⟩", own)]
+        assert written(text)["ru"][name] == [[p.text, p.shift] for p in lettered_pieces(f"⟨{name}⟩", own)]
 
 
 def test_only_the_balancing_load_differs_by_the_language() -> None:
@@ -89,10 +89,10 @@ def test_only_the_balancing_load_differs_by_the_language() -> None:
 def test_a_plain_sentence_has_its_names_lettered_and_its_commands_whole(told: str, shown: str) -> None:
     shown = shown.replace("<+", '<span class="command">').replace("+>", "</span>")
     names = ["a", "c", "c'", "s5", "F_21t"]
-    assert sentence(told, names, Naming("en"), "acceleration", {"s5.jpg": "s5.html"}) == shown
+    assert sentence_html(told, names, Naming("en"), "acceleration", {"s5.jpg": "s5.html"}) == shown
 
 
 def test_a_vector_to_a_point_of_the_frame_is_the_points_own() -> None:
     naming = Naming(grounded=["v_BB0", "a_S2S20", "v_BE"])
-    assert [*map(naming.own, ("v_BB0", "a_S2S20", "v_BE", "v_CB"))] == ["v_B", "a_S2", "v_BE", "v_CB"]
-    assert naming.retold("I_2, F_21: wrong", ["I_2", "F_21"]) == "Φ_2, F_21: wrong"
+    assert [*map(naming.own_vector_name, ("v_BB0", "a_S2S20", "v_BE", "v_CB"))] == ["v_B", "a_S2", "v_BE", "v_CB"]
+    assert naming.retell_in_typed_names("I_2, F_21: wrong", ["I_2", "F_21"]) == "Φ_2, F_21: wrong"

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 
-from planes.plans.measuring import lettering
+from planes.plans.measuring import scene_lettering
 from planes.scene import load
 from planes.solving import solve
 from planes.words.naming import Naming
@@ -24,9 +24,9 @@ SCENES += [ROOT / "samples" / f"{name}.yaml" for name in ("six-link", "folding-b
 def test_what_is_told_beneath_adds_up(path):
     scene = load(path)
     here = solve(scene).positions[0]
-    lines = MomentLines(here, Naming("en", **lettering(scene, here.plans)))
+    lines = MomentLines(here, Naming("en", **scene_lettering(scene, here.plans)))
     for equation in here.plans.moments:
-        words = lines.words(equation)
+        words = lines.equation_words(equation)
         if not words:
             continue
         number = lambda w: float(w.value.replace("−", "-").replace("·10", "e"))  # noqa: E731

@@ -12,8 +12,8 @@ pytest.importorskip("mathml2omml", reason="mathml2omml is not installed")
 
 from planes.words.errors import PlanesError
 from planes.words.naming import Naming
-from render.report import rendered
-from render.report.omml import equation
+from render.report import render_document
+from render.report.omml import word_equation
 
 
 def told(tex: str) -> str:
@@ -26,7 +26,7 @@ def told(tex: str) -> str:
             return (node.text or "") + inner
         return "" if name.endswith("Pr") else f"{name}({inner})"
 
-    return one(equation(tex))
+    return one(word_equation(tex))
 
 
 @pytest.mark.parametrize(
@@ -55,4 +55,4 @@ def test_a_missing_package_is_one_sentence(package: str, monkeypatch: pytest.Mon
         monkeypatch.delitem(sys.modules, module)
     monkeypatch.setitem(sys.modules, package, None)
     with pytest.raises(PlanesError, match=f"pip install.*{package}"):
-        rendered([], ".docx", Naming("en"))
+        render_document([], ".docx", Naming("en"))

@@ -16,12 +16,12 @@ WIDEST = 120
 
 def pack(monkeypatch: pytest.MonkeyPatch, **modules: str) -> str:
     """The script of modules that are given, from the one called main on."""
-    packer._names.cache_clear()
-    monkeypatch.setattr(packer, "_text", modules.__getitem__)
+    packer._declared_names.cache_clear()
+    monkeypatch.setattr(packer, "_module_text", modules.__getitem__)
     try:
-        return packer.packed("main")
+        return packer.pack_modules("main")
     finally:
-        packer._names.cache_clear()
+        packer._declared_names.cache_clear()
 
 
 def test_a_module_stands_once_after_those_it_imports(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -69,8 +69,8 @@ def test_every_page_is_packed_and_every_module_is_of_a_page() -> None:
     texts = {file.stem: file.read_text("utf-8") for file in room.glob("*.js")}
     reached: dict[str, str] = {}
     for entries in PAGES:
-        assert not re.search(r"^(import|export) |\btypeof \w+ !== .undefined", packer.packed(*entries), re.M)
+        assert not re.search(r"^(import|export) |\btypeof \w+ !== .undefined", packer.pack_modules(*entries), re.M)
         for entry in entries:
-            packer._add(entry, (), reached)
+            packer._add_module(entry, (), reached)
     assert set(reached) == set(texts)
     assert not [f"{name}.js: {line}" for name, text in texts.items() for line in text.split("\n") if len(line) > WIDEST]

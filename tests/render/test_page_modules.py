@@ -12,18 +12,18 @@ from pathlib import Path
 
 import pytest
 
-from planes.drafting.drawing import run
-from planes.lesson import value_of
+from planes.drafting.drawing import draw_program
+from planes.lesson import slot_value
 from planes.lesson.data import lesson_data
-from planes.lesson.formulas import LANGS, fill
-from planes.lesson.told import Told
+from planes.lesson.formulas import LESSON_LANGS, fill_slots
+from planes.lesson.told import SceneLesson
 from planes.plans import plans_of
-from planes.plans.scales import fits_on, scales
+from planes.plans.scales import plan_scales, plan_sizes_on_format
 from planes.scene import load
 from planes.words.records import Json
-from planes.words.units import number
+from planes.words.units import number_text
 from render.page import packer
-from render.page.lesson_page import page
+from render.page.lesson_page import whole_lesson_page
 from tests.helpers import ROOT
 from tests.helpers.lessons import brought
 from tests.tapes_run import by_engine
@@ -37,13 +37,13 @@ def said(data: Json) -> list[Json]:
     """What every frame says at other places of the drive."""
     scene, found = load(str(SCENE)), []
     plans, drive = plans_of(scene.mechanism), data["drive"]["given"]
-    mus = scales(plans, scene.mu, fit_mm=fits_on(scene.sheet, plans))
-    told = Told.of(scene)
+    mus = plan_scales(plans, scene.mu, fit_mm=plan_sizes_on_format(scene.sheet, plans))
+    told = SceneLesson.of(scene)
     for value in (150.0, 165.5, 201.7):
-        there = run(plans.program, {**plans.given, **mus, drive: value})
-        read = partial(value_of, teller=told.teller, drawing=there)
-        for lang in LANGS:
-            words = [fill(f.said[lang], read, lang) for f in told.frames]
+        there = draw_program(plans.program, {**plans.given, **mus, drive: value})
+        read = partial(slot_value, teller=told.teller, drawing=there)
+        for lang in LESSON_LANGS:
+            words = [fill_slots(f.words_with_rows[lang], read, lang) for f in told.frames]
             found.append({"given": {drive: value}, "lang": lang, "said": words})
     assert len(told.frames) == len(data["frames"])
     return found
@@ -55,11 +55,11 @@ def test_modules_of_the_pages_reckon_as_python_does(tmp_path: Path) -> None:
         pytest.skip("no node here: apt-get install nodejs")
     data = lesson_data(load(str(SCENE)))
     told = {
-        "held": brought(page(data, "en")),
+        "held": brought(whole_lesson_page(data, "en")),
         "drawn": [*by_engine(SCENE, data, 24, random.Random(5))],
         "said": said(data),
         "numbers": NUMBERS,
-        "written": {lang: [number(v, lang) for v in NUMBERS] for lang in ("ru", "en")},
+        "written": {lang: [number_text(v, lang) for v in NUMBERS] for lang in ("ru", "en")},
     }
     for file in Path(packer.__file__).parent.glob("*.js"):
         shutil.copy(file, tmp_path)

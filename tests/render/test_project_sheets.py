@@ -11,25 +11,25 @@ import numpy as np
 import pytest
 import shapely
 
-from planes.diagrams.turn import unwound
-from planes.documents.cycle import known
+from planes.diagrams.turn import unwind_angles
+from planes.documents.cycle import finite_or_none
 from planes.documents.drawn import draw_sheet
-from planes.plans.assur.analysis import analyse
+from planes.plans.assur.analysis import analyse_structure
 from planes.scene import load
-from planes.solving import plans_of, solve
+from planes.solving import plans_for_requested_results, solve
 from planes.words.errors import PlanesError
 from planes.words.naming import Naming
 from render.labels import Label
-from render.labels.footprints import overprinted
+from render.labels.footprints import overprinted_labels
 from render.paper.marks import Arrow, Line, Shape, Text
-from render.paper.style import BASE_MM
-from render.paper.typeset import plain
-from render.views.curve_pieces import runs
-from render.views.dimensions import Size, sizes_drawn, stroke
+from render.paper.style import BASE_LINE_LENGTH_MM
+from render.paper.typeset import plain_text
+from render.views.curve_pieces import continuous_runs
+from render.views.dimensions import Size, draw_dimensions, stroke_dimension
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
-from render.views.plotted import along_joints
+from render.views.plotted import joint_stroke
 from render.views.scheme import Scheme
-from render.views.senses import POSITION, labelled
+from render.views.senses import POSITION_NAME_PREFIX, marks_with_labels
 from tests.helpers import ROOT, sheets
 from tests.helpers.conflicts import conflicts
 from tests.helpers.glyphs import missing
@@ -47,7 +47,7 @@ def sheet(name, number, value=None):
 
 
 def words(sheet):
-    return {plain(m.text) for m in sheet.marks if isinstance(m, Text)}
+    return {plain_text(m.text) for m in sheet.marks if isinstance(m, Text)}
 
 
 @pytest.mark.parametrize("turn", [1, 1j, -1])
@@ -55,7 +55,7 @@ def test_the_text_of_a_size_keeps_clear_of_lines_that_slant_over_it(turn):
     one = Size((0j, 100 * turn), (-20j * turn, (100 - 20j) * turn), -1j * turn, "1420,6")
     line = Line(((40 - 50j) * turn, (60 + 10j) * turn))
     for ground, free in (((), False), ((line,), True)):
-        (text,) = (m for m in sizes_drawn([one], ground) if isinstance(m, Text))
+        (text,) = (m for m in draw_dimensions([one], ground) if isinstance(m, Text))
         assert (conflicts([text], [line]) == ()) is free
 
 
@@ -98,7 +98,7 @@ def test_sheet_2_shows_every_group_with_its_forces_and_the_lever(name):
     said = words(found)
     titles = [text for text in said if "с силами" in text]
     m = SCENES[name].mechanism
-    assert len([t for t in titles if "Звено" not in t]) == len(analyse(m).groups) + 1
+    assert len([t for t in titles if "Звено" not in t]) == len(analyse_structure(m).groups) + 1
     assert {"Реакции", "Уравновешивание и проверка"} <= said
     assert any(text.startswith("Рычаг Жуковского") for text in said)
     loads = {f"P_{x.link}" for x in m.loads if x.kind == "force"}
@@ -125,9 +125,12 @@ def test_a_sheet_of_a_project_is_written_by_its_number(tmp_path):
 
 
 def test_angles_are_unwound_and_gaps_split_a_curve():
-    angles = unwound([170.0, -170.0, math.nan, -150.0])
-    assert known(angles - np.nanmin(angles)) == (0.0, 20.0, None, 40.0)
-    assert runs((1j, 1 + 2j, None, 3 + 3j, 4 + 4j), 1.0) == [([1j, 1 + 2j], False), ([3 + 3j, 4 + 4j], False)]
+    angles = unwind_angles([170.0, -170.0, math.nan, -150.0])
+    assert finite_or_none(angles - np.nanmin(angles)) == (0.0, 20.0, None, 40.0)
+    assert continuous_runs((1j, 1 + 2j, None, 3 + 3j, 4 + 4j), 1.0) == [
+        ([1j, 1 + 2j], False),
+        ([3 + 3j, 4 + 4j], False),
+    ]
 
 
 @pytest.mark.few(8)
@@ -136,7 +139,7 @@ def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
     drawn = solve(replace(load(ALL[name]), find=None)).positions[0]
     scheme = Scheme(drawn, Naming("en"))
     for link in scheme.links:
-        scheme.link(link)
+        scheme.add_link(link)
     thick = [m for m in (*scheme.bars, *scheme.guides) if isinstance(m, Line)]
     lines = [[*m.points, *m.points[: m.closed]] for m in thick]
     inked = shapely.union_all([shapely.LineString([(z.real, z.imag) for z in line]) for line in lines]).buffer(0.05)
@@ -150,13 +153,16 @@ def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
 
 def test_the_path_of_a_rockers_point_is_drawn_once():
     """Dashes of its way back would fill the gaps of its way there; a crank's point goes round."""
-    plans, turned = plans_of(load(ROOT / "samples" / "kind-1-rrr.yaml"))[0], 0.4 * np.sin(np.linspace(0, 2 * np.pi, 37))
+    plans, turned = (
+        plans_for_requested_results(load(ROOT / "samples" / "kind-1-rrr.yaml"))[0],
+        0.4 * np.sin(np.linspace(0, 2 * np.pi, 37)),
+    )
     many, pivot = ManyPositions(plans, [], [], 100.0), plans.mechanism.frame.points["D"]
     swing = [100 * (pivot + np.exp(1j * angle)) for angle in turned]
-    there = many.way_there("C", swing)
+    there = many.one_way_slice("C", swing)
     assert (there.start, there.stop) == (9, 28)
-    assert many.way_there("E", swing) == slice(None)  # of a coupler
-    assert many.way_there("B", [10 * np.exp(1j * np.radians(k)) for k in range(361)]) == slice(0, 361)
+    assert many.one_way_slice("E", swing) == slice(None)  # of a coupler
+    assert many.one_way_slice("B", [10 * np.exp(1j * np.radians(k)) for k in range(361)]) == slice(0, 361)
 
 
 @pytest.mark.few(2)
@@ -167,7 +173,10 @@ def test_every_force_is_an_arrow_of_its_own(name):
     for held in (one.marks for one, *_ in sheet(name, 2).views if one.key in ("loaded", "group", "apart", "lever")):
         forces = [(m.name, m.start, m.end) for m in held if isinstance(m, Arrow) and m.layer == "force"]
         bars = [m.points for m in held if isinstance(m, Line) and m.style == "thick" and m.layer == "scheme"]
-        others = [*forces, *(("rod", a, b) for points in bars for a, b in pairwise(points) if abs(b - a) > BASE_MM)]
+        others = [
+            *forces,
+            *(("rod", a, b) for points in bars for a, b in pairwise(points) if abs(b - a) > BASE_LINE_LENGTH_MM),
+        ]
         for k, (one, *ends) in enumerate(forces):
             shaft = shapely.LineString([(z.real, z.imag) for z in ends]).buffer(0.3)
             for other, *line in others[k + 1 :]:
@@ -218,7 +227,7 @@ def test_what_holds_a_mechanism_is_measured_on_its_scheme_and_so_is_the_drivers_
     scene, marks = load(path), scheme_of(str(path.relative_to(ROOT / "samples").with_suffix(""))).marks
     mechanism, (title,) = scene.mechanism, [m.text for m in marks if isinstance(m, Text) and m.name == "title scheme"]
     mu = float(re.search(r"= ([\d,]+) мм/м", title)[1].replace(",", "."))
-    base = analyse(mechanism).drive_pair.point
+    base = analyse_structure(mechanism).drive_pair.point
     held = [p for p in mechanism.frame.points if any(p in link.points for link in mechanism.links.values())]
     if base not in held:
         return
@@ -237,32 +246,34 @@ def test_what_holds_a_mechanism_is_measured_on_its_scheme_and_so_is_the_drivers_
 @pytest.mark.parametrize("name", ["six-link", "25", "41", "50", "52", "65"])
 def test_two_rods_of_one_link_have_the_sign_of_a_rigid_joint(name):
     scheme = Scheme(solve(replace(load(ALL[name]), find=None)).positions[0], Naming("en"))
-    scheme.drawn()
+    scheme.drawn_marks()
     gussets = [m for m in scheme.bars if isinstance(m, Shape)]
-    assert gussets and all(min(abs(m.points[0] - scheme.places.at(p)) for p in scheme.shared) < 0.1 for m in gussets)
+    assert gussets and all(
+        min(abs(m.points[0] - scheme.places.point_place(p)) for p in scheme.shared) < 0.1 for m in gussets
+    )
 
 
 @pytest.mark.parametrize("long", [14.0, 40.0])
 def test_the_comma_of_a_size_is_clear_of_the_heads_beneath_it(long: float) -> None:
-    size = stroke(0j, long + 0j, -10j, "388,2")
+    size = stroke_dimension(0j, long + 0j, -10j, "388,2")
     near = Line((complex(0.2 * long, -12), complex(0.2 * long, -4)), "thin", "scheme")
-    *_, one, other, text = size.marks([near] if long > 20 else [])
-    assert isinstance(text, Text) and overprinted([one, other, text]) == []
+    *_, one, other, text = size.dimension_marks([near] if long > 20 else [])
+    assert isinstance(text, Text) and overprinted_labels([one, other, text]) == []
 
 
 def test_a_plate_in_another_position_is_one_stroke_through_its_joints_and_numbers_break_no_link():
-    stroke = along_joints([0j, 10 + 4j, 4 - 3j, 12 + 0j])
+    stroke = joint_stroke([0j, 10 + 4j, 4 - 3j, 12 + 0j])
     assert stroke in ([0j, 4 - 3j, 12 + 0j, 10 + 4j], [10 + 4j, 12 + 0j, 4 - 3j, 0j])  # without its longest side
-    link = Line((-30 + 0j, 30 + 0j), "construction", "construction", name=POSITION)
+    link = Line((-30 + 0j, 30 + 0j), "construction", "construction", name=POSITION_NAME_PREFIX)
     named = [Label("7", 0j, 2.5, name="position 7"), Label("B", 20 + 0j, 5.0, name="B")]
-    kept = [m for m in labelled(named, [link]) if isinstance(m, Line) and m.layer == "construction"]
+    kept = [m for m in marks_with_labels(named, [link]) if isinstance(m, Line) and m.layer == "construction"]
     assert kept == [link]  # a letter finds room beside it, too
 
 
 def test_a_slider_that_hardly_moves_has_the_first_and_last_number():
-    plans = plans_of(load(ROOT / "samples" / "crank-slider.yaml"))[0]
+    plans = plans_for_requested_results(load(ROOT / "samples" / "crank-slider.yaml"))[0]
     drawn = solve(replace(load(ROOT / "samples" / "crank-slider.yaml"), find=None)).positions[0]
     here = PlacedMechanism(drawn.r, {name: f.number for name, f in drawn.of("links", "angle_deg").items()})
     numbered = [Numbered(str(k), here, k == 0) for k in range(13)]
     many = ManyPositions(plans, numbered, [here, here], drawn.scales["mu_position"])
-    assert [x.text for x in many.labels() if " of " in x.name] == ["0–12"]
+    assert [x.text for x in many.position_labels() if " of " in x.name] == ["0–12"]

@@ -10,18 +10,18 @@ import pypdfium2
 import pytest
 
 from planes.crank_slider.pages import ChapterWriter
-from planes.crank_slider.pages_mechanics import drawn_at
-from planes.crank_slider.report import document
-from planes.documents.lesson import note
+from planes.crank_slider.pages_mechanics import draw_plans_at_angle
+from planes.crank_slider.report import report_document
+from planes.documents.lesson import note_file_contents
 from planes.scene import load
 from planes.solving.document import Figure, ShaftSketch
 from planes.words import Lang
 from planes.words.naming import Naming
 from render.paper.marks import Arrow, Text
-from render.report import rendered
+from render.report import render_document
 from render.report.figures import DocumentSetter
 from render.report.shaft import shaft_view
-from render.views.instant_centre import instant_centre
+from render.views.instant_centre import instant_centre_scheme
 from tests.helpers import ROOT
 from tests.helpers.crank_slider_scenes import SAMPLE, calculated
 
@@ -32,8 +32,8 @@ EMPTY = 0.4  # of a page: no more is left white beneath the last line of one tha
 def test_the_instant_centre_is_on_the_crank_and_square_to_the_guide(phi: float) -> None:
     """AP = l cos β / |cos φ| from the pin along the crank (text, formula 5)."""
     c = calculated(SAMPLE)
-    _, solved = drawn_at(ChapterWriter("en"), c, phi)
-    found = instant_centre(solved, "2", Naming("en"))
+    _, solved = draw_plans_at_angle(ChapterWriter("en"), c, phi)
+    found = instant_centre_scheme(solved, "2", Naming("en"))
     s, mu = c.given.shape, solved.scales["mu_position"]
     beta = math.asin(s.r / s.l * math.sin(math.radians(phi)))
     far = mu * s.l * math.cos(beta) / math.cos(math.radians(phi))
@@ -46,12 +46,14 @@ def test_the_instant_centre_is_on_the_crank_and_square_to_the_guide(phi: float) 
 
 
 def test_no_centre_is_drawn_where_it_is_too_far() -> None:
-    _, solved = drawn_at(ChapterWriter("en"), calculated(SAMPLE), 90.0)
-    assert instant_centre(solved, "2", Naming("en")) is None
+    _, solved = draw_plans_at_angle(ChapterWriter("en"), calculated(SAMPLE), 90.0)
+    assert instant_centre_scheme(solved, "2", Naming("en")) is None
 
 
 def test_every_force_on_the_shaft_is_an_arrow_of_its_own() -> None:
-    blocks = [b for b in document(calculated(SAMPLE), "ru") if isinstance(b, Figure) and isinstance(b.of, ShaftSketch)]
+    blocks = [
+        b for b in report_document(calculated(SAMPLE), "ru") if isinstance(b, Figure) and isinstance(b.of, ShaftSketch)
+    ]
     masses, loaded = (b.of for b in blocks if isinstance(b.of, ShaftSketch))
     arrows = {m.name for m in shaft_view(loaded).marks if isinstance(m, Arrow)}
     assert arrows >= {"N_{c1}", "P_{t1}", "A′", "A″", "B′", "B″", "Φ", "Φ_{1пр}", "Φ_{2пр}"}
@@ -63,7 +65,9 @@ def test_every_force_on_the_shaft_is_an_arrow_of_its_own() -> None:
 
 
 def test_the_mechanism_and_each_link_are_drawn_with_their_forces() -> None:
-    loaded = next(b for b in document(calculated(SAMPLE), "en") if isinstance(b, Figure) and "its loads" in b.caption)
+    loaded = next(
+        b for b in report_document(calculated(SAMPLE), "en") if isinstance(b, Figure) and "its loads" in b.caption
+    )
     pictures, _ = DocumentSetter(Naming("en")).shown(loaded)
     names = {m.name for p in pictures for m in getattr(p, "marks", ()) if isinstance(m, Arrow)}
     assert {"P_3", "I_3", "I_2", "I_1", "F_30", "F_32", "F_23", "F_21", "F_12", "F_10", "G_1"} <= names
@@ -74,8 +78,10 @@ def test_the_mechanism_and_each_link_are_drawn_with_their_forces() -> None:
 @pytest.mark.parametrize("what", ["report", "note"])
 def test_no_page_is_half_empty(what: str, lang: Lang) -> None:
     six_link = load(ROOT / "samples" / "six-link.yaml")
-    report = rendered(document(calculated(SAMPLE), lang), ".pdf", Naming(lang)) if what == "report" else None
-    pages = pypdfium2.PdfDocument(io.BytesIO(report or note(six_link, None, ".pdf", lang)))
+    report = (
+        render_document(report_document(calculated(SAMPLE), lang), ".pdf", Naming(lang)) if what == "report" else None
+    )
+    pages = pypdfium2.PdfDocument(io.BytesIO(report or note_file_contents(six_link, None, ".pdf", lang)))
     first = 0 if what == "report" else 2  # a title page and the contents are as long as they are
     for k in range(first, len(pages) - 1):
         grey = pages[k].render(scale=0.5, grayscale=True).to_numpy()

@@ -16,9 +16,9 @@ from planes.solving import solve
 from planes.words.errors import PlanesError
 from render.files import pdf, svg
 from render.paper.marks import Arrow, Line, Text
-from render.paper.style import pen
-from render.paper.typeset import ink_width, layout, plain
-from render.sheet.module import GAP_MM
+from render.paper.style import pen_of_style
+from render.paper.typeset import ink_width, lay_out_text, plain_text
+from render.sheet.module import VIEW_GAP_MM
 from render.views.table_grid import TableGrid
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts
@@ -35,7 +35,7 @@ def texts(sheet):
 
 
 def words(sheet):
-    return {plain(m.text) for m in texts(sheet)}
+    return {plain_text(m.text) for m in texts(sheet)}
 
 
 def clashes(sheet):
@@ -62,7 +62,7 @@ def test_bars_and_underlines_cross_no_letter(name):
     rules = [m for m in found.marks if isinstance(m, Line) and m.layer == "text"]
     lines = LineTree(rules)
     for text in texts(found):
-        for stroke in layout(text).strokes:
+        for stroke in lay_out_text(text).strokes:
             assert not lines.hit(stroke), text
 
 
@@ -82,11 +82,11 @@ class LineTree:
 def test_views_keep_their_distance(name):
     found = sheet(name)
     boxes = [(left, top - v.height, left + v.width, top) for v, left, top in found.views]
-    boxes += found.paper.taken
+    boxes += found.paper.occupied_areas
     for k, a in enumerate(boxes):
         for b in boxes[:k]:
             apart = max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3])
-            assert apart > GAP_MM - 1e-6 or {a, b} == set(found.paper.taken)
+            assert apart > VIEW_GAP_MM - 1e-6 or {a, b} == set(found.paper.occupied_areas)
 
 
 @pytest.mark.few(1, slow=10)
@@ -139,17 +139,20 @@ def test_every_width_of_pen_has_its_meaning():
     assert styles["v_B"] == styles["F_21"] == "result"
     assert styles["v_CB"] == styles["a_CB^n"] == styles["F_21^t"] == styles["G_2"] == "vector"
     loads = {m.style for m in sheet("six-link", number=2).marks if isinstance(m, Arrow) and m.layer == "force"}
-    assert loads == {"vector"} and pen("vector").width < pen("thick").width
+    assert loads == {"vector"} and pen_of_style("vector").width < pen_of_style("thick").width
     lines = {(m.layer, m.style) for m in found.marks if isinstance(m, Line)}
     assert {style for layer, style in lines if layer == "table"} == {"thin", "rule"}
     helping = {style for layer, style in lines if layer in ("construction", "dimension", "hatch", "axis")}
     assert "construction" in helping
     for style in helping:
-        assert (pen(style).width, pen(style).colour) == (pytest.approx(pen("thick").width / 3), "#000000")
+        assert (pen_of_style(style).width, pen_of_style(style).colour) == (
+            pytest.approx(pen_of_style("thick").width / 3),
+            "#000000",
+        )
 
 
 def test_numbers_of_a_results_table_stand_comma_under_comma():
-    drawn = TableGrid(3.5).drawn(["", "мм"], [["a", "120,0"], ["b", "9,55"], ["c", "0,928"], ["d", "—"]])
+    drawn = TableGrid(3.5).drawn_marks(["", "мм"], [["a", "120,0"], ["b", "9,55"], ["c", "0,928"], ["d", "—"]])
     places = {m.text: m.place.real for m in drawn if isinstance(m, Text)}
     ends = [places[n] + ink_width(n.partition(",")[0], 3.5) for n in ("120,0", "9,55", "0,928")]
     assert ends == pytest.approx([ends[0]] * 3) and places["—"] > places["120,0"]
@@ -168,7 +171,7 @@ def test_reactions_and_arms_are_told_in_mm_of_their_figures():
     mu = next(v.title for v, *_ in sheet("six-link", number=2).views if v.key == "force:2-3").rpartition("=")[2]
     assert float(found.replace(",", ".")) == pytest.approx(size * float(mu.split()[0].replace(",", ".")), abs=0.051)
     moments = [v for v, *_ in sheet("six-link", number=2).views if v.key == "group" and "2–3" in v.title]
-    said = {plain(m.text) for m in moments[0].marks if isinstance(m, Text)}
+    said = {plain_text(m.text) for m in moments[0].marks if isinstance(m, Text)}
     arm = next(m for m in moments[0].marks if isinstance(m, Line) and m.layer == "dimension")
     assert "h, мм" in said and f"{abs(arm.points[1] - arm.points[0]):.1f}".replace(".", ",") in said
 
@@ -177,11 +180,11 @@ def test_underlines_count_what_is_known():
     from planes.solving import solve
     from render.sheet.composer import Naming
     from render.views.formulas import Formulas
-    from render.views.plotted import of_position
+    from render.views.plotted import plot_position
 
     (found,) = solve(load(SAMPLES[NAMES.index("vectors")])).positions
-    marks = Formulas(of_position(found), Naming()).drawn(("velocity",))
-    at = {plain(m.text): m.place.real for m in marks if isinstance(m, Text) and m.name}
+    marks = Formulas(plot_position(found), Naming()).drawn_marks(("velocity",))
+    at = {plain_text(m.text): m.place.real for m in marks if isinstance(m, Text) and m.name}
     under = [m.points[0].real for m in marks if isinstance(m, Line) and m.points[0].imag < 0]
     assert [sum(abs(x - at[n]) < 1e-9 for x in under) for n in ("vC", "vB", "vCB")] == [1, 2, 1]
 

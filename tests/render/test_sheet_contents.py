@@ -8,23 +8,23 @@ import pytest
 
 from planes import solving
 from planes.cli import main
-from planes.diagrams.turn import span_of
+from planes.diagrams.turn import working_range_of
 from planes.documents import sheets as drawing_sheets
-from planes.documents.sheets import sheet_of, turned_once
-from planes.plans.curves import driven
+from planes.documents.sheets import project_over_turn, sheet_of
+from planes.plans.curves import driven_link_and_sliding
 from planes.scene import load, loads
-from planes.solving import plans_of, solve
+from planes.solving import plans_for_requested_results, solve
 from planes.solving.given import GivenTable
-from planes.words.names import force_plan, links_of
+from planes.words.names import force_plan_links, force_plan_name
 from planes.words.naming import Naming
-from render.labels import Label, place
+from render.labels import Label, place_labels
 from render.paper.marks import Arrow, Line, Text
-from render.paper.style import lettered_for
-from render.paper.typeset import plain
+from render.paper.style import using_large_format
+from render.paper.typeset import plain_text
 from render.sheet.composer import Composer
 from render.sheet.module import Module
-from render.sheet.sizes import STEPS, Sizes, grown
-from render.views.curve_pieces import cut_off
+from render.sheet.sizes import MU_STEP_RATIOS, Sizes, grow_plan_sizes
+from render.views.curve_pieces import drop_steep_ordinates
 from tests.helpers import ROOT, sheets
 
 SAMPLES = ROOT / "samples"
@@ -36,12 +36,14 @@ def sheet(name, number):
 
 
 def words(sheet):
-    return {plain(m.text) for m in sheet.marks if isinstance(m, Text)}
+    return {plain_text(m.text) for m in sheet.marks if isinstance(m, Text)}
 
 
 def given(scene, value=None):
     position = solve(replace(scene, find=None), None if value is None else [value]).positions[0]
-    return {name: (number, unit) for name, number, unit in GivenTable(position, Naming(), scene.parameters).rows()}
+    return {
+        name: (number, unit) for name, number, unit in GivenTable(position, Naming(), scene.parameters).given_rows()
+    }
 
 
 def test_given_values_are_those_of_the_scene_each_once():
@@ -93,8 +95,8 @@ def test_diagrams_tell_their_extremes_and_one_table_what_is_measured_on_both_pla
     scene = load(SAMPLES / "kind-2-rrp.yaml")
     position = solve(scene).positions[0]
     composer = Composer(scene, "ru", position.plans)
-    drawn = turned_once(scene, position.plans, composer, False).diagrams(position)
-    found = [v for v in (drawn, *composer.tables(position, 3.5).rates(True)) if v]
+    drawn = project_over_turn(scene, position.plans, composer, False).diagrams_view(position)
+    found = [v for v in (drawn, *composer.make_tables(position, 3.5).rate_tables(True)) if v]
     views = {v.key: [m for m in v.marks if isinstance(m, Text)] for v in found}
     stroke = (0.26**2 - 0.015**2) ** 0.5 - (0.14**2 - 0.015**2) ** 0.5  # of an offset slider-crank
     assert f"{stroke:.3f} м".replace(".", ",") in {m.text for m in views["diagrams"]}
@@ -105,8 +107,8 @@ def test_diagrams_tell_their_extremes_and_one_table_what_is_measured_on_both_pla
 def test_letters_of_large_formats_are_larger_where_there_is_room():
     fence = [Line((complex(-40, y), complex(40, y)), "thin", "scheme") for y in (-3.3, 3.3)]
     for marks, field, height in (((), None, 7.0), (fence, (-40.0, -3.3, 40.0, 3.3), 5.0)):
-        with lettered_for(True):
-            (text,) = place([Label("B", 0j, 5.0)], marks, field).texts
+        with using_large_format(True):
+            (text,) = place_labels([Label("B", 0j, 5.0)], marks, field).texts
         assert text.height == height
 
 
@@ -115,7 +117,7 @@ def test_letters_of_large_formats_are_larger_where_there_is_room():
 def test_inner_reactions_are_drawn_on_links_apart(name):
     found = sheet(name, 2)
     shown = [v for v, _, _ in found.views if v.key == "apart"]
-    plans = plans_of(load(SAMPLES / f"{name}.yaml"))[0]
+    plans = plans_for_requested_results(load(SAMPLES / f"{name}.yaml"))[0]
     assert len(shown) == len(plans.structure.groups)
     for group, view in zip(reversed(plans.structure.groups), shown, strict=True):
         arrows = {m.name for m in view.marks if isinstance(m, Arrow)}
@@ -124,10 +126,10 @@ def test_inner_reactions_are_drawn_on_links_apart(name):
 
 
 def test_both_extreme_positions_are_marked():
-    project = turned_once(RRP, plans_of(RRP)[0], Composer(RRP, "ru"), True)
+    project = project_over_turn(RRP, plans_for_requested_results(RRP)[0], Composer(RRP, "ru"), True)
     extremes = [n.number for n in project.numbered if n.extreme]
     assert extremes[0] == "0" and len(extremes) == 2
-    _, slides = driven(plans_of(RRP)[0])
+    _, slides = driven_link_and_sliding(plans_for_requested_results(RRP)[0])
     assert slides
     path = [r.points["C"] for r in project.turn if r]
     ends = [n.result.points["C"] for n in project.numbered if n.extreme and n.result]
@@ -137,7 +139,7 @@ def test_both_extreme_positions_are_marked():
 
 @pytest.mark.slow
 def test_a_sliding_driver_has_its_stroke():
-    span = span_of(plans_of(SLIDING)[0])
+    span = working_range_of(plans_for_requested_results(SLIDING)[0])
     assert span.start < 0.15 < span.end and not span.whole
     found = sheet("sliding-driver", 1)
     said = words(found)
@@ -150,12 +152,21 @@ def test_a_sliding_driver_has_its_stroke():
 
 @pytest.mark.slow
 def test_the_range_of_a_rocking_driver_ends_where_it_stops():
-    span = span_of(plans_of(load(SAMPLES / "six-link.yaml"))[0])
+    span = working_range_of(plans_for_requested_results(load(SAMPLES / "six-link.yaml"))[0])
     assert (span.start, span.end) == pytest.approx((129.5, 305.8), abs=0.1)
 
 
 def test_ends_of_a_range_are_cut_off_and_peaks_within_are_kept():
-    assert cut_off((90.0, 1.0, 2.0, 12.0, 2.0, 1.0, None, 50.0)) == (None, 1.0, 2.0, 12.0, 2.0, 1.0, None, None)
+    assert drop_steep_ordinates((90.0, 1.0, 2.0, 12.0, 2.0, 1.0, None, 50.0)) == (
+        None,
+        1.0,
+        2.0,
+        12.0,
+        2.0,
+        1.0,
+        None,
+        None,
+    )
 
 
 @pytest.mark.slow
@@ -178,26 +189,26 @@ def test_the_smallest_plan_grows_first_and_none_beyond_the_limit():
     steps = []
 
     def extents(sizes):
-        return {"velocity": 40.0 * sizes.of("velocity"), "force:1": 60.0 * sizes.of("force:1")}
+        return {"velocity": 40.0 * sizes.factor_of_plan("velocity"), "force:1": 60.0 * sizes.factor_of_plan("force:1")}
 
     def fits(sizes):
         steps.append(dict(sizes.more))
         return True
 
-    found = grown(Sizes(), extents, 100.0, fits)
-    assert steps[0] == {"velocity": STEPS[0]}
+    found = grow_plan_sizes(Sizes(), extents, 100.0, fits)
+    assert steps[0] == {"velocity": MU_STEP_RATIOS[0]}
     assert 80 < extents(found)["velocity"] <= 100 and 80 < extents(found)["force:1"] <= 100
-    assert grown(Sizes(), extents, 100.0, lambda _: False) == Sizes()
+    assert grow_plan_sizes(Sizes(), extents, 100.0, lambda _: False) == Sizes()
 
 
 def test_a_sheet_draws_its_position_once_at_each_scale(monkeypatch):
     drawn = []
 
     def counted(*given):
-        drawn.append(solving.position(*given))
+        drawn.append(solving.solve_position(*given))
         return drawn[-1]
 
-    monkeypatch.setattr(drawing_sheets, "position", counted)
+    monkeypatch.setattr(drawing_sheets, "solve_position", counted)
     sheet_of(load(SAMPLES / "six-link.yaml"), None, "ru", 2)
     scales = [tuple(p.scales.items()) for p in drawn]
     assert len(scales) == len(set(scales)) < 15
@@ -217,8 +228,8 @@ def test_the_field_is_well_filled(name, number):
 @pytest.mark.parametrize("name", ["six-link", "kind-3-rpr", "assignments/12", "assignments/30", "assignments/65"])
 def test_figures_follow_the_calculation_on_the_module(name):
     found = sheet(name, 2)
-    module = Module(found.paper.field, found.paper.taken)
-    units = [(left - module.left(0)) / module.pitch for _, left, _ in found.views]
+    module = Module(found.paper.field, found.paper.occupied_areas)
+    units = [(left - module.left(0)) / module.unit_pitch for _, left, _ in found.views]
     assert all(abs(unit - round(unit)) < 1e-6 for unit in units)
     figures = [v for v, _, _ in found.views if v.figure]
     assert figures[0].key == "loaded" and figures[-1].key == "lever"
@@ -226,7 +237,7 @@ def test_figures_follow_the_calculation_on_the_module(name):
     assert steps == sorted(steps, key=steps.index)  # each step whole before the next
     for step in dict.fromkeys(steps):
         first, *links = [v.key for v in figures if v.step == step][1:]
-        alone = {force_plan(link) for link in links_of(step)}
+        alone = {force_plan_name(link) for link in force_plan_links(step)}
         assert first == step and links[:1] in ([], ["apart"]) and set(links[1:]) <= alone
 
 
@@ -242,7 +253,7 @@ def test_round_scales_only():
     for size in (Sizes(), Sizes(1.25), Sizes(1.6)):
         from planes.documents.sheets import DrawnPosition
 
-        mu = DrawnPosition(loads(text), None, "ru").at(size).scales["mu_position"]
+        mu = DrawnPosition(loads(text), None, "ru").position_at_sizes(size).scales["mu_position"]
         assert f"{mu:.3g}" == f"{mu:g}"
 
 
@@ -251,4 +262,4 @@ def test_a_sheet_of_what_is_asked_draws_a_reaction_that_leans_by_friction(asked:
     scene = load(ROOT / "samples" / "kind-2-rrp.yaml")
     assert scene.mechanism and scene.mechanism.friction
     drawn = sheet_of(replace(scene, find=asked), None, "ru")
-    assert any(isinstance(m, Text) and plain(m.text).startswith("F30") for m in drawn.marks)
+    assert any(isinstance(m, Text) and plain_text(m.text).startswith("F30") for m in drawn.marks)

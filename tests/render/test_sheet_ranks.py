@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from planes.documents.sheets import MOST_TIMES, DrawnPosition
+from planes.documents.sheets import MOST_SCHEME_ENLARGEMENT, DrawnPosition
 from planes.scene import load, loads
 from render.sheet.sizes import Sizes
 from tests.helpers import ROOT
@@ -24,16 +24,19 @@ def test_the_scheme_with_loads_is_the_largest_figure(name):
 @pytest.mark.parametrize("name", ["shaper.yaml", "bntu-1.yaml", "kind-3-rpr.yaml", "assignments/58.yaml"])
 def test_the_scheme_with_loads_is_at_most_twice_its_groups(name):
     drawn = DrawnPosition(load(ROOT / "samples" / name), None, "ru")
-    assert [drawn.times(Sizes().larger("loaded", k)) <= MOST_TIMES for k in (1.0, 1.6, 2.5, 6.0)] == [True] * 4
+    assert [
+        drawn.loaded_scheme_enlargement(Sizes().with_larger_plan("loaded", k)) <= MOST_SCHEME_ENLARGEMENT
+        for k in (1.0, 1.6, 2.5, 6.0)
+    ] == [True] * 4
 
 
 def test_a_scheme_grows_by_scales_of_the_standard_and_not_where_its_scale_is_stated():
     drawn = DrawnPosition(load(RPR), None, "ru")
-    usual = drawn.first.scales["mu_position"]
-    grown = drawn.grown(Sizes().larger("loaded", 1.42)).scales
+    usual = drawn.position_at_scene_scales.scales["mu_position"]
+    grown = drawn.with_enlarged_scheme(Sizes().with_larger_plan("loaded", 1.42)).scales
     assert (usual, grown["mu_position"]) == (250.0, 400.0)  # 1:4 and 1:2.5
     assert {k: mu for k, mu in grown.items() if k != "mu_position"} == {
-        k: mu for k, mu in drawn.first.scales.items() if k != "mu_position"
+        k: mu for k, mu in drawn.position_at_scene_scales.scales.items() if k != "mu_position"
     }
     stated = loads(RPR.read_text(encoding="utf-8") + "\nplans: {position: 250 mm/m}\n")
-    assert DrawnPosition(stated, None, "ru").extents(Sizes()) == {}
+    assert DrawnPosition(stated, None, "ru").loaded_scheme_extents(Sizes()) == {}

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from planes.documents.sheets import sheet_of
-from render.labels import Label, place
-from render.paper.marks import Arc, Line, Mark, Text, moved
-from render.paper.typeset import plain
+from render.labels import Label, place_labels
+from render.paper.marks import Arc, Line, Mark, Text, move_mark
+from render.paper.typeset import plain_text
 from tests import sheets_run
 from tests.sheets_run import (
     Job,
@@ -72,7 +72,9 @@ def test_faults_of_sheets_of_random_mechanisms_are_few_and_told(tmp_path: Path) 
     smaller = [str(one.job) for one in found if any("μ меньше" in sentence for sentence in one.said)]
     assert len(smaller) <= 0.01 * len(found), smaller  # a scheme of 1025 mm, near a dead point, fits no paper
     unsaid = [
-        (str(one.job), f) for one, f in faults if " lies on " in f and plain(f.split("'")[1]) not in " ".join(one.said)
+        (str(one.job), f)
+        for one, f in faults
+        if " lies on " in f and plain_text(f.split("'")[1]) not in " ".join(one.said)
     ]
     assert unsaid == []
     kinds = {kind: sum(kind in f for _, f in faults) for kind in KINDS_OF_FAULTS}
@@ -91,7 +93,7 @@ def test_the_looking_sees_what_is_wrong() -> None:
     assert untranslated(sheet, "ru") == [] and any("'Реакции' is Russian" in f for f in untranslated(sheet, "en"))
     raw = replace(sheet, marks=(*sheet.marks, Text("M omegaq_1", 100 + 100j)))
     assert unlettered(sheet) == [] and len(unlettered(raw)) == 1
-    gone = replace(sheet, marks=tuple(moved(m, 400j) if k == at else m for k, m in enumerate(sheet.marks)))
+    gone = replace(sheet, marks=tuple(move_mark(m, 400j) if k == at else m for k, m in enumerate(sheet.marks)))
     assert any("sticks out" in fault for fault in clashes(gone))
     unsaid = replace(sheet, marks=tuple(m for m in sheet.marks if not (isinstance(m, Text) and "21" in m.text)))
     assert any("F_21" in fault for fault in omissions(scene, None, unsaid, job))
@@ -112,7 +114,9 @@ def boxed_in(centre: complex) -> list[Mark]:
 def test_leaders_cross_neither_letters_nor_each_other() -> None:
     points = [50 + 50j, 54 + 50j, 52 + 53j, 50 + 55j]
     marks = [m for z in points for m in boxed_in(z)]
-    placed = place([Label(name, z) for name, z in zip(("S_{2}", "B", "C_{3}", "12"), points, strict=True)], marks)
+    placed = place_labels(
+        [Label(name, z) for name, z in zip(("S_{2}", "B", "C_{3}", "12"), points, strict=True)], marks
+    )
     assert len(placed.leaders) >= 3
     assert sheets_run._leaders_meet(list(placed.leaders)) == []
     assert leaders(placed.marks) == list(placed.leaders)
@@ -120,19 +124,19 @@ def test_leaders_cross_neither_letters_nor_each_other() -> None:
 
 def test_a_leader_goes_where_it_crosses_least() -> None:
     fence: list[Mark] = [Line((complex(40 + k, 20), complex(40 + k, 49)), "thin") for k in range(25)]
-    placed = place([Label("S_{2}", 50 + 52j)], [*boxed_in(50 + 52j), *fence])
+    placed = place_labels([Label("S_{2}", 50 + 52j)], [*boxed_in(50 + 52j), *fence])
     (leader,) = placed.leaders
     assert leader.points[0].imag > 52
     assert len(crossings([*fence, leader])) == 0
 
 
 def test_a_thin_line_gives_way_where_there_is_no_room_beside_it() -> None:
-    from render.views.senses import parted
+    from render.views.senses import break_lines_at_texts
 
     bars = [Line((complex(30, y), complex(70, y)), "construction", "construction") for y in range(30, 71, 3)]
-    placed = place([Label("B", 50 + 50j)], (), None, bars)
+    placed = place_labels([Label("B", 50 + 50j)], (), None, bars)
     assert placed.leaders == ()
-    pieces = parted(bars, placed.texts)
+    pieces = break_lines_at_texts(bars, placed.texts)
     assert len(pieces) > len(bars)
     assert clear(placed.texts[0], pieces)
 

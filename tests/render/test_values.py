@@ -8,9 +8,9 @@ import pytest
 
 from planes.scene import load
 from planes.solving import solve
-from planes.words.read_off import measured
+from planes.words.read_off import read_off_text
 from render.paper.marks import Text
-from render.paper.typeset import plain
+from render.paper.typeset import plain_text
 from tests.helpers import ROOT
 from tests.helpers.sheets import sheet
 from tests.sheets_run import clashes
@@ -18,7 +18,7 @@ from tests.sheets_run import clashes
 
 def beside(found) -> list[str]:
     """The names of vectors with their values."""
-    return [plain(m.text) for m in found.marks if isinstance(m, Text) and m.name.startswith("value")]
+    return [plain_text(m.text) for m in found.marks if isinstance(m, Text) and m.name.startswith("value")]
 
 
 @pytest.mark.few(1)
@@ -29,6 +29,6 @@ def test_vectors_have_their_values(number, unit):
     found = sheet("kind-1-rrr", number=number, values=True)
     told = beside(found)
     name = "vC" if number == 1 else "F21"
-    assert any(re.search(rf"\b{name}\b.* {re.escape(measured(sizes[name], 'ru'))}$", text) for text in told)
+    assert any(re.search(rf"\b{name}\b.* {re.escape(read_off_text(sizes[name], 'ru'))}$", text) for text in told)
     assert len(told) >= 8 and clashes(found) == []
-    assert any(unit in plain(m.text) and "величины" in m.text for m in found.marks if isinstance(m, Text))
+    assert any(unit in plain_text(m.text) and "величины" in m.text for m in found.marks if isinstance(m, Text))

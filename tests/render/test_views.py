@@ -8,16 +8,16 @@ import pytest
 import shapely
 
 from planes.cli import main
-from planes.documents.drawn import picture, view_of
+from planes.documents.drawn import page_of_view, picture
 from planes.drafting.instruments import Pencil
 from planes.scene import load, loads
 from planes.solving import solve
 from planes.words.errors import PlanesError
 from render.labels import Label
-from render.labels.footprints import bounds, overprinted
+from render.labels.footprints import box_around_marks, overprinted_labels
 from render.paper.marks import Arrow, Line, Text
-from render.sheet.single import MARGIN_MM, traced
-from render.views.senses import labelled
+from render.sheet.single import PAGE_MARGIN_MM, traced_plans_page
+from render.views.senses import marks_with_labels
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts
 
@@ -27,7 +27,7 @@ SAMPLES = {path.stem: path for path in sorted((ROOT / "samples").glob("*.yaml"))
 def test_a_line_of_action_far_from_its_links_is_drawn_behind_a_break_with_its_arm():
     text = SAMPLES["kind-2-rrp"].read_text(encoding="utf-8")
     couple = text.replace("gravity: 9.81", "  - {link: 3, moment: 250}\ngravity: 9.81")
-    usual, far = (view_of(replace(loads(t), find=None), "links-2-3", [15], "ru") for t in (text, couple))
+    usual, far = (page_of_view(replace(loads(t), find=None), "links-2-3", [15], "ru") for t in (text, couple))
     assert max(far.size) < 1.6 * max(usual.size)
     said = [m.text for m in far.marks if isinstance(m, Text) and m.name == "arm"]
     arm = solve(replace(loads(couple), find=None), [15.0]).positions[0].results["reactions"]["F_30"]["arm"]
@@ -38,7 +38,7 @@ def test_a_line_of_action_far_from_its_links_is_drawn_behind_a_break_with_its_ar
 
 def names(scene):
     with pytest.raises(PlanesError) as refused:
-        view_of(scene, "?", None, "en")
+        page_of_view(scene, "?", None, "en")
     return str(refused.value).partition("it has ")[2].split(", ")
 
 
@@ -48,13 +48,15 @@ def test_every_view_is_cut_to_its_ink(name):
     scene = load(SAMPLES[name])
     for view in names(scene):
         try:
-            found = view_of(scene, view)
+            found = page_of_view(scene, view)
         except PlanesError as error:
             assert "нечего чертить" in error.told("ru")
             continue
-        left, low, right, high = bounds(found.marks)
-        assert (left, low) == pytest.approx((MARGIN_MM, MARGIN_MM), abs=1e-6)
-        assert (found.size[0] - right, found.size[1] - high) == pytest.approx((MARGIN_MM, MARGIN_MM), abs=1e-6)
+        left, low, right, high = box_around_marks(found.marks)
+        assert (left, low) == pytest.approx((PAGE_MARGIN_MM, PAGE_MARGIN_MM), abs=1e-6)
+        assert (found.size[0] - right, found.size[1] - high) == pytest.approx(
+            (PAGE_MARGIN_MM, PAGE_MARGIN_MM), abs=1e-6
+        )
         clashes = [str(c) for c in conflicts((), found.marks, (0, 0, *found.size))]
         assert [c for c in clashes if " lies on 'line of text" not in c] == [], view
 
@@ -100,7 +102,7 @@ def test_a_notebook_shows_a_position_as_it_was_drawn():
 @pytest.mark.parametrize("name", ["six-link", "kind-4-prp", "sliding-driver"])
 def test_a_drawing_shows_itself_with_every_plan(name):
     drawing = solve(load(SAMPLES[name])).positions[0].drawing
-    page = traced(drawing, "en")
+    page = traced_plans_page(drawing, "en")
     written = {m.text for m in page.marks if isinstance(m, Text)}
     assert {"position plan", "velocity polygon", "acceleration polygon"} <= written
     ends = [z for m in page.marks if isinstance(m, Line) for z in m.points]
@@ -113,7 +115,7 @@ def test_a_drawing_shows_itself_with_every_plan(name):
 def test_the_similar_triangle_of_a_plan_is_hatched_and_its_letters_are_not_struck(view, corners):
     """The strokes keep clear of the triangle's sides, so that none is taken for a side; nothing else is hatched."""
     scene = load(SAMPLES["six-link"])
-    found = view_of(scene, view)
+    found = page_of_view(scene, view)
     drawn = solve(replace(scene, find=None)).positions[0].drawing
     arrows = {m.name: m for m in found.marks if isinstance(m, Arrow)}
     tip, mark = next((m.end, z) for n, z in (("v_B", "b"), ("a_B", "b'")) for k, m in arrows.items() if k == n)
@@ -126,11 +128,11 @@ def test_the_similar_triangle_of_a_plan_is_hatched_and_its_letters_are_not_struc
     assert all(inside.covers(shapely.Point(z.real, z.imag)) for ends in strokes for z in ends)
     letters = [m for m in found.marks if isinstance(m, Text) and m.height == 5.0]
     assert conflicts(letters, [m for m in found.marks if m.layer == "hatch"]) == ()
-    assert not [m for m in view_of(scene, "force-2-3").marks if m.layer == "hatch"]
+    assert not [m for m in page_of_view(scene, "force-2-3").marks if m.layer == "hatch"]
 
 
 @pytest.mark.parametrize(("gap", "height"), [(5.4, 3.5), (9.0, 5.0)])
 def test_letters_are_a_step_smaller_where_they_find_no_room(gap: float, height: float) -> None:
     bars = [Line((complex(-150, gap * k), complex(150, gap * k)), "thick") for k in range(-40, 41)]
-    drawn = labelled([Label("B", 0.5j * gap, 5.0)], bars)
-    assert [m.height for m in drawn if isinstance(m, Text)] == [height] and overprinted(drawn) == []
+    drawn = marks_with_labels([Label("B", 0.5j * gap, 5.0)], bars)
+    assert [m.height for m in drawn if isinstance(m, Text)] == [height] and overprinted_labels(drawn) == []

@@ -15,7 +15,7 @@ import pytest
 import shapely
 
 from planes.cli import main
-from planes.documents.drawn import view_of
+from planes.documents.drawn import page_of_view
 from planes.documents.sheets import sheet_of
 from planes.drafting.steps.reckoning import Drop
 from planes.lesson.data import lesson_data
@@ -23,11 +23,11 @@ from planes.scene import Scene, load, loads
 from planes.solving import Position, solve
 from planes.words.errors import PlanesError
 from planes.words.naming import Naming
-from render.labels.footprints import ink, overprinted
-from render.paper.letters import pieces
+from render.labels.footprints import inked_shapes, overprinted_labels
+from render.paper.letters import lettered_pieces
 from render.paper.marks import Line, Text
-from render.paper.typeset import layout, plain
-from render.views import remark
+from render.paper.typeset import lay_out_text, plain_text
+from render.views import remark_texts
 from render.views.arms import Arms
 from render.views.loading import Arrows
 from render.views.table_grid import TableGrid
@@ -58,13 +58,13 @@ def drawn(name: str) -> Position:
 
 def said(scene: Scene, view: str, lang: str = "en") -> set[str]:
     """The texts of one view, as they are read."""
-    return {plain(m.text) for m in view_of(scene, view, None, lang).marks if isinstance(m, Text)}
+    return {plain_text(m.text) for m in page_of_view(scene, view, None, lang).marks if isinstance(m, Text)}
 
 
 @pytest.mark.parametrize("name", ["bntu-2", "crank-slider", "kind-2-rrp"])
 def test_a_reaction_with_friction_is_written_as_it_leans(name: str) -> None:
     position = drawn(name)
-    leaning = [t for e in position.plans.equations for t in e.terms if (t.direction or "").startswith("∡")]
+    leaning = [t for e in position.plans.equations for t in e.all_terms if (t.direction or "").startswith("∡")]
     assert leaning
     for term in leaning:
         guide = term.action.partition("∥")[2]
@@ -97,8 +97,8 @@ def test_an_arm_has_one_symbol_and_a_symbol_one_arm(name: str) -> None:
     for equation in position.plans.moments:
         for force, arm in equation.terms:
             if arm in steps:
-                symbol = naming.arm(force, arm)
-                assert "".join(p.text for p in pieces(f"⟨{arm}⟩", naming)) == plain(symbol)
+                symbol = naming.lettered_arm(force, arm)
+                assert "".join(p.text for p in lettered_pieces(f"⟨{arm}⟩", naming)) == plain_text(symbol)
                 found.setdefault(symbol, set()).add(arm)
     assert all(len(arms) == 1 for arms in found.values())
 
@@ -150,24 +150,24 @@ def test_vectors_too_short_to_draw_are_told() -> None:
     assert scene.mechanism
     loads_ = tuple(replace(x, value=x.value * (1e8 if x.kind == "force" else 1)) for x in scene.mechanism.loads)
     heavy = replace(scene, mechanism=replace(scene.mechanism, loads=loads_), mu={})
-    (said_,) = view_of(heavy, "force-2-3", None, "en").warnings
+    (said_,) = page_of_view(heavy, "force-2-3", None, "en").warnings
     assert "G2" in said_
     assert "shorter than 0.05 mm and are not drawn" in said_
-    assert view_of(scene, "force-2-3", None, "en").warnings == ()
+    assert page_of_view(scene, "force-2-3", None, "en").warnings == ()
 
 
 def test_labels_on_labels_and_strokes_are_told() -> None:
     bar = Line((0j, 20 + 0j), "thin", "construction")
     clear, over, struck = Text("AB", 0 + 2j), Text("AB", 1 + 2j), Text("CD", 30 - 2j)
-    assert overprinted([bar, clear]) == []
-    assert overprinted([bar, clear, over]) == ["AB", "AB"]
-    assert overprinted([replace(bar, points=(25 + 0j, 45 + 0j)), clear, struck]) == ["CD"]
-    assert overprinted([Line((0j, 20 + 0j), "thin", "text"), Text("AB", 0 - 2j)]) == []  # its own bar
+    assert overprinted_labels([bar, clear]) == []
+    assert overprinted_labels([bar, clear, over]) == ["AB", "AB"]
+    assert overprinted_labels([replace(bar, points=(25 + 0j, 45 + 0j)), clear, struck]) == ["CD"]
+    assert overprinted_labels([Line((0j, 20 + 0j), "thin", "text"), Text("AB", 0 - 2j)]) == []  # its own bar
 
 
 def letters(text: Text) -> shapely.Geometry:
     """The ink of a text's own letters."""
-    laid = layout(text)
+    laid = lay_out_text(text)
     lines = (([(z.real, z.imag) for z in line], pen) for line, pen in zip(laid.strokes, laid.pens, strict=True))
     return shapely.union_all([shapely.LineString(line).buffer(pen / 2) for line, pen in lines if len(line) > 1])
 
@@ -175,32 +175,32 @@ def letters(text: Text) -> shapely.Geometry:
 @pytest.mark.parametrize("letter", [2.5, 3.5, 5.0])
 @pytest.mark.parametrize("cell", ["a_{E5E}^{k}", "F_{21}^{t}", "12,5", "S_{2}"])
 def test_cells_keep_clear_of_the_rules(letter: float, cell: str) -> None:
-    marks = TableGrid(letter).drawn(["", "a"], [[cell, "1"], ["G_{2}", cell]])
-    rules = ink([m for m in marks if isinstance(m, Line)])
+    marks = TableGrid(letter).drawn_marks(["", "a"], [[cell, "1"], ["G_{2}", cell]])
+    rules = inked_shapes([m for m in marks if isinstance(m, Line)])
     for text in (m for m in marks if isinstance(m, Text)):
-        assert len(rules.within(np.array([letters(text)]), 0.3)[0]) == 0
+        assert len(rules.pairs_within(np.array([letters(text)]), 0.3)[0]) == 0
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.03, 0.05])
 def test_forces_that_slant_but_slightly_are_not_drawn_upon_each_other(turn: float) -> None:
     arrows, far = Arrows(), 60 + 0j
-    one = arrows.placed(0j, 1 + 0j)
+    one = arrows.place_force_arrow(0j, 1 + 0j)
     arrows.upon[0] = one = (one[0], far)  # a long one
-    two = arrows.placed(10 - 0.2j, cmath.rect(1, turn))
+    two = arrows.place_force_arrow(10 - 0.2j, cmath.rect(1, turn))
     lines = [shapely.LineString([(z.real, z.imag) for z in ends]) for ends in (one, two)]
     assert lines[0].buffer(0.3).intersection(lines[1]).length < 4
 
 
 def test_an_arm_of_two_forces_is_drawn_once() -> None:
     arms = Arms()
-    arms.add(5 + 5j, 1j, 0j, "h_{G2}", "G_2")
-    arms.add(5 + 9j, 1j, 0j, "h_{G3}", "G_3")
-    arms.add(5 + 9j, 1 + 0j, 0j, "h_{P3}", "P_3")
+    arms.add_arm(5 + 5j, 1j, 0j, "h_{G2}", "G_2")
+    arms.add_arm(5 + 9j, 1j, 0j, "h_{G3}", "G_3")
+    arms.add_arm(5 + 9j, 1 + 0j, 0j, "h_{P3}", "P_3")
     assert [x.text for x in arms.named] == ["h_{G2} = h_{G3}", "h_{P3}"]
     assert [m.layer for m in arms.marks if isinstance(m, Line)].count("dimension") == 2
 
 
 def test_no_word_of_a_remark_stands_alone_where_lines_can_be_even() -> None:
     narrow = [Line((0j, 20 + 0j), "thin", "plan")]
-    lines = [m.text for m in remark("(collinear vectors are drawn side by side)", narrow)]
+    lines = [m.text for m in remark_texts("(collinear vectors are drawn side by side)", narrow)]
     assert len(lines) == 2 and max(map(len, lines)) < 1.5 * min(map(len, lines))

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from planes.scene.expressions import evaluate, is_name, names_in
-from planes.scene.parameters import resolve
+from planes.scene.expressions import evaluate_expression, is_parameter_name, names_in_expression
+from planes.scene.parameters import resolve_parameters
 from planes.words.errors import ExpressionError
 from tests.helpers.counting import at_most
 
@@ -138,29 +138,35 @@ BAD = [
 
 @pytest.mark.parametrize(("text", "value"), GOOD)
 def test_value(text, value):
-    assert evaluate(text, NAMES) == pytest.approx(value, rel=1e-15, abs=0)
+    assert evaluate_expression(text, NAMES) == pytest.approx(value, rel=1e-15, abs=0)
 
 
 @pytest.mark.parametrize(("text", "piece"), BAD)
 def test_refusal(text, piece):
     with pytest.raises(ExpressionError) as caught:
-        evaluate(text, NAMES)
+        evaluate_expression(text, NAMES)
     assert piece in str(caught.value)
     assert "\n" not in str(caught.value) and len(str(caught.value)) < 400
 
 
 def test_names_are_compared_composed():
-    assert evaluate("и\u0306", {"й": 3.0}) == 3.0
-    assert is_name("й") and is_name("φ_1'") and not is_name("y-y") and not is_name("1a") and not is_name("")
+    assert evaluate_expression("и\u0306", {"й": 3.0}) == 3.0
+    assert (
+        is_parameter_name("й")
+        and is_parameter_name("φ_1'")
+        and not is_parameter_name("y-y")
+        and not is_parameter_name("1a")
+        and not is_parameter_name("")
+    )
 
 
 def test_names_in_leaves_out_what_is_known():
-    assert names_in("l_AB*sin(phi) + pi") == ["l_AB", "phi"]
+    assert names_in_expression("l_AB*sin(phi) + pi") == ["l_AB", "phi"]
 
 
 def test_parameters_of_one_another():
-    assert resolve({"c": "a*b", "a": "b+1", "b": "2"}) == {"c": 6.0, "a": 3.0, "b": 2.0}
-    assert list(resolve({"c": "a", "a": "1"})) == ["c", "a"]
+    assert resolve_parameters({"c": "a*b", "a": "b+1", "b": "2"}) == {"c": 6.0, "a": 3.0, "b": 2.0}
+    assert list(resolve_parameters({"c": "a", "a": "1"})) == ["c", "a"]
 
 
 @pytest.mark.parametrize(
@@ -176,7 +182,7 @@ def test_parameters_of_one_another():
 )
 def test_parameters_refused(texts, piece, parameter):
     with pytest.raises(ExpressionError) as caught:
-        resolve(texts)
+        resolve_parameters(texts)
     assert piece in str(caught.value) and caught.value.parameter == parameter
 
 
@@ -184,14 +190,14 @@ def test_parameters_refused(texts, piece, parameter):
 def test_long_chains_and_circles_take_no_time():
     chain = {f"a{i}": f"a{i + 1}" for i in range(20_000)} | {"a20000": "1"}
     with at_most(10_000_000), pytest.raises(ExpressionError, match=r"circle: a0 -> a1 .* … -> a0"):
-        assert resolve(chain)["a0"] == 1.0
-        resolve(chain | {"a20000": "a0"})
+        assert resolve_parameters(chain)["a0"] == 1.0
+        resolve_parameters(chain | {"a20000": "a0"})
 
 
 @settings(max_examples=400)
 @given(st.text(alphabet="0123456789.+-*/^()eE ,lφ_'sincoqrtpa²\n", max_size=40))
 def test_any_text_is_a_finite_number_or_a_sentence(text):
     try:
-        assert math.isfinite(evaluate(text, NAMES))
+        assert math.isfinite(evaluate_expression(text, NAMES))
     except ExpressionError as error:
         assert str(error)

@@ -6,7 +6,7 @@ import pytest
 import yaml
 
 from planes.scene import source
-from planes.scene.source import Items, SourceScalar, SourceTable, parse, read, walk
+from planes.scene.source import Items, SourceScalar, SourceTable, parse_yaml, read_file_text, walk_nodes
 from planes.words.errors import SceneError
 from tests.helpers.counting import at_most
 
@@ -67,45 +67,45 @@ BAD = [
 @pytest.mark.parametrize(("text", "piece", "line"), BAD)
 def test_refusal(text, piece, line):
     with pytest.raises(SceneError) as caught:
-        parse(text, "s.yaml")
+        parse_yaml(text, "s.yaml")
     assert piece in str(caught.value.phrase) and caught.value.line == line
     assert "\n" not in str(caught.value) and str(caught.value).startswith("s.yaml")
     assert len(str(caught.value)) < 250
 
 
 def test_everything_stays_text_and_knows_its_line():
-    tree = parse("planes: 1\non: yes\ny: 1:2\n1: 1e-3\nlist: [a,\n  'b c']\nempty:\nnone: ~\nquoted: ''\n", "s")
+    tree = parse_yaml("planes: 1\non: yes\ny: 1:2\n1: 1e-3\nlist: [a,\n  'b c']\nempty:\nnone: ~\nquoted: ''\n", "s")
     texts = {key: node.text for key, node in tree.entries.items() if isinstance(node, SourceScalar)}
     assert texts == {"planes": "1", "on": "yes", "y": "1:2", "1": "1e-3", "empty": "", "none": "~", "quoted": ""}
-    assert [key for key, node in tree.entries.items() if isinstance(node, SourceScalar) and node.absent] == [
+    assert [key for key, node in tree.entries.items() if isinstance(node, SourceScalar) and node.is_blank] == [
         "empty",
         "none",
     ]
     assert isinstance(tree.entries["list"], Items) and [n.line for n in tree.entries["list"].items] == [5, 6]
     assert tree.lines["none"] == 8
-    assert {path: line for path, _, line in walk(tree)}["list", "1"] == 6
+    assert {path: line for path, _, line in walk_nodes(tree)}["list", "1"] == 6
 
 
 def test_one_document_may_have_marks_and_windows_lines():
     for text in ("---\na: 1\nb: 2\n...\n", "\ufeffa: 1\r\nb: 2\r\n", "# c\na: 1\n\nb: 2"):
-        assert list(parse(text, "s").entries) == ["a", "b"]
+        assert list(parse_yaml(text, "s").entries) == ["a", "b"]
 
 
 def test_the_slow_reader_reads_the_same(monkeypatch):
     text = "a: [1, {b: 'c'}]\nd:\n  e: 1\n"
-    fast = parse(text, "s")
+    fast = parse_yaml(text, "s")
     monkeypatch.delattr(yaml, "CSafeLoader")
-    assert parse(text, "s") == fast
+    assert parse_yaml(text, "s") == fast
     with pytest.raises(SceneError, match="tab"):
-        parse("a:\n\tb: 1", "s")
+        parse_yaml("a:\n\tb: 1", "s")
     with pytest.raises(SceneError, match="longer than"):
-        parse("a" * 200_000, "s")
+        parse_yaml("a" * 200_000, "s")
 
 
 def test_reading_files(tmp_path):
     good = tmp_path / "й.yaml"
     good.write_bytes("\ufeffa: й\n".encode())
-    assert isinstance(parse(read(good), str(good)), SourceTable)
+    assert isinstance(parse_yaml(read_file_text(good), str(good)), SourceTable)
     for data, piece in (
         (b"a: 1\nb: \xff\n", ":2: byte 0xff"),
         ("a: 1".encode("utf-16"), "UTF-16"),
@@ -115,7 +115,7 @@ def test_reading_files(tmp_path):
         bad = tmp_path / "bad.yaml"
         bad.write_bytes(data)
         with pytest.raises(SceneError) as caught:
-            read(bad)
+            read_file_text(bad)
         assert piece in str(caught.value) and "bad.yaml" in str(caught.value)
 
 
@@ -130,7 +130,7 @@ def test_what_is_no_file(tmp_path):
         ("a\ud800", "be read"),
     ):
         with pytest.raises(SceneError, match=piece):
-            read(tmp_path / name)
+            read_file_text(tmp_path / name)
 
 
 def filled(unit, before="", after=""):
@@ -182,11 +182,11 @@ HOSTILE += [
 def test_hostile_files_take_a_bounded_time(number):
     with at_most(20_000_000):
         try:
-            assert isinstance(parse(HOSTILE[number], "s"), SourceTable)
+            assert isinstance(parse_yaml(HOSTILE[number], "s"), SourceTable)
         except SceneError as error:
             assert str(error)
 
 
 def test_a_file_of_too_many_words_is_refused_by_their_count_not_by_a_clock():
-    with pytest.raises(SceneError, match=f"more than {source.MAX_PARTS}"):
-        parse(filled("1,", "a: [", "]"), "s")
+    with pytest.raises(SceneError, match=f"more than {source.MAX_YAML_PARTS}"):
+        parse_yaml(filled("1,", "a: [", "]"), "s")

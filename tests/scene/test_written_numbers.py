@@ -20,26 +20,26 @@ def test_a_decimal_is_known_where_it_stands_and_no_reckoned_number_is() -> None:
     mechanism = loads(SCENE).mechanism
     assert mechanism
     written = mechanism.written
-    assert written.decimal(mechanism.links["1"].points["B"].real) == "0.1234567890123456789"
-    assert written.decimal(-mechanism.drive.velocity) == "-0.1234567890123456789"
-    assert written.decimal(mechanism.links["2"].points["C"].real) == ""
-    assert written.decimal(mechanism.links["3"].points["S"].real) == "-0.31"
+    assert written.decimal_of_number(mechanism.links["1"].points["B"].real) == "0.1234567890123456789"
+    assert written.decimal_of_number(-mechanism.drive.velocity) == "-0.1234567890123456789"
+    assert written.decimal_of_number(mechanism.links["2"].points["C"].real) == ""
+    assert written.decimal_of_number(mechanism.links["3"].points["S"].real) == "-0.31"
     assert written.places[mechanism.frame.points["D"]] == (0.7, -12.3)
 
 
 def test_two_decimals_of_one_double_are_none() -> None:
     written = WrittenNumbers()
     for text in ("0.1", "0.10", "-1e-1"):
-        written.note(float(text), text)
-    assert written.decimal(0.1) == "0.1"
-    written.note(0.1, "0.1000000000000000055")
-    assert written.decimal(0.1) == ""
+        written.remember_number_text(float(text), text)
+    assert written.decimal_of_number(0.1) == "0.1"
+    written.remember_number_text(0.1, "0.1000000000000000055")
+    assert written.decimal_of_number(0.1) == ""
 
 
 def test_a_place_written_both_ways_is_not_known() -> None:
     written = WrittenNumbers()
-    written.note(0.3, "0.3")
-    written.note_place(0.3 + 0.4j, 0.5, 53.13)
-    written.note_place(0.3 + 0.4j)
-    assert written.places[0.3 + 0.4j] == () and written.decimal(0.3) == ""
-    assert written.decimal(0.5) == "0.5"  # a sum of halves is its own double
+    written.remember_number_text(0.3, "0.3")
+    written.remember_polar_place(0.3 + 0.4j, 0.5, 53.13)
+    written.remember_polar_place(0.3 + 0.4j)
+    assert written.places[0.3 + 0.4j] == () and written.decimal_of_number(0.3) == ""
+    assert written.decimal_of_number(0.5) == "0.5"  # a sum of halves is its own double

@@ -16,10 +16,10 @@ from typing import Any
 import pytest
 import yaml
 
-from planes.course.survey import lines_of
-from planes.drafting.drawing import run
+from planes.course.survey import survey_rows
+from planes.drafting.drawing import draw_program
 from planes.plans import plans_of
-from planes.plans.scales import scales
+from planes.plans.scales import plan_scales
 from planes.scene import load
 from tests.helpers import ROOT
 from tests.helpers.comparing import Drawn, closing_mm, differences, expected, measured_closing_mm, power
@@ -118,8 +118,8 @@ def drawn(path: Path, variant: str) -> Drawn:
     scene = load(path, variant)
     assert scene.mechanism
     plans = plans_of(scene.mechanism)
-    mu = dict(scales(plans, scene.mu, {}))
-    return Drawn(scene, plans, mu, run(plans.program, {**plans.given, **mu}))
+    mu = dict(plan_scales(plans, scene.mu, {}))
+    return Drawn(scene, plans, mu, draw_program(plans.program, {**plans.given, **mu}))
 
 
 def independent(d: Drawn, scene: Mapping[str, Any]) -> Solution:
@@ -154,10 +154,10 @@ def test_all_variants_against_the_independent_solver(path: Path) -> None:
 @pytest.mark.few(2, slow=12)
 @pytest.mark.parametrize("path", FILES, ids=[p.stem for p in FILES])
 def test_the_table_of_all_positions_lists_what_is_not_in_full(path: Path) -> None:
-    lines = lines_of((str(path), "en", None))
+    lines = survey_rows((str(path), "en", None))
     assert "".join(line.variant for line in lines) == VARIANTS
     for line in lines:
-        assert line.right and line.balancing is not None and line.difference is not None, line
+        assert line.is_right and line.balancing is not None and line.difference is not None, line
         exception = EXCEPTIONS.get(int(path.stem))
         assert len(line.remarks) == (exception is not None)
         assert exception is None or line.remarks[0].startswith(exception)

@@ -17,7 +17,7 @@ import pytest
 import planes
 from planes.cli import main
 from planes.solving.building import Linkage
-from planes.words import langs
+from planes.words import available_languages
 from tests.helpers import ROOT
 
 
@@ -190,7 +190,7 @@ def test_refusals_of_what_was_built_in_python_show_calls(build: Callable[[], pla
     with pytest.raises(planes.PlanesError) as refused:
         linkage.scene()
     assert said in str(refused.value)
-    for lang in langs("structure"):
+    for lang in available_languages("structure"):
         told = refused.value.told(lang)
         assert not re.search(r"(assembly|drive|frame|friction|find|links): |\bkey\b|ключ", told), told
     with pytest.raises(planes.PlanesError) as refused:

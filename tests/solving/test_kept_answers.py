@@ -17,7 +17,7 @@ import pytest
 
 from planes.batch.cycle import Cycle
 from planes.scene import load
-from planes.solving import plans_of, solve
+from planes.solving import plans_for_requested_results, solve
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT
 
@@ -33,7 +33,7 @@ def told(path: Path) -> dict[str, Any]:
     out: dict[str, Any] = {"solved": solved(scene)}
     if scene.mechanism is None or not scene.mechanism.links:
         return out
-    every = plans_of(scene)
+    every = plans_for_requested_results(scene)
     steps = [(type(s).__name__, getattr(s, "makes", "")) for s in every[0].program.steps]
     proofs = sorted(f"{type(p).__name__} {p.reason} {p.plan}" for p in every[0].program.proofs)
     out["steps"] = hashlib.sha256(json.dumps([steps, proofs]).encode()).hexdigest()[:16]
@@ -41,7 +41,7 @@ def told(path: Path) -> dict[str, Any]:
     reach = 360.0 / TURNS if drive.kind == "phi" else 0.004
     values = drive.position + reach * np.arange(TURNS)
     (block,) = cycle.blocks(values, fast=False)
-    bounds = cycle.claims.bounds(values)
+    bounds = cycle.error_claims.error_bounds_of_columns(values)
     out["refused"] = [str(cycle.reasons[code - 1]) if code else "" for code in block.codes.tolist()]
     out["columns"] = {c.name: [short(block.table[k]), short(bounds[k])] for k, c in enumerate(cycle.columns)}
     return out

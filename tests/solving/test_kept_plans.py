@@ -14,12 +14,12 @@ from typing import Any
 
 import pytest
 
-from planes.lesson.told import Told
-from planes.plans.assur.alignment import aligned
+from planes.lesson.told import SceneLesson
+from planes.plans.assur.alignment import self_aligning_variant
 from planes.scene import load
-from planes.solving import plans_of, solve
+from planes.solving import plans_for_requested_results, solve
 from planes.solving.given import GivenTable
-from planes.solving.structure_text import alignment_report, structure_report
+from planes.solving.structure_text import alignment_report, structure_report_text
 from planes.words.errors import PlanesError
 from planes.words.naming import Naming
 from tests.helpers import ROOT
@@ -35,22 +35,22 @@ def drawn(path: Path) -> dict[str, Any]:
     scene = load(str(path))
     out: dict[str, Any] = {}
     try:
-        lesson = Told.of(scene, centres=True)
+        lesson = SceneLesson.of(scene, centres=True)
         things = {name: place(thing) for name, thing in lesson.drawing.things.items()}
         out["things"] = {name: z for name, z in sorted(things.items()) if z is not None}
         frames = [(f.key, f.plan, f.chapter, f.makes, f.uses, str(f.terms), str(f.rows)) for f in lesson.frames]
         program = lesson.plans.program
-        reads = [(type(s).__name__, s.makes, sorted(map(str, s.reads()))) for s in program.steps]
-        proofs = sorted(f"{type(p).__name__} {p.reason} {p.plan} {sorted(p.reads)}" for p in program.proofs)
+        reads = [(type(s).__name__, s.makes, sorted(map(str, s.input_names()))) for s in program.steps]
+        proofs = sorted(f"{type(p).__name__} {p.reason} {p.plan} {sorted(p.names_read)}" for p in program.proofs)
         stated = [str(x) for x in (*lesson.plans.segments, *lesson.plans.equations, *lesson.plans.moments)]
         out["program"] = hashlib.sha256(json.dumps([reads, proofs, stated]).encode()).hexdigest()[:16]
         out["frames"] = hashlib.sha256(json.dumps(frames).encode()).hexdigest()[:16]
     except PlanesError as error:
         out["lesson"] = str(error)
     if scene.mechanism is not None and scene.mechanism.links:
-        (plans, *_) = plans_of(scene)
-        out["structure"] = structure_report(plans.structure, "en", scene.mechanism.frame_number)
-        out["aligned"] = said(lambda: alignment_report(aligned(plans), "en"))
+        (plans, *_) = plans_for_requested_results(scene)
+        out["structure"] = structure_report_text(plans.structure, "en", scene.mechanism.frame_number)
+        out["aligned"] = said(lambda: alignment_report(self_aligning_variant(plans), "en"))
     out["given"] = said(lambda: data(scene))
     return out
 
@@ -58,8 +58,11 @@ def drawn(path: Path) -> dict[str, Any]:
 def data(scene: Any) -> str:
     """The table of what is given, with its laws."""
     position = solve(scene).positions[0]
-    table = GivenTable(position, Naming("ru", **position.plans.lettering), scene.parameters)
-    return "; ".join(" ".join(row) for row in (*table.rows(), *table.laws(), *([f] for f in table.formulas())))
+    table = GivenTable(position, Naming("ru", **position.plans.lettering_settings), scene.parameters)
+    return "; ".join(
+        " ".join(row)
+        for row in (*table.given_rows(), *table.load_law_rows(), *([f] for f in table.load_law_formulas()))
+    )
 
 
 def said(act: Any) -> str:

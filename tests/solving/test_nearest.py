@@ -10,8 +10,8 @@ from collections.abc import Callable
 import pytest
 
 from planes.scene import loads
-from planes.solving import plans_of, solve
-from planes.solving.nearest import Nearest, _Side, nearest
+from planes.solving import plans_for_requested_results, solve
+from planes.solving.nearest import Nearest, _Side, nearest_working_position
 from tests.helpers.near_limits import PRP, RPR, RRP, RRR
 
 PLACES = 1.01e-4  # degrees: the last place printed
@@ -42,7 +42,7 @@ def checked(found: tuple[str, Callable[[float], bool], list[float]], value: floa
     text, works, ends = found
     if works(value):
         return ""
-    near = nearest(plans_of(loads(text))[0], value)
+    near = nearest_working_position(plans_for_requested_results(loads(text))[0], value)
     if near is None:
         assert not ends, (text, value)
         return "none"
@@ -78,12 +78,12 @@ def test_a_range_narrower_than_the_last_place_is_found_and_told() -> None:
 def test_values_between_two_that_work_are_looked_through_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """As often as the gaps: two, to both sides; in any order, a turn on and back."""
     text, works, ends = slider(0.691, 0.156, -0.234)
-    plans, looked = plans_of(loads(text))[0], list[float]()
-    first = _Side.first
-    monkeypatch.setattr(_Side, "first", lambda side: (looked.append(side.value), first(side))[1])
+    plans, looked = plans_for_requested_results(loads(text))[0], list[float]()
+    first = _Side.first_working_position
+    monkeypatch.setattr(_Side, "first_working_position", lambda side: (looked.append(side.value), first(side))[1])
     values, many = [v for v in (76.0, 100.0, 30.0, 270.0, 436.0, -284.0, 96.5) if not works(v)], Nearest(plans)
     for value in values:
-        near = many.to(value)
+        near = many.nearest_to_position(value)
         away = min(abs(math.remainder(end - value, 360.0)) for end in ends)
         assert near is not None and works(near) and abs(abs(near - value) - away) <= PLACES, value
     assert len(values) == 7 and len(looked) == 4

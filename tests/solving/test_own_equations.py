@@ -6,7 +6,7 @@ import pytest
 
 from planes.scene import load, loads
 from planes.solving import solve
-from planes.solving.tables import report
+from planes.solving.tables import solve_report_text
 from planes.words.errors import SceneError
 from tests.helpers import ROOT
 
@@ -52,7 +52,7 @@ def test_a_coriolis_part_left_out_is_named() -> None:
     names = {s.name for s in solved.plans.segments if s.plan == "acceleration"}
     coriolis = next(n for n in names if n.endswith("^k"))
     (equation,) = [
-        e for e in solved.plans.equations if coriolis in {t.name for t in e.terms} and e.plan == "acceleration"
+        e for e in solved.plans.equations if coriolis in {t.name for t in e.all_terms} and e.plan == "acceleration"
     ][:1]
     first = [t.name for t in equation.chains[0]]
     last = [t.name for t in equation.chains[1]]
@@ -63,7 +63,7 @@ def test_a_coriolis_part_left_out_is_named() -> None:
 
 def test_tables_and_refusals() -> None:
     scene = loads(SIX + 'equations: ["v_C = v_B + v_CB", "a_C = a_B + a_CB^t"]\n')
-    text = report(solve(scene), "ru")
+    text = solve_report_text(solve(scene), "ru")
     assert "Свои уравнения" in text and "замыкается" in text and "не хватает a_CB^n" in text
     with pytest.raises(SceneError) as refusal:
         solve(loads(SIX + 'equations: ["v_Y = v_B + v_Z"]\n'))

@@ -9,7 +9,7 @@ import pytest
 from planes.cli import main
 from planes.scene import load, loads
 from planes.solving import solve
-from planes.solving.remedies import remedy
+from planes.solving.remedies import remedy_positions
 from tests.helpers import ROOT
 
 SIX = str(ROOT / "samples" / "six-link.yaml")
@@ -29,7 +29,7 @@ gravity: 9.81
 def test_a_plan_that_does_not_fit_gets_a_smaller_scale() -> None:
     solved = solve(load(SIX), [129.6, 150.0])
     assert solved.positions[0].scales["mu_velocity"] == 30
-    remedy(solved)
+    remedy_positions(solved)
     blunt, sharp = solved.positions
     assert blunt.scales["mu_velocity"] == 2 and sharp.scales["mu_velocity"] == 30
     assert any("it is drawn at μ = 2 mm/(m/s)" in w for w in blunt.results["warnings"])
@@ -39,7 +39,7 @@ def test_a_plan_that_does_not_fit_gets_a_smaller_scale() -> None:
 def test_a_change_point_is_carried_on_from_the_side_the_driver_comes() -> None:
     solved = solve(loads(PARALLELOGRAM), [180.0, 90.0])
     assert len(solved.failed) == 1
-    remedy(solved)
+    remedy_positions(solved)
     p, _ = solved.positions
     assert not solved.failed and p.results["interpolated"] == [170.0, 175.0]
     assert p.results["links"]["3"]["omega"] == pytest.approx(10)
@@ -55,13 +55,13 @@ def test_positions_stay_in_the_order_they_were_asked_in(values: list[float]) -> 
     solved = solve(loads(PARALLELOGRAM), values)
     failed = [f["phi_deg"] for f in solved.failed]
     assert failed and [p.at for p in solved.positions] == [v for v in values if v not in failed]
-    remedy(solved)
+    remedy_positions(solved)
     assert [p.at for p in solved.positions] == [p.results["phi_deg"] for p in solved.positions] == values
 
 
 def test_beyond_a_limit_of_assembly_nothing_is_made_up() -> None:
     solved = solve(load(SIX), [129.0])
-    remedy(solved)
+    remedy_positions(solved)
     assert len(solved.failed) == 1 and not solved.positions
 
 

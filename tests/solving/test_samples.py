@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 
-from planes.plans.measuring import say_plan
+from planes.plans.measuring import plan_name_in_words
 from planes.scene import Scene, load
 from planes.solving import Position, Solved, solve
-from planes.words.names import at
+from planes.words.names import full_mark_name
 from tests.helpers import ROOT
 from tests.helpers.oracle import Solution, follow
 from tests.helpers.oracle import solve as oracle_solve
@@ -73,7 +73,7 @@ def names(position: Position) -> dict[str, Any]:
     reactions = {k: r["force"] if isinstance(r, dict) else r for k, r in found["reactions"].items()}
     segments = {s["name"]: s["value"] for p in found["plans"].values() for s in p["segments"].values()}
     vectors = {
-        s.name: (position.drawing[at(s.plan, s.end)] - position.drawing[at(s.plan, s.start)])
+        s.name: (position.drawing[full_mark_name(s.plan, s.end)] - position.drawing[full_mark_name(s.plan, s.start)])
         / position.scales[f"mu_{s.plan}"]
         for s in position.plans.segments
         if s.plan in found["plans"]
@@ -301,13 +301,15 @@ def test_plans_of_the_kinds_look_well(name: str) -> None:
     warning."""
     found = solved(name).positions[0].results
     assert not found["warnings"]
-    assert solved(name).plans.structure.groups[0].name == (name.split("-")[2].upper() if "kind" in name else "RRR")
+    assert solved(name).plans.structure.groups[0].pair_letters == (
+        name.split("-")[2].upper() if "kind" in name else "RRR"
+    )
     for plan, drawn in found["plans"].items():
         kind = plan.partition(":")[0]
         if kind == "position":
             continue
         lengths = [s["mm"] for s in drawn["segments"].values()]
-        assert say_plan(plan, "en") and max(lengths) <= 160, plan
+        assert plan_name_in_words(plan, "en") and max(lengths) <= 160, plan
         least = 0.5 if kind == "force" else 1
         assert all(mm >= least or mm < 1e-9 for mm in lengths), (plan, drawn["segments"])
         assert all(s > math.sin(math.radians(20)) for s in drawn["sharpness"].values()), plan

@@ -2,13 +2,13 @@
 
 import pytest
 
-from planes.lesson.conditions import conditions
+from planes.lesson.conditions import condition_sentences
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import loads
 from planes.solving import solve
 from planes.solving.given import GivenTable
-from planes.solving.tables import report
-from planes.solving.text_tables import evened
+from planes.solving.tables import solve_report_text
+from planes.solving.text_tables import rows_with_equal_decimals
 from planes.words.naming import Naming
 
 OFFSET = """
@@ -47,18 +47,18 @@ gravity: 0
     ],
 )
 def test_numbers_of_a_column_have_as_many_decimals(column: list[str], even: list[str]) -> None:
-    assert [row[1] for row in evened([("1.5", cell) for cell in column])] == even
+    assert [row[1] for row in rows_with_equal_decimals([("1.5", cell) for cell in column])] == even
 
 
 def test_an_offset_is_given_once_and_every_mass_centre_is_named() -> None:
     scene = loads(OFFSET)
     (position,) = solve(scene).positions
-    names = [row.name for row in GivenTable(position, Naming("en"), scene.used).listed()]
+    names = [row.name for row in GivenTable(position, Naming("en"), scene.used).listed_givens()]
     assert "e = −y_{x–x}" in names and "y_{x–x}" not in names
-    assert any("1 — ⟨O⟩, 2 — ⟨S2⟩, 3 — ⟨B⟩" in told for told in conditions(scene_plans(scene), "ru"))
+    assert any("1 — ⟨O⟩, 2 — ⟨S2⟩, 3 — ⟨B⟩" in told for told in condition_sentences(scene_plans(scene), "ru"))
 
 
 def test_a_force_polygon_of_rounding_alone_is_nothing() -> None:
     solved = solve(loads(AXIS))
     assert {plan["mu"] for name, plan in solved.positions[0].results["plans"].items() if "force" in name} == {"1 mm/N"}
-    assert report(solved, "en").count("all its forces are zero; there is nothing to draw") == 2
+    assert solve_report_text(solved, "en").count("all its forces are zero; there is nothing to draw") == 2

@@ -9,18 +9,18 @@ from math import radians, remainder
 
 import pytest
 
-from planes.diagrams.turn import turn_of
+from planes.diagrams.turn import whole_turn_of
 from planes.drafting.instruments import Pencil
 from planes.lesson.transfers import TransferFunctions
-from planes.plans.measuring import lettering
+from planes.plans.measuring import scene_lettering
 from planes.plans.statements.of_scene import scene_plans
-from planes.plans.transfers import analogue_units, transfers
+from planes.plans.transfers import analogue_units, transfer_functions
 from planes.scene import Scene, load, loads
-from planes.solving import Position, plans_of, solve
-from planes.solving.tables import report
+from planes.solving import Position, plans_for_requested_results, solve
+from planes.solving.tables import solve_report_text
 from planes.words.errors import SceneError
 from planes.words.naming import Naming
-from planes.words.read_off import measured
+from planes.words.read_off import read_off_text
 from tests.helpers import ROOT
 from tests.helpers.mechanisms import KINDS, make, to_yaml
 from tests.helpers.oracle import solve as solve_independently
@@ -63,14 +63,17 @@ def test_they_are_differences_of_places_by_the_driver_s(seed: int) -> None:
 def test_the_sheet_the_note_the_curves_and_solve_tell_the_same(name: str) -> None:
     scene = load(ROOT / "samples" / f"{name}.yaml")
     one = position(scene, find=None)
-    naming, text = Naming("en", **lettering(scene, one.plans)), report(solve(replace(scene, find=None)))
-    found = {f"{measured(x, 'en')}" for x in one.results["transfers"].values() if abs(x) > 1e-12}
-    rows = [row for row in TransferFunctions(one, naming).rows() if row[2] != "0"]
+    naming, text = (
+        Naming("en", **scene_lettering(scene, one.plans)),
+        solve_report_text(solve(replace(scene, find=None))),
+    )
+    found = {f"{read_off_text(x, 'en')}" for x in one.results["transfers"].values() if abs(x) > 1e-12}
+    rows = [row for row in TransferFunctions(one, naming).transfer_rows() if row[2] != "0"]
     assert rows and {row[2] for row in rows} <= found
     assert "Transfer functions" in text
     names = [n for n in one.results["transfers"] if n[:2] in ("u_", "om")]
-    curves = turn_of(one.plans, [f"omegaq_{n.rpartition('q')[2]}" if n[0] == "o" else n for n in names])
-    sample = curves.sample([one.at])
+    curves = whole_turn_of(one.plans, [f"omegaq_{n.rpartition('q')[2]}" if n[0] == "o" else n for n in names])
+    sample = curves.sample_columns([one.at])
     for n, curve in zip(names, curves.curves, strict=True):
         assert one.results["transfers"][n] == pytest.approx(float(curve.read(sample)[0]), rel=1e-9, abs=1e-12)
 
@@ -80,10 +83,13 @@ def test_asked_for_alone_only_what_leads_to_them_is_drawn() -> None:
     asked = position(scene, find=("u_31", "v_qC"))
     assert asked.results["transfers"] == pytest.approx({"u_31": 0.8012676, "v_qC": 0.1201901}, rel=1e-6)
     assert set(asked.results) == {"phi_deg", "transfers", "warnings"}
-    assert asked.plans.drawn == ("position", "velocity")
-    assert len(asked.plans.program.steps) < len(plans_of(replace(scene, find=None))[0].program.steps) / 4
+    assert asked.plans.plan_names == ("position", "velocity")
+    assert (
+        len(asked.plans.program.steps)
+        < len(plans_for_requested_results(replace(scene, find=None))[0].program.steps) / 4
+    )
     assert asked.value("vq_C") == asked.value("v_qC")
-    assert [c.name for c in turn_of(position(scene, find=None).plans, ["v_qC"]).curves] == ["vq_C"]
+    assert [c.name for c in whole_turn_of(position(scene, find=None).plans, ["v_qC"]).curves] == ["vq_C"]
 
 
 def test_a_pencil_s_slips_are_in_them_as_its_own_segments_tell() -> None:
@@ -103,13 +109,13 @@ def test_a_driver_at_rest_has_none_and_a_wrong_name_is_refused() -> None:
     scene = load(SIX)
     for name, valid in (("u_61", "u_41"), ("v_qX", "v_qL"), ("u_11", "u_41")):
         with pytest.raises(SceneError, match=f"no quantity {name};.*did you mean {valid}"):
-            plans_of(replace(scene, find=(name,)))
+            plans_for_requested_results(replace(scene, find=(name,)))
     still = loads(SIX.read_text(encoding="utf-8").replace("omega: -20", "omega: 0"), "still.yaml")
     assert still.mechanism is not None
     assert still.mechanism.drive.velocity == 0
     assert "transfers" not in position(still, find=None).results
     with pytest.raises(SceneError, match="u_31"):
-        plans_of(replace(still, find=("u_31",)))
+        plans_for_requested_results(replace(still, find=("u_31",)))
 
 
 @pytest.mark.parametrize(
@@ -118,7 +124,7 @@ def test_a_driver_at_rest_has_none_and_a_wrong_name_is_refused() -> None:
 def test_they_have_the_units_of_derivatives_by_the_driver_s_place(sample: str, units: dict[str, str]) -> None:
     """By an angle in radians, or by metres; so are those of the accelerations."""
     plans = scene_plans(load(ROOT / f"samples/{sample}.yaml"))
-    told = {name: d.unit for d in transfers(plans) for name in d.names}
+    told = {name: d.unit for d in transfer_functions(plans) for name in d.names}
     for head, unit in units.items():
         named = [u for name, u in told.items() if name.startswith(head)]
         assert named and set(named) == {unit}

@@ -10,11 +10,11 @@ from itertools import pairwise
 
 import pytest
 
-from planes.accuracy.errors import add_errors
+from planes.accuracy.errors import add_errors_to_results
 from planes.drafting.instruments import Instrument, Pencil
 from planes.scene import Scene, loads
 from planes.solving import Position, Solved, solve
-from planes.solving.explaining import explain
+from planes.solving.explaining import explain_steps
 from planes.words.errors import SceneError
 
 FORCES = """planes: 1
@@ -50,7 +50,7 @@ def drawn(scene: Scene | str, by: Instrument | None = None) -> Position:
 
 def with_errors(scene: Scene | str, by: Instrument | None = None) -> Solved:
     found = solve(loads(scene) if isinstance(scene, str) else scene, instrument=by)
-    add_errors(found, by)
+    add_errors_to_results(found, by)
     return found
 
 
@@ -184,7 +184,7 @@ def test_what_would_change_nothing_is_refused(text, words):
 def test_find_draws_no_more_than_it_needs():
     scene = loads(CHAIN + "find: [v_C]\n")
     found = drawn(scene)
-    assert list(vectors(found)) == ["v_C"] and "vectors:l" not in found.drawing and "dropped" in explain(scene)
+    assert list(vectors(found)) == ["v_C"] and "vectors:l" not in found.drawing and "dropped" in explain_steps(scene)
     assert vectors(found)["v_C"] == pytest.approx(vectors(drawn(CHAIN))["v_C"])
 
 

@@ -15,12 +15,12 @@ import pytest
 from planes import solve
 from planes.cli import main
 from planes.scene import Scene, load
-from planes.solving import plans_of
+from planes.solving import plans_for_requested_results
 from planes.studio import gallery
-from planes.studio.gallery import OWN, drawn_at, motion_of
-from planes.words import langs
+from planes.studio.gallery import OWN_SCENE_FOLDERS, motion_of_points, point_places_at
+from planes.words import available_languages
 
-CLASSICS = sorted(OWN[0].glob("*.yaml"))
+CLASSICS = sorted(OWN_SCENE_FOLDERS[0].glob("*.yaml"))
 BOUNDED = (  # their drivers do not go round
     *("antiparallelogram-doors", "bicycle-suspension", "chebyshev-line", "dump-truck", "elliptic-trammel"),
     *("evans-grasshopper", "excavator-bucket", "garage-door", "hart-inversor", "landing-gear", "parallelogram-lift"),
@@ -31,7 +31,7 @@ PASSIVE = ("elliptic-trammel", "parallelogram-lift")
 
 
 def scene(name: str) -> Scene:
-    return load(OWN[0] / f"{name}.yaml")
+    return load(OWN_SCENE_FOLDERS[0] / f"{name}.yaml")
 
 
 def size(name: str, *names: str) -> list[float]:
@@ -42,9 +42,9 @@ def size(name: str, *names: str) -> list[float]:
 
 def places(name: str, point: str, values: Iterable[float]) -> list[complex]:
     """Where a point is at places of the driver, all of which can be drawn."""
-    plans, _ = plans_of(scene(name), shown=True)
+    plans, _ = plans_for_requested_results(scene(name), shown=True)
     asked = [float(x) for x in values]
-    found, works = drawn_at(plans, asked)
+    found, works = point_places_at(plans, asked)
     assert len(works) == len(asked)
     path = found[point]
     assert isinstance(path, list)
@@ -63,12 +63,12 @@ def test_there_are_as_many_as_a_gallery_needs() -> None:
 @pytest.mark.parametrize("path", CLASSICS, ids=lambda p: p.stem)
 def test_a_classic_solves_has_its_titles_and_moves(path: Path) -> None:
     found = load(path)
-    assert {*found.title} == {*langs("studio")} == {"en", "ru", "uk", "be"} and all(found.title.values())
+    assert {*found.title} == {*available_languages("studio")} == {"en", "ru", "uk", "be"} and all(found.title.values())
     here = solve(found)
     assert here.results["reactions"] and found.mechanism is not None
     warned = [w for w in here.results.get("warnings") or [] if "drawing is inaccurate" not in w]
     assert len(warned) == (2 if path.stem in PASSIVE else 0)
-    own = motion_of(found)
+    own = motion_of_points(found)
     counts = {len(z) for z in own["motion"].values()}
     assert len(counts) == 1 and counts.pop() >= 8
     assert own["round"] == (path.stem not in BOUNDED)
@@ -88,9 +88,9 @@ def near_and_without_leaps(motion: dict[str, list[list[float]]], here: Mapping[s
 
 
 def test_the_gallery_shows_every_classic_in_its_own_shape(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    shutil.copy(OWN[0] / "stephenson-gear.yaml", tmp_path)
-    monkeypatch.setattr(gallery, "OWN", ())
-    (shown,) = gallery.shelf([str(tmp_path)])
+    shutil.copy(OWN_SCENE_FOLDERS[0] / "stephenson-gear.yaml", tmp_path)
+    monkeypatch.setattr(gallery, "OWN_SCENE_FOLDERS", ())
+    (shown,) = gallery.gallery_entries([str(tmp_path)])
     assert shown["name"] == "stephenson-gear" and "III(2;3;4;5)" in shown["formula"]
 
 
@@ -207,7 +207,7 @@ def test_the_scissors_stay_level_and_close_as_they_should() -> None:
 
 
 def test_leaves_of_a_bus_door_close_together() -> None:
-    left, right = (motion_of(scene("antiparallelogram-doors"))["motion"][x] for x in ("E", "F"))
+    left, right = (motion_of_points(scene("antiparallelogram-doors"))["motion"][x] for x in ("E", "F"))
     shut = min(range(len(left)), key=lambda k: abs(left[k][1]))
     assert abs(right[shut][1]) < 0.03 and 0.03 < right[shut][0] - left[shut][0] < 0.1
 
@@ -244,7 +244,7 @@ def test_a_four_bar_is_what_the_rule_of_grashof_says(name: str) -> None:
     turns = lengths[0] + lengths[3] < lengths[1] + lengths[2]
     said = {frame: "double crank", crank: "crank and rocker", coupler: "double rocker"}[lengths[0]] if turns else ""
     assert (said or "double rocker") == kind
-    assert motion_of(scene(name))["round"] == (kind != "double rocker")
+    assert motion_of_points(scene(name))["round"] == (kind != "double rocker")
 
 
 # --- strokes

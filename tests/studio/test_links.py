@@ -17,9 +17,18 @@ from planes.cli import main
 from planes.documents.check import write_blank
 from planes.documents.sheets import sheet_of
 from planes.scene import loads
-from planes.studio.links import LEAST_MM, RAW, RIM, cells, link, module_mm, pressed, scene_text
+from planes.studio.links import (
+    CODE_RIM_MODULES,
+    LEAST_MODULE_MM,
+    RAW_DEFLATE_WINDOW_BITS,
+    code_module_mm,
+    qr_code_cells,
+    scene_text,
+    studio_link,
+    text_in_link_letters,
+)
 from planes.words.errors import SceneError
-from render.sheet.studio_code import code_view
+from render.sheet.studio_code import studio_code_view
 from tests.helpers import ROOT
 
 ADDRESS = "https://planes.example.org/studio/"
@@ -35,13 +44,21 @@ process.stdout.write(JSON.stringify(found));
 
 def unpressed(letters: str) -> str:
     """The text of a link, by the standard library."""
-    return zlib.decompress(base64.urlsafe_b64decode(letters + "=" * (-len(letters) % 4)), RAW).decode()
+    return zlib.decompress(
+        base64.urlsafe_b64decode(letters + "=" * (-len(letters) % 4)), RAW_DEFLATE_WINDOW_BITS
+    ).decode()
 
 
 @pytest.mark.skipif(not shutil.which("node"), reason="node is not here")
 def test_the_page_reads_what_is_pressed_here_and_the_other_way_round() -> None:
     texts = [TEXT, "", "planes: 1\n# Пример ё 𝛚\n", scene_text(loads(TEXT))]
-    argv = ["node", "--input-type=module", "-e", NODE, json.dumps([[text, pressed(text)] for text in texts])]
+    argv = [
+        "node",
+        "--input-type=module",
+        "-e",
+        NODE,
+        json.dumps([[text, text_in_link_letters(text)] for text in texts]),
+    ]
     found = json.loads(subprocess.run(argv, capture_output=True, check=True, text=True, encoding="utf-8").stdout)
     for text, (opened, theirs) in zip(texts, found, strict=True):
         assert opened == text and unpressed(theirs) == text
@@ -49,14 +66,17 @@ def test_the_page_reads_what_is_pressed_here_and_the_other_way_round() -> None:
 
 def test_a_link_holds_the_same_mechanism_without_the_address() -> None:
     scene = loads(TEXT)
-    address, _, letters = link(scene).partition("#s=")
+    address, _, letters = studio_link(scene).partition("#s=")
     text = unpressed(letters)
     again = loads(text)
     assert address == ADDRESS and again.mechanism == scene.mechanism
     assert dict(again.sheet) == {"number": "7"} and "#" not in text
     other = scene.with_parameters(l_AB=0.13)
     assert loads(scene_text(other)).mechanism == other.mechanism
-    assert link(loads(TEXT.partition("sheet:")[0])) == "" and cells(loads(TEXT.partition("sheet:")[0])) == []
+    assert (
+        studio_link(loads(TEXT.partition("sheet:")[0])) == ""
+        and qr_code_cells(loads(TEXT.partition("sheet:")[0])) == []
+    )
 
 
 @pytest.mark.skipif(not shutil.which("node"), reason="node is not here")
@@ -71,15 +91,15 @@ def test_what_no_code_holds_is_refused_in_a_sentence() -> None:
     draw = random.Random(4)
     note = "".join(draw.choices("abcdefghijklmnopqrstuvwxyz0123456789", k=4000))
     with pytest.raises(SceneError, match="177 modules"):
-        cells(loads(TEXT.replace("'7'", f"'{note}'")))
-    count = len(cells(loads(TEXT)))
-    least = LEAST_MM * (count + 2 * RIM)
-    assert module_mm(loads(TEXT), count, least, 0.4) == pytest.approx(LEAST_MM)
+        qr_code_cells(loads(TEXT.replace("'7'", f"'{note}'")))
+    count = len(qr_code_cells(loads(TEXT)))
+    least = LEAST_MODULE_MM * (count + 2 * CODE_RIM_MODULES)
+    assert code_module_mm(loads(TEXT), count, least, 0.4) == pytest.approx(LEAST_MODULE_MM)
     with pytest.raises(SceneError, match=f"{count} modules a side and needs {round(least)} mm"):
-        module_mm(loads(TEXT), count, least - 0.1, 0.4)
+        code_module_mm(loads(TEXT), count, least - 0.1, 0.4)
     small = loads(TEXT.replace("'7'", f"'{note[:900]}', format: A3"))
     with pytest.raises(SceneError, match="larger format"):
-        code_view(small, "en")
+        studio_code_view(small, "en")
 
 
 @pytest.mark.parametrize("address", ["ftp://a.b", "https://a b", "https://a.b/#s=", "studio"])
@@ -105,10 +125,10 @@ def read(pdf: Path) -> list[str]:
 def test_a_sheet_and_a_blank_are_read_back(tmp_path: Path) -> None:
     scene = loads(TEXT)
     sheet_of(scene, None, "ru").write(tmp_path / "sheet.pdf")
-    assert read(tmp_path / "sheet.pdf") == [link(scene)]
+    assert read(tmp_path / "sheet.pdf") == [studio_link(scene)]
     write_blank(Asked(scene, "velocity"), str(tmp_path / "blank.pdf"), "ru")
     front, back = read(tmp_path / "blank.pdf")
-    assert front.startswith("planes2|") and back == link(scene)
+    assert front.startswith("planes2|") and back == studio_link(scene)
 
 
 @pytest.mark.slow

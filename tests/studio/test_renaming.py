@@ -8,16 +8,16 @@ from pathlib import Path
 
 import pytest
 
-from planes.plans.quantities import catalogue
+from planes.plans.quantities import quantities_by_name
 from planes.scene import loads
-from planes.solving import plans_of
+from planes.solving import plans_for_requested_results
 from planes.solving.of_scene import solve
-from planes.studio.answers import answer
-from planes.studio.renaming import renamed
+from planes.studio.answers import answer_to_message
+from planes.studio.renaming import text_with_renamed_part
 from planes.studio.text_edits import Edited
-from planes.words import langs
+from planes.words import available_languages
 from planes.words.errors import PlanesError
-from planes.words.lettering import spelt
+from planes.words.lettering import terminal_spelling
 from tests.sample_oracle import SAMPLES
 
 SCENES = [
@@ -42,11 +42,11 @@ def test_a_mechanism_with_other_names_moves_as_before(path: Path) -> None:
     text = now = path.read_text("utf-8")
     mechanism = loads(text).mechanism
     assert mechanism
-    points = {p: f"T{k}" for k, p in enumerate(mechanism.names)}
+    points = {p: f"T{k}" for k, p in enumerate(mechanism.point_names)}
     links = {x: f"{k + 31}" for k, x in enumerate(mechanism.links)}
     for kind, names in (("point", points), ("link", links)):
         for name, to in names.items():
-            now = renamed(now, kind, name, to).text
+            now = text_with_renamed_part(now, kind, name, to).text
     assert re.findall("#.*", now) == re.findall("#.*", text)
     old, new = solve(loads(text)), solve(loads(now))
     assert new.omega == pytest.approx({links[x]: w for x, w in old.omega.items()}, rel=1e-9, abs=1e-12)
@@ -57,15 +57,20 @@ def test_a_mechanism_with_other_names_moves_as_before(path: Path) -> None:
 
 def asked_in_letterings(text: str, count: int) -> str:
     """The text with results asked for in the lettering of any sheet: R_63, Φ_2, M_зр, a_CB^τ, in Latin and Cyrillic."""
-    text = Edited(text).without(("find",)).text
-    plans, _ = plans_of(loads(text), shown=True)
-    known, draw = catalogue(plans), random.Random(7)
-    names = plans.naming.names(known, poles=False)
-    ways = {spelt(way) for name in known for one in plans.naming.others for way in one.lettered(name)}
+    text = Edited(text).without_key(("find",)).text
+    plans, _ = plans_for_requested_results(loads(text), shown=True)
+    known, draw = quantities_by_name(plans), random.Random(7)
+    names = plans.default_naming.name_finder(known, poles=False)
+    ways = {
+        terminal_spelling(way)
+        for name in known
+        for one in plans.default_naming.other_namings
+        for way in one.all_letterings(name)
+    }
     ways |= {way.translate(str.maketrans("ABCEKM", "АВСЕКМ")) for way in ways}
-    sound = sorted(way for way in ways if names.find(way) and re.fullmatch(r"[\w^,]{1,20}", way))
+    sound = sorted(way for way in ways if names.find_name(way) and re.fullmatch(r"[\w^,]{1,20}", way))
     some = draw.sample(sound, min(count, len(sound)))
-    return Edited(text).put(("find",), str(some).replace("'", '"')).text
+    return Edited(text).with_value(("find",), str(some).replace("'", '"')).text
 
 
 @pytest.mark.few(2, slow=40)
@@ -75,8 +80,8 @@ def test_results_asked_for_in_any_lettering_follow_their_point(path: Path) -> No
     text = now = asked_in_letterings(path.read_text("utf-8"), 12)
     mechanism = loads(text).mechanism
     assert mechanism
-    for k, point in enumerate(mechanism.names):
-        now = renamed(now, "point", point, "ZWVUQXYNΔ"[k % 9] + str(k)).text
+    for k, point in enumerate(mechanism.point_names):
+        now = text_with_renamed_part(now, "point", point, "ZWVUQXYNΔ"[k % 9] + str(k)).text
     old, new = leaves(solve(loads(text)).results), leaves(solve(loads(now)).results)
     assert new == pytest.approx(old, rel=1e-6, abs=1e-9)
 
@@ -95,15 +100,15 @@ def test_results_asked_for_in_any_lettering_follow_their_point(path: Path) -> No
     ],
 )
 def test_a_name_typed_in_another_way_is_understood(typed: str, now: str) -> None:
-    assert f"find: [{now}]\n" in renamed(f"{SIX}find: [{typed}]\n", "point", "C", "K").text
+    assert f"find: [{now}]\n" in text_with_renamed_part(f"{SIX}find: [{typed}]\n", "point", "C", "K").text
 
 
 def test_primed_points_and_links_of_two_digits_are_followed() -> None:
     """A prime belongs to a name; a reaction of link 31 is written with a comma, which is quoted in a list."""
-    primed = renamed(f"{SIX}find: [v_C, a_CB^n]\n", "point", "C", "C'").text
+    primed = text_with_renamed_part(f"{SIX}find: [v_C, a_CB^n]\n", "point", "C", "C'").text
     assert "find: [v_C', a_C'B^n]" in primed
-    assert "find: [v_K, a_KB^n]" in renamed(primed, "point", "C'", "K").text
-    text = renamed(f"{SIX}find: [F_36, F_32]\n", "link", "3", "31").text
+    assert "find: [v_K, a_KB^n]" in text_with_renamed_part(primed, "point", "C'", "K").text
+    text = text_with_renamed_part(f"{SIX}find: [F_36, F_32]\n", "link", "3", "31").text
     assert 'find: ["F_31,6", "F_31,2"]' in text
     assert leaves(solve(loads(text)).results) == pytest.approx(leaves(solve(loads(f"{SIX}find: [F_36, F_32]")).results))
 
@@ -111,13 +116,13 @@ def test_primed_points_and_links_of_two_digits_are_followed() -> None:
 def test_equations_and_curves_of_the_sheet_follow() -> None:
     """Vectors between points of different links too, which nobody would miss: they would pass for unknown ones."""
     text = f"{SIX}sheet: {{diagrams: [v_H, r_H_x, phi_3], hodographs: [a_H]}}\nequations: [v_HB = v_H - v_B]\n"
-    now = renamed(renamed(text, "point", "H", "K").text, "link", "3", "7").text
+    now = text_with_renamed_part(text_with_renamed_part(text, "point", "H", "K").text, "link", "3", "7").text
     assert "diagrams: [v_K, r_K_x, phi_7], hodographs: [a_K]" in now and "[v_KB = v_K - v_B]" in now
 
 
 def test_a_point_may_have_the_letter_of_a_guides_mark() -> None:
     """Its own mark is then another one, as in any scene with such names."""
-    now = renamed(f"{SIX}find: [v_C, a_CB^n]\n", "point", "C", "L").text
+    now = text_with_renamed_part(f"{SIX}find: [v_C, a_CB^n]\n", "point", "C", "L").text
     assert solve(loads(now)).v["L"] == solve(loads(SIX)).v["C"]
 
 
@@ -125,21 +130,21 @@ def test_every_mention_follows_and_nothing_else() -> None:
     """Loads and their laws, masses, what is asked for, equations, friction, assembly; a parameter keeps its name."""
     text = SIX.replace("force: 6000, against: motion", 'force: "3000 + 10*v_H*x_H", direction: 90')
     text += "find: [v_C, a_CB^t, F_32, omega_3]\nfriction: {C: {coefficient: 0.1, radius: 0.01}}\n"
-    point = renamed(text, "point", "C", "K").text
+    point = text_with_renamed_part(text, "point", "C", "K").text
     assert (
         "find: [v_K, a_KB^t, F_32, omega_3]" in point and "friction: {K:" in point and "assembly: {K: right}" in point
     )
     assert "through: K" in point and "K: l_BC" in point and "D: 0, K: l_CD" in point
-    assert "10*v_T*x_T" in renamed(text, "point", "H", "T").text
-    link = renamed(text, "link", "3", "7").text
+    assert "10*v_T*x_T" in text_with_renamed_part(text, "point", "H", "T").text
+    link = text_with_renamed_part(text, "link", "3", "7").text
     assert "find: [v_C, a_CB^t, F_72, omega_7]" in link and "  7: {points: {D: 0" in link
     assert point.count("\n") == text.count("\n") == link.count("\n")
 
 
 @pytest.mark.parametrize("name", ["B", "y-y", "K L", "", "0"])
-@pytest.mark.parametrize("lang", langs())
+@pytest.mark.parametrize("lang", available_languages())
 def test_a_name_that_cannot_be_is_refused_in_a_sentence(name: str, lang: str) -> None:
-    told = answer({"ask": "rename", "text": SIX, "lang": lang, "path": ["point", "C"], "value": name})
+    told = answer_to_message({"ask": "rename", "text": SIX, "lang": lang, "path": ["point", "C"], "value": name})
     assert "text" not in told and len(told["problems"]) == 1 and told["problems"][0]["said"]
     assert name in told["problems"][0]["said"]
 
@@ -147,6 +152,6 @@ def test_a_name_that_cannot_be_is_refused_in_a_sentence(name: str, lang: str) ->
 def test_a_text_that_is_no_mechanism_yet_is_renamed_too() -> None:
     text = "planes: 1\nframe:\n  points: {A: [0, 0]} # here\nlinks:\n  1: {points: {A: 0, B: 0.1}}\n"
     text += "  2: {points: {B: 0, C: 1}}\n"
-    assert renamed(text, "point", "B", "K").text == text.replace("B", "K")
+    assert text_with_renamed_part(text, "point", "B", "K").text == text.replace("B", "K")
     with pytest.raises(PlanesError, match="Z"):
-        renamed(text, "point", "Z", "K")
+        text_with_renamed_part(text, "point", "Z", "K")

@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 from planes.scene import load, loads
-from planes.studio.answers import answer
-from planes.studio.numbers_back import home_of, with_numbers
-from planes.studio.sketch_texts import drawn
+from planes.studio.answers import answer_to_message
+from planes.studio.numbers_back import changeable_numbers, text_with_numbers
+from planes.studio.sketch_texts import text_of_changed_sketch
 from planes.studio.sketches import sketch_of
-from planes.words import langs
+from planes.words import available_languages
 from planes.words.errors import PlanesError
 from tests.sample_oracle import SAMPLES
 
@@ -34,8 +34,8 @@ def test_a_sketch_is_written_as_the_scene_it_was_made_of(path: Path) -> None:
     """From nothing, or into the text it came from, which stays as it is to the last letter."""
     text = path.read_text("utf-8")
     sketch = sketch_of(loads(text))
-    assert drawn(text, sketch).text == text
-    again = sketch_of(loads(drawn("", sketch).text))
+    assert text_of_changed_sketch(text, sketch).text == text
+    again = sketch_of(loads(text_of_changed_sketch("", sketch).text))
     apart = max(math.dist(z, sketch["points"][p]) for p, z in again["points"].items())
     assert apart < NEW * (20 if path.stem in HARD else 1)
     assert again["links"].keys() == sketch["links"].keys() and again["drive"] == sketch["drive"]
@@ -46,18 +46,18 @@ def test_a_sketch_is_written_as_the_scene_it_was_made_of(path: Path) -> None:
 def test_a_number_a_hand_sets_is_that_of_the_text(path: Path) -> None:
     """One number after another, three of each scene: the text says it, and the scene has it."""
     text, draw = path.read_text("utf-8"), random.Random(path.stem)
-    home = home_of(text)
+    home = changeable_numbers(text)
     tried = 0
     for name in draw.sample(sorted(home), len(home)):
         value = float(f"{home[name] * 1.02 or 0.0:.4g}")
         if tried == 3 or not value or value == home[name]:
             continue
         try:
-            edited = with_numbers(text, {name: value})
+            edited = text_with_numbers(text, {name: value})
         except PlanesError:
             continue  # a number that another one of the text makes, or a place where nothing assembles
         tried += 1
-        now = home_of(edited.text)
+        now = changeable_numbers(edited.text)
         assert math.isclose(now[name], value, rel_tol=2e-4), (name, value, now[name])
         assert len(edited.lines) == 1 and len(edited.text.splitlines()) == len(text.splitlines())
     assert tried
@@ -68,8 +68,8 @@ def test_a_hinge_that_is_dragged_changes_the_numbers_that_place_it() -> None:
     text = (SAMPLES / "six-link.yaml").read_text("utf-8")
     sketch = sketch_of(loads(text))
     sketch["points"]["D"][1] += 0.02
-    edited = drawn(text, sketch)
-    assert home_of(edited.text)["place_D.y"] == pytest.approx(-0.25)
+    edited = text_of_changed_sketch(text, sketch)
+    assert changeable_numbers(edited.text)["place_D.y"] == pytest.approx(-0.25)
     assert "c_1: 0.25" in edited.text and edited.text.count("#") == text.count("#")
 
 
@@ -80,14 +80,14 @@ def test_a_link_that_is_added_is_written_and_the_others_stay() -> None:
     sketch["points"] |= {"K": [0.3, 0.0], "M": [0.2, 0.2]}
     sketch["links"] |= {"6": {"points": ["C", "M"], "slides": None, "centre": None}}
     sketch["links"] |= {"7": {"points": ["K", "M"], "slides": None, "centre": None}}
-    found = loads(drawn(text, sketch).text)
+    found = loads(text_of_changed_sketch(text, sketch).text)
     assert {*found.mechanism.links} == {*"1234567"} if found.mechanism else False
     now = sketch_of(found)["points"]
     assert math.dist(now["M"], [0.2, 0.2]) < NEW and math.dist(now["H"], sketch["points"]["H"]) < NEW
 
 
 def ask(what: str, text: str, **more: Any) -> Any:
-    return answer({"id": 1, "ask": what, "text": text, "lang": "en", **more})
+    return answer_to_message({"id": 1, "ask": what, "text": text, "lang": "en", **more})
 
 
 def test_what_is_wrong_has_its_place_and_what_would_be_right() -> None:
@@ -109,8 +109,8 @@ def test_what_is_wrong_has_its_place_and_what_would_be_right() -> None:
 def test_whatever_is_sent_is_answered_with_a_sentence(what: str, text: str) -> None:
     sketch = sketch_of(load(SAMPLES / "six-link.yaml"))
     more = {"sketch": sketch, "numbers": {"l_BC": 1.0}, "path": ["links", "1", "mass"], "value": "1"}
-    for lang in langs("studio"):
-        found = answer({"id": 7, "ask": what, "text": text, "lang": lang, **more})
+    for lang in available_languages("studio"):
+        found = answer_to_message({"id": 7, "ask": what, "text": text, "lang": lang, **more})
         assert found["id"] == 7 and ("text" in found or all(p["said"] and p["line"] for p in found["problems"]))
 
 
@@ -120,7 +120,7 @@ def test_a_new_part_leaves_the_others_as_written() -> None:
     sketch = sketch_of(loads(text))
     sketch["points"]["T"] = [-0.5, 0.1]
     sketch["links"]["2"]["points"].append("T")
-    now = drawn(text, sketch).text.splitlines()
+    now = text_of_changed_sketch(text, sketch).text.splitlines()
     changed = [(a, b) for a, b in zip(text.splitlines(), now, strict=True) if a != b]
     assert len(changed) == 1 and changed[0][1].startswith(changed[0][0].partition("}")[0] + ", T: [")
 
@@ -131,11 +131,11 @@ def test_a_mechanism_goes_through_a_state_that_is_none() -> None:
     full = sketch_of(loads(text))
     less = json.loads(json.dumps(full))
     del less["links"]["5"]
-    told = answer({"ask": "drawn", "text": text, "sketch": less})
+    told = answer_to_message({"ask": "drawn", "text": text, "sketch": less})
     assert told["problems"] and "slides: y-y" not in told["text"] and "C: l_BC" in told["text"]
     again = json.loads(json.dumps(less))
     again["links"]["5"] = full["links"]["5"]
-    told = answer({"ask": "drawn", "text": told["text"], "sketch": again, "was": less})
+    told = answer_to_message({"ask": "drawn", "text": told["text"], "sketch": again, "was": less})
     assert not told["problems"] and "C: l_BC" in told["text"] and "phi: phi_1, omega: -20" in told["text"]
 
 
@@ -152,16 +152,16 @@ def test_a_mechanism_goes_through_a_state_that_is_none() -> None:
 def test_a_number_is_written_in_the_figures_that_were_typed(name: str, value: float, typed: str, line: str) -> None:
     """Where they are that number; a later change by hand keeps the unit."""
     text = (SAMPLES / "kind-1-rrr.yaml").read_text("utf-8").replace("x_D: -0.24", "x_D: -0.25")
-    now = answer({"ask": "numbers", "text": text, "numbers": {name: value}, "said": {name: typed}})["text"]
-    assert line in now and home_of(now)[name] == pytest.approx(value, rel=1e-4)
+    now = answer_to_message({"ask": "numbers", "text": text, "numbers": {name: value}, "said": {name: typed}})["text"]
+    assert line in now and changeable_numbers(now)[name] == pytest.approx(value, rel=1e-4)
     if line.endswith("*0.001,"):
-        assert "l_AB: 315*0.001," in with_numbers(now, {"l_AB": 0.315}).text
+        assert "l_AB: 315*0.001," in text_with_numbers(now, {"l_AB": 0.315}).text
 
 
 def test_a_lesson_with_its_practice_apart_is_the_whole_lesson() -> None:
     """What comes apart, laid over the lesson without it, is what a page of its own has."""
     text = (SAMPLES / "kind-2-rrp.yaml").read_text("utf-8")
-    first, more, full = (answer({"ask": ask, "text": text, **kind})["data"] for ask, kind in APART)
+    first, more, full = (answer_to_message({"ask": ask, "text": text, **kind})["data"] for ask, kind in APART)
     assert first["pending"] and not first["slips"] and not first["practice"] and len(str(first)) < len(str(full))
     assert {k: v for k, v in {**first, **more}.items() if k != "pending"} == full
 
@@ -173,5 +173,5 @@ def test_a_load_goes_with_the_part_it_acts_on() -> None:
     del sketch["links"]["3"]
     sketch["links"]["2"]["points"].remove("E")
     del sketch["points"]["E"]
-    told = answer({"ask": "drawn", "text": text, "sketch": sketch})
+    told = answer_to_message({"ask": "drawn", "text": text, "sketch": sketch})
     assert told["problems"] and "moment: 12" not in told["text"] and "point: E" not in told["text"]

@@ -33,29 +33,29 @@ gravity: 9.81
     ],
 )
 def test_a_part_is_put_and_nothing_else_is_touched(path: tuple[str, ...], value: str, old: str, new: str) -> None:
-    edited = Edited(TEXT).put(path, value)
+    edited = Edited(TEXT).with_value(path, value)
     assert edited.text == TEXT.replace(old, new, 1) and TEXT.count(old) == 1
     changed = [k for k, line in enumerate(edited.text.splitlines(), 1) if line not in TEXT.splitlines()]
     assert list(edited.lines) == changed
 
 
 def test_a_part_is_left_out_with_its_line() -> None:
-    assert Edited(TEXT).without(("links", "2", "mass")).text == TEXT.replace("    mass: 2   # kg\n", "")
-    assert Edited(TEXT).without(("parameters", "l_AB")).text == TEXT.replace("l_AB: 0.1, ", "")
-    assert Edited(TEXT).without(("parameters", "phi_1")).text == TEXT.replace(", phi_1: 50", "")
-    assert Edited(TEXT).without(("loads", "0")).text == TEXT.replace(
+    assert Edited(TEXT).without_key(("links", "2", "mass")).text == TEXT.replace("    mass: 2   # kg\n", "")
+    assert Edited(TEXT).without_key(("parameters", "l_AB")).text == TEXT.replace("l_AB: 0.1, ", "")
+    assert Edited(TEXT).without_key(("parameters", "phi_1")).text == TEXT.replace(", phi_1: 50", "")
+    assert Edited(TEXT).without_key(("loads", "0")).text == TEXT.replace(
         "loads:\n  - {link: 2, point: C, force: 5, direction: 0}\n", ""
     )
-    assert Edited(TEXT).without(("assembly", "C")).text == TEXT
+    assert Edited(TEXT).without_key(("assembly", "C")).text == TEXT
 
 
 def test_an_item_is_added_to_a_list_or_makes_one() -> None:
-    more = Edited(TEXT).appended(("loads",), "{link: 1, moment: 4}")
+    more = Edited(TEXT).with_item(("loads",), "{link: 1, moment: 4}")
     assert yaml.safe_load(more.text)["loads"][1] == {"link": 1, "moment": 4} and more.text.startswith(TEXT[:200])
-    fresh = Edited("planes: 1\n").appended(("loads",), "{link: 1, moment: 4}")
+    fresh = Edited("planes: 1\n").with_item(("loads",), "{link: 1, moment: 4}")
     assert yaml.safe_load(fresh.text)["loads"] == [{"link": 1, "moment": 4}]
-    assert yaml.safe_load(fresh.appended(("loads",), "{link: 2, moment: 1}").text)["loads"][1]["link"] == 2
+    assert yaml.safe_load(fresh.with_item(("loads",), "{link: 2, moment: 1}").text)["loads"][1]["link"] == 2
 
 
 def test_an_empty_text_becomes_one() -> None:
-    assert yaml.safe_load(Edited("").put(("links", "1", "mass"), "2").text) == {"links": {1: {"mass": 2}}}
+    assert yaml.safe_load(Edited("").with_value(("links", "1", "mass"), "2").text) == {"links": {1: {"mass": 2}}}

@@ -11,7 +11,7 @@ import pytest
 from planes.check.grading.paper import read_table
 from planes.cli import main
 from planes.words.errors import PlanesError
-from planes.words.records import as_csv, cell, table_text
+from planes.words.records import csv_text, decode_table, safe_spreadsheet_cell
 from tests.helpers import ROOT
 
 SAMPLES = ROOT / "samples"
@@ -34,19 +34,21 @@ PLAIN = ["", "Иванов", "a=b", "1", "-1.5", "+3", "-1e-9", "−5", "M-1", "
 
 @pytest.mark.parametrize("text", FORMULAS)
 def test_a_formula_is_a_text(text: str) -> None:
-    assert cell(text) == f"'{text}" and cell(cell(text)) == cell(text)
+    assert safe_spreadsheet_cell(text) == f"'{text}" and safe_spreadsheet_cell(
+        safe_spreadsheet_cell(text)
+    ) == safe_spreadsheet_cell(text)
 
 
 def test_a_line_of_the_table_is_one_line() -> None:
-    assert as_csv([["a\r=1+1\n@b", "\n=1"]]) == "\ufeffa =1+1 @b,' =1\n"
+    assert csv_text([["a\r=1+1\n@b", "\n=1"]]) == "\ufeffa =1+1 @b,' =1\n"
 
 
 def test_all_else_stays_as_it_is() -> None:
-    assert [cell(text) for text in PLAIN] == PLAIN
+    assert [safe_spreadsheet_cell(text) for text in PLAIN] == PLAIN
 
 
 def test_a_table_is_read_back() -> None:
-    rows = list(csv.reader(table_text(as_csv([PLAIN, FORMULAS]).encode()).splitlines(keepends=True)))
+    rows = list(csv.reader(decode_table(csv_text([PLAIN, FORMULAS]).encode()).splitlines(keepends=True)))
     assert rows == [PLAIN, [f"'{text}" for text in FORMULAS]]
 
 
@@ -65,7 +67,7 @@ def test_names_that_students_choose_are_no_formulas(tmp_path: Path, capsys: pyte
     assert sorted(row[0] for row in rows[1:]) == sorted(f"'{name}.csv" for name in names)
     course.mkdir()
     shutil.copy(SAMPLES / "assignments/12.yaml", course)
-    listed = as_csv([["name", "group"]]) + "".join('"{0}","{0}"\n'.format(n.replace('"', '""')) for n in names)
+    listed = csv_text([["name", "group"]]) + "".join('"{0}","{0}"\n'.format(n.replace('"', '""')) for n in names)
     (course / "students.csv").write_text(listed, "utf-8")
     (course / "course.yaml").write_text("course: 1\ndocuments: [task]\nlang: en\n", "utf-8")
     assert main(["course", str(course), "--jobs", "1", "--lang", "en"]) == 0

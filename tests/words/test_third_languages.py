@@ -10,12 +10,12 @@ import pytest
 from planes import words
 from planes.cli import main
 from planes.scene import loads
-from planes.words import home_lang, langs, say, stand_ins, table
+from planes.words import available_languages, fallback_languages, home_lang, say, sentence_table
 from tests.helpers import ROOT
 from tests.words.test_words import places
 
 FOLDER = Path(words.__file__).parent
-THIRD = [lang for lang in langs() if len(stand_ins(lang)) > 1]
+THIRD = [lang for lang in available_languages() if len(fallback_languages(lang)) > 1]
 FOREIGN = {"uk": "[ыэъё]", "be": "[ищъ]"}
 """Letters its alphabet has not."""
 Captured = pytest.CaptureFixture[str]
@@ -24,14 +24,14 @@ FOUR_BAR = str(ROOT / "samples" / "kind-1-rrr.yaml")
 
 
 def test_there_are_two_of_them_and_they_are_told_last() -> None:
-    assert langs()[:2] == ("ru", "en") and THIRD == ["be", "uk"]
-    assert all(stand_ins(lang) == (lang, "ru") for lang in THIRD)
+    assert available_languages()[:2] == ("ru", "en") and THIRD == ["be", "uk"]
+    assert all(fallback_languages(lang) == (lang, "ru") for lang in THIRD)
 
 
 @pytest.mark.parametrize("lang", THIRD)
 def test_its_words_are_those_of_the_language_it_leans_on(lang: str) -> None:
     """The same keys, names and numbers, as many forms."""
-    own, other = table(lang), table(stand_ins(lang)[1])
+    own, other = sentence_table(lang), sentence_table(fallback_languages(lang)[1])
     assert own.keys() == other.keys()
     for key, text in own.items():
         assert text.count("|") == other[key].count("|"), key
@@ -55,16 +55,16 @@ def test_commands_speak_it_and_say_what_they_borrow(
     capsys.readouterr()
     assert main(["cycle", FOUR_BAR, "--lang", lang]) == 0
     assert not capsys.readouterr().err
-    monkeypatch.setattr(table(lang), "borrowed", {"help_cycle"})
+    monkeypatch.setattr(sentence_table(lang), "borrowed", {"help_cycle"})
     assert main(["cycle", FOUR_BAR, "--lang", lang]) == 0
     assert capsys.readouterr().err.startswith(f"{lang}: ")
 
 
 def test_nothing_is_borrowed_in_silence_or_without_need(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(table("uk"), "borrowed", set())
-    monkeypatch.delitem(table("uk"), "help_cycle")
-    assert say("plan_velocity", "uk") == "план швидкостей" and not table("uk").borrowed
-    assert say("help_cycle", "uk") == say("help_cycle", "ru") and table("uk").borrowed == {"help_cycle"}
+    monkeypatch.setattr(sentence_table("uk"), "borrowed", set())
+    monkeypatch.delitem(sentence_table("uk"), "help_cycle")
+    assert say("plan_velocity", "uk") == "план швидкостей" and not sentence_table("uk").borrowed
+    assert say("help_cycle", "uk") == say("help_cycle", "ru") and sentence_table("uk").borrowed == {"help_cycle"}
     with pytest.raises(KeyError):
         say("no such key", "uk")
 

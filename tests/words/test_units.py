@@ -5,19 +5,19 @@ import math
 import pytest
 
 from planes.geometry.arithmetic import acos_deg, asin_deg, atan2_deg, atan_deg, cos_deg, sin_deg, tan_deg
-from planes.words import langs, say
-from planes.words.read_off import fixed, measured
+from planes.words import available_languages, say
+from planes.words.read_off import fixed_decimals_text, read_off_text
 from planes.words.units import (
-    PLANS,
+    PLANS_WITH_MU,
     UnitError,
     mu_text,
-    number,
-    prefixed,
-    quantity,
+    number_text,
+    plan_and_convention_of_mu,
     read_mu,
+    significant_digits_text,
     standard_mu,
     standard_scale,
-    written_in,
+    suitable_unit_multiple,
 )
 
 READ = [
@@ -117,12 +117,12 @@ def test_mu_is_written_in_both_conventions():
     assert mu_text(1e-5, "force") == "0.00001 mm/N"
 
 
-@pytest.mark.parametrize("plan", PLANS)
+@pytest.mark.parametrize("plan", PLANS_WITH_MU)
 @pytest.mark.parametrize("lang", ["en", "ru"])
 @pytest.mark.parametrize("mu", [30.0, 1 / 3, 2.5e-5, 1e-9, 1e15, 123456.789, 1 / 0.0333])
 def test_what_is_written_reads_back_exactly(plan, lang, mu):
     assert read_mu(mu_text(mu, plan, lang), plan) == mu
-    assert written_in(mu_text(mu, plan, lang)) == (plan, "mm_per_unit")
+    assert plan_and_convention_of_mu(mu_text(mu, plan, lang)) == (plan, "mm_per_unit")
     assert read_mu(mu_text(mu, plan, lang, "unit_per_mm"), plan) == pytest.approx(mu, rel=5e-3)
 
 
@@ -190,12 +190,12 @@ def test_standard_scale(largest, fit, scale):
     ],
 )
 def test_quantity(args, text):
-    assert quantity(*args) == text
+    assert significant_digits_text(*args) == text
 
 
 def test_a_number_has_a_true_minus_and_the_sign_of_its_language():
-    assert [number(x, "en") for x in (-2.5, -1e-13, -0.0, None)] == ["−2.5", "−1·10⁻¹³", "0", "—"]
-    assert number(-12.3456, "ru", 3) == "−12,3"
+    assert [number_text(x, "en") for x in (-2.5, -1e-13, -0.0, None)] == ["−2.5", "−1·10⁻¹³", "0", "—"]
+    assert number_text(-12.3456, "ru", 3) == "−12,3"
 
 
 def test_sines_are_exact_where_the_answer_is_round():
@@ -241,12 +241,12 @@ def test_sines_agree_with_radians_elsewhere():
     ],
 )
 def test_a_result_has_the_three_digits_a_ruler_tells(value, told):
-    assert measured(value, "ru") == told
-    assert measured(value, "en") == told.replace(",", ".")
+    assert read_off_text(value, "ru") == told
+    assert read_off_text(value, "en") == told.replace(",", ".")
 
 
 def test_millimetres_and_degrees_have_one_digit_after_the_comma():
-    assert [fixed(z, 1, "ru") for z in (60, 73.149, -0.04, -34.74)] == ["60,0", "73,1", "0,0", "−34,7"]
+    assert [fixed_decimals_text(z, 1, "ru") for z in (60, 73.149, -0.04, -34.74)] == ["60,0", "73,1", "0,0", "−34,7"]
 
 
 @pytest.mark.parametrize(
@@ -263,5 +263,5 @@ def test_millimetres_and_degrees_have_one_digit_after_the_comma():
     ],
 )
 def test_a_unit_has_the_prefix_that_suits_its_values(unit: str, most: float, size: float, key: str) -> None:
-    assert prefixed(unit, most) == (size, key)
-    assert all(say(key, lang) for lang in langs())
+    assert suitable_unit_multiple(unit, most) == (size, key)
+    assert all(say(key, lang) for lang in available_languages())

@@ -10,14 +10,14 @@ import pytest
 
 from planes import cli, words
 from planes.scene import loads
-from planes.scene.expressions import evaluate
+from planes.scene.expressions import evaluate_expression
 from planes.scene.ranges import read_range
-from planes.scene.source import parse
+from planes.scene.source import parse_yaml
 from planes.scene.vector_equations import read_equation
 from planes.solving import solve
-from planes.words import Phrase, say, table
+from planes.words import Phrase, say, sentence_table
 from planes.words.errors import PlanesError, PlanFailure, SceneError
-from planes.words.lettering import indexed
+from planes.words.lettering import with_index_markup
 from planes.words.units import read_mu
 from tests.helpers import ROOT
 from tests.helpers.scene_texts import SIX_LINK, VECTORS, changed
@@ -25,8 +25,12 @@ from tests.scene import test_expressions, test_source
 from tests.scene.test_scene_refusals import BAD, BAD_VECTORS
 from tests.words import test_units
 
-FOLDERS = {lang: Path(words.__file__).parent / lang for lang in words.langs() if len(words.stand_ins(lang)) == 1}
-TABLE = {key: (table("ru")[key], table("en")[key]) for key in table("en")}
+FOLDERS = {
+    lang: Path(words.__file__).parent / lang
+    for lang in words.available_languages()
+    if len(words.fallback_languages(lang)) == 1
+}
+TABLE = {key: (sentence_table("ru")[key], sentence_table("en")[key]) for key in sentence_table("en")}
 HOUSES = [Path(words.__file__).parents[1], Path(words.__file__).parents[2] / "render"]
 SOURCES = [p for house in HOUSES for p in house.rglob("*.py") if not p.name.startswith("words")]
 
@@ -107,7 +111,7 @@ def test_no_key_stands_in_two_tables():
         pairs = [
             pair for file in folder.iterdir() for pair in json.loads(file.read_text("utf-8"), object_pairs_hook=list)
         ]
-        assert len(pairs) == len(dict(pairs)) == len(table(lang)) > 1000
+        assert len(pairs) == len(dict(pairs)) == len(sentence_table(lang)) > 1000
 
 
 def test_the_files_of_all_languages_hold_the_same_keys_in_one_order():
@@ -116,7 +120,9 @@ def test_the_files_of_all_languages_hold_the_same_keys_in_one_order():
 
 
 def test_both_languages_hold_the_same_names_and_numbers():
-    for key, (russian, english) in ((k, both) for k, both in TABLE.items() if k not in table("en", "language")):
+    for key, (russian, english) in (
+        (k, both) for k, both in TABLE.items() if k not in sentence_table("en", "language")
+    ):
         assert russian and english and "|" not in english and russian.count("|") <= 1, key
         for form in russian.split("|"):
             assert set(places(form)) == set(places(english)), key
@@ -245,12 +251,12 @@ def test_a_bad_scene_in_both_languages(text, old, new, line):
 
 @pytest.mark.parametrize("text", [text for text, _, line in test_source.BAD if line])
 def test_a_bad_file_in_both_languages(text):
-    assert re.match(r"s\.yaml:\d+: \S", refused(parse, text, "s.yaml"))
+    assert re.match(r"s\.yaml:\d+: \S", refused(parse_yaml, text, "s.yaml"))
 
 
 @pytest.mark.parametrize("text", [text for text, _ in test_expressions.BAD])
 def test_a_bad_expression_in_both_languages(text):
-    refused(evaluate, text, test_expressions.NAMES)
+    refused(evaluate_expression, text, test_expressions.NAMES)
 
 
 @pytest.mark.parametrize(("text", "plan"), [(text, plan) for text, plan, _ in test_units.BAD])
@@ -337,7 +343,7 @@ def test_the_command_line_speaks_the_home_language(monkeypatch, capsys, home, gi
 
 
 def test_names_in_a_sentence_have_indices_and_other_words_have_not() -> None:
-    told = indexed("crank_slider: v_H, F21^t, phi_1, l_AB, omega_2, my_long_word")
+    told = with_index_markup("crank_slider: v_H, F21^t, phi_1, l_AB, omega_2, my_long_word")
     assert told == "crank_slider: v_{H}, F21^{t}, φ_{1}, l_{AB}, ω_{2}, my_long_word"
 
 

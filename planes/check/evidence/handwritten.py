@@ -10,30 +10,65 @@ from dataclasses import dataclass, field, replace
 import numpy
 
 from planes.check.evidence.ink import Ink
-from planes.check.evidence.letter_net import SHAPES, features, odds
-from planes.check.vision.image.opencv import cv, pieces
+from planes.check.evidence.letter_net import LETTER_SHAPES, letter_features, shape_log_probabilities
+from planes.check.vision.image.opencv import connected_components, cv
 from planes.geometry.arrays import Array, Greys
 from planes.geometry.plane import off_segment
 from planes.words.frozen import frozen
 
-SAME = {"I": "|1Ф", "1": "1|", "F": "FR", "0": "0D", "O": "0D", "p": "P", "τ": "t", "S": "5", "Q": "0", "C": "G"}
-SAME |= {"s": "5", "c": "G", "'": "|_*"}
+SHAPES_OF_LETTER = {
+    "I": "|1Ф",
+    "1": "1|",
+    "F": "FR",
+    "0": "0D",
+    "O": "0D",
+    "p": "P",
+    "τ": "t",
+    "S": "5",
+    "Q": "0",
+    "C": "G",
+}
+SHAPES_OF_LETTER |= {"s": "5", "c": "G", "'": "|_*"}
 """For each letter, the shapes it may have besides its own."""
-SOFTENED_MM, ABOUT_MM = 0.12, 1.5  # smoothing of the paper's grain; neighbourhood of the darkest ink
-DARK, LEAST_DARK = 0.45, 0.3  # ink threshold relative to the darkest ink around, and to that of lines
-LEAST_MM, MOST_MM = 0.5, 7.5  # of a piece of a letter
-WIDE_MM, WIDEST_MM = 2.2, 5.0  # a wider piece may be two letters; no letter is wider
-BESIDE_MM, HIGH_MM = 2.0, 6.5  # maximum distance between letters of a word; maximum height of a word
-AROUND_MM, ERASED_MM = 15.0, 0.35  # search distance of names from lines; width of a line's ink to the side
-HALF = 0.3  # half width of a head, relative to its length
-IN_LETTER, IN_WORD, MOST = 3, 16, 400  # maximum number of pieces: of a letter, of a word, in all
-STRAY, LOST, TORN = math.log(0.06), math.log(0.04), math.log(0.7)  # a stray piece, a missing letter, one more piece
-NEVER, OTHER = math.log(1e-3), 0.7  # minimum probability of a shape; odds that a word is none of the names
-ROUNDS = 8  # iterations that assign words to names
-SURE = 0.85  # maximum probability of reading a name correctly
-WARMTH = 1.2  # divisor of logarithms, for calibration: readings at 90 % are right in 90 %
-BY_MM = 7.0  # maximum distance of a name from its point
-NEAR_MM, SOFT_MM, AWAY = 3.5, 2.0, 0.08  # of a name from its vector; softness; probability of a name elsewhere
+GRAIN_SMOOTHING_MM, DARKEST_INK_WINDOW_MM = (
+    0.12,
+    1.5,
+)  # smoothing of the paper's grain; neighbourhood of the darkest ink
+INK_THRESHOLD, LEAST_INK_THRESHOLD = 0.45, 0.3  # ink threshold relative to the darkest ink around, and to that of lines
+SMALLEST_PIECE_MM, LARGEST_PIECE_MM = 0.5, 7.5  # of a piece of a letter
+WIDE_PIECE_MM, WIDEST_LETTER_MM = 2.2, 5.0  # a wider piece may be two letters; no letter is wider
+MOST_LETTER_GAP_MM, MOST_WORD_HEIGHT_MM = (
+    2.0,
+    6.5,
+)  # maximum distance between letters of a word; maximum height of a word
+NAME_SEARCH_DISTANCE_MM, ERASED_LINE_SIDE_MM = (
+    15.0,
+    0.35,
+)  # search distance of names from lines; width of a line's ink to the side
+HEAD_HALF_WIDTH_RATIO = 0.3  # half width of a head, relative to its length
+MOST_PIECES_PER_LETTER, MOST_PIECES_PER_WORD, MOST_PIECES_ON_SHEET = (
+    3,
+    16,
+    400,
+)  # maximum number of pieces: of a letter, of a word, in all
+STRAY_PIECE_LOG_PROB, MISSING_LETTER_LOG_PROB, EXTRA_PIECE_LOG_PROB = (
+    math.log(0.06),
+    math.log(0.04),
+    math.log(0.7),
+)  # a stray piece, a missing letter, one more piece
+LEAST_SHAPE_LOG_PROB, OTHER_WORD_LOG_ODDS = (
+    math.log(1e-3),
+    0.7,
+)  # minimum probability of a shape; odds that a word is none of the names
+NAME_ASSIGNMENT_ROUNDS = 8  # iterations that assign words to names
+MOST_NAME_CERTAINTY = 0.85  # maximum probability of reading a name correctly
+LOG_PROB_TEMPERATURE = 1.2  # divisor of logarithms, for calibration: readings at 90 % are right in 90 %
+MOST_NAME_TO_POINT_MM = 7.0  # maximum distance of a name from its point
+NAME_TO_VECTOR_MM, NAME_DISTANCE_SOFTNESS_MM, DISTANT_NAME_PROBABILITY = (
+    3.5,
+    2.0,
+    0.08,
+)  # of a name from its vector; softness; probability of a name elsewhere
 
 
 @frozen
@@ -44,7 +79,7 @@ class HandWord:
     high: complex
     likely: Mapping[str, float]
 
-    def off(self, a: complex, b: complex) -> float:
+    def distance_to_segment(self, a: complex, b: complex) -> float:
         """The distance of the word's middle line from the segment from a to b."""
         middle = (self.low + self.high) / 2
         spots = (complex(x, middle.imag) for x in (self.low.real, middle.real, self.high.real))
@@ -58,22 +93,32 @@ class HandWords:
     words: Sequence[HandWord] = ()
     known: dict[tuple[str, complex, complex], float] = field(default_factory=dict)
 
-    def price(self, name: str, a: complex, b: complex) -> float:
+    def vector_name_cost(self, name: str, a: complex, b: complex) -> float:
         """The cost of assuming that the vector of a name runs from a to b, from the position of that name."""
         if (key := (name, a, b)) not in self.known:
-            read = [(w.likely.get(name, 0.0), w.off(a, b)) for w in self.words]
-            near = sum(p * max(math.exp(-0.5 * max((off - NEAR_MM) / SOFT_MM, 0.0) ** 2), AWAY) for p, off in read)
+            read = [(w.likely.get(name, 0.0), w.distance_to_segment(a, b)) for w in self.words]
+            near = sum(
+                p
+                * max(
+                    math.exp(-0.5 * max((off - NAME_TO_VECTOR_MM) / NAME_DISTANCE_SOFTNESS_MM, 0.0) ** 2),
+                    DISTANT_NAME_PROBABILITY,
+                )
+                for p, off in read
+            )
             total = sum(p for p, _ in read)
             self.known[key] = -math.log(max(1 - total, 0.0) + near / max(total, 1.0))
         return self.known[key]
 
-    def told(self, rows: Iterable[tuple[str, complex, complex]]) -> float:
+    def total_name_cost(self, rows: Iterable[tuple[str, complex, complex]]) -> float:
         """The cost of assuming these ends of named vectors."""
-        return sum(self.price(n, a, b) for n, a, b in rows)
+        return sum(self.vector_name_cost(n, a, b) for n, a, b in rows)
 
-    def by(self, name: str, z: complex) -> float:
+    def name_probability_at(self, name: str, z: complex) -> float:
         """The probability of a name beside a point."""
-        return max((one.likely.get(name, 0.0) for one in self.words if one.off(z, z) < BY_MM), default=0.0)
+        return max(
+            (one.likely.get(name, 0.0) for one in self.words if one.distance_to_segment(z, z) < MOST_NAME_TO_POINT_MM),
+            default=0.0,
+        )
 
 
 @frozen
@@ -96,24 +141,27 @@ class Erased:
     heads: Sequence[tuple[complex, complex]] = ()
 
 
-def words_beside(ink: Ink, lines: Sequence[Erased], names: Iterable[str]) -> HandWords:
+def read_words_beside_lines(ink: Ink, lines: Sequence[Erased], names: Iterable[str]) -> HandWords:
     """The words around some lines of a sheet, with their probabilities for some names."""
     known, flat, hand_words = tuple(names), ink.flat, list[HandWord]()
-    for row in _rows(_pieces(ink, lines), flat.scale):
-        shapes = _shapes(ink.dark, row, WIDEST_MM * flat.scale)
-        scores = numpy.array([_aligned(len(row), shapes, name) for name in (*known, "")])
-        scores[-1] += OTHER
-        odds = numpy.exp((scores - scores.max()) / WARMTH)
-        low, high = flat.mm(row[0].left, max(p.bottom for p in row)), flat.mm(row[-1].right, min(p.top for p in row))
+    for row in _rows_of_pieces(_letter_pieces(ink, lines), flat.scale):
+        shapes = _shape_log_probabilities(ink.dark, row, WIDEST_LETTER_MM * flat.scale)
+        scores = numpy.array([_name_log_probability(len(row), shapes, name) for name in (*known, "")])
+        scores[-1] += OTHER_WORD_LOG_ODDS
+        odds = numpy.exp((scores - scores.max()) / LOG_PROB_TEMPERATURE)
+        low, high = (
+            flat.px_to_mm(row[0].left, max(p.bottom for p in row)),
+            flat.px_to_mm(row[-1].right, min(p.top for p in row)),
+        )
         hand_words.append(HandWord(low, high, dict(zip(known, (odds / odds.sum()).tolist(), strict=False))))
-    return HandWords(_each_once(hand_words, known))
+    return HandWords(_use_each_name_once(hand_words, known))
 
 
-def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord]:
+def _use_each_name_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord]:
     """The words with each name used only once: the more certain a name is for another word, the less for this one."""
     likely = numpy.array([[word.likely[name] for name in names] for word in words]).reshape(len(words), len(names))
     none = 1 - likely.sum(axis=1, keepdims=True)
-    for _ in range(ROUNDS):
+    for _ in range(NAME_ASSIGNMENT_ROUNDS):
         likely = likely / numpy.maximum(likely.sum(axis=0), 1.0)
         totals = likely.sum(axis=1, keepdims=True) + none
         likely, none = likely / totals, none / totals
@@ -122,37 +170,42 @@ def _each_once(words: Sequence[HandWord], names: Sequence[str]) -> list[HandWord
     ]
 
 
-def _pieces(ink: Ink, lines: Sequence[Erased]) -> list[LetterPiece]:
+def _letter_pieces(ink: Ink, lines: Sequence[Erased]) -> list[LetterPiece]:
     """Pieces of ink off the lines of a sheet, but not far from them."""
-    scale, (labels, stats) = ink.flat.scale, pieces(_off_lines(ink, lines))
+    scale, (labels, stats) = ink.flat.scale, connected_components(_ink_off_lines(ink, lines))
     letters: list[LetterPiece] = []
     for k, (x, y, w, h, _) in enumerate(stats.tolist()):
-        if k and LEAST_MM * scale < max(w, h) < MOST_MM * scale:
+        if k and SMALLEST_PIECE_MM * scale < max(w, h) < LARGEST_PIECE_MM * scale:
             mask = (labels[y : y + h, x : x + w] == k).astype(numpy.uint8)
-            letters += _cut(LetterPiece(x, y, x + w, y + h, mask), WIDE_MM * scale)
-    return letters if len(letters) < MOST else []
+            letters += _split_wide_piece(LetterPiece(x, y, x + w, y + h, mask), WIDE_PIECE_MM * scale)
+    return letters if len(letters) < MOST_PIECES_ON_SHEET else []
 
 
-def _off_lines(ink: Ink, lines: Sequence[Erased]) -> Greys:
+def _ink_off_lines(ink: Ink, lines: Sequence[Erased]) -> Greys:
     """Ink near lines that does not belong to them."""
     cv2, flat = cv(), ink.flat
-    dark = cv2.GaussianBlur(ink.dark, (0, 0), SOFTENED_MM * flat.scale)
-    about = numpy.ones((round(ABOUT_MM * flat.scale),) * 2, numpy.uint8)
+    dark = cv2.GaussianBlur(ink.dark, (0, 0), GRAIN_SMOOTHING_MM * flat.scale)
+    about = numpy.ones((round(DARKEST_INK_WINDOW_MM * flat.scale),) * 2, numpy.uint8)
     middles = numpy.array([x.path[len(x.path) // 2] for x in lines])
-    least = numpy.maximum(DARK * cv2.dilate(dark, about), LEAST_DARK * float(numpy.median(ink.darkest(middles))))
+    least = numpy.maximum(
+        INK_THRESHOLD * cv2.dilate(dark, about), LEAST_INK_THRESHOLD * float(numpy.median(ink.darkest_around(middles)))
+    )
     near = numpy.zeros_like(dark)
-    bent = [numpy.array([flat.px(z) for z in x.path]).round().astype(numpy.int32) for x in lines]
-    cv2.polylines(near, bent, False, 1, round(2 * AROUND_MM * flat.scale))
+    bent = [numpy.array([flat.mm_to_px(z) for z in x.path]).round().astype(numpy.int32) for x in lines]
+    cv2.polylines(near, bent, False, 1, round(2 * NAME_SEARCH_DISTANCE_MM * flat.scale))
     for line, path in zip(lines, bent, strict=True):
-        cv2.polylines(near, [path], False, 0, max(1, round((line.width_mm + ERASED_MM) * flat.scale)))
+        cv2.polylines(near, [path], False, 0, max(1, round((line.width_mm + ERASED_LINE_SIDE_MM) * flat.scale)))
         for tip, back in line.heads:
-            sides = [flat.px(tip + back * off) for off in (0.0, 1 + HALF * 1j, 1 - HALF * 1j)]
+            sides = [
+                flat.mm_to_px(tip + back * off)
+                for off in (0.0, 1 + HEAD_HALF_WIDTH_RATIO * 1j, 1 - HEAD_HALF_WIDTH_RATIO * 1j)
+            ]
             cv2.fillConvexPoly(near, numpy.array(sides).round().astype(numpy.int32), 0)
     ink_off_lines: Greys = near * (dark > least)
     return ink_off_lines
 
 
-def _cut(piece: LetterPiece, wide: float) -> list[LetterPiece]:
+def _split_wide_piece(piece: LetterPiece, wide: float) -> list[LetterPiece]:
     """A wide piece split (recursively) where it has least ink: touching letters."""
     h, w = piece.mask.shape
     if w < wide or h < w / 4:
@@ -160,15 +213,23 @@ def _cut(piece: LetterPiece, wide: float) -> list[LetterPiece]:
     k = round(w / 4) + int(piece.mask[:, round(w / 4) : round(3 * w / 4)].sum(axis=0).argmin())
     at = piece.left + k
     halves = replace(piece, right=at, mask=piece.mask[:, :k]), replace(piece, left=at, mask=piece.mask[:, k:])
-    return [part for half in halves for part in _cut(half, wide)]
+    return [part for half in halves for part in _split_wide_piece(half, wide)]
 
 
-def _rows(pieces: Iterable[LetterPiece], scale: float) -> list[list[LetterPiece]]:
+def _rows_of_pieces(pieces: Iterable[LetterPiece], scale: float) -> list[list[LetterPiece]]:
     """Adjacent pieces, from left to right."""
     rows: list[list[LetterPiece]] = []
     for one in sorted(pieces, key=lambda p: p.left + p.right):
-        near = [r for r in rows if len(r) < IN_WORD and one.left - max(p.right for p in r) < BESIDE_MM * scale]
-        near = [r for r in near if max(p.bottom for p in (*r, one)) - min(p.top for p in (*r, one)) < HIGH_MM * scale]
+        near = [
+            r
+            for r in rows
+            if len(r) < MOST_PIECES_PER_WORD and one.left - max(p.right for p in r) < MOST_LETTER_GAP_MM * scale
+        ]
+        near = [
+            r
+            for r in near
+            if max(p.bottom for p in (*r, one)) - min(p.top for p in (*r, one)) < MOST_WORD_HEIGHT_MM * scale
+        ]
         row = min(near, key=lambda r: abs(one.top + one.bottom - r[-1].top - r[-1].bottom), default=None)
         if row is None:
             rows.append(row := [])
@@ -176,15 +237,17 @@ def _rows(pieces: Iterable[LetterPiece], scale: float) -> list[list[LetterPiece]
     return rows
 
 
-def _shapes(dark: Greys, row: Sequence[LetterPiece], widest: float) -> dict[tuple[int, int], Array]:
+def _shape_log_probabilities(dark: Greys, row: Sequence[LetterPiece], widest: float) -> dict[tuple[int, int], Array]:
     """The log probabilities of each shape for consecutive pieces, from one to before another, as one letter."""
-    spans = [(i, j) for i in range(len(row)) for j in range(i + 1, min(i + IN_LETTER, len(row)) + 1)]
+    spans = [(i, j) for i in range(len(row)) for j in range(i + 1, min(i + MOST_PIECES_PER_LETTER, len(row)) + 1)]
     spans = [(i, j) for i, j in spans if j == i + 1 or max(p.right for p in row[i:j]) - row[i].left < widest]
-    seen = odds(numpy.array([features(_joined(dark, row[i:j])) for i, j in spans]))
-    return dict(zip(spans, seen.clip(NEVER), strict=True))
+    seen = shape_log_probabilities(
+        numpy.array([letter_features(_joined_letter_picture(dark, row[i:j])) for i, j in spans])
+    )
+    return dict(zip(spans, seen.clip(LEAST_SHAPE_LOG_PROB), strict=True))
 
 
-def _joined(dark: Greys, pieces: Sequence[LetterPiece]) -> Greys:
+def _joined_letter_picture(dark: Greys, pieces: Sequence[LetterPiece]) -> Greys:
     """The picture of pieces as one letter."""
     left, top = min(p.left for p in pieces), min(p.top for p in pieces)
     page = numpy.zeros((max(p.bottom for p in pieces) - top, max(p.right for p in pieces) - left), numpy.uint8)
@@ -194,16 +257,22 @@ def _joined(dark: Greys, pieces: Sequence[LetterPiece]) -> Greys:
     return (dark[top:, left:][: len(page), : page.shape[1]] * page)[y : y + h, x : x + w]
 
 
-def _aligned(count: int, shapes: Mapping[tuple[int, int], Array], name: str) -> float:
+def _name_log_probability(count: int, shapes: Mapping[tuple[int, int], Array], name: str) -> float:
     """The log probability that this many pieces in a row are a name: its letters in order, and stray pieces."""
-    ways = [[SHAPES.index(c) for c in SAME.get(char, char) if c in SHAPES] for char in name if char not in "_^"]
-    best = {(0, k): LOST * k for k in range(len(ways) + 1)}
+    ways = [
+        [LETTER_SHAPES.index(c) for c in SHAPES_OF_LETTER.get(char, char) if c in LETTER_SHAPES]
+        for char in name
+        if char not in "_^"
+    ]
+    best = {(0, k): MISSING_LETTER_LOG_PROB * k for k in range(len(ways) + 1)}
     for j in range(1, count + 1):
-        stray = max(float(shapes[j - 1, j][[SHAPES.index("_"), -1]].max()), STRAY)
+        stray = max(float(shapes[j - 1, j][[LETTER_SHAPES.index("_"), -1]].max()), STRAY_PIECE_LOG_PROB)
         for k in range(len(ways) + 1):
-            scores = [best[j - 1, k] + stray, *([best[j, k - 1] + LOST] if k else [])]
-            for i in range(max(0, j - IN_LETTER), j) if k and ways[k - 1] else ():
+            scores = [best[j - 1, k] + stray, *([best[j, k - 1] + MISSING_LETTER_LOG_PROB] if k else [])]
+            for i in range(max(0, j - MOST_PIECES_PER_LETTER), j) if k and ways[k - 1] else ():
                 if (i, j) in shapes:
-                    scores.append(best[i, k - 1] + float(shapes[i, j][ways[k - 1]].max()) + TORN * (j - i - 1))
+                    scores.append(
+                        best[i, k - 1] + float(shapes[i, j][ways[k - 1]].max()) + EXTRA_PIECE_LOG_PROB * (j - i - 1)
+                    )
             best[j, k] = max(scores)
     return best[count, len(ways)]

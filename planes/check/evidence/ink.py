@@ -2,24 +2,24 @@
 
 import numpy
 
-from planes.check.evidence.contrast import inked
-from planes.check.fiducials import INSET_MM, SIDE_MM, Square, squares
-from planes.check.vision.image.opencv import cv, pieces, shrunk
+from planes.check.evidence.contrast import relative_line_darkness
+from planes.check.fiducials import MARK_INSETS_MM, MARK_SIDE_MM, Square, mark_and_code_squares
+from planes.check.vision.image.opencv import connected_components, cv, resize_by_factor
 from planes.check.vision.image.picture import Flat
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
 from planes.words.frozen import frozen, replace
 
-LETTER_MM = 7.5  # smaller separate pieces of ink are letters
-DARK = 0.4  # relative to a line: less is paper, a grid line or an erased line
-LIGHT = 0.3  # relative to a line: paper
-PENCIL = 75  # grey level in the middle of a line
-PAPER = 255 - LIGHT * (255 - PENCIL)  # the limit of paper (with a grid or erased lines)
-EDGE = PAPER - DARK * (PAPER - PENCIL)  # the limit of ink
-RIM_MM = 0.35  # search radius of the darkest ink around a point
-WHITE = 250  # grey level of paper in even light
-TITLE_MM = INSET_MM[1] + SIDE_MM / 2 + 2  # a blank's title is between its upper marks
-PRINTED, FULL = 0.6, 0.2  # relative to paper, printed; black share of a code
-FRAME_MM = (21.5, 8.5)  # width of a sheet's frame: at the left, and at the other edges
+LARGEST_LETTER_MM = 7.5  # smaller separate pieces of ink are letters
+INK_DARKNESS = 0.4  # relative to a line: less is paper, a grid line or an erased line
+PAPER_DARKNESS = 0.3  # relative to a line: paper
+PENCIL_GREY_LEVEL = 75  # grey level in the middle of a line
+PAPER_GREY_LIMIT = 255 - PAPER_DARKNESS * (255 - PENCIL_GREY_LEVEL)  # the limit of paper (with a grid or erased lines)
+INK_GREY_LIMIT = PAPER_GREY_LIMIT - INK_DARKNESS * (PAPER_GREY_LIMIT - PENCIL_GREY_LEVEL)  # the limit of ink
+DARKEST_INK_RADIUS_MM = 0.35  # search radius of the darkest ink around a point
+EVEN_PAPER_GREY_LEVEL = 250  # grey level of paper in even light
+TITLE_HEIGHT_MM = MARK_INSETS_MM[1] + MARK_SIDE_MM / 2 + 2  # a blank's title is between its upper marks
+PRINTED_GREY_RATIO, CODE_BLACK_SHARE = 0.6, 0.2  # relative to paper, printed; black share of a code
+FRAME_WIDTHS_MM = (21.5, 8.5)  # width of a sheet's frame: at the left, and at the other edges
 
 
 @frozen
@@ -33,11 +33,11 @@ class Ink:
     @property
     def mask(self) -> Greys:
         """Where there is ink: ones and zeros, one per pixel."""
-        return (self.even < EDGE).astype(numpy.uint8)
+        return (self.even < INK_GREY_LIMIT).astype(numpy.uint8)
 
-    def darkest(self, z: Complexes) -> Array:
+    def darkest_around(self, z: Complexes) -> Array:
         """The maximum darkness relative to paper around points in mm."""
-        wide = round(2 * RIM_MM * self.flat.scale) | 1
+        wide = round(2 * DARKEST_INK_RADIUS_MM * self.flat.scale) | 1
         dark, local = cv().dilate(self.dark, numpy.ones((wide, wide), numpy.uint8)), (z - self.flat.corner)
         h, w = dark.shape
         down = (h - local.imag * self.flat.scale).clip(0, h - 1).astype(int)
@@ -45,38 +45,40 @@ class Ink:
         return held
 
 
-def ink_of(flat: Flat) -> Ink:
+def drawing_ink(flat: Flat) -> Ink:
     """The ink of a rectified picture, without letters and printed marks."""
-    dark = darkness(flat)
-    shares, followed = inked(dark, flat.scale, 255 - PENCIL, TITLE_MM * (flat.by == "marks"))
+    dark = darkness_over_paper(flat)
+    shares, followed = relative_line_darkness(
+        dark, flat.scale, 255 - PENCIL_GREY_LEVEL, TITLE_HEIGHT_MM * (flat.by == "marks")
+    )
     every = Ink(flat, 255 - shares, dark)
-    labels, sizes = _pieces(flat, every.mask | followed)
-    return replace(every, even=numpy.where(_spread((sizes >= LETTER_MM)[labels]), every.even, 255))
+    labels, sizes = _pieces_and_sizes(flat, every.mask | followed)
+    return replace(every, even=numpy.where(_widen_to_fading_ink((sizes >= LARGEST_LETTER_MM)[labels]), every.even, 255))
 
 
-def darkness(flat: Flat) -> Greys:
+def darkness_over_paper(flat: Flat) -> Greys:
     """The darkness of the picture relative to paper, corrected for uneven light."""
-    even = cv().divide(flat.grey, light_of(flat), scale=float(WHITE))
+    even = cv().divide(flat.grey, paper_light(flat), scale=float(EVEN_PAPER_GREY_LEVEL))
     even = cv().GaussianBlur(even, (0, 0), 0.8)
     if flat.by in ("marks", "frame"):
         _whiten_printed(flat, even)
-    dark: Greys = WHITE - numpy.minimum(even, WHITE)
+    dark: Greys = EVEN_PAPER_GREY_LEVEL - numpy.minimum(even, EVEN_PAPER_GREY_LEVEL)
     return dark
 
 
-def light_of(flat: Flat) -> Greys:
+def paper_light(flat: Flat) -> Greys:
     """The picture of the paper without the drawing."""
     cv2 = cv()
-    light = cv2.dilate(shrunk(flat.grey, 0.25), numpy.ones((7, 7), numpy.uint8))
+    light = cv2.dilate(resize_by_factor(flat.grey, 0.25), numpy.ones((7, 7), numpy.uint8))
     light = cv2.GaussianBlur(light, (0, 0), 0.7 * flat.scale)
     paper: Greys = cv2.resize(light, flat.grey.shape[::-1], interpolation=cv2.INTER_LINEAR)
     return paper
 
 
-def _pieces(flat: Flat, mask: Greys) -> tuple[Indices, Array]:
+def _pieces_and_sizes(flat: Flat, mask: Greys) -> tuple[Indices, Array]:
     """Separate pieces of ink: the number of each pixel's, and their sizes below a blank's title, mm (0: no ink)."""
-    labels, stats = pieces(mask)
-    sizes, title = numpy.maximum(stats[:, 2], stats[:, 3]), round(TITLE_MM * flat.scale)
+    labels, stats = connected_components(mask)
+    sizes, title = numpy.maximum(stats[:, 2], stats[:, 3]), round(TITLE_HEIGHT_MM * flat.scale)
     for k in numpy.flatnonzero(stats[:, 1] < title) if flat.by == "marks" else ():
         left, top, width, height, _ = stats[k]
         below = labels[title : top + height, left : left + width] == k
@@ -85,28 +87,28 @@ def _pieces(flat: Flat, mask: Greys) -> tuple[Indices, Array]:
     return labels, sizes / flat.scale
 
 
-def _spread(where: Booleans) -> Booleans:
+def _widen_to_fading_ink(where: Booleans) -> Booleans:
     """The pixels and their surroundings where ink fades."""
     wider: Greys = cv().dilate(where.astype(numpy.uint8), numpy.ones((9, 9), numpy.uint8))
     return wider > 0
 
 
-def printed_on(flat: Flat) -> list[Square]:
+def printed_squares(flat: Flat) -> list[Square]:
     """Squares of a sheet with printed marks; a code is detected by its ink."""
     if flat.by != "marks":
         return []
-    *marks, (z, reach) = squares(flat.size_mm)
-    (left, low), (right, top) = (flat.px(z + by * reach * (1 + 1j)) for by in (-1, 1))
+    *marks, (z, reach) = mark_and_code_squares(flat.size_mm)
+    (left, low), (right, top) = (flat.mm_to_px(z + by * reach * (1 + 1j)) for by in (-1, 1))
     box = flat.grey[max(int(top), 0) : int(low), int(left) : int(right)]
-    black = (box < PRINTED * numpy.quantile(box, 0.9)).mean()
-    return [*marks, (z, reach)] if black > FULL else marks
+    black = (box < PRINTED_GREY_RATIO * numpy.quantile(box, 0.9)).mean()
+    return [*marks, (z, reach)] if black > CODE_BLACK_SHARE else marks
 
 
 def _whiten_printed(flat: Flat, even: Greys) -> None:
     """Paints over the corner marks, the frame and the area outside it."""
-    for z, reach in printed_on(flat):
-        (x, y), r = flat.px(z), reach * flat.scale
+    for z, reach in printed_squares(flat):
+        (x, y), r = flat.mm_to_px(z), reach * flat.scale
         cv().rectangle(even, (int(x - r), int(y - r)), (int(x + r), int(y + r)), 255, -1)
-    left, other = (int(mm * flat.scale) for mm in FRAME_MM)
+    left, other = (int(mm * flat.scale) for mm in FRAME_WIDTHS_MM)
     even[:other], even[-other:] = 255, 255
     even[:, :left], even[:, -other:] = 255, 255

@@ -11,15 +11,15 @@ import numpy
 from planes.check.evidence.sheet_ink import SheetInk
 from planes.check.explaining import weights as w
 from planes.check.explaining.fitted_marks import fitted_marks
-from planes.check.explaining.plan_lines import END, PlanLines
+from planes.check.explaining.plan_lines import LAST_SIDE_END, PlanLines
 from planes.check.explaining.scorer import Laid, Scorer
 from planes.check.grading.evidence import logistic
-from planes.check.grading.judging import LEFT_OUT
+from planes.check.grading.judging import OMISSION_SUFFIXES
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.sign_faults import DrawnVector, SignFault, arrow_faults
-from planes.check.grading.signs import plan_scaled
+from planes.check.grading.signs import plan_scale_fault
 from planes.geometry.arrays import Array, Booleans, Complexes
-from planes.words.names import POLE
+from planes.words.names import POLE_LABEL
 
 
 @dataclass
@@ -32,190 +32,236 @@ class Explanation:
 
     def __post_init__(self) -> None:
         self.scorer = Scorer(self.plan, self.ink, self.pole)
-        self.laid = self.scorer.weighed()
+        self.laid = self.scorer.rank_drawings()
         if self.plan.kind != "force":
-            best = self.best
+            best = self.likeliest_drawing
             fitted = fitted_marks(self.plan, self.ink, self.pole, self.plan.row(best.places), best.sigmas)
             best.places = dict(zip(self.plan.names, fitted.tolist(), strict=True))
 
     @cached_property
-    def right(self) -> Laid:
+    def right_drawing(self) -> Laid:
         """The right plan, settled on the ink."""
-        return next(one for one in self.laid if one.hypothesis.right)
+        return next(one for one in self.laid if one.hypothesis.is_right)
 
     @cached_property
-    def wrong(self) -> Laid | None:
+    def wrong_drawing(self) -> Laid | None:
         """The likeliest drawing with a mistake that moves a mark."""
         true = self.plan.true
-        mistakes = (one for one in self.laid if not one.hypothesis.right)
-        moved = (one for one in mistakes if any(abs(z - true[n]) > w.MOVED_MM for n, z in one.places.items()))
+        mistakes = (one for one in self.laid if not one.hypothesis.is_right)
+        moved = (
+            one for one in mistakes if any(abs(z - true[n]) > w.LEAST_MISTAKE_SHIFT_MM for n, z in one.places.items())
+        )
         return next(moved, None)
 
     @property
     def chance_wrong(self) -> float:
         """The probability of a mistake, from these two."""
-        if self.wrong is None:
+        if self.wrong_drawing is None:
             return 0.0
-        return logistic(w.ODDS[0] + w.ODDS[1] * (self.wrong.score - self.right.score))
+        return logistic(
+            w.MISTAKE_LOG_ODDS[0] + w.MISTAKE_LOG_ODDS[1] * (self.wrong_drawing.score - self.right_drawing.score)
+        )
 
     @property
-    def best(self) -> Laid:
+    def likeliest_drawing(self) -> Laid:
         """The likelier of the two."""
-        return self.wrong if self.wrong and self.chance_wrong > 0.5 else self.right
+        return self.wrong_drawing if self.wrong_drawing and self.chance_wrong > 0.5 else self.right_drawing
 
     @property
-    def doubt(self) -> float:
+    def chance_of_other_drawing(self) -> float:
         """The probability of the other one."""
         return min(self.chance_wrong, 1 - self.chance_wrong)
 
     @property
-    def share(self) -> float:
+    def sheet_scale(self) -> float:
         """The scale of the sheet as seen: its print scale, or that of the mark that determines it."""
         if self.plan.held is None:
             return self.plan.share
-        free = replace(self.plan, held=None).draw(self.best.hypothesis, {}, 1)
+        free = replace(self.plan, held=None).mark_positions(self.likeliest_drawing.hypothesis, {}, 1)
         mark, where = self.plan.held
         return 1.0 if free is None else float(abs(free[0, self.plan.labels.index(mark)] / where))
 
     @property
-    def explained(self) -> float:
+    def explained_ink_share(self) -> float:
         """The share of the ink around the likeliest drawing that it explains."""
         box = self.scorer.box
         every = float(self.ink.mm[box.holds(self.ink.points)].sum()) if box else 0.0
-        return 1 - self.best.strange / every if every else 0.0
+        return 1 - self.likeliest_drawing.strange / every if every else 0.0
 
-    def exchanged(self) -> list[SignFault]:
+    def swapped_letter_faults(self) -> list[SignFault]:
         """Pairs of swapped letters in a right plan, detected by the marks beside them."""
-        words, right = self.scorer.words, self.best
-        if not right.hypothesis.right or self.doubt > w.ASKED:
+        words, right = self.scorer.words, self.likeliest_drawing
+        if not right.hypothesis.is_right or self.chance_of_other_drawing > w.LEAST_SERIOUS_DOUBT:
             return []
         ends = {n: self.pole + right.places[n] for n in self.plan.labels}
         for one, two in combinations(ends, 2):
-            crossed = words.by(one, ends[two]) * words.by(two, ends[one])
-            straight = words.by(one, ends[one]) * words.by(two, ends[two])
-            apart = abs(ends[one] - ends[two]) > 2 * w.BESIDE_MM
-            if apart and crossed > max(w.CROSSED, w.RATHER * straight):
-                return [SignFault("names_exchanged", one, two, w.EXCHANGED)]
+            crossed = words.name_probability_at(one, ends[two]) * words.name_probability_at(two, ends[one])
+            straight = words.name_probability_at(one, ends[one]) * words.name_probability_at(two, ends[two])
+            apart = abs(ends[one] - ends[two]) > 2 * w.MOST_NAME_DISTANCE_MM
+            if apart and crossed > max(w.LEAST_SWAPPED_NAME_ODDS, w.SWAPPED_OVER_OWN_ODDS * straight):
+                return [SignFault("names_exchanged", one, two, w.SWAPPED_NAMES_CERTAINTY)]
         return []
 
-    def whole_fault(self) -> list[SignFault]:
+    def transformed_plan_faults(self) -> list[SignFault]:
         """The fault of a plan mirrored, turned or at a wrong scale as a whole, its marks being right otherwise."""
-        h, bench = self.best.hypothesis, self.plan.bench
+        h, bench = self.likeliest_drawing.hypothesis, self.plan.bench
         if h.kind == "scaled" and bench.asked.mu:
-            return [plan_scaled(bench, bench.said_mu * abs(h.turn), 1 - self.doubt)]
+            return [plan_scale_fault(bench, bench.said_mu * abs(h.turn), 1 - self.chance_of_other_drawing)]
         if h.mirrored:
-            return [SignFault("plan_mirrored", self.plan.labels[0], POLE, 1 - self.doubt)]
+            return [SignFault("plan_mirrored", self.plan.labels[0], POLE_LABEL, 1 - self.chance_of_other_drawing)]
         angle = math.degrees(math.atan2(h.turn.imag, h.turn.real))
-        fault = SignFault("plan_turned", self.plan.labels[0], POLE, 1 - self.doubt, angle)
+        fault = SignFault("plan_turned", self.plan.labels[0], POLE_LABEL, 1 - self.chance_of_other_drawing, angle)
         return [fault] if h.kind == "turned_whole" else []
 
-    def undone(self, z: complex) -> complex:
+    def undo_transformation(self, z: complex) -> complex:
         """A point of a plan that was mirrored or turned as a whole, transformed back."""
-        h, pole = self.best.hypothesis, self.pole + self.best.places.get(POLE, 0j)
+        h, pole = self.likeliest_drawing.hypothesis, self.pole + self.likeliest_drawing.places.get(POLE_LABEL, 0j)
         if h.mirrored:
             return pole + ((z - pole) / h.turn).conjugate()
         as_one = h.kind == "turned_whole" or (h.kind == "scaled" and self.plan.bench.asked.mu)
         return pole + (z - pole) / h.turn if as_one else z
 
-    def spots(self) -> list[ReadMark]:
+    def seen_marks(self) -> list[ReadMark]:
         """The marks seen, from the pole; for a force polygon the ends of its sides in the order of laying."""
-        best, doubt = self.best, self.doubt if self.doubt > w.NO_DOUBT else 0.0
-        pole = ReadMark(POLE, self.pole + best.places.get(POLE, 0j), w.POLE_MM)
+        best, doubt = (
+            self.likeliest_drawing,
+            self.chance_of_other_drawing if self.chance_of_other_drawing > w.NEGLIGIBLE_DOUBT else 0.0,
+        )
+        pole = ReadMark(POLE_LABEL, self.pole + best.places.get(POLE_LABEL, 0j), w.POLE_SIGMA_MM)
         if self.plan.kind == "force":
-            return [pole, *self._sides(best, doubt)]
+            return [pole, *self._force_side_marks(best, doubt)]
         places = ((n, best.places.get(n, 0j)) for n in self.plan.labels)
-        shown = ((n, z) for n, z in places if best.sigmas.get(n, math.inf) < w.UNSEEN_MM and n != self._left_out)
-        return [pole, *(ReadMark(n, self.undone(self.pole + z), self._error_mm(best, n), doubt) for n, z in shown)]
+        shown = (
+            (n, z)
+            for n, z in places
+            if best.sigmas.get(n, math.inf) < w.UNSEEN_MARK_SIGMA_MM and n != self._omitted_mark
+        )
+        return [
+            pole,
+            *(
+                ReadMark(n, self.undo_transformation(self.pole + z), self._mark_sigma_mm(best, n), doubt)
+                for n, z in shown
+            ),
+        ]
 
     @property
-    def _left_out(self) -> str | None:
+    def _omitted_mark(self) -> str | None:
         """The mark omitted in the likeliest drawing."""
-        hypothesis = self.best.hypothesis
-        return hypothesis.mark if hypothesis.kind.endswith(LEFT_OUT) else None
+        hypothesis = self.likeliest_drawing.hypothesis
+        return hypothesis.mark if hypothesis.kind.endswith(OMISSION_SUFFIXES) else None
 
-    def _sides(self, best: Laid, doubt: float) -> Iterator[ReadMark]:
+    def _force_side_marks(self, best: Laid, doubt: float) -> Iterator[ReadMark]:
         a, b = self.scorer.ends(best)
         for k in best.hypothesis.order or range(len(self.plan.sides)):
             side = self.plan.sides[k]
-            if side.end != self._left_out and abs(b[k] - a[k]) > w.POINT_MM:
-                end = END if self.plan.lines[k][1] == END else side.end
-                yield ReadMark(side.name, self.undone(complex(b[k])), self._error_mm(best, end), doubt)
+            if side.end != self._omitted_mark and abs(b[k] - a[k]) > w.SHORTEST_SIDE_MM:
+                end = LAST_SIDE_END if self.plan.lines[k][1] == LAST_SIDE_END else side.end
+                yield ReadMark(
+                    side.name, self.undo_transformation(complex(b[k])), self._mark_sigma_mm(best, end), doubt
+                )
 
-    def _error_mm(self, best: Laid, name: str) -> float:
+    def _mark_sigma_mm(self, best: Laid, name: str) -> float:
         """σ of a mark's position."""
-        sigma = min(best.sigmas.get(name, 0.0), w.UNSEEN_MM)
-        return math.hypot(w.READ_MM, w.SIGMAS * sigma, w.ASTRAY * best.moved.get(name, 0.0))
+        sigma = min(best.sigmas.get(name, 0.0), w.UNSEEN_MARK_SIGMA_MM)
+        return math.hypot(
+            w.READING_SIGMA_MM, w.SETTLING_SIGMA_FACTOR * sigma, w.SIGMA_PER_MM_MOVED * best.moved.get(name, 0.0)
+        )
 
-    def named(self) -> list[str]:
+    def marks_seen_by_name_only(self) -> list[str]:
         """Marks without ink whose names stand beside their expected positions."""
-        if self.plan.kind == "force" or not self.best.hypothesis.right:
+        if self.plan.kind == "force" or not self.likeliest_drawing.hypothesis.is_right:
             return []
-        hidden = (n for n in self.plan.labels if self.best.sigmas.get(n, math.inf) >= w.UNSEEN_MM)
-        return [n for n in hidden if self.named_there(n) > w.LIKELY]
+        hidden = (
+            n for n in self.plan.labels if self.likeliest_drawing.sigmas.get(n, math.inf) >= w.UNSEEN_MARK_SIGMA_MM
+        )
+        return [n for n in hidden if self.named_there(n) > w.LEAST_NAME_CERTAINTY]
 
     def named_there(self, mark: str) -> float:
         """The probability that the name of a mark stands beside it."""
-        return self.scorer.words.by(mark, self.pole + self.best.places[mark])
+        return self.scorer.words.name_probability_at(mark, self.pole + self.likeliest_drawing.places[mark])
 
-    def untold(self) -> list[str]:
+    def unverified_marks(self) -> list[str]:
         """Marks, or sides of a force polygon, that lie elsewhere in the other drawing where the two are in doubt.
 
         Otherwise, those far off in a drawing that fits the ink as well: that its mistake is rare is no evidence.
         """
-        if not self.right.places:
+        if not self.right_drawing.places:
             return []
-        if self.wrong and (self.best is self.wrong or self.doubt >= w.ASKED):
-            return self._elsewhere([self.wrong], w.MOVED_MM, self.wrong.hypothesis.mark)
-        return self._elsewhere(self.rivals(), w.FAR_OFF_MM)
+        if self.wrong_drawing and (
+            self.likeliest_drawing is self.wrong_drawing or self.chance_of_other_drawing >= w.LEAST_SERIOUS_DOUBT
+        ):
+            return self._displaced_marks(
+                [self.wrong_drawing], w.LEAST_MISTAKE_SHIFT_MM, self.wrong_drawing.hypothesis.mark
+            )
+        return self._displaced_marks(self.rival_drawings(), w.RIVAL_MARK_DISTANCE_MM)
 
-    def rivals(self) -> list[Laid]:
+    def rival_drawings(self) -> list[Laid]:
         """Drawings that fit the ink as well as the best of those with every mark in place."""
         laid = [one for one in self.laid if one.places]
-        here = max(one.evidence for one in laid if (self._off_mm(one) <= w.FAR_OFF_MM).all())
-        return [one for one in laid if here - one.evidence < w.TELLING]
+        here = max(
+            one.score_without_prior
+            for one in laid
+            if (self._distances_from_right_mm(one) <= w.RIVAL_MARK_DISTANCE_MM).all()
+        )
+        return [one for one in laid if here - one.score_without_prior < w.LEAST_EVIDENCE_GAP]
 
-    def _elsewhere(self, drawings: Sequence[Laid], apart_mm: float, blamed: str = "") -> list[str]:
+    def _displaced_marks(self, drawings: Sequence[Laid], apart_mm: float, blamed: str = "") -> list[str]:
         """Marks or sides farther than ``apart_mm`` from the right plan in any of the drawings, and those blamed."""
-        off = numpy.array([self._off_mm(one) > apart_mm for one in (self.right, *drawings)])
+        off = numpy.array([self._distances_from_right_mm(one) > apart_mm for one in (self.right_drawing, *drawings)])
         ends, names = self.plan.labels, self.plan.labels
         if self.plan.sides:
             ends, names = [side.end for side in self.plan.sides], [side.name for side in self.plan.sides]
         return [name for name, end, far in zip(names, ends, off.T, strict=True) if far.any() or end == blamed]
 
-    def _off_mm(self, one: Laid) -> Array:
+    def _distances_from_right_mm(self, one: Laid) -> Array:
         """The distance of each mark, or each side of a force polygon, from that of the right plan."""
-        return numpy.asarray(abs(self._drawn(one) - self._drawn(self.right)))
+        return numpy.asarray(abs(self._drawn_vectors(one) - self._drawn_vectors(self.right_drawing)))
 
-    def _drawn(self, one: Laid) -> Complexes:
+    def _drawn_vectors(self, one: Laid) -> Complexes:
         """The marks of a drawing from the pole; for a force polygon its sides, in any order."""
         places, count = self.plan.row(one.places), len(self.plan.sides)
         sides = places[self.plan.ends[:count]] - places[self.plan.starts[:count]]
         return sides if count else places[: len(self.plan.labels)]
 
-    def faint(self) -> list[str]:
+    def faint_vectors(self) -> list[str]:
         """Vectors whose lines are hardly visible in the likeliest drawing, or whose heads are not at their ends."""
-        return [self._name(k) for k in numpy.flatnonzero(self._gone | self.scorer.headless(self.best)).tolist()]
+        return [
+            self._line_name(k)
+            for k in numpy.flatnonzero(
+                self._lines_with_long_gaps | self.scorer.headless_vectors(self.likeliest_drawing)
+            ).tolist()
+        ]
 
-    def unled(self) -> list[str]:
+    def marks_without_clear_lines(self) -> list[str]:
         """Marks with faint lines only: their positions come from the plan, not from the drawing."""
         plan, needed = self.plan, self.plan.needed
         every = ((n, needed & ((plan.starts == k) | (plan.ends == k))) for k, n in enumerate(plan.names))
-        return [n for n, own in every if n in plan.labels and own.any() and self._gone[own].all()]
+        return [n for n, own in every if n in plan.labels and own.any() and self._lines_with_long_gaps[own].all()]
 
     @cached_property
-    def _gone(self) -> Booleans:
+    def _lines_with_long_gaps(self) -> Booleans:
         """Lines with long gaps."""
-        a, b = self.scorer.ends(self.best)
-        gaps = [self.ink.longest_gap(p, q) if abs(q - p) > w.LONG_MM else 0.0 for p, q in zip(a, b, strict=True)]
-        return numpy.asarray(self.plan.needed & (numpy.array(gaps) > w.TORN_MM))
+        a, b = self.scorer.ends(self.likeliest_drawing)
+        gaps = [
+            self.ink.longest_gap(p, q) if abs(q - p) > w.VISIBLE_LINE_MM else 0.0 for p, q in zip(a, b, strict=True)
+        ]
+        return numpy.asarray(self.plan.needed & (numpy.array(gaps) > w.MOST_LINE_GAP_MM))
 
-    def reversed_vectors(self) -> list[SignFault]:
+    def reversed_vector_faults(self) -> list[SignFault]:
         """Vectors of the right plan that have their heads at their starts, where most others have them right."""
         how, lines = {1.0: DrawnVector("end"), -2.0: DrawnVector("start")}, self.plan.lines
-        names = [("", self._name(k)) if k < len(self.plan.sides) else line for k, line in enumerate(lines)]
-        seen = {n: how[h] for n, h in zip(names, self.scorer.heads_seen(self.best).tolist(), strict=True) if h in how}
-        return [replace(f, chance_wrong=w.TURNED) for f in arrow_faults(seen)] if self.best.hypothesis.right else []
+        names = [("", self._line_name(k)) if k < len(self.plan.sides) else line for k, line in enumerate(lines)]
+        seen = {
+            n: how[h]
+            for n, h in zip(names, self.scorer.drawing_head_states(self.likeliest_drawing).tolist(), strict=True)
+            if h in how
+        }
+        return (
+            [replace(f, chance_wrong=w.REVERSED_VECTOR_CHANCE) for f in arrow_faults(seen)]
+            if self.likeliest_drawing.hypothesis.is_right
+            else []
+        )
 
-    def _name(self, k: int) -> str:
+    def _line_name(self, k: int) -> str:
         plan, line = self.plan, self.plan.lines[k]
-        return plan.sides[k].name if k < len(plan.sides) else plan.bench.vectors.get(line) or line[1]
+        return plan.sides[k].name if k < len(plan.sides) else plan.bench.vector_names.get(line) or line[1]

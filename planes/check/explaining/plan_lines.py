@@ -8,8 +8,8 @@ from itertools import combinations
 
 import numpy
 
-from planes.check.explaining.weights import SHORT_MM
-from planes.check.grading.polygons import Side, sides_of
+from planes.check.explaining.weights import SHORTEST_LINE_MM
+from planes.check.grading.polygons import Side, polygon_sides
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.variants import Variant
 from planes.drafting.steps import Step
@@ -17,12 +17,18 @@ from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Many, Point
 from planes.geometry.arrays import Array, Booleans, Complexes
 from planes.words.frozen import frozen
-from planes.words.names import POLE, at, kind_of, label_of
+from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_kind
 
-END = "end"  # end of a force polygon's last side: at the pole, if the polygon closes
-HINGE_MM, SUPPORT_MM = 3.0, 9.5  # around a point of a scheme, and a support or slider, ink belongs to symbols
-HIDDEN_MM, RUNS_ON_MM = 0.8, 30.0  # part of a link's line under symbols at its ends; overrun of guides beyond sliders
-UPON_MM = 0.6  # coincident lines are no farther apart
+LAST_SIDE_END = "end"  # end of a force polygon's last side: at the pole, if the polygon closes
+HINGE_SYMBOL_RADIUS_MM, SUPPORT_SYMBOL_RADIUS_MM = (
+    3.0,
+    9.5,
+)  # around a point of a scheme, and a support or slider, ink belongs to symbols
+HIDDEN_LINE_END_MM, GUIDE_OVERRUN_MM = (
+    0.8,
+    30.0,
+)  # part of a link's line under symbols at its ends; overrun of guides beyond sliders
+COINCIDENT_LINES_MM = 0.6  # coincident lines are no farther apart
 Line = tuple[str, str]
 
 
@@ -43,7 +49,7 @@ class Hypothesis:
     order: tuple[int, ...] = ()
 
     @property
-    def right(self) -> bool:
+    def is_right(self) -> bool:
         """Whether there is no mistake."""
         return self.kind == "right"
 
@@ -55,8 +61,8 @@ class _Nudging(Tool):
         super().__init__(Many(), True, shape=(count,))
         self.nudges = nudges
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
-        made = super().make(step, way, things)
+    def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Point:
+        made = super().draw_by_other_steps(step, way, things)
         if step.makes in self.nudges:
             made = things[step.makes] = made + self.nudges[step.makes]
         return made
@@ -77,31 +83,37 @@ class PlanLines:
     sides: list[Side] = field(default_factory=list)  # of a force polygon, from the pole round to its end
 
     def __post_init__(self) -> None:
-        self.kind = kind_of(self.bench.asked.plan)
+        self.kind = plan_kind(self.bench.asked.plan)
         self.labels = [label_of(m) for m in self.bench.marks]
-        self.names = [*self.labels, *([END] if self.kind == "force" else []), POLE]  # the last ones have no steps
-        self.lines, needed = self._lines()
+        self.names = [
+            *self.labels,
+            *([LAST_SIDE_END] if self.kind == "force" else []),
+            POLE_LABEL,
+        ]  # the last ones have no steps
+        self.lines, needed = self._lines_and_needed()
         self.needed: Booleans = numpy.array(needed)
         self.starts, self.ends = (numpy.array([self.names.index(line[k]) for line in self.lines]) for k in (0, 1))
-        self.true = {POLE: 0j, END: 0j, **self.bench.true_marks}
+        self.true = {POLE_LABEL: 0j, LAST_SIDE_END: 0j, **self.bench.true_marks}
 
-    def _lines(self) -> tuple[list[Line], list[bool]]:
-        known, plan = {POLE, *self.labels}, self.bench.asked.plan
+    def _lines_and_needed(self) -> tuple[list[Line], list[bool]]:
+        known, plan = {POLE_LABEL, *self.labels}, self.bench.asked.plan
         if self.kind == "position":
-            return self._links()
+            return self._link_sides_and_needed()
         if self.kind == "force":
-            every = [s for s in sides_of(self.bench.plans, plan) if {s.start, s.end} <= known]
-            self.sides = longest_round(every)
+            every = [s for s in polygon_sides(self.bench.plans, plan) if {s.start, s.end} <= known]
+            self.sides = longest_closed_path(every)
             inner = [(s.start, s.end) for s in every if s not in self.sides]
             ring = [(s.start, s.end) for s in self.sides]
-            return [*ring[:-1], *((a, END) for a, _ in ring[-1:]), *inner], [True] * len(ring) + [False] * len(inner)
-        own = [v for v in self.bench.vectors if {*v} <= known]
-        corners = {label_of(m) for m in self.bench.program.corners}
-        sums = [(a, d) for a, b in own for c, d in own if b == c and b in corners and a not in (d, POLE)]
+            return [*ring[:-1], *((a, LAST_SIDE_END) for a, _ in ring[-1:]), *inner], [True] * len(ring) + [
+                False
+            ] * len(inner)
+        own = [v for v in self.bench.vector_names if {*v} <= known]
+        corners = {label_of(m) for m in self.bench.program.component_end_marks}
+        sums = [(a, d) for a, b in own for c, d in own if b == c and b in corners and a not in (d, POLE_LABEL)]
         lines = [*dict.fromkeys([*own, *sums])]
         return lines, [not any((a, m) in own and (m, b) in own for m in corners) for a, b in lines]
 
-    def _links(self) -> tuple[list[Line], list[bool]]:
+    def _link_sides_and_needed(self) -> tuple[list[Line], list[bool]]:
         """The sides of links and which are needed: the longest of a straight link, the first of any other."""
         lines: dict[Line, bool] = {}
         for link in self.bench.plans.mechanism.links.values():
@@ -113,42 +125,48 @@ class PlanLines:
                 lines.setdefault(pair, straight or {*pair} == {*points[:2]})
         return [*lines], [*lines.values()]
 
-    def signs(self, places: Complexes) -> tuple[Complexes, Complexes, Complexes, Array]:
+    def extra_symbols(self, places: Complexes) -> tuple[Complexes, Complexes, Complexes, Array]:
         """What else may be drawn, row by row: the guides of a scheme by their two ends, its other symbols by centre and
         radius, mm; of a force polygon, the normal force and the friction of each leaning reaction."""
         none = numpy.zeros((len(places), 0), complex)
         at_ = {n: places[:, k] for k, n in enumerate(self.names)}
         if self.kind != "position":
-            leant = [(at_[a], at_[b], u) for a, b, u, _ in self.bench.leaning if {a, b} <= at_.keys()]
+            leant = [(at_[a], at_[b], u) for a, b, u, _ in self.bench.leaning_reactions if {a, b} <= at_.keys()]
             corners = [b + ((a - b) * u.conjugate()).real * u for a, b, u in leant]
             starts, ends = [*(a for a, _, _ in leant), *corners], [*corners, *(b for _, b, _ in leant)]
             sides = [numpy.stack(z, axis=1) if z else none for z in (starts, ends)]
             return sides[0], sides[1], none, numpy.zeros(0)
         mechanism = self.bench.plans.mechanism
-        reach = dict.fromkeys(self.names, HINGE_MM) | dict.fromkeys((*mechanism.frame.points, POLE), SUPPORT_MM)
+        reach = dict.fromkeys(self.names, HINGE_SYMBOL_RADIUS_MM) | dict.fromkeys(
+            (*mechanism.frame.points, POLE_LABEL), SUPPORT_SYMBOL_RADIUS_MM
+        )
         ways: list[tuple[Complexes, Complexes]] = []
         for link in mechanism.links.values():
             slider = next(iter(link.points))
             if link.slides is None or slider not in at_:
                 continue
-            guide, reach[slider] = mechanism.guide(link.slides.guide), SUPPORT_MM
+            guide, reach[slider] = mechanism.guide(link.slides.guide), SUPPORT_SYMBOL_RADIUS_MM
             of_frame = guide.name in mechanism.frame.guides
             if (base := slider if of_frame else str(guide.through_point)) in at_:
                 off = numpy.nan_to_num(at_[slider] - at_[base])
                 way = cmath.rect(1, math.radians(guide.angle_deg)) if of_frame else off / numpy.maximum(abs(off), 1e-6)
-                ways.append((at_[base] - RUNS_ON_MM * way, at_[slider] + RUNS_ON_MM * way))
+                ways.append((at_[base] - GUIDE_OVERRUN_MM * way, at_[slider] + GUIDE_OVERRUN_MM * way))
         shown = [n for n in reach if n in at_]
         a, b = (numpy.stack([w[k] for w in ways], axis=1) if ways else none for k in (0, 1))
         return a, b, numpy.stack([at_[n] for n in shown], axis=1), numpy.array([reach[n] for n in shown])
 
-    def draw(self, hypothesis: Hypothesis, nudges: Mapping[str, complex | Array], count: int) -> Complexes | None:
+    def mark_positions(
+        self, hypothesis: Hypothesis, nudges: Mapping[str, complex | Array], count: int
+    ) -> Complexes | None:
         """Positions of the marks (count × names, the pole last), mm from the sheet's pole, with extra displacements.
 
         NaN where they cannot be constructed, None if none can.
         """
         both = {n: hypothesis.nudges.get(n, 0j) + nudges.get(n, 0j) for n in {*hypothesis.nudges, *nudges}}
-        moved = {at(self.bench.asked.plan, n): v for n, v in both.items() if n not in (END, POLE)}
-        things = self.bench.drawn(hypothesis.variant, _Nudging(moved, count))
+        moved = {
+            full_mark_name(self.bench.asked.plan, n): v for n, v in both.items() if n not in (LAST_SIDE_END, POLE_LABEL)
+        }
+        things = self.bench.draw_program(hypothesis.variant, _Nudging(moved, count))
         if things is None:
             return None
         every = [*(things[m] for m in self.bench.marks), *(both.get(n, 0j) for n in self.names[len(self.labels) :])]
@@ -165,7 +183,7 @@ class PlanLines:
 
     def drawn(self, hypothesis: Hypothesis) -> Complexes | None:
         """One drawing without displacements; None if some of its marks cannot be constructed."""
-        drawn = self.draw(hypothesis, {}, 1)
+        drawn = self.mark_positions(hypothesis, {}, 1)
         return drawn if drawn is not None and numpy.isfinite(drawn).all() else None
 
     def row(self, places: Mapping[str, complex]) -> Complexes:
@@ -173,25 +191,25 @@ class PlanLines:
         return numpy.array([places[n] for n in self.names])
 
     def ends_of(self, places: Mapping[str, complex], order: Sequence[int] = ()) -> tuple[Complexes, Complexes]:
-        """Starts and ends of the lines of one drawing: see :meth:`laid`."""
-        a, b = self.laid(self.row(places)[None], order)
+        """Starts and ends of the lines of one drawing: see :meth:`lay_out_views`."""
+        a, b = self.line_ends(self.row(places)[None], order)
         return a[0], b[0]
 
-    def each(self, every: Sequence[Hypothesis]) -> Iterator[tuple[Hypothesis, Complexes | None]]:
+    def draw_each_hypothesis(self, every: Sequence[Hypothesis]) -> Iterator[tuple[Hypothesis, Complexes | None]]:
         """Hypotheses with their drawings; those that only turn, mirror or scale a drawing share it."""
-        right = None if self.held else self.draw(Hypothesis(), {}, 1)
+        right = None if self.held else self.mark_positions(Hypothesis(), {}, 1)
         for h in every:
             if right is None or h.variant or h.nudges:
-                yield h, self.draw(h, {}, 1)
+                yield h, self.mark_positions(h, {}, 1)
             else:
                 yield h, (right.conj() if h.mirrored else right) * h.turn
 
-    def laid(self, places: Complexes, order: Sequence[int] = ()) -> tuple[Complexes, Complexes]:
+    def line_ends(self, places: Complexes, order: Sequence[int] = ()) -> tuple[Complexes, Complexes]:
         """Starts and ends of the lines; the sides of a force polygon may be laid in another order."""
         a, b = places[:, self.starts], places[:, self.ends]
         if self.kind == "position":
             with numpy.errstate(all="ignore"):
-                hidden = (b - a) * numpy.minimum(HIDDEN_MM / numpy.maximum(abs(b - a), 1e-6), 0.25)
+                hidden = (b - a) * numpy.minimum(HIDDEN_LINE_END_MM / numpy.maximum(abs(b - a), 1e-6), 0.25)
             return a + hidden, b - hidden
         if order:
             count, back = len(order), numpy.argsort(order)
@@ -202,23 +220,25 @@ class PlanLines:
         return a, b
 
 
-def longest_round(sides: Sequence[Side], way: tuple[Side, ...] = ()) -> list[Side]:
+def longest_closed_path(sides: Sequence[Side], way: tuple[Side, ...] = ()) -> list[Side]:
     """The longest closed path along a polygon's sides, from the pole and back; the other sides lie inside."""
-    here, passed, longest = way[-1].end if way else POLE, {s.end for s in way}, list[Side]()
+    here, passed, longest = way[-1].end if way else POLE_LABEL, {s.end for s in way}, list[Side]()
     for side in (s for s in sides if s.start == here and s.end not in passed):
-        rest = [side] if side.end == POLE else [side, *longest_round(sides, (*way, side))]
-        if rest[-1].end == POLE and len(rest) > len(longest):
+        rest = [side] if side.end == POLE_LABEL else [side, *longest_closed_path(sides, (*way, side))]
+        if rest[-1].end == POLE_LABEL and len(rest) > len(longest):
             longest = rest
     return longest
 
 
-def upon_others(a: Complexes, b: Complexes) -> Booleans:
+def coincides_with_earlier(a: Complexes, b: Complexes) -> Booleans:
     """Lines of each row that coincide with an earlier one, in either direction."""
     apart = numpy.maximum(abs(a[:, :, None] - a[:, None, :]), abs(b[:, :, None] - b[:, None, :]))
-    return numpy.asarray(numpy.tril(apart < UPON_MM, -1).any(axis=2))
+    return numpy.asarray(numpy.tril(apart < COINCIDENT_LINES_MM, -1).any(axis=2))
 
 
-def to_be_seen(a: Complexes, b: Complexes) -> Booleans:
+def lines_to_look_for(a: Complexes, b: Complexes) -> Booleans:
     """Lines long enough to be looked for, each once."""
-    shown = numpy.stack([~upon_others(a, b), numpy.isfinite(a), numpy.isfinite(b), abs(b - a) > SHORT_MM])
+    shown = numpy.stack(
+        [~coincides_with_earlier(a, b), numpy.isfinite(a), numpy.isfinite(b), abs(b - a) > SHORTEST_LINE_MM]
+    )
     return numpy.asarray(shown.all(axis=0))

@@ -14,38 +14,40 @@ from planes.check.grading.handwork import Hand, Miss
 from planes.check.grading.paper import ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.drafting.steps import LayOff, Same
-from planes.words.names import POLE, at, kind_of
+from planes.words.names import POLE_LABEL, full_mark_name, plan_kind
 
-MOST_BY_CHANCE = 0.02  # acceptable probability that random marks pass: one vector of 50 mm at a free scale
-SURE_LENGTHS = 0.05  # the same for lengths, each of which carries half the evidence of a mark
-SMALLEST = 10.0  # a drawing smaller than this many times the error of a mark shows nothing
-LEAST_MM = 5.0  # shorter vectors tell little about the scale
-AGREE = 0.02  # vectors whose scales differ by less have a common scale
-MOST = 8
-SLIP = 0.02  # share of marks wrong for individual reasons; prior of each mistake of the catalogue
-MISREAD_MM = 0.7  # half of the misread points lie within 1.7 times this of the mark
-ANYWHERE = 0.2  # share of misread points anywhere on the drawing
-LIKELY = 0.5  # minimum probability of a verdict; a drawing called wrong must reach it
-SURE = 0.98  # a less certain verdict is called likely
-ASKED = 0.8  # a less certain verdict on a picture becomes a question
+MOST_CHANCE_OF_RANDOM_MARKS = 0.02  # acceptable probability that random marks pass: one vector of 50 mm at a free scale
+MOST_CHANCE_OF_RANDOM_LENGTHS = 0.05  # the same for lengths, each of which carries half the evidence of a mark
+SMALLEST_DRAWING_SIGMAS = 10.0  # a drawing smaller than this many times the error of a mark shows nothing
+SHORTEST_SCALE_VECTOR_MM = 5.0  # shorter vectors tell little about the scale
+EQUAL_SCALE_DIFFERENCE = 0.02  # vectors whose scales differ by less have a common scale
+MOST_CANDIDATE_SCALES = 8
+SLIP_PROBABILITY = 0.02  # share of marks wrong for individual reasons; prior of each mistake of the catalogue
+MISREADING_SPREAD_MM = 0.7  # half of the misread points lie within 1.7 times this of the mark
+MISREAD_ANYWHERE_SHARE = 0.2  # share of misread points anywhere on the drawing
+LEAST_VERDICT_PROBABILITY = 0.5  # minimum probability of a verdict; a drawing called wrong must reach it
+SURE_VERDICT_PROBABILITY = 0.98  # a less certain verdict is called likely
+LEAST_UNASKED_PROBABILITY = 0.8  # a less certain verdict on a picture becomes a question
 
 
-def size_of(hand: Hand, marks: Iterable[str]) -> float:
+def marks_extent_mm(hand: Hand, marks: Iterable[str]) -> float:
     """The extent of the person's own marks from the pole, mm."""
     return max((abs(hand.taken[m].place) for m in marks if m in hand.taken), default=0.0)
 
 
-def by_chance(hand: Hand, misses: dict[str, Miss], limit: float, free: bool, gap_mm: float | None = None) -> float:
+def chance_of_random_marks(
+    hand: Hand, misses: dict[str, Miss], limit: float, free: bool, gap_mm: float | None = None
+) -> float:
     """The probability that random marks on a drawing of this size are as right; ``free``: the scale is free, too.
 
     A mark that coincides with another (or the pole) is no separate evidence; a polygon that closes within ``gap_mm``
     is as much evidence as a mark.
     """
-    size = size_of(hand, misses)
+    size = marks_extent_mm(hand, misses)
     shares, stand = [] if gap_mm is None else [min(gap_mm / size, 1.0) ** 2], [0j]
     for mark, miss in misses.items():
-        place, reach = hand.taken[mark].place, limit * miss.mean
-        if not isinstance(hand.program.makers[mark], Same) and all(abs(place - z) > reach for z in stand):
+        place, reach = hand.taken[mark].place, limit * miss.mean_sigma_mm
+        if not isinstance(hand.program.steps_by_result[mark], Same) and all(abs(place - z) > reach for z in stand):
             shares.append(min(reach / size, 1.0) ** 2)
         stand.append(place)
     if not free or not shares:
@@ -54,13 +56,13 @@ def by_chance(hand: Hand, misses: dict[str, Miss], limit: float, free: bool, gap
     return math.prod(shares) / surest * min(math.sqrt(surest) / math.pi, 1.0)
 
 
-def lengths_by_chance(shares: Iterable[float], free: bool) -> float:
+def chance_of_random_lengths(shares: Iterable[float], free: bool) -> float:
     """The same for lengths, from the tolerance of each as a share of the longest."""
     chances = [min(s, 1.0) for s in shares]
     return math.prod(chances) / (min(chances) if free else 1.0)
 
 
-def own_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
+def candidate_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
     """Candidate scales (mm per unit) with their relative errors: the stated one first.
 
     Then the scale on which most vectors agree, taken from the most accurate of them.
@@ -68,63 +70,75 @@ def own_scales(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple
     scales = [(bench.said_mu, 0.0)]
     if bench.asked.mu:
         return scales
-    shown = _ratios(bench, taken)
-    groups = [[pair for pair in shown if abs(pair[0] / one - 1) < AGREE + error] for one, error in shown]
+    shown = _drawn_to_true_ratios(bench, taken)
+    groups = [
+        [pair for pair in shown if abs(pair[0] / one - 1) < EQUAL_SCALE_DIFFERENCE + error] for one, error in shown
+    ]
     tried: list[float] = [1.0]
     for group in sorted(groups, key=lambda g: (-len(g), min(error for _, error in g))):
         ratio, error = min(group, key=lambda pair: pair[1])
         if all(abs(ratio / t - 1) > 0.01 for t in tried):
             tried.append(ratio)
             scales.append((bench.said_mu * ratio, error))
-    return scales[:MOST]
+    return scales[:MOST_CANDIDATE_SCALES]
 
 
-def _ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
+def _drawn_to_true_ratios(bench: PreparedPlan, taken: Mapping[str, ReadMark]) -> list[tuple[float, float]]:
     """Ratios of drawn to true lengths with their errors: of the vectors in a force plan, else from the pole."""
     hand = Hand(bench.program, bench.given, bench.asked.skill, {})
-    force, pole = kind_of(bench.asked.plan) == "force", at(bench.asked.plan, POLE)
+    force, pole = plan_kind(bench.asked.plan) == "force", full_mark_name(bench.asked.plan, POLE_LABEL)
     ratios = []
     for mark in bench.marks:
-        step = bench.program.makers[mark]
+        step = bench.program.steps_by_result[mark]
         start = step.start if force and isinstance(step, LayOff) else pole
         if mark not in taken or (start != pole and start not in taken):
             continue
         true = hand.things[mark] - (0.0 if start == pole else hand.things[start])
         own = abs(taken[mark].place - (0j if start == pole else taken[start].place))
-        length = abs(hand.tool.spread(true + 0j))
-        if length[0] > LEAST_MM and own > 0:
-            ratios.append((float(own / length[0]), (hand.spread_of(length) + 2 * taken[mark].error_mm) / own))
+        length = abs(hand.tool.spread_over_drawings(true + 0j))
+        if length[0] > SHORTEST_SCALE_VECTOR_MM and own > 0:
+            ratios.append((float(own / length[0]), (hand.sigma_of_value(length) + 2 * taken[mark].error_mm) / own))
     return ratios
 
 
-def breadth(extent_mm: float) -> float:
+def log_density_anywhere(extent_mm: float) -> float:
     """Logarithm of the density of a mark anywhere on the drawing."""
     return -2 * math.log(2 * max(extent_mm, 20.0))
 
 
-def misread(off: complex, broad: float, doubt: float) -> float:
+def misread_log_density(off: complex, broad: float, doubt: float) -> float:
     """Logarithm of the density of a misread point: mostly near the mark, sometimes anywhere."""
     if not doubt:
         return -math.inf
-    near = -math.log(2 * math.pi * MISREAD_MM**2) - 1.5 * math.log1p(abs(off) ** 2 / MISREAD_MM**2)
-    return math.log(doubt) + float(numpy.logaddexp(near, math.log(ANYWHERE) + broad))
+    near = -math.log(2 * math.pi * MISREADING_SPREAD_MM**2) - 1.5 * math.log1p(abs(off) ** 2 / MISREADING_SPREAD_MM**2)
+    return math.log(doubt) + float(numpy.logaddexp(near, math.log(MISREAD_ANYWHERE_SHARE) + broad))
 
 
-def density(miss: Miss, broad: float, doubt: float) -> float:
+def right_mark_log_density(miss: Miss, broad: float, doubt: float) -> float:
     """Logarithm of the density of the miss of a right mark, with drawing and reading errors."""
     if not math.isfinite(miss.sigmas):
         return -math.inf
-    return float(numpy.logaddexp(miss.log_density + math.log1p(-doubt), misread(miss.off, broad, doubt)))
+    return float(numpy.logaddexp(miss.log_density + math.log1p(-doubt), misread_log_density(miss.off, broad, doubt)))
 
 
-def mixed(miss: Miss, broad: float, doubt: float) -> float:
+def any_mark_log_density(miss: Miss, broad: float, doubt: float) -> float:
     """The same for any mark, including occasional slips."""
-    return float(numpy.logaddexp(density(miss, broad, doubt) + math.log1p(-SLIP), broad + math.log(SLIP)))
+    return float(
+        numpy.logaddexp(
+            right_mark_log_density(miss, broad, doubt) + math.log1p(-SLIP_PROBABILITY),
+            broad + math.log(SLIP_PROBABILITY),
+        )
+    )
 
 
-def all_drawn(misses: Mapping[str, Miss], broad: float, doubts: Mapping[str, float]) -> float:
+def log_prob_no_slips(misses: Mapping[str, Miss], broad: float, doubts: Mapping[str, float]) -> float:
     """Logarithm of the probability that none of the marks slipped."""
-    return sum(density(m, broad, doubts[n]) + math.log1p(-SLIP) - mixed(m, broad, doubts[n]) for n, m in misses.items())
+    return sum(
+        right_mark_log_density(m, broad, doubts[n])
+        + math.log1p(-SLIP_PROBABILITY)
+        - any_mark_log_density(m, broad, doubts[n])
+        for n, m in misses.items()
+    )
 
 
 def chance_wrong(right: float, otherwise: float, mistakes: Iterable[float]) -> float:
@@ -132,16 +146,16 @@ def chance_wrong(right: float, otherwise: float, mistakes: Iterable[float]) -> f
 
     ``right`` is the part without slips, ``otherwise`` another reading under which it is right, ``mistakes`` one each.
     """
-    named = math.log(SLIP) + float(numpy.logaddexp.reduce([-math.inf, *mistakes]))
+    named = math.log(SLIP_PROBABILITY) + float(numpy.logaddexp.reduce([-math.inf, *mistakes]))
     slipped = math.log(-math.expm1(right)) if right < 0 else -math.inf
     good = float(numpy.logaddexp(right, otherwise))
     return logistic(float(numpy.logaddexp(named, slipped)) - good)
 
 
-def chance_off(off: float, sigma: float, size: float) -> float:
+def chance_number_wrong(off: float, sigma: float, size: float) -> float:
     """The probability that a number of a known size is wrong, not only measured with an error σ, if it is ``off``."""
     drawn = -0.5 * (off / sigma) ** 2 - math.log(sigma * math.sqrt(2 * math.pi)) if sigma else -math.inf
-    slipped = math.log(SLIP) - math.log(2 * max(size, off, sigma))
+    slipped = math.log(SLIP_PROBABILITY) - math.log(2 * max(size, off, sigma))
     return logistic(slipped - drawn)
 
 

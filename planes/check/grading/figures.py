@@ -9,10 +9,10 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.geometry.arithmetic import Many, Real
 from planes.plans.quantities import Quantity
 from planes.words import Phrase, Told
-from planes.words.errors import nearest
+from planes.words.errors import closest_name
 from planes.words.frozen import frozen
-from planes.words.lettering import flat
-from planes.words.names import POLE, at, end_of, label_of, plan_of
+from planes.words.lettering import without_index_markup
+from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_of, vector_end_label
 from planes.words.naming import Names
 from planes.words.written_units import unit_in_si
 
@@ -47,17 +47,17 @@ class Figures:
     @property
     def notes(self) -> list[Phrase]:
         """Notes on the numbers left out."""
-        unknown = [Phrase("check_unknown_results", names=offers(self.unknown))] if self.unknown else []
+        unknown = [Phrase("check_unknown_results", names=name_suggestions(self.unknown))] if self.unknown else []
         return [*self.strange.values(), *unknown]
 
 
-def offers(unknown: Mapping[str, str]) -> tuple[Told, ...]:
+def name_suggestions(unknown: Mapping[str, str]) -> tuple[Told, ...]:
     """Unknown names, each with the nearest known one."""
     return tuple(Phrase("check_name_near", name=name, near=near) if near else name for name, near in unknown.items())
 
 
-def _nearest(written: str, names: Names) -> str:
-    near = nearest(written, map(names.naming.typed, names.known))
+def _nearest_known_name(written: str, names: Names) -> str:
+    near = closest_name(written, map(names.naming.typed_name, names.known))
     return near if re.sub(r"\d", "", near) != re.sub(r"\d", "", written) else ""  # another link is no misspelling
 
 
@@ -65,52 +65,65 @@ def read_results(
     known: Mapping[str, Quantity], names: Names, written: Sequence[Written], asked: Iterable[str]
 ) -> Figures:
     """The figures of a table of results, in SI; two names of one quantity are equivalent."""
-    meant = {text: names.meant(text) for text, *_ in written}
-    sure = {text: one[0] for text, one in meant.items() if len({known[n].path for n in one}) == 1}
+    meant = {text: names.possible_names(text) for text, *_ in written}
+    sure = {text: one[0] for text, one in meant.items() if len({known[n].json_path for n in one}) == 1}
     figures, unknown, strange = list[WrittenNumber](), dict[str, str](), dict[str, Phrase]()
     for text, value, unit in written:
         name = sure.get(text)
-        in_si = unit_in_si(unit, known[name].whole.unit if name else "")
+        in_si = unit_in_si(unit, known[name].magnitude_column.unit if name else "")
         if in_si is None:
             strange[text] = Phrase("check_unit", name=text, unit=unit)
         elif name is None:
-            unknown[text] = _nearest(text, names)
-        elif in_si[1] not in ("", known[name].whole.unit):
-            strange[text] = Phrase("check_other_unit", name=text, unit=unit, right=Phrase(known[name].whole.unit))
+            unknown[text] = _nearest_known_name(text, names)
+        elif in_si[1] not in ("", known[name].magnitude_column.unit):
+            strange[text] = Phrase(
+                "check_other_unit", name=text, unit=unit, right=Phrase(known[name].magnitude_column.unit)
+            )
         else:
-            figures.append(figure(name, known[name], value * in_si[0]))
-    given = {known[f.name].path for f in figures}
-    missing = [n for n in asked if (ways := names.meant(n)) and known[ways[0]].path not in given]
+            figures.append(quantity_figure(name, known[name], value * in_si[0]))
+    given = {known[f.name].json_path for f in figures}
+    missing = [n for n in asked if (ways := names.possible_names(n)) and known[ways[0]].json_path not in given]
     return Figures(figures, unknown, strange, missing)
 
 
-def figure(name: str, q: Quantity, value: float) -> WrittenNumber:
+def quantity_figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """The measurement of a quantity of the catalogue on a drawing."""
-    one = q.whole
+    one = q.magnitude_column
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
-    return WrittenNumber(name, value, lambda things: one.take(things, Many()), not one.part, plan, one.value, one.unit)
+    return WrittenNumber(
+        name, value, lambda things: one.read_from_drawing(things, Many()), not one.part, plan, one.value, one.unit
+    )
 
 
 def segment_figures(bench: PreparedPlan, written: Iterable[tuple[str, float]]) -> Figures:
     """Figures of a table of segments ("pb", "bc"; of a force plan also "G_2")."""
     plan, labels = bench.asked.plan, [label_of(m) for m in bench.marks]
-    ends = [n for n in (POLE, *labels) if at(plan, n) in bench.program.made]  # a scheme has no pole
+    ends = [
+        n for n in (POLE_LABEL, *labels) if full_mark_name(plan, n) in bench.program.result_names
+    ]  # a scheme has no pole
     pairs = {one + two: (one, two) for one, two in permutations(ends, 2)}
     for s in bench.plans.segments:
         if s.plan == plan and s.start != s.end and {s.start, s.end} <= set(ends):
-            pairs.setdefault(end_of(s.name), (s.start, s.end))
-    ways = {end: (end, *bench.names.more.get(end, ()), flat(bench.naming.named(end, plan))) for end in ends}
+            pairs.setdefault(vector_end_label(s.name), (s.start, s.end))
+    ways = {
+        end: (
+            end,
+            *bench.written_mark_names.more.get(end, ()),
+            without_index_markup(bench.naming.lettered_name(end, plan)),
+        )
+        for end in ends
+    }
     more = {one + two: ["".join(way) for way in product(ways[one], ways[two])] for one, two in permutations(ends, 2)}
-    names = bench.naming.names(pairs, poles=False, more=more)
-    read = [(names.find(text), text, mm) for text, mm in written]
-    figures = [WrittenNumber(n, mm, _millimetres(plan, *pairs[n]), False, plan) for n, _, mm in read if n]
-    return Figures(figures, {text: _nearest(text, names) for n, text, _ in read if not n})
+    names = bench.naming.name_finder(pairs, poles=False, more=more)
+    read = [(names.find_name(text), text, mm) for text, mm in written]
+    figures = [WrittenNumber(n, mm, _segment_length_reader(plan, *pairs[n]), False, plan) for n, _, mm in read if n]
+    return Figures(figures, {text: _nearest_known_name(text, names) for n, text, _ in read if not n})
 
 
-def _millimetres(plan: str, start: str, end: str) -> Callable[[Things], Real]:
-    return lambda things: abs(things[at(plan, end)] - things[at(plan, start)])
+def _segment_length_reader(plan: str, start: str, end: str) -> Callable[[Things], Real]:
+    return lambda things: abs(things[full_mark_name(plan, end)] - things[full_mark_name(plan, start)])
 
 
-def first_of(value: Real) -> float:
+def value_without_error_columns(value: Real) -> float:
     """A value without its error columns."""
     return float(value[0] if getattr(value, "shape", None) else value)

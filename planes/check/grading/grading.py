@@ -5,26 +5,33 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from planes.check.grading.evidence import SURE, all_drawn, breadth, by_chance, chance_wrong, own_scales
-from planes.check.grading.followers import Showing, roots_of, showing
+from planes.check.grading.evidence import (
+    SURE_VERDICT_PROBABILITY,
+    candidate_scales,
+    chance_of_random_marks,
+    chance_wrong,
+    log_density_anywhere,
+    log_prob_no_slips,
+)
+from planes.check.grading.followers import Showing, determining_mark_sets, source_marks_of_elements
 from planes.check.grading.handwork import Hand, Miss
-from planes.check.grading.judging import LEFT_OUT, Judgement, judge, verdicts
-from planes.check.grading.off_vectors import off_sentence
+from planes.check.grading.judging import OMISSION_SUFFIXES, Judgement, judge, mark_verdicts
+from planes.check.grading.off_vectors import wrong_vector_phrase
 from planes.check.grading.paper import ReadMark, ReadPaper
-from planes.check.grading.polygons import Rebuilt, align, earlier
-from planes.check.grading.prepared_plan import PreparedPlan, variants_of
-from planes.drafting.drawing import Drawing, run
-from planes.drafting.skill import SIGMAS
+from planes.check.grading.polygons import Rebuilt, align_marks, marks_of_earlier_plans
+from planes.check.grading.prepared_plan import PreparedPlan, mistake_variants
+from planes.drafting.drawing import Drawing, draw_program
+from planes.drafting.skill import TOLERANCE_SIGMAS
 from planes.drafting.steps import LayOff, Same, Step
 from planes.plans import Plans
-from planes.plans.scales import ZERO_MM, extent
+from planes.plans.scales import ZERO_VECTOR_MM, plan_extent
 from planes.words import Phrase, Written
-from planes.words.names import at, kind_of, label_of, letter_of, mu_of, plan_of
+from planes.words.names import full_mark_name, label_of, letter_of, mu_name, plan_kind, plan_of
 
-OWN_SCALE = -3.0  # logarithm of the prior odds of a scale other than the stated one
-LONG_MM = 3.0  # a shorter vector shows no scale, and may be invisible
-FAR_MM = 3.0  # an error this large is no misreading
-FITTING = 0.9  # share of the other marks that must be seen and right before a single one is blamed
+OWN_SCALE_LOG_ODDS = -3.0  # logarithm of the prior odds of a scale other than the stated one
+SHORTEST_SEEN_VECTOR_MM = 3.0  # a shorter vector shows no scale, and may be invisible
+MOST_MISREADING_MM = 3.0  # an error this large is no misreading
+LEAST_FITTING_SHARE = 0.9  # share of the other marks that must be seen and right before a single one is blamed
 
 
 @dataclass
@@ -45,33 +52,41 @@ class Grading:
     unknown: list[str] = field(default_factory=list)  # names of marks that the plan lacks
 
     @property
-    def gap(self) -> complex:
+    def closing_error(self) -> complex:
         """The closing error of a force polygon, mm."""
         return self.rebuilt.gap.place if self.rebuilt and self.rebuilt.gap else 0j
 
     @property
-    def gap_wrong(self) -> float | None:
+    def wrong_closing_error_mm(self) -> float | None:
         """The size of the closing error, where drawing errors and short unseen forces do not account for it."""
-        return abs(self.gap) if self._gap_past > sum(self._unseen_mm.values()) else None
+        return (
+            abs(self.closing_error)
+            if self._closing_error_excess_mm > sum(self._short_unseen_forces_mm.values())
+            else None
+        )
 
     @property
-    def _gap_past(self) -> float:
-        return abs(self.gap) - self.judgement.limit * self.gap_sigma if self.gap_sigma else 0.0
+    def _closing_error_excess_mm(self) -> float:
+        return (
+            abs(self.closing_error) - self.judgement.limit * self.closing_error_sigma_mm
+            if self.closing_error_sigma_mm
+            else 0.0
+        )
 
     @property
-    def _unseen_mm(self) -> dict[str, float]:
+    def _short_unseen_forces_mm(self) -> dict[str, float]:
         """Lengths of the short unseen forces, by their marks."""
         absent = [m for m in self.marks if self.rebuilt and label_of(m) in self.rebuilt.absent]
-        lengths = {label_of(m): self.laid_mm(m) for m in absent}
-        return {m: mm for m, mm in lengths.items() if ZERO_MM <= mm <= LONG_MM}
+        lengths = {label_of(m): self.laid_off_length_mm(m) for m in absent}
+        return {m: mm for m, mm in lengths.items() if ZERO_VECTOR_MM <= mm <= SHORTEST_SEEN_VECTOR_MM}
 
-    def laid_mm(self, mark: str) -> float:
+    def laid_off_length_mm(self, mark: str) -> float:
         """The length of a vector that is laid off; 0 for other constructions."""
-        step = self.hand.program.makers[mark]
+        step = self.hand.program.steps_by_result[mark]
         return float(abs(self.truth[mark] - self.truth[step.start])) if isinstance(step, LayOff) else 0.0
 
     @property
-    def gap_sigma(self) -> float | None:
+    def closing_error_sigma_mm(self) -> float | None:
         """The drawing error at the closure of a polygon, mm; None if there is no closure."""
         gap = self.rebuilt.gap if self.rebuilt else None
         return math.sqrt(2 * self.hand.tool.skill.point_mm**2 + 2 * gap.error_mm**2) if gap else None
@@ -79,47 +94,55 @@ class Grading:
     @property
     def chance_wrong(self) -> float:
         """The probability of an error: in a mark, a force left out, a polygon that does not close."""
-        if self._confused():
+        if self._may_be_confused_vectors():
             return 0.5
-        if self.left_out:
+        if self.missing_force:
             return 1.0
-        if not (self.gap_wrong and self.gap_sigma):
+        if not (self.wrong_closing_error_mm and self.closing_error_sigma_mm):
             return self.judgement.chance_wrong
-        broad = breadth(extent(self.truth, plan_of(self.marks[0])))
-        closed = all_drawn({"": Miss(self.gap, (self.gap_sigma**2, 0.0, self.gap_sigma**2))}, broad, {"": 0.0})
+        broad = log_density_anywhere(plan_extent(self.truth, plan_of(self.marks[0])))
+        closed = log_prob_no_slips(
+            {"": Miss(self.closing_error, (self.closing_error_sigma_mm**2, 0.0, self.closing_error_sigma_mm**2))},
+            broad,
+            {"": 0.0},
+        )
         return max(self.judgement.chance_wrong, chance_wrong(closed, -math.inf, ()))
 
-    def _confused(self) -> bool:
+    def _may_be_confused_vectors(self) -> bool:
         """Whether the fault of a polygon may only be a confusion of its vectors."""
         named = self.judgement.named
-        missing = named.blames if named and named.mistake.endswith(LEFT_OUT) else self.left_out
+        missing = named.blames if named and named.mistake.endswith(OMISSION_SUFFIXES) else self.missing_force
         if self.rebuilt is None or not (missing or (self.judgement.wrong and not named)):
             return False
-        made = (self.hand.program.makers[m] for m in self.marks if label_of(m) == missing)
+        made = (self.hand.program.steps_by_result[m] for m in self.marks if label_of(m) == missing)
         step = next((s for s in made if isinstance(s, LayOff)), None)
-        return self.rebuilt.confused(complex(self.truth[step.makes] - self.truth[step.start]) if step else None)
+        return self.rebuilt.may_be_confused_vectors(
+            complex(self.truth[step.makes] - self.truth[step.start]) if step else None
+        )
 
     @property
-    def left_out(self) -> str | None:
+    def missing_force(self) -> str | None:
         """A known force that is missing in the polygon, with no read mark drawn from it."""
         if self.rebuilt is None or self.judgement.wrong:
             return None
-        roots = roots_of(self.hand.program)
+        roots = source_marks_of_elements(self.hand.program)
         used = set[str]().union(*(roots[m] for m in self.judgement.misses))
         for mark in self.marks:
-            step = self.hand.program.makers[mark]
-            if isinstance(step, LayOff) and self.laid_mm(mark) > LONG_MM:  # a short one may be there, unseen
-                miss = self.hand.miss(self.hand.things[mark], self.hand.number(step.start))
+            step = self.hand.program.steps_by_result[mark]
+            if (
+                isinstance(step, LayOff) and self.laid_off_length_mm(mark) > SHORTEST_SEEN_VECTOR_MM
+            ):  # a short one may be there, unseen
+                miss = self.hand.miss(self.hand.things[mark], self.hand.value_without_errors(step.start))
                 if label_of(mark) in self.rebuilt.absent or (mark not in used and miss.sigmas > self.judgement.limit):
                     return label_of(mark)
         return None
 
     @property
-    def otherwise(self) -> Phrase | None:
+    def polygon_fault(self) -> Phrase | None:
         """An error though no mark is wrong: a missing force, a polygon that does not close."""
-        if left := self.left_out:
+        if left := self.missing_force:
             return Phrase(f"mistake_{'weight' if letter_of(left) == 'G' else 'force'}_missing", mark=left)
-        gap, closing = self.gap_wrong, self.rebuilt.closing if self.rebuilt else ""
+        gap, closing = self.wrong_closing_error_mm, self.rebuilt.closing if self.rebuilt else ""
         return Phrase("mistake_not_closed", mark=closing, gap=Written(f"{gap:.1f}")) if gap else None
 
     @property
@@ -129,33 +152,39 @@ class Grading:
         if named:
             return named.sentence
         if not wrong:
-            return self.otherwise
+            return self.polygon_fault
         mark, off = label_of(wrong[0]), self.judgement.misses[wrong[0]].off
         drawable = math.isfinite(abs(off))
-        return off_sentence(self.hand, wrong[0], off) if drawable else Phrase("check_undrawable", mark=mark)
+        return wrong_vector_phrase(self.hand, wrong[0], off) if drawable else Phrase("check_undrawable", mark=mark)
 
     @property
-    def unseen(self) -> list[str]:
+    def unverified_marks(self) -> list[str]:
         """Unread marks not determined by others, short forces needed for a polygon to close, and unknown names.
 
         A mark counts, too, if a mistake explains it as well as a drawing error.
         """
         read = self.judgement.misses.keys()
-        hidden = [label_of(m) for m, ways in self.shown_by.items() if not any(read >= {*way} for way in ways)]
+        hidden = [label_of(m) for m, ways in self.determining_marks.items() if not any(read >= {*way} for way in ways)]
         doubted = [self.judgement.as_well.blames] if self.judgement.as_well else []
-        return [*hidden, *(self._unseen_mm if self._gap_past > 0 else ()), *doubted, *self.unknown]
+        return [
+            *hidden,
+            *(self._short_unseen_forces_mm if self._closing_error_excess_mm > 0 else ()),
+            *doubted,
+            *self.unknown,
+        ]
 
     @cached_property
-    def shown_by(self) -> dict[str, Showing]:
+    def determining_marks(self) -> dict[str, Showing]:
         """For each mark the evidence of its position: itself, or marks drawn from it; coincident marks need none."""
-        there = [m for m in self.marks if not self._upon_another(self.hand.program.makers[m])]
+        there = [m for m in self.marks if not self._coincides_with_another(self.hand.program.steps_by_result[m])]
         absent = self.rebuilt.absent if self.rebuilt else ()
-        return {m: showing(self.truth, m, self.marks) for m in there if label_of(m) not in absent}
+        return {m: determining_mark_sets(self.truth, m, self.marks) for m in there if label_of(m) not in absent}
 
-    def _upon_another(self, step: Step) -> bool:
+    def _coincides_with_another(self, step: Step) -> bool:
         """Whether a mark coincides with another, or its laid-off length is within the drawing error."""
         return isinstance(step, Same) or (
-            isinstance(step, LayOff) and self.laid_mm(step.makes) < SIGMAS * self.hand.tool.skill.point_mm
+            isinstance(step, LayOff)
+            and self.laid_off_length_mm(step.makes) < TOLERANCE_SIGMAS * self.hand.tool.skill.point_mm
         )
 
     @property
@@ -170,44 +199,48 @@ class Grading:
         return judgement.runner_up.mistake if judgement.runner_up and judgement.first_wrong else None
 
     @property
-    def chance(self) -> float:
+    def random_match_probability(self) -> float:
         """The probability that random marks on the drawing would be as right."""
-        j, sigma = self.judgement, self.gap_sigma
-        return by_chance(self.hand, j.misses, j.limit, not self.said_mu, j.limit * sigma if sigma else None)
+        j, sigma = self.judgement, self.closing_error_sigma_mm
+        return chance_of_random_marks(
+            self.hand, j.misses, j.limit, not self.said_mu, j.limit * sigma if sigma else None
+        )
 
     @property
-    def sure_by_itself(self) -> bool:
+    def is_certain_without_pole(self) -> bool:
         """Whether marks read without a named pole prove themselves rightly identified.
 
         There are several; the wrong ones are far off, while nearly all others were seen and are right.
         """
         judgement, apart = self.judgement, [0j]
         for place in (self.hand.taken[m].place for m in judgement.misses):
-            apart += [place] if all(abs(place - z) > FAR_MM for z in apart) else []
+            apart += [place] if all(abs(place - z) > MOST_MISREADING_MM for z in apart) else []
         if len(apart) < 3 or not self.fault:
             return len(apart) > 2
         off = max((abs(judgement.misses[m].off) for m in judgement.wrong), default=0.0)
         fitting = judgement.explained.keys() if judgement.named else judgement.misses.keys() - judgement.wrong
-        others = [m for m in self.shown_by if label_of(m) != judgement.first_wrong]
-        return off > FAR_MM and sum(m in fitting for m in others) >= FITTING * len(others)
+        others = [m for m in self.determining_marks if label_of(m) != judgement.first_wrong]
+        return off > MOST_MISREADING_MM and sum(m in fitting for m in others) >= LEAST_FITTING_SHARE * len(others)
 
     @property
     def verdicts(self) -> dict[str, str]:
         """right, wrong, follows or unread for every mark of the plan."""
-        return verdicts(self.judgement, self.marks, {m: x.sigmas > self.judgement.limit for m, x in self.free.items()})
+        return mark_verdicts(
+            self.judgement, self.marks, {m: x.sigmas > self.judgement.limit for m, x in self.free.items()}
+        )
 
 
 def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     """Grades a paper of marks at the scale that explains it best; None if no mark of the plan was read."""
-    spots, rebuilt, unknown = align(bench, bench.asked.plan, paper)
+    spots, rebuilt, unknown = align_marks(bench, bench.asked.plan, paper)
     if not spots:
         return None
-    taken = {at(bench.asked.plan, n): s for n, s in spots.items()} | earlier(bench)
+    taken = {full_mark_name(bench.asked.plan, n): s for n, s in spots.items()} | marks_of_earlier_plans(bench)
     tried: list[tuple[float, Grading]] = []
-    for mu, share in own_scales(bench, taken):
-        grading = _grade_at(bench, mu, share, taken, rebuilt)
-        tried.append((round(grading.judgement.score, 9) + OWN_SCALE * (not grading.said_mu), grading))
-        if grading.said_mu and not _rescaled(grading):
+    for mu, share in candidate_scales(bench, taken):
+        grading = _grade_at_scale(bench, mu, share, taken, rebuilt)
+        tried.append((round(grading.judgement.score, 9) + OWN_SCALE_LOG_ODDS * (not grading.said_mu), grading))
+        if grading.said_mu and not _may_be_rescaled(grading):
             break
     best = max(tried, key=lambda one: one[0])[1]
     best.unknown = unknown
@@ -216,35 +249,41 @@ def grade(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     return best
 
 
-def _rescaled(grading: Grading) -> bool:
+def _may_be_rescaled(grading: Grading) -> bool:
     """Whether another scale may cause the wrong marks: in a force plan all forces would be wrong, not one."""
-    if not grading.judgement.wrong or kind_of(plan_of(grading.marks[0])) != "force":
+    if not grading.judgement.wrong or plan_kind(plan_of(grading.marks[0])) != "force":
         return bool(grading.judgement.wrong)
-    laid = [m for m in grading.judgement.misses if grading.laid_mm(m) > LONG_MM]
+    laid = [m for m in grading.judgement.misses if grading.laid_off_length_mm(m) > SHORTEST_SEEN_VECTOR_MM]
     return len(laid) < 2 or sum(m in grading.judgement.wrong for m in laid) > 1
 
 
-def _grade_at(
+def _grade_at_scale(
     bench: PreparedPlan, mu: float, share: float, taken: Mapping[str, ReadMark], rebuilt: Rebuilt | None = None
 ) -> Grading:
     """Grades at one scale."""
-    skill, name = bench.asked.skill, mu_of(bench.asked.plan)
+    skill, name = bench.asked.skill, mu_name(bench.asked.plan)
     given = {**bench.given, name: mu}
-    unsure = {name: share} if share and name in bench.program.givens else {}
-    hand, truth = Hand(bench.program, given, skill, taken, unsure), run(bench.program, given)
+    unsure = {name: share} if share and name in bench.program.given_names else {}
+    hand, truth = Hand(bench.program, given, skill, taken, unsure), draw_program(bench.program, given)
     free = Hand(bench.program, given, skill, {m: t for m, t in taken.items() if m not in bench.marks}, unsure)
     own = {m: taken[m] for m in bench.marks if m in taken}  # the largest error from drafting alone
-    apart = {m: free.miss(free.things[m], t.place).blurred(t.error_mm) for m, t in own.items()}
+    apart = {m: free.miss(free.things[m], t.place).with_reading_error(t.error_mm) for m, t in own.items()}
     absent = rebuilt.absent if rebuilt else ()
-    judgement = judge(hand, bench.marks, variants_of(bench, hand.taken, mu), extent(truth, bench.asked.plan), absent)
+    judgement = judge(
+        hand, bench.marks, mistake_variants(bench, hand.taken, mu), plan_extent(truth, bench.asked.plan), absent
+    )
     wrong, at_home = judgement.wrong, {m for m, miss in apart.items() if miss.sigmas <= judgement.limit}
     judgement.wrong = wrong[:1] + [m for m in wrong[1:] if m not in at_home]  # off a wrong mark, but in the right place
-    doubtful = any(t.doubt for t in own.values()) and judgement.chance_wrong < 1 - SURE and at_home >= apart.keys()
+    doubtful = (
+        any(t.doubt for t in own.values())
+        and judgement.chance_wrong < 1 - SURE_VERDICT_PROBABILITY
+        and at_home >= apart.keys()
+    )
     if doubtful and not judgement.named and all(apart[m].sigmas < 1 for m in judgement.wrong):
         judgement.wrong = []  # all are in the right place: the base of the first was misread slightly
     return Grading(bench.plans, hand, truth, bench.marks, mu, judgement, apart, free, mu == bench.said_mu, rebuilt)
 
 
-def empty(bench: PreparedPlan) -> Grading:
+def grading_without_marks(bench: PreparedPlan) -> Grading:
     """The grading of a drawing before any mark is read, at the stated scale."""
-    return _grade_at(bench, bench.said_mu, 0.0, earlier(bench))
+    return _grade_at_scale(bench, bench.said_mu, 0.0, marks_of_earlier_plans(bench))

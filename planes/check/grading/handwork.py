@@ -13,7 +13,7 @@ from types import MappingProxyType
 import numpy
 
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.perturbing import Nudged, columns_of
+from planes.check.grading.perturbing import Nudged, error_columns
 from planes.check.grading.variants import Variant
 from planes.drafting.drawing import draw_steps
 from planes.drafting.program import Program
@@ -23,9 +23,9 @@ from planes.drafting.steps.reckoning import Measure
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Point, Truth
 from planes.words.frozen import field, frozen, replace
-from planes.words.names import POLE, label_of, plan_of
+from planes.words.names import POLE_LABEL, label_of, plan_of
 
-LEAST_MM = 0.1  # minimum error of a mark on paper
+LEAST_MARK_ERROR_MM = 0.1  # minimum error of a mark on paper
 
 
 @frozen
@@ -49,24 +49,24 @@ class Miss:
         xx, xy, yy = self.cov
         return xx * yy - xy * xy
 
-    def reach(self, limit: float) -> float:
+    def tolerance_mm(self, limit: float) -> float:
         """The tolerance in mm in the direction of the miss (if zero: the largest)."""
         sigmas, off = self.sigmas, abs(self.off)
-        return limit * (off / sigmas if sigmas > 1e-9 and off > 1e-9 else self.worst)
+        return limit * (off / sigmas if sigmas > 1e-9 and off > 1e-9 else self.largest_sigma_mm)
 
-    def blurred(self, error_mm: float) -> Miss:
+    def with_reading_error(self, error_mm: float) -> Miss:
         """The same with an additional reading error of the mark (in each direction)."""
         xx, xy, yy = self.cov
         return replace(self, cov=(xx + error_mm**2, xy, yy + error_mm**2))
 
     @property
-    def worst(self) -> float:
+    def largest_sigma_mm(self) -> float:
         """The largest standard deviation over all directions, mm."""
         xx, xy, yy = self.cov
         return math.sqrt((xx + yy) / 2 + math.hypot((xx - yy) / 2, xy))
 
     @property
-    def mean(self) -> float:
+    def mean_sigma_mm(self) -> float:
         """The standard deviation of a circular error of the same area, mm."""
         return math.sqrt(math.sqrt(max(self._area, 0.0)))
 
@@ -76,7 +76,7 @@ class Miss:
         return -0.5 * self.sigmas**2 - math.log(2 * math.pi) - 0.5 * math.log(self._area)
 
 
-def by_protractor(step: Step, given: Mapping[str, Point]) -> bool:
+def needs_protractor(step: Step, given: Mapping[str, Point]) -> bool:
     """Whether a direction is drawn at an angle that no set square has."""
     return isinstance(step, Aim | Turn) and step.angle is not None and float(given.get(step.angle, 0.0)) % 90 != 0
 
@@ -93,9 +93,9 @@ class Person(Tool):
 
     def is_read(self, mark: str) -> Truth:
         """Whether a mark is the person's own (the pole is)."""
-        return mark in self.own or (label_of(mark) == POLE and any(plan_of(m) == plan_of(mark) for m in self.own))
+        return mark in self.own or (label_of(mark) == POLE_LABEL and any(plan_of(m) == plan_of(mark) for m in self.own))
 
-    def sure(self, thing: Point) -> Point:
+    def without_errors(self, thing: Point) -> Point:
         """An element without drawing and ruler errors."""
         return thing
 
@@ -103,14 +103,17 @@ class Person(Tool):
         own = isinstance(step, Measure) and bool(step.along) and self.is_read(step.start) & self.is_read(step.end)
         if not isinstance(step, Measure) or own is False:
             made = step.draw(things, self)
-            return self.ray(made) if by_protractor(step, self.values) else made
-        way, along = self.sure(things[step.end] - things[step.start]), self.sure(things[step.along or ""])
+            return self.transfer_direction(made) if needs_protractor(step, self.values) else made
+        way, along = (
+            self.without_errors(things[step.end] - things[step.start]),
+            self.without_errors(things[step.along or ""]),
+        )
         sign = self.ar.where(way.real * along.real + way.imag * along.imag < 0, -1.0, 1.0)
         lies = sign * replace(step, along=None).draw(things, self)
         return lies if own is True else self.ar.where(own, lies, step.draw(things, self))
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
-        made = super().make(step, way, things)
+    def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Point:
+        made = super().draw_by_other_steps(step, way, things)
         if step.makes in self.own:
             things[step.makes] = self.ar.where(self.is_read(step.makes), self.own[step.makes], made)
         return made
@@ -119,11 +122,11 @@ class Person(Tool):
 class _Marking(Person, Nudged):
     """A person at work, each error in a separate column."""
 
-    def sure(self, thing: Point) -> Point:
-        return self.spread(thing + 0j)[0]
+    def without_errors(self, thing: Point) -> Point:
+        return self.spread_over_drawings(thing + 0j)[0]
 
 
-def _changes(row: Point) -> Point:
+def _error_contributions(row: Point) -> Point:
     """The contribution of each error to an element."""
     return numpy.nan_to_num(row[1:] - row[0], nan=0.0, posinf=0.0, neginf=0.0)
 
@@ -142,15 +145,18 @@ class Hand:
         self.program, self.taken = program, taken
         self.given, self.unsure = given, unsure  # a result may be of a given, or need a scale used by no step
         shared = max((len(t.shared) for t in taken.values()), default=0)
-        columns, width = columns_of(program.steps, [*taken, *self.unsure], shared)
+        columns, width = error_columns(program.steps, [*taken, *self.unsure], shared)
         self.tool = _Marking(skill, columns, width)
         laid = {step.makes for step in program.steps if isinstance(step, Same)}
-        errors = {n: max(t.alone_mm, skill.point_mm) if n in laid else t.alone_mm for n, t in taken.items()}
-        self.tool.own = {n: self.tool.taken(n, t.place, errors[n], t.shared) for n, t in taken.items()}
+        errors = {
+            n: max(t.individual_error_mm, skill.point_mm) if n in laid else t.individual_error_mm
+            for n, t in taken.items()
+        }
+        self.tool.own = {n: self.tool.read_mark_with_errors(n, t.place, errors[n], t.shared) for n, t in taken.items()}
         self.tool.values = self.given
         self.things: Env = dict(self.given)
         for name, share in self.unsure.items():  # relative error of an estimated given
-            value = self.tool.spread(float(self.things[name]))
+            value = self.tool.spread_over_drawings(float(self.things[name]))
             value[columns[f"read {name}"]] *= 1 + share
             self.things[name] = value
         self.made = draw_steps(program.steps, self.things, self.tool)
@@ -162,22 +168,22 @@ class Hand:
 
     def miss(self, drawn: Point, read: Point) -> Miss:
         """The difference between two arrays of columns."""
-        off = self.tool.spread(read - drawn + 0j)
-        change = _changes(off)
-        floor = LEAST_MM**2
+        off = self.tool.spread_over_drawings(read - drawn + 0j)
+        change = _error_contributions(off)
+        floor = LEAST_MARK_ERROR_MM**2
         xx, yy = float(change.real @ change.real) + floor, float(change.imag @ change.imag) + floor
         return Miss(complex(off[0]), (xx, float(change.real @ change.imag), yy), change)
 
-    def spread_of(self, value: Point) -> float:
+    def sigma_of_value(self, value: Point) -> float:
         """Standard deviation of a real value."""
-        change = _changes(self.tool.spread(numpy.real(value) + 0.0))
+        change = _error_contributions(self.tool.spread_over_drawings(numpy.real(value) + 0.0))
         return math.sqrt(float(change @ change))
 
-    def number(self, name: str) -> Point:
+    def value_without_errors(self, name: str) -> Point:
         """An element of the drawing without its columns."""
         value = self.things[name]
         return value[0].item() if getattr(value, "shape", None) else value
 
-    def under(self, variant: Variant) -> Env:
+    def redraw_with_variant(self, variant: Variant) -> Env:
         """The person's marks redrawn by the steps that a variant affects, everything else unchanged."""
-        return variant.drawn(self.program, self.things, self.tool, self.taken)
+        return variant.draw_affected_steps(self.program, self.things, self.tool, self.taken)

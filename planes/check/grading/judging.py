@@ -14,23 +14,32 @@ from dataclasses import dataclass, field, replace
 
 import numpy
 
-from planes.check.grading.evidence import SLIP, all_drawn, breadth, chance_wrong, density, logistic, misread, mixed
-from planes.check.grading.handwork import LEAST_MM, Hand, Miss
+from planes.check.grading.evidence import (
+    SLIP_PROBABILITY,
+    any_mark_log_density,
+    chance_wrong,
+    log_density_anywhere,
+    log_prob_no_slips,
+    logistic,
+    misread_log_density,
+    right_mark_log_density,
+)
+from planes.check.grading.handwork import LEAST_MARK_ERROR_MM, Hand, Miss
 from planes.check.grading.variants import Variant
 from planes.drafting.steps import LayOff, Step
 from planes.drafting.steps.reckoning import Calculate
 from planes.words.frozen import frozen
 from planes.words.names import label_of
 
-FALSE_ALARM = 0.02  # share of right drawings with the assumed unsteadiness of hand that would be rejected
-WARN = 2.486  # as rare in two dimensions as 2σ in one
-OTHER_CAUSE = 0.1  # weight of "some other cause" against a named mistake
-UNDRAWN = 0.1  # weight of "drawn wrongly" against "left out", for a mark missing in the drawing
-LEFT_OUT = ("_missing", "_along_loaded_link")
-MARGIN = 0.7  # minimum logarithm of a mistake's odds over the runner-up
-TOO_WELL = math.log(20)  # minimum logarithm of a mistake's odds over chance, for marks within limits
+FALSE_ALARM_SHARE = 0.02  # share of right drawings with the assumed unsteadiness of hand that would be rejected
+WARNING_SIGMAS = 2.486  # as rare in two dimensions as 2σ in one
+OTHER_CAUSE_WEIGHT = 0.1  # weight of "some other cause" against a named mistake
+UNDRAWN_MARK_WEIGHT = 0.1  # weight of "drawn wrongly" against "left out", for a mark missing in the drawing
+OMISSION_SUFFIXES = ("_missing", "_along_loaded_link")
+LEAST_LEAD_LOG_ODDS = 0.7  # minimum logarithm of a mistake's odds over the runner-up
+LEAST_LOG_ODDS_OVER_CHANCE = math.log(20)  # minimum logarithm of a mistake's odds over chance, for marks within limits
 # a mark this many σ off may show a mistake whose odds over a drawing error (a logarithm) reach this value
-NEAR, AS_WELL = 1.8, math.log(8)
+CLOSE_CALL_SIGMAS, RIVAL_MISTAKE_LOG_ODDS = 1.8, math.log(8)
 
 
 @dataclass
@@ -55,7 +64,7 @@ class Judgement:
             return self.named.blames
         return label_of(self.wrong[0]) if self.wrong else None
 
-    def missed(self, mark: str, verdict: str) -> Miss | None:
+    def miss_for_verdict(self, mark: str, verdict: str) -> Miss | None:
         """The miss of a mark from its step's result; from the named mistake's result, if it follows from that."""
         own = self.misses.get(mark)
         return self.explained.get(mark, own) if verdict == "follows" else own
@@ -65,23 +74,28 @@ def judge(
     hand: Hand, marks: Sequence[str], variants: Iterable[Variant], extent_mm: float, absent: Collection[str] = ()
 ) -> Judgement:
     """Grades marks in order of drawing and names the first mistake; ``absent`` marks are missing."""
-    weighing = _Weighing(hand, marks, breadth(extent_mm))
+    weighing = _Weighing(hand, marks, log_density_anywhere(extent_mm))
     judgement = Judgement(weighing.limit, weighing.misses)
     judgement.wrong = [m for m, miss in judgement.misses.items() if not miss.sigmas <= judgement.limit]
-    judgement.score = sum(weighing.mixed(m, miss) for m, miss in judgement.misses.items())
+    judgement.score = sum(weighing.mark_log_density(m, miss) for m, miss in judgement.misses.items())
     drawn = {label_of(m) for m in judgement.misses} - set(absent)
-    suspects = judgement.wrong[:1] or [m for m, miss in judgement.misses.items() if miss.sigmas > NEAR]
-    close = any(judgement.misses[m].sigmas > WARN for m in suspects)
-    ranked = weighing.ranked(variants, drawn, suspects) if suspects else []
+    suspects = judgement.wrong[:1] or [m for m, miss in judgement.misses.items() if miss.sigmas > CLOSE_CALL_SIGMAS]
+    close = any(judgement.misses[m].sigmas > WARNING_SIGMAS for m in suspects)
+    ranked = weighing.rank_mistakes(variants, drawn, suspects) if suspects else []
     if ranked and judgement.wrong:  # does the likeliest mistake explain the first wrong mark well enough?
-        _keep(judgement, ranked, max(0.0, weighing.unknown(judgement.wrong[0])))
-    elif ranked and close and ranked[0].score >= TOO_WELL:  # it explains close calls too well for chance
+        _name_likeliest_mistake(judgement, ranked, max(0.0, weighing.unknown_cause_score(judgement.wrong[0])))
+    elif (
+        ranked and close and ranked[0].score >= LEAST_LOG_ODDS_OVER_CHANCE
+    ):  # it explains close calls too well for chance
         judgement.wrong = [m for m in judgement.misses if label_of(m) == ranked[0].variant.blames]
-        _keep(judgement, ranked, 0.0)
-    elif ranked and ranked[0].score >= AS_WELL:
+        _name_likeliest_mistake(judgement, ranked, 0.0)
+    elif ranked and ranked[0].score >= RIVAL_MISTAKE_LOG_ODDS:
         judgement.as_well = ranked[0].variant
     suspect = next((m for m in judgement.wrong[:1] if weighing.doubts[m]), None)
-    right, otherwise = weighing.right(suspect), weighing.misread(suspect) if suspect else -math.inf
+    right, otherwise = (
+        weighing.log_prob_all_right(suspect),
+        weighing.log_prob_misread_mark(suspect) if suspect else -math.inf,
+    )
     judgement.chance_wrong = chance_wrong(right, otherwise, (one.score for one in ranked))
     return judgement
 
@@ -100,97 +114,108 @@ class _Weighing:
 
     def __init__(self, hand: Hand, marks: Sequence[str], broad: float) -> None:
         self.hand, self.broad = hand, broad
-        self.order = order_of_reckoning(hand.program.steps, marks)
+        self.order = judging_order(hand.program.steps, marks)
         self.plain = hand.misses(marks)
         # limit of a miss in σ: 3σ for a single mark, more where many could each be the unlucky one
-        self.limit = math.sqrt(-2 * math.log(FALSE_ALARM / max(len(self.plain), 4)))
-        self.misses = given_before(self.plain, self.order, self.limit)
+        self.limit = math.sqrt(-2 * math.log(FALSE_ALARM_SHARE / max(len(self.plain), 4)))
+        self.misses = misses_given_earlier(self.plain, self.order, self.limit)
         self.doubts = {m: hand.taken[m].doubt for m in self.plain}
 
-    def mixed(self, mark: str, miss: Miss) -> float:
+    def mark_log_density(self, mark: str, miss: Miss) -> float:
         """Logarithm of the density of a mark's miss."""
-        return mixed(miss, self.broad, self.doubts[mark])
+        return any_mark_log_density(miss, self.broad, self.doubts[mark])
 
-    def unknown(self, mark: str) -> float:
+    def unknown_cause_score(self, mark: str) -> float:
         """The score a mistake needs to explain a mark better than "some other cause" or a misreading."""
         miss = self.misses[mark]
-        taken = misread(miss.off, self.broad, self.doubts[mark]) - math.log(SLIP)
-        return float(numpy.logaddexp(math.log(OTHER_CAUSE) + self._anywhere(mark), taken)) - self.mixed(mark, miss)
+        taken = misread_log_density(miss.off, self.broad, self.doubts[mark]) - math.log(SLIP_PROBABILITY)
+        return float(
+            numpy.logaddexp(math.log(OTHER_CAUSE_WEIGHT) + self._unknown_cause_log_density(mark), taken)
+        ) - self.mark_log_density(mark, miss)
 
-    def _anywhere(self, mark: str) -> float:
+    def _unknown_cause_log_density(self, mark: str) -> float:
         """Log density of a mark that is wrong for no known cause: anywhere, or anywhere on a line of its step."""
-        step, every = self.hand.program.makers[mark], [self.broad]
+        step, every = self.hand.program.steps_by_result[mark], [self.broad]
         for start, along in (("start", "along"), ("other", "across")):
             if hasattr(step, along):
-                origin, way = (complex(self.hand.number(getattr(step, name))) for name in (start, along))
+                origin, way = (complex(self.hand.value_without_errors(getattr(step, name))) for name in (start, along))
                 aside = way.conjugate() / abs(way)
-                spread = float(((self.misses[mark].change * aside).imag ** 2).sum()) + LEAST_MM**2
+                spread = float(((self.misses[mark].change * aside).imag ** 2).sum()) + LEAST_MARK_ERROR_MM**2
                 off = ((self.hand.taken[mark].place - origin) * aside).imag
                 every.append(-0.5 * (off**2 / spread + math.log(2 * math.pi * spread) - self.broad))
         return float(numpy.logaddexp.reduce(every)) - math.log(len(every))
 
-    def gain(self, misses: Mapping[str, Miss]) -> float:
+    def log_likelihood_gain(self, misses: Mapping[str, Miss]) -> float:
         """The log likelihood ratio of misses to those of the original steps."""
-        return sum(self.mixed(m, miss) - self.mixed(m, self.misses[m]) for m, miss in misses.items())
+        return sum(
+            self.mark_log_density(m, miss) - self.mark_log_density(m, self.misses[m]) for m, miss in misses.items()
+        )
 
-    def right(self, suspect: str | None) -> float:
+    def log_prob_all_right(self, suspect: str | None) -> float:
         """Log probability that no mark slipped and a suspected one was read correctly."""
-        share = all_drawn(self.misses, self.broad, self.doubts)
+        share = log_prob_no_slips(self.misses, self.broad, self.doubts)
         if suspect is None or not math.isfinite(self.misses[suspect].sigmas):
             return share
         miss, doubt = self.misses[suspect], self.doubts[suspect]
-        return share + density(miss, self.broad, 0.0) - density(miss, self.broad, doubt)
+        return share + right_mark_log_density(miss, self.broad, 0.0) - right_mark_log_density(miss, self.broad, doubt)
 
-    def misread(self, mark: str) -> float:
+    def log_prob_misread_mark(self, mark: str) -> float:
         """The same with another point misread as the suspected mark, located instead by the marks drawn from it."""
         hand, own = self.hand, self.hand.taken[mark]
         left = {m: t for m, t in hand.taken.items() if m != mark}
         other = Hand(hand.program, hand.given, hand.tool.skill, left, hand.unsure)
         plain = other.misses([m for m in self.plain if m != mark])
-        misses, own_miss = given_before(plain, self.order, self.limit), self.mixed(mark, self.misses[mark])
-        off = misread(own.place - complex(other.number(mark)), self.broad, self.doubts[mark])
-        return self.gain(misses) + off - own_miss + all_drawn(misses, self.broad, self.doubts)
+        misses, own_miss = (
+            misses_given_earlier(plain, self.order, self.limit),
+            self.mark_log_density(mark, self.misses[mark]),
+        )
+        off = misread_log_density(own.place - complex(other.value_without_errors(mark)), self.broad, self.doubts[mark])
+        return self.log_likelihood_gain(misses) + off - own_miss + log_prob_no_slips(misses, self.broad, self.doubts)
 
-    def ranked(self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]) -> list[ScoredHypothesis]:
+    def rank_mistakes(
+        self, variants: Iterable[Variant], drawn: set[str], suspects: Collection[str]
+    ) -> list[ScoredHypothesis]:
         """The mistakes that affect a suspected mark, the likeliest first."""
         scored = []
         for variant in variants:
-            touched = self.hand.misses(list(self.plain), self.hand.under(variant))
+            touched = self.hand.misses(list(self.plain), self.hand.redraw_with_variant(variant))
             suspected = any(m in touched and math.isfinite(touched[m].sigmas) for m in suspects)
-            if not suspected or not self._shows(variant, touched):
+            if not suspected or not self._is_visible_mistake(variant, touched):
                 continue
-            under = given_before({**self.plain, **touched}, self.order, self.limit)
+            under = misses_given_earlier({**self.plain, **touched}, self.order, self.limit)
             if any(label_of(m) == variant.blames and miss.sigmas >= self.misses[m].sigmas for m, miss in under.items()):
                 continue  # its mark is nearer to its right position than to the one under the mistake
             # a mark missing in the drawing was most likely left out, another was not
-            unlike = (variant.blames in drawn) == variant.mistake.endswith(LEFT_OUT)
-            score = self.gain(under) + math.log(variant.weight * (UNDRAWN if unlike else 1.0))
+            unlike = (variant.blames in drawn) == variant.mistake.endswith(OMISSION_SUFFIXES)
+            score = self.log_likelihood_gain(under) + math.log(
+                variant.weight * (UNDRAWN_MARK_WEIGHT if unlike else 1.0)
+            )
             scored.append(ScoredHypothesis(score, variant, under))
-        return _by_mistake(scored)
+        return _best_variant_per_mistake(scored)
 
-    def _shows(self, variant: Variant, touched: Mapping[str, Miss]) -> bool:
+    def _is_visible_mistake(self, variant: Variant, touched: Mapping[str, Miss]) -> bool:
         """Whether a mistake moves its mark beyond the drawing error, given the others (if unread: moves some mark).
 
         A mark left out shows by its absence.
         """
         own = [m for m in touched if label_of(m) == variant.blames] or touched
         apart = (replace(self.misses[m], off=touched[m].off - self.plain[m].off) for m in own)
-        return variant.mistake.endswith(LEFT_OUT) or any(not miss.sigmas <= self.limit for miss in apart)
+        return variant.mistake.endswith(OMISSION_SUFFIXES) or any(not miss.sigmas <= self.limit for miss in apart)
 
 
-def _keep(judgement: Judgement, ranked: Sequence[ScoredHypothesis], unknown: float) -> None:
+def _name_likeliest_mistake(judgement: Judgement, ranked: Sequence[ScoredHypothesis], unknown: float) -> None:
     """Names the likeliest mistake if it is well ahead of the next and no less likely than an unknown cause."""
     best, rest = ranked[0], ranked[1:]
-    if best.score < unknown or (rest and best.score - rest[0].score < MARGIN):
+    if best.score < unknown or (rest and best.score - rest[0].score < LEAST_LEAD_LOG_ODDS):
         judgement.runner_up = best.variant
         return
     judgement.named, judgement.runner_up = best.variant, rest[0].variant if rest else None
     judgement.cause = logistic(best.score - float(numpy.logaddexp.reduce([unknown, *(one.score for one in rest)])))
     judgement.explained = {m: miss for m, miss in best.under.items() if miss.sigmas <= judgement.limit}
-    judgement.score += best.score + math.log(SLIP)
+    judgement.score += best.score + math.log(SLIP_PROBABILITY)
 
 
-def _by_mistake(scored: Sequence[ScoredHypothesis]) -> list[ScoredHypothesis]:
+def _best_variant_per_mistake(scored: Sequence[ScoredHypothesis]) -> list[ScoredHypothesis]:
     """The best variant of every mistake, the best mistake first, with the likelihoods of its variants added up."""
     groups: dict[str, list[ScoredHypothesis]] = {}
     for one in scored:
@@ -203,7 +228,7 @@ def _by_mistake(scored: Sequence[ScoredHypothesis]) -> list[ScoredHypothesis]:
     return sorted(merged, key=lambda n: -n.score)
 
 
-def verdicts(judgement: Judgement, order: Sequence[str], strayed: Mapping[str, bool]) -> dict[str, str]:
+def mark_verdicts(judgement: Judgement, order: Sequence[str], strayed: Mapping[str, bool]) -> dict[str, str]:
     """right, wrong, follows or unread for every mark; ``strayed`` says which are off the true plan."""
     out, upset = {}, False
     for mark in order:
@@ -218,14 +243,14 @@ def verdicts(judgement: Judgement, order: Sequence[str], strayed: Mapping[str, b
     return out
 
 
-def given_before(misses: Mapping[str, Miss], order: Sequence[str], limit: float) -> dict[str, Miss]:
+def misses_given_earlier(misses: Mapping[str, Miss], order: Sequence[str], limit: float) -> dict[str, Miss]:
     """Every miss given those before it; a mark off by more than ``limit`` σ is no evidence about others."""
     names = [m for m in order if m in misses]
     if not names:
         return {}
     changes = numpy.array([misses[m].change for m in names])
     rows = numpy.stack([changes.real, changes.imag], axis=1).reshape(2 * len(names), -1)
-    cov = rows @ rows.T + LEAST_MM**2 * numpy.eye(len(rows))
+    cov = rows @ rows.T + LEAST_MARK_ERROR_MM**2 * numpy.eye(len(rows))
     off = numpy.array([misses[m].off for m in names]).view(float)
     known_before = {}
     for i, name in enumerate(names):
@@ -239,14 +264,14 @@ def given_before(misses: Mapping[str, Miss], order: Sequence[str], limit: float)
     return {m: known_before[m] for m in misses}
 
 
-def order_of_reckoning(steps: Iterable[Step], marks: Sequence[str]) -> list[str]:
+def judging_order(steps: Iterable[Step], marks: Sequence[str]) -> list[str]:
     """Marks in order of drawing, except that a force computed from others (F^t, from moments) comes after them."""
     made = {s.makes: s for s in steps}
     laid = {m: s.length for m in marks if isinstance(s := made[m], LayOff)}
     late = []
     for k, mark in enumerate(laid):
         formula = made.get(laid[mark])
-        parts = {n for n, _ in formula.reads()} if isinstance(formula, Calculate) else set()
+        parts = {n for n, _ in formula.input_names()} if isinstance(formula, Calculate) else set()
         if parts & set(list(laid.values())[k + 1 :]):
             late.append(mark)
     last = marks.index([*laid][-1]) + 1 if laid else 0

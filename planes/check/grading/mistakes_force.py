@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
-from planes.check.grading.plan_steps import PlanSteps, along_another
+from planes.check.grading.plan_steps import PlanSteps, with_other_direction
 from planes.check.grading.variants import Variant
 from planes.drafting.steps import LayOff, Same, Step, Through
 from planes.drafting.steps.crossings import Cross
@@ -15,45 +15,49 @@ def force_variants(w: PlanSteps) -> Iterator[Variant]:
     """Mistakes of the plan of one group or of the driver."""
     for step in w.own:
         if isinstance(step, LayOff):
-            yield from _force(w, step)
+            yield from _force_mistakes(w, step)
         elif isinstance(step, Cross):
-            yield from _reaction(w, step)
-    yield from _friction(w)
+            yield from _reaction_direction_mistakes(w, step)
+    yield from _reversed_friction_mistakes(w)
 
 
-def _force(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
-    if step.quantity == "tangential":
-        yield w.variant("reaction_along_loaded_link", step, Same(step.makes, step.start))
-        yield w.variant("tangential_reversed", step, *w.reversed_length(step))
-        yield w.variant("force_doubled", step, *w.reversed_length(step, 2.0))
-        yield from _moments(w, step)
+def _force_mistakes(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
+    if step.quantity_represented == "tangential":
+        yield w.variant_at_step("reaction_along_loaded_link", step, Same(step.makes, step.start))
+        yield w.variant_at_step("tangential_reversed", step, *w.scaled_length_steps(step))
+        yield w.variant_at_step("force_doubled", step, *w.scaled_length_steps(step, 2.0))
+        yield from _moment_equation_mistakes(w, step)
         return
-    missing = "weight_missing" if step.quantity == "weight" else "force_missing"
-    yield from _both(w, step, missing, (Same(step.makes, step.start),), 0.0)
-    yield from _both(w, step, "force_doubled", w.reversed_length(step, 2.0), 2.0)
-    if step.quantity == "weight":
-        yield from _mass(w, step)
-    elif step.quantity == "inertia":
-        yield from _both(w, step, "inertia_along_acceleration", w.reversed_length(step), -1.0)
-    elif step.quantity == "reaction":
-        yield from _both(w, step, "reaction_not_reversed", w.reversed_length(step), -1.0)
+    missing = "weight_missing" if step.quantity_represented == "weight" else "force_missing"
+    yield from _mistake_with_and_in_moments(w, step, missing, (Same(step.makes, step.start),), 0.0)
+    yield from _mistake_with_and_in_moments(w, step, "force_doubled", w.scaled_length_steps(step, 2.0), 2.0)
+    if step.quantity_represented == "weight":
+        yield from _mass_for_weight_mistakes(w, step)
+    elif step.quantity_represented == "inertia":
+        yield from _mistake_with_and_in_moments(
+            w, step, "inertia_along_acceleration", w.scaled_length_steps(step), -1.0
+        )
+    elif step.quantity_represented == "reaction":
+        yield from _mistake_with_and_in_moments(w, step, "reaction_not_reversed", w.scaled_length_steps(step), -1.0)
 
 
-def _both(w: PlanSteps, step: LayOff, mistake: str, swap: tuple[Step, ...], factor: float) -> Iterator[Variant]:
+def _mistake_with_and_in_moments(
+    w: PlanSteps, step: LayOff, mistake: str, swap: tuple[Step, ...], factor: float
+) -> Iterator[Variant]:
     """A force wrong in the polygon only, or in the moment equation, too."""
-    alone = w.variant(mistake, step, *swap, weight=0.5)
+    alone = w.variant_at_step(mistake, step, *swap, weight=0.5)
     yield alone
-    swaps = _in_moments(w, step, factor)
+    swaps = _scaled_moment_equations(w, step, factor)
     if swaps:
         yield replace(alone, swaps={**alone.swaps, **swaps})
 
 
-def _in_moments(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[Step, ...]]:
+def _scaled_moment_equations(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[Step, ...]]:
     """The plan's moment equations with the terms of one force multiplied by a factor."""
     arms = {n for n, m in w.plans.means.items() if m.quantity == "arm" and step.means and m.of == step.means.of}
     equations: dict[str, tuple[Step, ...]] = {}
-    laid = (s for s in w.own if isinstance(s, LayOff) and s.quantity == "tangential")
-    for formula in filter(None, map(w.formula, laid)):
+    laid = (s for s in w.own if isinstance(s, LayOff) and s.quantity_represented == "tangential")
+    for formula in filter(None, map(w.length_formula, laid)):
         terms = tuple(
             replace(t, coefficient=t.coefficient * factor) if any(n in arms for n, _ in t.factors) else t
             for t in formula.terms
@@ -63,49 +67,49 @@ def _in_moments(w: PlanSteps, step: LayOff, factor: float) -> dict[str, tuple[St
     return equations
 
 
-def _mass(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
+def _mass_for_weight_mistakes(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """A mass in kilograms laid off as a force in newtons."""
-    weight = w.formula(step)
+    weight = w.length_formula(step)
     factors = weight.terms[0].factors if weight else ()
     if mass := next((n for n, _ in factors if letter_of(n) == "m"), None):
-        alone = w.variant("mass_for_weight", step, replace(step, length=mass), weight=0.5)
+        alone = w.variant_at_step("mass_for_weight", step, replace(step, length=mass), weight=0.5)
         yield alone
         if gravity := float(w.plans.given["g"]):
-            yield replace(alone, swaps={**alone.swaps, **_in_moments(w, step, 1.0 / gravity)})
+            yield replace(alone, swaps={**alone.swaps, **_scaled_moment_equations(w, step, 1.0 / gravity)})
 
 
-def _moments(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
+def _moment_equation_mistakes(w: PlanSteps, step: LayOff) -> Iterator[Variant]:
     """Mistakes of the moment equation for a tangential reaction."""
-    if not (formula := w.formula(step)):
+    if not (formula := w.length_formula(step)):
         return
     terms = formula.terms
     for term in terms if len(terms) > 1 else ():
         name = next((n for n, _ in term.factors), "")
         inertia = letter_of(name) == "MI"
         mistake = "inertia_moment_reversed" if inertia else "moment_sign"
-        turned = _replaced(formula, term, replace(term, coefficient=-term.coefficient))
-        yield _of_moments(step, mistake, (turned,), 1.0 if inertia else 1 / len(terms), name)
+        turned = _formula_with_term_replaced(formula, term, replace(term, coefficient=-term.coefficient))
+        yield _moment_equation_variant(step, mistake, (turned,), 1.0 if inertia else 1 / len(terms), name)
     for term in terms:
-        yield from _arm(w, step, term)
-    scaled = tuple(_longer(w, t) for t in terms)
+        yield from _arm_mistakes(w, step, term)
+    scaled = tuple(_term_with_arm_in_mm(w, t) for t in terms)
     if scaled != terms:
-        yield _of_moments(step, "arm_wrong", (replace(formula, terms=scaled),), 0.2, "mm")
+        yield _moment_equation_variant(step, "arm_wrong", (replace(formula, terms=scaled),), 0.2, "mm")
 
 
-def _drop(w: PlanSteps, term: Product) -> Drop | None:
+def _arm_construction(w: PlanSteps, term: Product) -> Drop | None:
     """The construction of a term's arm, if it has one."""
     return next((s for n, _ in term.factors if isinstance(s := w.steps.get(n), Drop)), None)
 
 
-def _longer(w: PlanSteps, term: Product) -> Product:
+def _term_with_arm_in_mm(w: PlanSteps, term: Product) -> Product:
     """A term with its arm in millimetres on paper."""
-    drop = _drop(w, term)
+    drop = _arm_construction(w, term)
     return replace(term, factors=(*term.factors, (drop.mu, 1))) if drop else term
 
 
-def _arm(w: PlanSteps, step: LayOff, term: Product) -> Iterator[Variant]:
+def _arm_mistakes(w: PlanSteps, step: LayOff, term: Product) -> Iterator[Variant]:
     """The distance between two points, or the wrong leg of the triangle, taken as the arm."""
-    formula, drop = w.formula(step), _drop(w, term)
+    formula, drop = w.length_formula(step), _arm_construction(w, term)
     if not formula or not drop:
         return
     distance = Measure(f"{drop.makes}~whole", drop.point, drop.about, None, drop.mu)
@@ -113,34 +117,38 @@ def _arm(w: PlanSteps, step: LayOff, term: Product) -> Iterator[Variant]:
     for made in (distance, leg):
         for sign in (1.0, -1.0):
             factors = tuple((made.makes if n == drop.makes else n, p) for n, p in term.factors)
-            swapped = _replaced(formula, term, replace(term, coefficient=sign * term.coefficient, factors=factors))
-            yield _of_moments(step, "arm_wrong", (made, swapped), 0.25 / len(formula.terms), term.factors[0][0])
+            swapped = _formula_with_term_replaced(
+                formula, term, replace(term, coefficient=sign * term.coefficient, factors=factors)
+            )
+            yield _moment_equation_variant(
+                step, "arm_wrong", (made, swapped), 0.25 / len(formula.terms), term.factors[0][0]
+            )
 
 
-def _replaced(formula: Calculate, old: Product, new: Product) -> Calculate:
+def _formula_with_term_replaced(formula: Calculate, old: Product, new: Product) -> Calculate:
     return replace(formula, terms=tuple(new if t is old else t for t in formula.terms))
 
 
-def _of_moments(step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str) -> Variant:
+def _moment_equation_variant(step: LayOff, mistake: str, steps: tuple[Step, ...], weight: float, force: str) -> Variant:
     label, shown = label_of(step.makes), force.strip("|").replace("MI_", "M_Φ")
     return Variant(mistake, label, {step.length: steps}, {}, weight, {"force": shown})
 
 
-def _reaction(w: PlanSteps, step: Cross) -> Iterator[Variant]:
+def _reaction_direction_mistakes(w: PlanSteps, step: Cross) -> Iterator[Variant]:
     """The lines of the unknown reactions in a wrong direction."""
     own = {"along": step.along, "across": step.across}
     rays = [s for s in w.program.steps if isinstance(s, Through) and plan_of(s.start) == "position"]
     for side, direction in own.items():
-        guide = w.link_line(direction)
+        guide = w.base_of_perpendicular(direction)
         if guide and (named := guide_of(guide)) is not None:
             others = [guide, *(s.makes for s in rays if s.makes not in own.values())]
             for i, other in enumerate(others):
-                swap = along_another(step, side, other)
+                swap = with_other_direction(step, side, other)
                 weight = 0.7 if i == 0 else 0.3 / (len(others) - 1)
-                yield w.variant("guide_reaction_not_normal", step, swap, weight=weight, about={"guide": named})
+                yield w.variant_at_step("guide_reaction_not_normal", step, swap, weight=weight, about={"guide": named})
 
 
-def _friction(w: PlanSteps) -> Iterator[Variant]:
+def _reversed_friction_mistakes(w: PlanSteps) -> Iterator[Variant]:
     """Friction drawn in the direction of motion."""
     used = {n for s in w.own if isinstance(s, Cross) for n in (s.along, s.across)}
     leans = [s for s in w.program.steps if isinstance(s, Lean) and s.makes in used]

@@ -8,24 +8,27 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from planes.check.grading.sign_faults import SignFault
-from planes.check.reading.opened import MB, contents, too_many
-from planes.words import Phrase, langs, say
-from planes.words.errors import PlanesError, shown
+from planes.check.reading.opened import MB, read_bounded_bytes, too_many_error
+from planes.words import Phrase, available_languages, say
+from planes.words.errors import PlanesError, quoted_excerpt
 from planes.words.frozen import frozen
-from planes.words.names import POLE
-from planes.words.records import table_text
+from planes.words.names import POLE_LABEL
+from planes.words.records import decode_table
 
-TABLES = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
+REQUIRED_COLUMNS = (("mark", "x_mm", "y_mm"), ("segment", "mm"), ("result", "value"))
 """The required columns of each table."""
-_KEYS = ("mark", "x_mm", "y_mm", "segment", "mm", "result", "value", "unit", "error_mm")
-COLUMNS = {key: (key, *(way for lang in langs() for way in say(f"written_{key}", lang).split(", "))) for key in _KEYS}
+_COLUMN_KEYS = ("mark", "x_mm", "y_mm", "segment", "mm", "result", "value", "unit", "error_mm")
+COLUMN_SPELLINGS = {
+    key: (key, *(way for lang in available_languages() for way in say(f"written_{key}", lang).split(", ")))
+    for key in _COLUMN_KEYS
+}
 """The names of table columns, and how people write them in every language."""
-_PARTS = {"rows": "mark", "marks": "mark", "segments": "segment", "results": "result"}  # of JSON
-_ROUNDED = math.sqrt(12)  # a number rounded to r has the error r/√12
-LARGEST = 2 * MB
-MOST = 2000  # rows
-LARGEST_MM = 10_000.0  # no sheet is larger
-TOLD_MM = 0.3  # accuracy of a mark pointed to by a person
+_JSON_PART_COLUMNS = {"rows": "mark", "marks": "mark", "segments": "segment", "results": "result"}  # of JSON
+_ROUNDING_SIGMA_DIVISOR = math.sqrt(12)  # a number rounded to r has the error r/√12
+LARGEST_TABLE_BYTES = 2 * MB
+MOST_ROWS = 2000  # rows
+LARGEST_COORDINATE_MM = 10_000.0  # no sheet is larger
+POINTED_MARK_ERROR_MM = 0.3  # accuracy of a mark pointed to by a person
 Box = tuple[float, float, float, float]  # left, bottom, right, top, mm from the pole
 
 
@@ -44,15 +47,15 @@ class ReadMark:
     shared: tuple[complex, ...] = ()
 
     @property
-    def alone_mm(self) -> float:
+    def individual_error_mm(self) -> float:
         """The individual part of its error."""
         return math.sqrt(max(self.error_mm**2 - sum(abs(z) ** 2 for z in self.shared) / 2, 0.0))
 
 
-def with_told(spots: Iterable[ReadMark], pointed: Mapping[str, complex]) -> list[ReadMark]:
+def with_pointed_marks(spots: Iterable[ReadMark], pointed: Mapping[str, complex]) -> list[ReadMark]:
     """The marks read, with those pointed to by a person, which are certain, in place of their readings."""
     read = [s for s in spots if s.name not in pointed]
-    return [*read, *(ReadMark(n, z, TOLD_MM) for n, z in pointed.items())]
+    return [*read, *(ReadMark(n, z, POINTED_MARK_ERROR_MM) for n, z in pointed.items())]
 
 
 @frozen
@@ -88,7 +91,7 @@ class ReadPaper:
     notes: list[Phrase] = field(default_factory=list)
     reason: Phrase | None = None  # why none of its marks could be read
 
-    def refuse(self, key: str, **parts: object) -> PlanesError:
+    def error_naming_file(self, key: str, **parts: object) -> PlanesError:
         """An error that names the file."""
         return PlanesError(Phrase(key, file=self.file, **parts))
 
@@ -97,17 +100,17 @@ def read_table(path: str | Path) -> ReadPaper:
     """A CSV or JSON file as a paper; :class:`PlanesError` if it cannot be read."""
     paper = ReadPaper(str(path))
     try:
-        text = table_text(contents(path, LARGEST))
+        text = decode_table(read_bounded_bytes(path, LARGEST_TABLE_BYTES))
     except UnicodeDecodeError:
-        raise paper.refuse("check_text") from None
+        raise paper.error_naming_file("check_text") from None
     if text.lstrip()[:1] in ("{", "["):
         _read_json(paper, text)
     else:
-        _read_rows(paper, _split(text))
+        _read_rows(paper, _split_rows(text))
     return paper
 
 
-def _split(text: str) -> list[tuple[int, list[str]]]:
+def _split_rows(text: str) -> list[tuple[int, list[str]]]:
     """Rows with their numbers; the first row determines the separator."""
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
     first = lines[0] if lines else ""
@@ -119,83 +122,85 @@ def _split(text: str) -> list[tuple[int, list[str]]]:
 
 def _read_rows(paper: ReadPaper, rows: Sequence[tuple[int, list[str]]]) -> None:
     """Rows under one or more headers: a new header begins a new table."""
-    columns = _header(rows[0][1]) if rows else None
+    columns = _header_columns(rows[0][1]) if rows else None
     if columns is None:
-        raise paper.refuse("check_columns")
+        raise paper.error_naming_file("check_columns")
     for line, row in rows:
-        if head := _header(row):
+        if head := _header_columns(row):
             columns = head
-            paper.left += [name for name in head if name and name not in (*COLUMNS, *paper.left)]
+            paper.left += [name for name in head if name and name not in (*COLUMN_SPELLINGS, *paper.left)]
         elif any(row[len(columns) :]):
-            raise paper.refuse("check_row_long", line=line, count=len(row), most=len(columns))
+            raise paper.error_naming_file("check_row_long", line=line, count=len(row), most=len(columns))
         else:
-            _add(paper, dict(zip(columns, row, strict=False)), line)
+            _add_row(paper, dict(zip(columns, row, strict=False)), line)
 
 
-def _header(row: Sequence[str]) -> list[str] | None:
-    names = [next((k for k, words in COLUMNS.items() if cell.casefold() in words), cell) for cell in row]
-    for wanted in TABLES:
+def _header_columns(row: Sequence[str]) -> list[str] | None:
+    names = [next((k for k, words in COLUMN_SPELLINGS.items() if cell.casefold() in words), cell) for cell in row]
+    for wanted in REQUIRED_COLUMNS:
         if all(w in names for w in wanted):
             return names
     return None
 
 
-def _add(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
+def _add_row(paper: ReadPaper, row: Mapping[str, object], line: int) -> None:
     """One row of any table."""
 
     def once(name: str, before: Iterable[str]) -> None:
         if name in before:
-            raise paper.refuse("check_row_twice", line=line, name=shown(name))
+            raise paper.error_naming_file("check_row_twice", line=line, name=quoted_excerpt(name))
 
     if "" in (row.get(key) for key in ("x_mm", "y_mm", "mm", "value")):  # the number was not written
         paper.left += [str(row.get(key)) for key in ("mark", "segment", "result") if row.get(key)]
         return
-    if len(paper.spots) + len(paper.segments) + len(paper.results) >= MOST:
-        raise too_many(paper.file, "rows", MOST)
+    if len(paper.spots) + len(paper.segments) + len(paper.results) >= MOST_ROWS:
+        raise too_many_error(paper.file, "rows", MOST_ROWS)
     if "mark" in row:
         cells = [row.get("x_mm"), row.get("y_mm")]
         if None in cells:
-            raise paper.refuse("check_row", line=line)
-        x, y = (_length(paper, c, line) for c in cells)
+            raise paper.error_naming_file("check_row", line=line)
+        x, y = (_parse_length_mm(paper, c, line) for c in cells)
         said = row.get("error_mm") or None
-        error = abs(_length(paper, said, line)) if said is not None else max(_rounding(c) for c in cells)
-        once(str(row["mark"]), (s.name for s in paper.spots if s.name != POLE))  # a pole begins each polygon
+        error = (
+            abs(_parse_length_mm(paper, said, line)) if said is not None else max(_rounding_error_mm(c) for c in cells)
+        )
+        once(str(row["mark"]), (s.name for s in paper.spots if s.name != POLE_LABEL))  # a pole begins each polygon
         paper.spots.append(ReadMark(str(row["mark"]), complex(x, y), error))
     elif "segment" in row and row.get("mm") is not None:
-        segment = str(row["segment"]), abs(_length(paper, row["mm"], line))
+        segment = str(row["segment"]), abs(_parse_length_mm(paper, row["mm"], line))
         once(segment[0], (n for n, _ in paper.segments))
         paper.segments.append(segment)
     elif "result" in row and row.get("value") is not None:
-        result = str(row["result"]), _number(paper, row["value"], line), str(row.get("unit") or "")
+        result = str(row["result"]), _parse_number(paper, row["value"], line), str(row.get("unit") or "")
         once(result[0], (n for n, *_ in paper.results))
         paper.results.append(result)
     else:
-        raise paper.refuse("check_row", line=line)
+        raise paper.error_naming_file("check_row", line=line)
 
 
-def _number(paper: ReadPaper, cell: object, line: int) -> float:
+def _parse_number(paper: ReadPaper, cell: object, line: int) -> float:
     try:
         number = float(str(cell).replace(",", ".").replace("−", "-").replace(" ", "").replace("\u00a0", ""))
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
-        raise paper.refuse("check_not_number", line=line, text=f'"{str(cell)[:40]}"')
+        raise paper.error_naming_file("check_not_number", line=line, text=f'"{str(cell)[:40]}"')
     return number
 
 
-def _length(paper: ReadPaper, cell: object, line: int) -> float:
+def _parse_length_mm(paper: ReadPaper, cell: object, line: int) -> float:
     """A length on a sheet, mm."""
-    length = _number(paper, cell, line)
-    if abs(length) > LARGEST_MM:
-        raise paper.refuse("check_no_place", line=line, text=str(cell)[:40])
+    length = _parse_number(paper, cell, line)
+    if abs(length) > LARGEST_COORDINATE_MM:
+        raise paper.error_naming_file("check_no_place", line=line, text=str(cell)[:40])
     return length
 
 
-def _rounding(cell: object) -> float:
+def _rounding_error_mm(cell: object) -> float:
     """The rounding error of a number: for 12.5, 0.1/√12 mm."""
     text = str(cell).replace(",", ".")
     digits = len(text.partition(".")[2])
-    return 0.02 if "e" in text.lower() else float(max(10.0**-digits / _ROUNDED, 0.02))
+    return 0.02 if "e" in text.lower() else float(max(10.0**-digits / _ROUNDING_SIGMA_DIVISOR, 0.02))
 
 
 def _read_json(paper: ReadPaper, text: str) -> None:
@@ -203,13 +208,13 @@ def _read_json(paper: ReadPaper, text: str) -> None:
     try:
         data = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise paper.refuse("check_json", why=str(error)[:80]) from None
+        raise paper.error_naming_file("check_json", why=str(error)[:80]) from None
     parts = {"marks": data} if isinstance(data, list) else data if isinstance(data, dict) else {}
-    if not any(map(parts.get, _PARTS)):
-        raise paper.refuse("check_columns")
-    for name, key in _PARTS.items():
+    if not any(map(parts.get, _JSON_PART_COLUMNS)):
+        raise paper.error_naming_file("check_columns")
+    for name, key in _JSON_PART_COLUMNS.items():
         for line, row in enumerate(_json_rows(parts.get(name), key), 1):
-            _add(paper, row, line)
+            _add_row(paper, row, line)
 
 
 def _json_rows(part: object, key: str) -> Iterable[Mapping[str, object]]:
@@ -221,5 +226,5 @@ def _json_rows(part: object, key: str) -> Iterable[Mapping[str, object]]:
                 yield {key: name, "mm" if key == "segment" else "value": value}
     elif isinstance(part, list):
         for row in part:
-            names = _header(list(row)) if isinstance(row, dict) else None
+            names = _header_columns(list(row)) if isinstance(row, dict) else None
             yield dict(zip(names, row.values(), strict=True)) if names else {}

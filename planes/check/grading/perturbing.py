@@ -14,17 +14,17 @@ from planes.drafting.steps import Step
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Many, Point, Real
 
-_COLUMNS = {"mark": 8, "value": 2, "direction": 1}  # errors of a step by kind: marks, rays, readings
+_ERRORS_PER_STEP_KIND = {"mark": 8, "value": 2, "direction": 1}  # errors of a step by kind: marks, rays, readings
 
 
-SHARED = "shared"  # name of the errors shared by all marks
+SHARED_ERRORS_NAME = "shared"  # name of the errors shared by all marks
 
 
-def columns_of(steps: Iterable[Step], read: Iterable[str], shared: int = 0) -> tuple[dict[str, int], int]:
+def error_columns(steps: Iterable[Step], read: Iterable[str], shared: int = 0) -> tuple[dict[str, int], int]:
     """The first error column of every step, of every name read with an error and of shared errors; the column count."""
     columns, width = dict[str, int](), 1
-    drawn = ((s.makes, _COLUMNS[s.kind]) for s in steps if s.kind in _COLUMNS)
-    for name, count in (*drawn, *((f"read {n}", 2) for n in read), (SHARED, shared)):
+    drawn = ((s.makes, _ERRORS_PER_STEP_KIND[s.kind]) for s in steps if s.kind in _ERRORS_PER_STEP_KIND)
+    for name, count in (*drawn, *((f"read {n}", 2) for n in read), (SHARED_ERRORS_NAME, shared)):
         columns[name] = width
         width += count
     return columns, width
@@ -37,48 +37,50 @@ class Nudged(Tool):
         super().__init__(Many(), True)
         self.skill, self.columns, self.width, self.at, self.end = skill, columns, width, 0, 0
 
-    def make(self, step: Step, way: Sequence[Step], things: Env) -> Point:
+    def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Point:
         """The errors of all steps on the way are those of the step they make."""
         self.at = self.columns.get(step.makes, 0)
         self.end = self.at + 8 if self.at else 0
-        return super().make(step, way, things)
+        return super().draw_by_other_steps(step, way, things)
 
-    def spread(self, value: Point) -> Point:
+    def spread_over_drawings(self, value: Point) -> Point:
         """The value as an array over all columns, ready for errors."""
         return numpy.array(numpy.broadcast_to(value, (self.width,)))
 
-    def _next(self) -> int:
+    def _next_column(self) -> int:
         self.at += 1
         return self.at - 1
 
     def mark(self, place: Point) -> Point:
         if self.at + 2 > self.end:
             return place
-        out = self.spread(place + 0j)
-        out[self._next()] += self.skill.point_mm
-        out[self._next()] += 1j * self.skill.point_mm
+        out = self.spread_over_drawings(place + 0j)
+        out[self._next_column()] += self.skill.point_mm
+        out[self._next_column()] += 1j * self.skill.point_mm
         return out
 
-    def ray(self, direction: Point) -> Point:
+    def transfer_direction(self, direction: Point) -> Point:
         if self.at + 1 > self.end:
             return direction
-        out = self.spread(direction + 0j)
+        out = self.spread_over_drawings(direction + 0j)
         angle = math.radians(self.skill.ray_deg)
-        out[self._next()] *= (1 + 1j * angle) / abs(1 + 1j * angle)
+        out[self._next_column()] *= (1 + 1j * angle) / abs(1 + 1j * angle)
         return out
 
-    def read(self, length_mm: Real) -> Real:
+    def read_length(self, length_mm: Real) -> Real:
         if self.at + 1 > self.end:
             return length_mm
-        out = self.spread(length_mm + 0.0)
-        out[self._next()] += self.skill.ruler_mm
+        out = self.spread_over_drawings(length_mm + 0.0)
+        out[self._next_column()] += self.skill.ruler_mm
         return out
 
-    def taken(self, name: str, place: complex, error_mm: float, shared: Sequence[complex] = ()) -> Point:
+    def read_mark_with_errors(
+        self, name: str, place: complex, error_mm: float, shared: Sequence[complex] = ()
+    ) -> Point:
         """A mark read from a person's drawing, with its individual and its shared reading errors."""
-        out = self.spread(complex(place))
+        out = self.spread_over_drawings(complex(place))
         column = self.columns[f"read {name}"]
         out[column] += error_mm
         out[column + 1] += 1j * error_mm
-        out[self.columns[SHARED] : self.columns[SHARED] + len(shared)] += shared
+        out[self.columns[SHARED_ERRORS_NAME] : self.columns[SHARED_ERRORS_NAME] + len(shared)] += shared
         return out

@@ -10,7 +10,7 @@ from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Calculate, Product
 from planes.plans import Plans
 from planes.words import Told
-from planes.words.names import POLE, at, guide_of, label_of
+from planes.words.names import POLE_LABEL, full_mark_name, guide_of, label_of
 
 Words = Mapping[str, Told]  # names for the sentence about a mistake
 
@@ -24,43 +24,43 @@ class PlanSteps:
     plan: str
 
     def __post_init__(self) -> None:
-        self.steps = self.program.makers
+        self.steps = self.program.steps_by_result
         self.order = {s.makes: i for i, s in enumerate(self.program.steps)}
-        self.pole = at(self.plan, POLE)
-        self.own = self.program.marks.get(self.plan, [])
+        self.pole = full_mark_name(self.plan, POLE_LABEL)
+        self.own = self.program.mark_steps_by_plan.get(self.plan, [])
 
-    def readers(self, name: str) -> list[Step]:
+    def steps_using(self, name: str) -> list[Step]:
         """The steps that use an element."""
-        return self.program.readers.get(name, [])
+        return self.program.steps_by_name_read.get(name, [])
 
-    def before(self, name: str, step: Step) -> bool:
+    def is_made_before(self, name: str, step: Step) -> bool:
         """Whether an element exists when the step is drawn."""
         return name in self.order and self.order[name] < self.order[step.makes]
 
-    def formula(self, step: LayOff) -> Calculate | None:
+    def length_formula(self, step: LayOff) -> Calculate | None:
         """The computation of the length that a step lays off, if any."""
         maker = self.steps.get(step.length)
         return maker if isinstance(maker, Calculate) else None
 
-    def link_line(self, direction: str) -> str | None:
+    def base_of_perpendicular(self, direction: str) -> str | None:
         """The direction to which this one is perpendicular, if any."""
         step = self.steps.get(direction)
         return step.of if isinstance(step, Turn) and step.quarter == 1 and not step.angle else None
 
     def perpendiculars(self) -> list[str]:
         """Perpendiculars to links among the program's directions."""
-        return [d for d in self.steps if (line := self.link_line(d)) and guide_of(line) is None]
+        return [d for d in self.steps if (line := self.base_of_perpendicular(d)) and guide_of(line) is None]
 
-    def reversed_length(self, step: LayOff, factor: float = -1.0) -> tuple[Step, ...]:
+    def scaled_length_steps(self, step: LayOff, factor: float = -1.0) -> tuple[Step, ...]:
         """The same length laid off times a number (backwards, double, half)."""
         name = f"{step.makes} ×{factor:g}"
         return Calculate(name, (Product(factor, ((step.length, 1),)),)), replace(step, length=name)
 
-    def square(self, line_name: str, name: str) -> Turn:
+    def perpendicular_step(self, line_name: str, name: str) -> Turn:
         """A perpendicular with another name."""
         return Turn(name, line_name, 1, means=replace(self.plans.means[line_name], quantity="across"))
 
-    def variant(
+    def variant_at_step(
         self, mistake: str, step: Step, *swap: Step, weight: float = 1.0, about: Words | None = None
     ) -> Variant:
         """A mistake made at one step."""
@@ -68,6 +68,6 @@ class PlanSteps:
         return Variant(mistake, label, {step.makes: swap}, {}, weight, {"mark": label, **(about or {})})
 
 
-def along_another(step: Cross, side: str, direction: str) -> Cross:
+def with_other_direction(step: Cross, side: str, direction: str) -> Cross:
     """An intersection of two lines, one of them in another direction."""
     return replace(step, along=direction) if side == "along" else replace(step, across=direction)

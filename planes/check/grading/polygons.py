@@ -10,18 +10,21 @@ from itertools import pairwise
 
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan, mark_names
-from planes.check.grading.remedies import asking, told_to
+from planes.check.grading.remedies import phrase_for_reader, phrase_with_remedy
 from planes.drafting.steps import LayOff
 from planes.plans import Plans
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
-from planes.words.names import POLE, at, end_of, kind_of, label_of, mu_of, plan_of
+from planes.words.names import POLE_LABEL, full_mark_name, label_of, mu_name, plan_kind, plan_of, vector_end_label
 from planes.words.naming import Naming
 
 Vectors = dict[str, ReadMark]  # a person's
-IN_LINE, AS_LONG = 0.05, 0.9  # collinear: tangent of the angle; relative length of a vector that hides another
-SEEN_MM = 3.0  # a shorter vector may be invisible
+COLLINEAR_TANGENT, HIDING_LENGTH_RATIO = (
+    0.05,
+    0.9,
+)  # collinear: tangent of the angle; relative length of a vector that hides another
+SHORTEST_SEEN_VECTOR_MM = 3.0  # a shorter vector may be invisible
 NO_VECTOR = ReadMark("", 0j, 0.0)
 
 
@@ -48,85 +51,91 @@ class Rebuilt:
     left: list[Side] = field(default_factory=list)  # not read, though they may be there
     polygons: list[Collection[str]] = field(default_factory=list)  # the vectors of each
 
-    def confused(self, missing: complex | None) -> bool:
+    def may_be_confused_vectors(self, missing: complex | None) -> bool:
         """Whether vectors identified by likeness, as in a picture, may as well be others.
 
         That is so where no mistake explains them, or the ``missing`` one may be invisible or hidden in one as long.
         """
         if not any(v.doubt for v in self.vectors):
             return False
-        if missing is not None and abs(missing) <= SEEN_MM:
+        if missing is not None and abs(missing) <= SHORTEST_SEEN_VECTOR_MM:
             return True
         over = (v.place / missing for v in self.vectors if missing and v.name in self.closers)
-        return missing is None or any(z.real > AS_LONG and abs(z.imag) < IN_LINE * z.real for z in over)
+        return missing is None or any(
+            z.real > HIDING_LENGTH_RATIO and abs(z.imag) < COLLINEAR_TANGENT * z.real for z in over
+        )
 
-    def unread(self, places: Mapping[str, complex]) -> list[str]:
+    def unseen_long_vectors(self, places: Mapping[str, complex]) -> list[str]:
         """Unseen vectors that should be long, by the true ``places``.
 
         A closing vector does not count where only short ones of its polygon are unseen.
         """
         long = {s.name: abs(places[s.end] - places[s.start]) for s in self.left}
-        seen = any(sum(long.get(n, 0.0) for n in polygon) <= SEEN_MM for polygon in self.polygons)
-        return [n for n, mm in long.items() if mm > SEEN_MM and not (seen and n in self.closers)]
+        seen = any(sum(long.get(n, 0.0) for n in polygon) <= SHORTEST_SEEN_VECTOR_MM for polygon in self.polygons)
+        return [n for n, mm in long.items() if mm > SHORTEST_SEEN_VECTOR_MM and not (seen and n in self.closers)]
 
 
-def sides_of(plans: Plans, plan: str) -> list[Side]:
+def polygon_sides(plans: Plans, plan: str) -> list[Side]:
     """All vectors of a force plan as drawn by the program, the closing ones last."""
     sides: dict[str, Side] = {}
-    terms = (t for e in plans.equations if e.plan == plan for t in e.terms)
-    for t in (t for t in terms if not {at(plan, t.start), at(plan, t.end)} & plans.helpers):
-        name, ends = end_of(t.name), (t.start, t.end) if t.sign > 0 else (t.end, t.start)
+    terms = (t for e in plans.equations if e.plan == plan for t in e.all_terms)
+    for t in (
+        t for t in terms if not {full_mark_name(plan, t.start), full_mark_name(plan, t.end)} & plans.auxiliary_marks
+    ):
+        name, ends = vector_end_label(t.name), (t.start, t.end) if t.sign > 0 else (t.end, t.start)
         sides.setdefault(name, Side(name, *ends))
     return list(sides.values())
 
 
-def loads_of(plans: Plans, plan: str) -> set[str]:
+def known_force_labels(plans: Plans, plan: str) -> set[str]:
     """Labels of the marks at the ends of known forces."""
     return {label_of(s.makes) for s in plans.program.steps if isinstance(s, LayOff) and plan_of(s.makes) == plan}
 
 
-def rebuild(plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, complete: bool = True) -> Rebuilt:
+def rebuild_polygon(
+    plans: Plans, plan: str, spots: Sequence[ReadMark], naming: Naming, complete: bool = True
+) -> Rebuilt:
     """The person's vectors, each from the end of the row before it, laid off in the program's order.
 
     After the last row of a polygon, one that is not part of it begins another, where that begins.
     In a ``complete`` polygon an unlisted vector is missing; otherwise it may have been overlooked.
     """
-    sides = {s.name: s for s in sides_of(plans, plan)}
-    names, out = naming.names(sides), Rebuilt()
+    sides = {s.name: s for s in polygon_sides(plans, plan)}
+    names, out = naming.name_finder(sides), Rebuilt()
     vectors: Vectors = {}
-    polygons = [{end_of(t.name): t.end for t in e.terms} for e in plans.equations if e.plan == plan]
+    polygons = [{vector_end_label(t.name): t.end for t in e.all_terms} for e in plans.equations if e.plan == plan]
     seen: dict[str, ReadMark] = {}
-    out.unknown += [spot.name for spot in spots if names.find(spot.name) is None]
+    out.unknown += [spot.name for spot in spots if names.find_name(spot.name) is None]
     known = [spot for spot in spots if spot.name not in out.unknown]
     for before, spot in pairwise([*known[:1], *known]):
-        name, last = names.find(spot.name), names.find(before.name)
-        if name in sides and any(last in p and name not in p and _whole(p, seen) for p in polygons):
+        name, last = names.find_name(spot.name), names.find_name(before.name)
+        if name in sides and any(last in p and name not in p and _is_polygon_complete(p, seen) for p in polygons):
             before = seen.get(sides[name].start, before)
         seen[name or ""] = spot
-        if name is not None and name != POLE:
+        if name is not None and name != POLE_LABEL:
             old, error = vectors.get(name, NO_VECTOR), (before.error_mm**2 + spot.error_mm**2) ** 0.5
             vector, doubt = old.place + spot.place - before.place, max(spot.doubt, old.doubt)
             vectors[name] = ReadMark(name, vector, max(error, old.error_mm), doubt)
-    loads, out.vectors = loads_of(plans, plan), [*vectors.values()]
+    loads, out.vectors = known_force_labels(plans, plan), [*vectors.values()]
     out.closers = {name for name, side in sides.items() if side.end not in loads}
     out.polygons += polygons
     out.left = [] if complete else [side for name, side in sides.items() if name not in vectors]
-    _lay(out, sides, vectors, loads, complete)
+    _lay_sides(out, sides, vectors, loads, complete)
     return out
 
 
-def _whole(polygon: Mapping[str, str], seen: Collection[str]) -> bool:
+def _is_polygon_complete(polygon: Mapping[str, str], seen: Collection[str]) -> bool:
     """Whether all sides of a polygon are seen except one that leads back to the pole."""
-    return all(name in seen or end == POLE for name, end in polygon.items())
+    return all(name in seen or end == POLE_LABEL for name, end in polygon.items())
 
 
-def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], complete: bool) -> None:
+def _lay_sides(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str], complete: bool) -> None:
     """Marks from vectors: a side with one known end gives the other; a second path to a mark, the closing error."""
-    places: dict[str, complex] = {POLE: 0j}
+    places: dict[str, complex] = {POLE_LABEL: 0j}
     hidden: set[str] = set()  # left out, or hidden in the next vector
     left = dict(sides)
     while left:
-        known = [n for n, s in left.items() if _ready(s, places, n in vectors, loads)]
+        known = [n for n, s in left.items() if _can_be_laid(s, places, n in vectors, loads)]
         if not known:
             return
         name = next((n for n in known if left[n].start in places), known[0])
@@ -150,48 +159,50 @@ def _lay(out: Rebuilt, sides: dict[str, Side], vectors: Vectors, loads: set[str]
             out.spots[new] = replace(read, name=new, place=places[new])
 
 
-def _ready(side: Side, places: dict[str, complex], read: bool, loads: set[str]) -> bool:
+def _can_be_laid(side: Side, places: dict[str, complex], read: bool, loads: set[str]) -> bool:
     """Whether a side can be laid now: read and reached, or an unread load."""
     load, begun, ended = side.end in loads, side.start in places, side.end in places
     return begun or (ended and not load) if read else load and begun and not ended
 
 
-def align(bench: PreparedPlan, plan: str, paper: ReadPaper) -> tuple[dict[str, ReadMark], Rebuilt | None, list[str]]:
+def align_marks(
+    bench: PreparedPlan, plan: str, paper: ReadPaper
+) -> tuple[dict[str, ReadMark], Rebuilt | None, list[str]]:
     """The paper's marks by label, from the pole; the rebuilt polygon of a force plan; names that are not marks."""
     names = mark_names(bench.plans, plan, bench.naming)
-    pole = next((s for s in paper.spots if names.find(s.name) == POLE), None)
-    if kind_of(plan) == "force":
+    pole = next((s for s in paper.spots if names.find_name(s.name) == POLE_LABEL), None)
+    if plan_kind(plan) == "force":
         if pole is None:
             raise PlanesError(Phrase("check_no_pole"))
-        rebuilt = rebuild(bench.plans, plan, paper.spots, bench.naming, paper.whole)
+        rebuilt = rebuild_polygon(bench.plans, plan, paper.spots, bench.naming, paper.whole)
         if not rebuilt.vectors:
-            wanted = ", ".join(s.name for s in sides_of(bench.plans, plan))
-            raise PlanesError(told_to("table", asking("check_nothing_read", names=wanted)))
+            wanted = ", ".join(s.name for s in polygon_sides(bench.plans, plan))
+            raise PlanesError(phrase_for_reader("table", phrase_with_remedy("check_nothing_read", names=wanted)))
         return rebuilt.spots, rebuilt, rebuilt.unknown
-    fixed = bench.naming.names(bench.plans.mechanism.frame.points)
+    fixed = bench.naming.name_finder(bench.plans.mechanism.frame.points)
     spots: dict[str, ReadMark] = {}
     unknown = []
     for spot in paper.spots:
-        name = names.find(spot.name)
-        if name is None and fixed.find(spot.name) is None:  # it may be at the pole
+        name = names.find_name(spot.name)
+        if name is None and fixed.find_name(spot.name) is None:  # it may be at the pole
             unknown.append(spot.name)
-        elif name and name != POLE:
+        elif name and name != POLE_LABEL:
             spots.setdefault(name, spot)
-    origin = pole.place if pole else _origin(bench, plan, spots)
+    origin = pole.place if pole else _unread_pole_position(bench, plan, spots)
     return {n: replace(s, name=n, place=s.place - origin) for n, s in spots.items()}, None, unknown
 
 
-def _origin(bench: PreparedPlan, plan: str, spots: Mapping[str, ReadMark]) -> complex:
+def _unread_pole_position(bench: PreparedPlan, plan: str, spots: Mapping[str, ReadMark]) -> complex:
     """The position of an unread pole, from a fixed point of the scheme."""
     if plan != "position":
         raise PlanesError(Phrase("check_no_pole"))
     for name, place in bench.plans.mechanism.frame.points.items():
         if name in spots:
-            return complex(spots[name].place - place * bench.given[mu_of(plan)])
+            return complex(spots[name].place - place * bench.given[mu_name(plan)])
     raise PlanesError(Phrase("check_no_fixed", names=", ".join(bench.plans.mechanism.frame.points)))
 
 
-def earlier(bench: PreparedPlan) -> dict[str, ReadMark]:
+def marks_of_earlier_plans(bench: PreparedPlan) -> dict[str, ReadMark]:
     """Marks of earlier plans in the submission."""
-    aligned = ((plan, align(bench, plan, paper)[0]) for plan, paper in bench.asked.others.items())
-    return {at(plan, n): replace(s, doubt=0.0) for plan, spots in aligned for n, s in spots.items()}
+    aligned = ((plan, align_marks(bench, plan, paper)[0]) for plan, paper in bench.asked.others.items())
+    return {full_mark_name(plan, n): replace(s, doubt=0.0) for plan, spots in aligned for n, s in spots.items()}

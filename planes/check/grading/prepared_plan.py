@@ -12,22 +12,22 @@ from planes.check.grading.mistakes_position import position_variants
 from planes.check.grading.paper import ReadMark, ReadPaper
 from planes.check.grading.plan_steps import PlanSteps
 from planes.check.grading.variants import Variant
-from planes.drafting.drawing import Drawing, draw_steps, run
+from planes.drafting.drawing import Drawing, draw_program, draw_steps
 from planes.drafting.program import Program
-from planes.drafting.skill import HAND, Skill
+from planes.drafting.skill import STUDENT_SKILL, Skill
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans import Plans
-from planes.plans.force.loads import pair_index
-from planes.plans.measuring import lettering
-from planes.plans.other_leads import fitting
-from planes.plans.scales import fits_on, scales
+from planes.plans.force.loads import force_pair_index
+from planes.plans.measuring import scene_lettering
+from planes.plans.other_leads import plans_with_sharp_leads
+from planes.plans.scales import plan_scales, plan_sizes_on_format
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
 from planes.words import Phrase, Written
-from planes.words.errors import PlanesError, choices
+from planes.words.errors import PlanesError, list_valid_choices
 from planes.words.frozen import frozen
-from planes.words.names import POLE, at, kind_of, label_of, mu_of
+from planes.words.names import POLE_LABEL, full_mark_name, label_of, mu_name, plan_kind
 from planes.words.naming import Names, Naming
 from planes.words.units import mu_text
 
@@ -40,11 +40,11 @@ class Asked:
     plan: str
     value: float | None = None
     mu: float | None = None
-    skill: Skill = HAND
+    skill: Skill = STUDENT_SKILL
     others: Mapping[str, ReadPaper] = field(default_factory=dict)  # drawings of earlier plans
     answers: tuple[str, ...] = ()  # results of a complete work, where known
 
-    def line(self, file: str) -> list[str]:
+    def command_words(self, file: str) -> list[str]:
         """The words of the command that checks a file in this way."""
         words = ["planes", "check", self.scene.file, file, "--plan", self.plan]
         words += ["--variant", self.scene.variant] if self.scene.variant else []
@@ -64,35 +64,35 @@ class PreparedPlan:
     said_mu: float
 
     @property
-    def names(self) -> Names:
+    def written_mark_names(self) -> Names:
         """Names of the plan's marks as people write them."""
         return mark_names(self.plans, self.asked.plan, self.naming)
 
     @cached_property
     def naming(self) -> Naming:
         """The lettering of names on the scene's sheets."""
-        return Naming(**lettering(self.asked.scene, self.plans))
+        return Naming(**scene_lettering(self.asked.scene, self.plans))
 
     @cached_property
     def true_marks(self) -> dict[str, complex]:
         """The marks of the right plan by label, mm from the pole."""
-        return {label_of(m): complex(self.right[m]) for m in self.marks}
+        return {label_of(m): complex(self.right_drawing[m]) for m in self.marks}
 
     @cached_property
-    def right(self) -> Drawing:
+    def right_drawing(self) -> Drawing:
         """The right plan, drawn."""
-        return run(self.program, self.given)
+        return draw_program(self.program, self.given)
 
     @cached_property
-    def leaning(self) -> list[tuple[str, str, complex, str]]:
+    def leaning_reactions(self) -> list[tuple[str, str, complex, str]]:
         """The ends of each reaction that leans by friction, by label, with the direction of its guide and its index."""
         own = (r for r in self.plans.reactions.values() if r.plan == self.asked.plan and r.friction and r.pair.guide)
         return [
             (
                 label_of(r.start),
                 label_of(r.end),
-                complex(self.right[f"∥{r.pair.guide}"]),
-                pair_index(r.pair.link, r.pair.other),
+                complex(self.right_drawing[f"∥{r.pair.guide}"]),
+                force_pair_index(r.pair.link, r.pair.other),
             )
             for r in own
         ]
@@ -100,16 +100,16 @@ class PreparedPlan:
     @cached_property
     def mistakes(self) -> list[Variant]:
         """The mistakes of the catalogue, at the stated scale, without a person's marks."""
-        return variants_of(self, {}, self.said_mu)
+        return mistake_variants(self, {}, self.said_mu)
 
     @cached_property
-    def vectors(self) -> dict[tuple[str, str], str]:
+    def vector_names(self) -> dict[tuple[str, str], str]:
         """The names of a motion plan's vectors by the labels of their ends."""
-        own = (s for s in self.plans.segments_of.get(self.asked.plan, ()) if s.start != s.end)
+        own = (s for s in self.plans.segments_by_plan.get(self.asked.plan, ()) if s.start != s.end)
         return {(s.start, s.end): s.name for s in own}
 
     @cached_property
-    def _before_marks(self) -> tuple[int, Env]:
+    def _drawing_before_marks(self) -> tuple[int, Env]:
         """The number of the first step that makes a mark of the plan, and the drawing before it."""
         own = next((k for k, step in enumerate(self.program.steps) if step.makes in self.marks), 0)
         things = dict(self.given)
@@ -120,19 +120,19 @@ class PreparedPlan:
         return own, things
 
     @cached_property
-    def _first_use(self) -> dict[str, int]:
+    def _first_step_using(self) -> dict[str, int]:
         """For each element the number of the first step that makes or reads it."""
         steps = [*enumerate(self.program.steps)]
-        return {name: k for k, step in reversed(steps) for name in (step.makes, *(n for n, _ in step.reads()))}
+        return {name: k for k, step in reversed(steps) for name in (step.makes, *(n for n, _ in step.input_names()))}
 
-    def drawn(self, variant: Variant | None, tool: Tool) -> Env | None:
+    def draw_program(self, variant: Variant | None, tool: Tool) -> Env | None:
         """The program drawn by a tool, right or with a mistake; None if that is impossible.
 
         The part before the plan's marks, and before all that the mistake affects, is not redrawn.
         """
         swaps, givens = (variant.swaps, variant.givens) if variant else ({}, {})
-        first, before = self._before_marks
-        first = min([first, *(self._first_use[n] for n in (*swaps, *givens) if n in self._first_use)])
+        first, before = self._drawing_before_marks
+        first = min([first, *(self._first_step_using[n] for n in (*swaps, *givens) if n in self._first_step_using)])
         things = {**before, **givens}
         try:
             draw_steps(self.program.steps[first:], things, tool, swaps)
@@ -140,23 +140,25 @@ class PreparedPlan:
             return None
         return things
 
-    def mu_said(self, mu: float) -> Written:
+    def written_scale(self, mu: float) -> Written:
         """A scale of the plan as written in a sentence."""
-        kind, convention = kind_of(self.asked.plan), self.asked.scene.mu_convention
+        kind, convention = plan_kind(self.asked.plan), self.asked.scene.mu_convention
         return Written(lambda lang: mu_text(mu, kind, lang, convention))
 
-    def pointed(self, marks: Mapping[str, complex], place: Callable[[complex], complex]) -> dict[str, complex]:
+    def pointed_positions(
+        self, marks: Mapping[str, complex], place: Callable[[complex], complex]
+    ) -> dict[str, complex]:
         """The positions of marks that a person pointed to, by label.
 
         None in a force plan, where the order of vectors, and so the positions of marks, is free.
         """
-        force = kind_of(self.asked.plan) == "force"
-        return {} if force else {n: place(z) for k, z in marks.items() if (n := self.names.find(k))}
+        force = plan_kind(self.asked.plan) == "force"
+        return {} if force else {n: place(z) for k, z in marks.items() if (n := self.written_mark_names.find_name(k))}
 
-    def at(self, mu: float, fixed: bool = False) -> PreparedPlan:
+    def at_scale(self, mu: float, fixed: bool = False) -> PreparedPlan:
         """The same at another scale; ``fixed`` if no other is considered."""
         asked = replace(self.asked, mu=mu) if fixed else self.asked
-        return replace(self, asked=asked, given={**self.given, mu_of(asked.plan): mu}, said_mu=mu)
+        return replace(self, asked=asked, given={**self.given, mu_name(asked.plan): mu}, said_mu=mu)
 
 
 def prepare(asked: Asked) -> PreparedPlan:
@@ -164,52 +166,56 @@ def prepare(asked: Asked) -> PreparedPlan:
     plans = scene_plans(asked.scene)
     known = known_plans(plans)
     if asked.plan not in known:
-        raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=choices(asked.plan, known)))
-    moved = {} if asked.value is None else plans.at(asked.value)
-    plans = plans if asked.value is None else fitting(plans, asked.value)
-    given = {**plans.given, **scales(plans, asked.scene.mu, moved, fits_on(asked.scene.sheet, plans)), **moved}
+        raise PlanesError(Phrase("check_no_plan", plan=asked.plan, names=list_valid_choices(asked.plan, known)))
+    moved = {} if asked.value is None else plans.drive_givens_at(asked.value)
+    plans = plans if asked.value is None else plans_with_sharp_leads(plans, asked.value)
+    given = {
+        **plans.given,
+        **plan_scales(plans, asked.scene.mu, moved, plan_sizes_on_format(asked.scene.sheet, plans)),
+        **moved,
+    }
     if asked.mu:
-        given[mu_of(asked.plan)] = asked.mu
-    marks = marks_of(plans, asked.plan)
-    speeds = marks_of(plans, "velocity") if asked.plan == "acceleration" else []  # any may be confused with another
-    program = plans.program.sliced([*marks, *speeds])
-    return PreparedPlan(asked, plans, given, program, marks, given[mu_of(asked.plan)])
+        given[mu_name(asked.plan)] = asked.mu
+    marks = plan_marks(plans, asked.plan)
+    speeds = plan_marks(plans, "velocity") if asked.plan == "acceleration" else []  # any may be confused with another
+    program = plans.program.cut_to_names([*marks, *speeds])
+    return PreparedPlan(asked, plans, given, program, marks, given[mu_name(asked.plan)])
 
 
 def known_plans(plans: Plans) -> list[str]:
     """The plans drawn by a person."""
-    return [p for p in plans.drawn if p not in ("lever", "motion")]
+    return [p for p in plans.plan_names if p not in ("lever", "motion")]
 
 
-def marks_of(plans: Plans, plan: str) -> list[str]:
+def plan_marks(plans: Plans, plan: str) -> list[str]:
     """The marks of a plan drawn by a person, in order of drawing."""
-    own = plans.program.marks.get(plan, [])
-    return [s.makes for s in own if not s.helper and label_of(s.makes) != POLE]
+    own = plans.program.mark_steps_by_plan.get(plan, [])
+    return [s.makes for s in own if not s.is_auxiliary_mark and label_of(s.makes) != POLE_LABEL]
 
 
 def mark_names(plans: Plans, plan: str, naming: Naming) -> Names:
     """Names of a plan's marks; the normal component of a driven point, n_A, may include its pivot: n_AO."""
     means = ((label_of(mark), m) for mark, m in plans.means.items() if m.quantity == "normal" and m.about)
     normal = {label: (f"n_{m.of}{m.about}",) for label, m in means}
-    return naming.names([label_of(m) for m in marks_of(plans, plan)], more=normal)
+    return naming.name_finder([label_of(m) for m in plan_marks(plans, plan)], more=normal)
 
 
-def catalogue(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
+def catalogue_mistakes(ways: PlanSteps, taken: Mapping[str, ReadMark], mu: float) -> Iterator[Variant]:
     """Every possible mistake in a plan, drawn at a scale with some of a person's own marks."""
-    kind = kind_of(ways.plan)
+    kind = plan_kind(ways.plan)
     if kind == "position":
         return position_variants(ways, taken, mu)
     return force_variants(ways) if kind == "force" else motion_variants(ways)
 
 
-def variants_of(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float, plan: str = "") -> list[Variant]:
+def mistake_variants(bench: PreparedPlan, taken: Mapping[str, ReadMark], mu: float, plan: str = "") -> list[Variant]:
     """Every possible mistake in a plan, by default the one checked."""
-    drive = bench.plans.drive_given
+    drive = bench.plans.drive_given_name
     there = replace(bench.plans, given={**bench.plans.given, drive: bench.given[drive]})
-    return list(catalogue(PlanSteps(there, bench.program, plan or bench.asked.plan), taken, mu))
+    return list(catalogue_mistakes(PlanSteps(there, bench.program, plan or bench.asked.plan), taken, mu))
 
 
-def drawn_at(bench: PreparedPlan, variant: Variant | None, label: str) -> complex | None:
+def drawn_mark_position(bench: PreparedPlan, variant: Variant | None, label: str) -> complex | None:
     """The position of a mark, mm from the pole, in this drawing of the plan; None if it cannot be drawn."""
-    things = bench.drawn(variant, Tool(Arithmetic()))
-    return complex(things[at(bench.asked.plan, label)]) if things else None
+    things = bench.draw_program(variant, Tool(Arithmetic()))
+    return complex(things[full_mark_name(bench.asked.plan, label)]) if things else None

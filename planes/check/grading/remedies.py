@@ -8,12 +8,12 @@ Reader = Literal["here", "sheet", "table"]
 """The reader of a method: at the drawing itself, at a row of a class, or without a picture for moving marks."""
 
 
-def asking(key: str, way: str = "report", /, **parts: object) -> Phrase:
+def phrase_with_remedy(key: str, way: str = "report", /, **parts: object) -> Phrase:
     """A sentence with a method of correcting marks, for a user of the command line."""
     return Phrase(key, **parts, way=Phrase(f"check_way_{way}", **parts))
 
 
-def told_to(reader: Reader, phrase: Phrase) -> Phrase:
+def phrase_for_reader(reader: Reader, phrase: Phrase) -> Phrase:
     """The same sentence with the method available to another reader; any other sentence unchanged."""
     way = phrase.parts.get("way")
     if not isinstance(way, Phrase):

@@ -5,10 +5,12 @@ from typing import Literal, NamedTuple
 
 from planes.words import Phrase, Written
 from planes.words.frozen import frozen
-from planes.words.names import POLE
+from planes.words.names import POLE_LABEL
 
 Vector = tuple[str, str]  # the labels of its ends
-FEWEST = 2  # this many heads at the ends of their vectors, and most of all heads, show that the person draws them there
+LEAST_HEADS_AT_ENDS = (
+    2  # this many heads at the ends of their vectors, and most of all heads, show that the person draws them there
+)
 
 
 class DrawnVector(NamedTuple):
@@ -65,9 +67,9 @@ def arrow_faults(vectors: Mapping[Vector, DrawnVector]) -> Iterator[SignFault]:
     """Vectors astray, and those with a head at the wrong end or missing where most others have it right."""
     ends = [one.how for one in vectors.values() if one.how in ("end", "start", "none")]
     good = ends.count("end")
-    usual = good >= FEWEST and 2 * good > len(ends)
+    usual = good >= LEAST_HEADS_AT_ENDS and 2 * good > len(ends)
     for (start, end), one in vectors.items():
-        at = start if end == POLE else end
+        at = start if end == POLE_LABEL else end
         if one.how == "astray":
             yield SignFault("vector_astray", at, start, off=one.off)
         elif one.how == "start" and usual:

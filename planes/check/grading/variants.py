@@ -30,7 +30,7 @@ class Variant:
         """The mistake and its correction."""
         return Phrase(f"mistake_{self.mistake}", **{"mark": self.blames, **self.about})
 
-    def drawn(self, program: Program, things: Env, tool: Tool, fixed: Container[str]) -> Env:
+    def draw_affected_steps(self, program: Program, things: Env, tool: Tool, fixed: Container[str]) -> Env:
         """The result of the affected steps from elements drawn without it; ``fixed`` marks stay in place."""
-        steps = program.touched(self.givens, self.swaps, fixed)
+        steps = program.steps_to_redraw(self.givens, self.swaps, fixed)
         return draw_steps(steps, {**things, **self.givens}, tool, self.swaps)

@@ -5,35 +5,37 @@ from dataclasses import replace
 
 from planes.check.grading.handwork import Hand
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.prepared_plan import PreparedPlan, known_plans, variants_of
-from planes.check.grading.slips import number_of
+from planes.check.grading.prepared_plan import PreparedPlan, known_plans, mistake_variants
+from planes.check.grading.slips import drawing_value
 from planes.check.grading.variants import Variant
-from planes.words.names import mu_of, plan_of
+from planes.words.names import mu_name, plan_of
 
-EARLIER = 0.25  # weight of a mistake in a plan without any of the results: its own results are assumed to be right
+EARLIER_PLAN_WEIGHT = (
+    0.25  # weight of a mistake in a plan without any of the results: its own results are assumed to be right
+)
 
 
-def free_hand(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, ReadMark]) -> Hand:
+def true_plan_with_errors(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, ReadMark]) -> Hand:
     """The true plan with propagated drafting errors, all that its mistakes may read, and the wanted names."""
-    program = bench.plans.program.sliced([*bench.program.made, *(n for n in wanted if n)])
-    return Hand(program, {**bench.given, mu_of(bench.asked.plan): mu}, bench.asked.skill, taken)
+    program = bench.plans.program.cut_to_names([*bench.program.result_names, *(n for n in wanted if n)])
+    return Hand(program, {**bench.given, mu_name(bench.asked.plan): mu}, bench.asked.skill, taken)
 
 
-def on_the_way(bench: PreparedPlan, free: Hand, shown: Collection[str]) -> Iterator[Variant]:
+def mistakes_before_results(bench: PreparedPlan, free: Hand, shown: Collection[str]) -> Iterator[Variant]:
     """The possible mistakes in each plan on the way to the results, which belong to the plans ``shown``.
 
     A mistake may also be a habit, made wherever a plan has a step of its kind.
     """
-    ways, scales = replace(bench, program=free.program), {plan: mu_of(plan) for plan in known_plans(bench.plans)}
-    for plan in dict.fromkeys(plan_of(made) for made in free.program.makers):
+    ways, scales = replace(bench, program=free.program), {plan: mu_name(plan) for plan in known_plans(bench.plans)}
+    for plan in dict.fromkeys(plan_of(made) for made in free.program.steps_by_result):
         if scales.get(plan) in free.things:
-            weight = 1.0 if plan in shown else EARLIER
-            every = variants_of(ways, free.taken, number_of(free, scales[plan]), plan)
-            for variant in (*every, *_habits(every)):
+            weight = 1.0 if plan in shown else EARLIER_PLAN_WEIGHT
+            every = mistake_variants(ways, free.taken, drawing_value(free, scales[plan]), plan)
+            for variant in (*every, *_repeated_mistakes(every)):
                 yield replace(variant, weight=weight * variant.weight)
 
 
-def _habits(every: Sequence[Variant]) -> Iterator[Variant]:
+def _repeated_mistakes(every: Sequence[Variant]) -> Iterator[Variant]:
     """Each mistake made at all its marks, or at all but the driver's, where it can be made in one way at each."""
     for mistake in dict.fromkeys(v.mistake for v in every):
         same = [v for v in every if v.mistake == mistake]

@@ -4,129 +4,149 @@ from collections.abc import Sequence
 
 from shapely import buffer, dwithin, union_all
 
-from planes.check.reading.strokes import CROSSINGS, FARTHEST_MM, SNAPPED_MM, ReadDrawing, as_lines, headed
+from planes.check.reading.strokes import (
+    FARTHEST_JOINED_ENDS_MM,
+    MOST_STROKES_FOR_CROSSINGS,
+    SNAPPED_ENDS_MM,
+    ReadDrawing,
+    as_lines,
+    strokes_with_heads,
+)
 from planes.check.reading.written import Stroke, Strokes
-from planes.geometry.plane import sine, toward
+from planes.geometry.plane import direction_between, sine_between
 
-UPON_MM, TOUCH_MM = 0.1, 0.01  # a vector is drawn on its line; a line ends on another
-ASKEW = 0.02  # maximum angle between parallel lines, radians
-MEETING = 0.5  # share of ends that meet others, for lines drawn from end to end
-ALONG_MM, ASLANT = 0.9, 0.06  # maximum offset and slope of a stroke along a segment
-NAMED_MM = 6.0  # maximum distance of a word from the end it names
-MISREAD = 0.05  # share of a drawing's marks that are misread
-CONFUSED = 0.0005  # the same for marks of such lines without heads
-LOOSE = 0.9  # the same for lines that overrun each other, or three and more on top of each other
-PAST_MM, PAST = 20.0, 2  # maximum overrun of lines; number of ends that prove it
+ON_LINE_TOLERANCE_MM, TOUCH_MM = 0.1, 0.01  # a vector is drawn on its line; a line ends on another
+MOST_PARALLEL_ANGLE_RAD = 0.02  # maximum angle between parallel lines, radians
+LEAST_MEETING_SHARE = 0.5  # share of ends that meet others, for lines drawn from end to end
+MOST_STROKE_OFFSET_MM, ASLANT = 0.9, 0.06  # maximum offset and slope of a stroke along a segment
+MOST_NAME_TO_END_MM = 6.0  # maximum distance of a word from the end it names
+MISREAD_SHARE = 0.05  # share of a drawing's marks that are misread
+MISREAD_SHARE_OF_MEETING = 0.0005  # the same for marks of such lines without heads
+MISREAD_SHARE_OF_OVERRUNNING = 0.9  # the same for lines that overrun each other, or three and more on top of each other
+MOST_OVERRUN_MM, LEAST_OVERRUNNING_ENDS = 20.0, 2  # maximum overrun of lines; number of ends that prove it
 
 
-def doubt_of(sketch: ReadDrawing) -> float:
+def misread_mark_share(sketch: ReadDrawing) -> float:
     """The share of misread marks in a vector drawing: hardly any with arrowheads.
 
     Without heads, and with lines that overrun or lie in rows, it is so high that a single mark proves nothing.
     """
     if any(sketch.ways):
         return 0.0
-    ends = [(k, z) for k in vectors_of(sketch) or range(len(sketch.strokes)) for z in sketch.strokes[k]]
-    met = meeting(sketch.strokes, ends, FARTHEST_MM) >= MEETING
-    if len(ends) < CROSSINGS and (_in_rows(sketch.strokes) or past(sketch.strokes, ends) >= PAST):
-        return LOOSE
-    return CONFUSED if met else MISREAD
+    ends = [(k, z) for k in vector_strokes(sketch) or range(len(sketch.strokes)) for z in sketch.strokes[k]]
+    met = share_of_meeting_ends(sketch.strokes, ends, FARTHEST_JOINED_ENDS_MM) >= LEAST_MEETING_SHARE
+    if len(ends) < MOST_STROKES_FOR_CROSSINGS and (
+        _has_rows_of_strokes(sketch.strokes) or count_overrunning_ends(sketch.strokes, ends) >= LEAST_OVERRUNNING_ENDS
+    ):
+        return MISREAD_SHARE_OF_OVERRUNNING
+    return MISREAD_SHARE_OF_MEETING if met else MISREAD_SHARE
 
 
-def meeting(strokes: Strokes, ends: Sequence[tuple[int, complex]], near: float) -> float:
+def share_of_meeting_ends(strokes: Strokes, ends: Sequence[tuple[int, complex]], near: float) -> float:
     """The share of the ends of strokes that meet others."""
-    return sum(_met(strokes, z, (k,), near) for k, z in ends if len(ends) < CROSSINGS) / max(len(ends), 1)
+    return sum(
+        _is_met_by_another(strokes, z, (k,), near) for k, z in ends if len(ends) < MOST_STROKES_FOR_CROSSINGS
+    ) / max(len(ends), 1)
 
 
-def past(strokes: Strokes, ends: Sequence[tuple[int, complex]]) -> int:
+def count_overrunning_ends(strokes: Strokes, ends: Sequence[tuple[int, complex]]) -> int:
     """The number of ends slightly beyond a crossing with another stroke, or its end on theirs, that meet none."""
-    return sum(_crossed(strokes, k, z) for k, z in ends if not _met(strokes, z, (k,), SNAPPED_MM))
+    return sum(_crossed(strokes, k, z) for k, z in ends if not _is_met_by_another(strokes, z, (k,), SNAPPED_ENDS_MM))
 
 
 def _crossed(strokes: Strokes, k: int, z: complex) -> bool:
     """Whether others cross a stroke, or end on it, not far from one of its ends."""
     other = next(w for w in strokes[k] if w != z)
-    u, far = toward(z, other), min(abs(other - z) - SNAPPED_MM, PAST_MM)
-    rest = [s for i, s in enumerate(strokes) if i != k and not _along(s, strokes[k])]
-    return bool(dwithin(as_lines(rest), as_lines([(z + SNAPPED_MM * u, z + far * u)])[0], TOUCH_MM).any())
+    u, far = direction_between(z, other), min(abs(other - z) - SNAPPED_ENDS_MM, MOST_OVERRUN_MM)
+    rest = [s for i, s in enumerate(strokes) if i != k and not _is_parallel(s, strokes[k])]
+    return bool(dwithin(as_lines(rest), as_lines([(z + SNAPPED_ENDS_MM * u, z + far * u)])[0], TOUCH_MM).any())
 
 
-def _in_rows(strokes: Strokes) -> bool:
+def _has_rows_of_strokes(strokes: Strokes) -> bool:
     """Whether three or more strokes lie on a longer one, so that the vectors among them are unknown."""
-    few = len(strokes) < CROSSINGS
-    return few and any(sum(upon(one, line) for one in strokes if one is not line) > 2 for line in strokes)
+    few = len(strokes) < MOST_STROKES_FOR_CROSSINGS
+    return few and any(
+        sum(lies_on_longer_stroke(one, line) for one in strokes if one is not line) > 2 for line in strokes
+    )
 
 
-def vectors_of(sketch: ReadDrawing, closed: bool = False) -> list[int]:
+def vector_strokes(sketch: ReadDrawing, closed: bool = False) -> list[int]:
     """The strokes that are vectors: those with heads, otherwise those that are no construction line of another.
 
     None if there is no evidence. In a ``closed`` figure a vector begins and ends where others do.
     """
     strokes = sketch.strokes
-    if with_heads := headed(sketch):
+    if with_heads := strokes_with_heads(sketch):
         return with_heads
-    if len(strokes) > CROSSINGS:
+    if len(strokes) > MOST_STROKES_FOR_CROSSINGS:
         return []
-    named = [] if closed else _named(sketch)
-    lines = {k for k in range(len(strokes)) if _is_line(strokes, k, closed, named)}
+    named = [] if closed else _named_ends(sketch)
+    lines = {k for k in range(len(strokes)) if _is_construction_line(strokes, k, closed, named)}
     return [k for k in range(len(strokes)) if k not in lines] if lines else []
 
 
-def _named(sketch: ReadDrawing) -> list[complex]:
+def _named_ends(sketch: ReadDrawing) -> list[complex]:
     """Ends of strokes that are the only ones beside a word."""
     ends_named, ends = list[complex](), [z for stroke in sketch.strokes for z in stroke]
     for word in sketch.words:
-        near = [z for z in ends if word.distance(z) < NAMED_MM]
-        if near and all(abs(z - near[0]) < SNAPPED_MM for z in near):
+        near = [z for z in ends if word.distance(z) < MOST_NAME_TO_END_MM]
+        if near and all(abs(z - near[0]) < SNAPPED_ENDS_MM for z in near):
             ends_named.append(near[0])
     return ends_named
 
 
-def _is_line(strokes: Strokes, k: int, closed: bool, named: Sequence[complex]) -> bool:
+def _is_construction_line(strokes: Strokes, k: int, closed: bool, named: Sequence[complex]) -> bool:
     """Whether a stroke extends a shorter one on it to an unnamed point where no other begins or ends.
 
     Other lines along it do not count; ``named`` are the named points.
     """
     for i, vector in enumerate(strokes):
-        if i == k or not upon(vector, strokes[k]):
+        if i == k or not lies_on_longer_stroke(vector, strokes[k]):
             continue
-        beyond = [z for z in strokes[k] if all(abs(z - w) > SNAPPED_MM for w in vector)]
-        inner = [w for w in vector if all(abs(z - w) > SNAPPED_MM for z in strokes[k])]
-        ends = any(_stopped(strokes, z, strokes[k]) or any(abs(z - w) < SNAPPED_MM for w in named) for z in beyond)
+        beyond = [z for z in strokes[k] if all(abs(z - w) > SNAPPED_ENDS_MM for w in vector)]
+        inner = [w for w in vector if all(abs(z - w) > SNAPPED_ENDS_MM for z in strokes[k])]
+        ends = any(
+            _is_end_of_other_direction(strokes, z, strokes[k]) or any(abs(z - w) < SNAPPED_ENDS_MM for w in named)
+            for z in beyond
+        )
         if beyond and not ends:
-            return not closed or all(_met(strokes, w, (i, k)) for w in inner)
+            return not closed or all(_is_met_by_another(strokes, w, (i, k)) for w in inner)
     return False
 
 
-def _stopped(strokes: Strokes, z: complex, line: Stroke) -> bool:
+def _is_end_of_other_direction(strokes: Strokes, z: complex, line: Stroke) -> bool:
     """Whether a stroke in another direction than a line begins or ends at a point."""
-    return any(any(abs(z - w) < SNAPPED_MM for w in stroke) and not _along(stroke, line) for stroke in strokes)
-
-
-def _along(one: Stroke, line: Stroke) -> bool:
-    """Whether a stroke is parallel to a line, in either direction."""
-    return sine(one[1] - one[0], line[1] - line[0]) < ASKEW
-
-
-def upon(one: Stroke, line: Stroke) -> bool:
-    """Whether a stroke lies on a longer one."""
-    a, b = line
-    local = [(z - a) / toward(a, b) for z in one]
-    return abs(one[1] - one[0]) < abs(b - a) - SNAPPED_MM and all(
-        abs(z.imag) < UPON_MM and -SNAPPED_MM < z.real < abs(b - a) + SNAPPED_MM for z in local
+    return any(
+        any(abs(z - w) < SNAPPED_ENDS_MM for w in stroke) and not _is_parallel(stroke, line) for stroke in strokes
     )
 
 
-def _met(strokes: Strokes, z: complex, but: Sequence[int], near: float = SNAPPED_MM) -> bool:
+def _is_parallel(one: Stroke, line: Stroke) -> bool:
+    """Whether a stroke is parallel to a line, in either direction."""
+    return sine_between(one[1] - one[0], line[1] - line[0]) < MOST_PARALLEL_ANGLE_RAD
+
+
+def lies_on_longer_stroke(one: Stroke, line: Stroke) -> bool:
+    """Whether a stroke lies on a longer one."""
+    a, b = line
+    local = [(z - a) / direction_between(a, b) for z in one]
+    return abs(one[1] - one[0]) < abs(b - a) - SNAPPED_ENDS_MM and all(
+        abs(z.imag) < ON_LINE_TOLERANCE_MM and -SNAPPED_ENDS_MM < z.real < abs(b - a) + SNAPPED_ENDS_MM for z in local
+    )
+
+
+def _is_met_by_another(strokes: Strokes, z: complex, but: Sequence[int], near: float = SNAPPED_ENDS_MM) -> bool:
     """Whether another stroke begins or ends at a point."""
     return any(abs(z - w) < near for i, stroke in enumerate(strokes) if i not in but for w in stroke)
 
 
-def covered(strokes: Strokes, a: complex, b: complex) -> float:
+def covered_share(strokes: Strokes, a: complex, b: complex) -> float:
     """The share of the segment from ``a`` to ``b`` with a stroke along it."""
-    if abs(b - a) < 2 * ALONG_MM:
+    if abs(b - a) < 2 * MOST_STROKE_OFFSET_MM:
         return 1.0
     aside = ((b - a).conjugate() / abs(b - a) * (d - c) for c, d in strokes)
-    beside = [s for s, way in zip(strokes, aside, strict=True) if abs(way.imag) < ALONG_MM + ASLANT * abs(way)]
-    line, bands = as_lines([(a, b)])[0], union_all(buffer(as_lines(beside), ALONG_MM, cap_style="flat"))
+    beside = [
+        s for s, way in zip(strokes, aside, strict=True) if abs(way.imag) < MOST_STROKE_OFFSET_MM + ASLANT * abs(way)
+    ]
+    line, bands = as_lines([(a, b)])[0], union_all(buffer(as_lines(beside), MOST_STROKE_OFFSET_MM, cap_style="flat"))
     return float(line.intersection(bands).length / line.length)

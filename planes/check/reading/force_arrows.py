@@ -13,38 +13,42 @@ from statistics import median
 
 import numpy
 
-from planes.check.evidence.line_words import LineWord, words_of
+from planes.check.evidence.line_words import LineWord, words_among_names
 from planes.check.explaining import weights as w
-from planes.check.explaining.hypotheses import catalogue
+from planes.check.explaining.hypotheses import catalogue_hypotheses
 from planes.check.explaining.plan_lines import Hypothesis, PlanLines
 from planes.check.grading.paper import ReadMark, ReadPaper
-from planes.check.grading.polygons import loads_of, sides_of
+from planes.check.grading.polygons import known_force_labels, polygon_sides
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.grading.remedies import asking
+from planes.check.grading.remedies import phrase_with_remedy
 from planes.check.grading.sign_faults import DrawnVector, SignFault, arrow_faults
-from planes.check.reading.construction_lines import covered
-from planes.check.reading.parts import NEAR_WORD_MM
-from planes.check.reading.strokes import FEWEST_HEADS, ReadDrawing, headed
-from planes.check.reading.weighed import is_right, worth
+from planes.check.reading.construction_lines import covered_share
+from planes.check.reading.parts import MOST_PART_TO_WORD_MM
+from planes.check.reading.strokes import LEAST_HEADED_STROKES, ReadDrawing, strokes_with_heads
+from planes.check.reading.weighed import agreement_score, is_right_paper
 from planes.check.reading.written import Stroke
 from planes.geometry.arrays import Array
-from planes.words.names import POLE, end_of
+from planes.words.names import POLE_LABEL, vector_end_label
 
-HEADLESS_MM = 2.0  # a shorter vector may have no head
-NAMELESS, AGAINST, BARE = 2.0, 4.0, 1.0  # cost of having no name; numbers in reverse; no head
-LEFT = 2.5, 9.0  # maximum cost of an arrow outside the plan, without heads and with them
-HEAD = 0.0, 4.0  # the minimum of it
-SHARE = 0.02  # of its length, the error of a force computed from others
-SOFT_MM, MIDDLE, TIP = 0.5, 0.15, 8.0  # for names of opposite vectors
-NARROW = 0.2  # maximum distance between opposite vectors, relative to their length
-MEET_MM, LOOSE = 1.0, 0.7  # ends that meet; share of their distance that is the error of each
-HIDDEN_MM = 0.7  # shorter vectors are not drawn
-SAME_MM = 0.3  # vectors that coincide
-UPON = 0.7  # share of a vector within the lines of others at which it need not be visible
-EXACT_MM = 0.05  # accuracy of a program
-MOST = 120  # arrows
-LEAST, ALIKE, OTHER_SIZE = 0.2, 1.03, 3.0  # sizes of a plan of unknown scale: the smallest; ratio of equal ones
-NEVER, TINY = 1e6, 1e-9
+SHORTEST_VECTOR_WITH_HEAD_MM = 2.0  # a shorter vector may have no head
+NO_NAME_COST, REVERSED_NUMBERS_COST, NO_HEAD_COST = 2.0, 4.0, 1.0  # cost of having no name; numbers in reverse; no head
+MOST_STRAY_ARROW_COSTS = 2.5, 9.0  # maximum cost of an arrow outside the plan, without heads and with them
+LEAST_STRAY_ARROW_COSTS = 0.0, 4.0  # the minimum of it
+COMPUTED_FORCE_ERROR_SHARE = 0.02  # of its length, the error of a force computed from others
+OPPOSITE_NAME_SOFTNESS_MM, MIDDLE_NAME_SHARE, TIP_NAME_STEEPNESS = 0.5, 0.15, 8.0  # for names of opposite vectors
+OPPOSITE_VECTORS_GAP_RATIO = 0.2  # maximum distance between opposite vectors, relative to their length
+MEETING_ENDS_MM, GAP_ERROR_SHARE = 1.0, 0.7  # ends that meet; share of their distance that is the error of each
+SHORTEST_DRAWN_VECTOR_MM = 0.7  # shorter vectors are not drawn
+COINCIDENT_VECTORS_MM = 0.3  # vectors that coincide
+HIDDEN_VECTOR_SHARE = 0.7  # share of a vector within the lines of others at which it need not be visible
+PROGRAM_ACCURACY_MM = 0.05  # accuracy of a program
+MOST_ARROWS = 120  # arrows
+SMALLEST_PLAN_SIZE, EQUAL_SIZE_RATIO, OTHER_SIZE_COST = (
+    0.2,
+    1.03,
+    3.0,
+)  # sizes of a plan of unknown scale: the smallest; ratio of equal ones
+IMPOSSIBLE_COST, TINY = 1e6, 1e-9
 Known = dict[str, complex]
 Rows = Mapping[str, Stroke]
 NamedStrokes = Iterator[tuple[str, Stroke]]
@@ -69,267 +73,303 @@ class ForceArrows:
 
     def __post_init__(self) -> None:
         sketch = self.sketch
-        many = len(sketch.strokes) > MOST and sum(map(bool, sketch.ways)) >= FEWEST_HEADS
-        self.headed = many or bool(headed(sketch))
+        many = len(sketch.strokes) > MOST_ARROWS and sum(map(bool, sketch.ways)) >= LEAST_HEADED_STROKES
+        self.headed = many or bool(strokes_with_heads(sketch))
         self.plan = PlanLines(self.bench, to_fit=False)
         self.written = self.needed = numpy.zeros(0, bool)  # names on the drawing; vectors that must be there
         self.prices = numpy.zeros((0, 0))  # cost of each name for each direction of an arrow
-        self.sides = sides_of(self.bench.plans, self.bench.asked.plan)
-        own, loads = {s.name for s in self.sides}, loads_of(self.bench.plans, self.bench.asked.plan)
-        segments = self.bench.plans.segments_of.get(self.bench.asked.plan, ())
-        self.ends = {end_of(s.name): (s.start, s.end) for s in segments if end_of(s.name) not in own}
+        self.sides = polygon_sides(self.bench.plans, self.bench.asked.plan)
+        own, loads = {s.name for s in self.sides}, known_force_labels(self.bench.plans, self.bench.asked.plan)
+        segments = self.bench.plans.segments_by_plan.get(self.bench.asked.plan, ())
+        self.ends = {
+            vector_end_label(s.name): (s.start, s.end) for s in segments if vector_end_label(s.name) not in own
+        }
         self.ends |= {s.name: (s.start, s.end) for s in self.sides}
         self.names = sorted(self.ends, key=lambda n: n not in own)
-        self.names += [f"{letter}_{index}" for *_, index in self.bench.leaning for letter in "NT"]  # may be drawn, too
+        self.names += [
+            f"{letter}_{index}" for *_, index in self.bench.leaning_reactions for letter in "NT"
+        ]  # may be drawn, too
         self.reactions = {s.name for s in self.sides if s.end not in loads}
         self.own = numpy.array([n in own for n in self.names])
         self.arrows: list[tuple[Stroke, ...]] = []
         for k, s in enumerate(sketch.strokes):
-            if way := sketch.way(k):
+            if way := sketch.end_with_head(k):
                 self.arrows.append((s if way > 0 else s[::-1],))
-            elif not self.headed or abs(s[1] - s[0]) < HEADLESS_MM:
+            elif not self.headed or abs(s[1] - s[0]) < SHORTEST_VECTOR_WITH_HEAD_MM:
                 self.arrows.append((s, s[::-1]))
         self.flat = [(i, s) for i, one in enumerate(self.arrows) for s in one]
         self.v = numpy.array([b - a for _, (a, b) in self.flat])
         self.of = numpy.array([i for i, _ in self.flat])
         self.bare = numpy.array([self.headed and len(one) > 1 for one in self.arrows])  # without a head as others have
 
-    def known(self, h: Hypothesis) -> Known | None:
+    def vectors_by_name(self, h: Hypothesis) -> Known | None:
         """Every vector that may be drawn, by name."""
         if (drawn := self.plan.drawn(h)) is None:
             return None
         places = dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
         vectors = {n: places.get(b, 0j) - places.get(a, 0j) for n, (a, b) in self.ends.items()}
-        for a, b, along, index in self.bench.leaning:
+        for a, b, along, index in self.bench.leaning_reactions:
             reaction = places.get(b, 0j) - places.get(a, 0j)
             friction = (reaction * along.conjugate()).real * along
             vectors |= {f"N_{index}": reaction - friction, f"T_{index}": friction}
         return vectors
 
-    def beside(self) -> Array:
+    def name_costs_of_arrows(self) -> Array:
         """The cost of each name for each direction of an arrow, by its position."""
-        every = words_of(self.sketch, self.bench.naming.names(self.names), self.names).words
-        placed = ((one, [one.off(*s) for _, s in self.flat]) for one in every)
-        words = [(one, off) for one, off in placed if min(off) < NEAR_WORD_MM]
+        every = words_among_names(self.sketch, self.bench.naming.name_finder(self.names), self.names).words
+        placed = ((one, [one.distance_to_segment(*s) for _, s in self.flat]) for one in every)
+        words = [(one, off) for one, off in placed if min(off) < MOST_PART_TO_WORD_MM]
         written = {n for one, _ in words for n in one.likely}
         self.written = numpy.array([n in written for n in self.names])
-        cost = numpy.where(self.written, w.LETTERS * 9.0, NAMELESS) + numpy.zeros((len(self.flat), 1))
-        back = [next((k for k, (j, o) in enumerate(self.flat) if j != i and _back(s, o)), None) for i, s in self.flat]
+        cost = numpy.where(self.written, w.MISPLACED_NAME_WEIGHT * 9.0, NO_NAME_COST) + numpy.zeros((len(self.flat), 1))
+        back = [
+            next((k for k, (j, o) in enumerate(self.flat) if j != i and _leads_back_beside(s, o)), None)
+            for i, s in self.flat
+        ]
         for one, off in words:
             for k, (i, s) in enumerate(self.flat):
-                price = w.LETTERS * self._price(one, off, k, i, s, back[k])
+                price = w.MISPLACED_NAME_WEIGHT * self._naming_cost(one, off, k, i, s, back[k])
                 for n in one.likely:
                     cost[k, self.names.index(n)] = min(cost[k, self.names.index(n)], price)
         return cost
 
-    def _price(self, one: LineWord, off: Sequence[float], k: int, i: int, s: Stroke, back: int | None) -> float:
+    def _naming_cost(self, one: LineWord, off: Sequence[float], k: int, i: int, s: Stroke, back: int | None) -> float:
         """The cost of a text naming this vector, and no other one."""
         pair = i if back is None else self.flat[back][0]
-        price = one.nearest(off[k], [mm for mm, (j, _) in zip(off, self.flat, strict=True) if j not in (i, pair)])
+        price = one.naming_cost(off[k], [mm for mm, (j, _) in zip(off, self.flat, strict=True) if j not in (i, pair)])
         if back is not None:  # it is at its own tip, or nearer to its own
             z = one.word.middle if one.led is None else one.led
             ahead = ((z - s[0]) / (s[1] - s[0])).real - 0.5
-            by_tip = math.log(1 + math.exp(min(-2 * TIP * ahead, 40.0)))
-            price += by_tip if abs(ahead) > MIDDLE else one.nearest(off[k], [off[back]], SOFT_MM)
-        return price + AGAINST * (not one.word.runs(s, self.sketch.words))
+            by_tip = math.log(1 + math.exp(min(-2 * TIP_NAME_STEEPNESS * ahead, 40.0)))
+            price += (
+                by_tip
+                if abs(ahead) > MIDDLE_NAME_SHARE
+                else one.naming_cost(off[k], [off[back]], OPPOSITE_NAME_SOFTNESS_MM)
+            )
+        return price + REVERSED_NUMBERS_COST * (not one.word.agrees_with_end_numbers(s, self.sketch.words))
 
-    def readings(self) -> Iterator[Reading]:
+    def likeliest_readings(self) -> Iterator[Reading]:
         """The likeliest reading of the right plan and of each mistake's."""
-        right = self.known(Hypothesis())
+        right = self.vectors_by_name(Hypothesis())
         if right is None:
             return
-        self.prices = self.beside()
+        self.prices = self.name_costs_of_arrows()
         places = [right[n] for n in self.names]
         twins = [
-            n in self.reactions and any(min(abs(v - u), abs(v + u)) < EXACT_MM for u in places[:k])
+            n in self.reactions and any(min(abs(v - u), abs(v + u)) < PROGRAM_ACCURACY_MM for u in places[:k])
             for k, (n, v) in enumerate(zip(self.names, places, strict=True))
         ]
         self.needed = self.own & ~numpy.array(twins)
-        size = min(self._sizes(right), key=lambda k: self.read(0.0, right, k, w.HAND_MM).cost)
-        for h in (Hypothesis(), *catalogue(self.plan)):
-            if (known := self.known(h)) is not None:
-                yield min((self.read(h.cost, known, size, s) for s in (w.HAND_MM, EXACT_MM)), key=lambda r: r.cost)
+        size = min(
+            self._possible_plan_sizes(right),
+            key=lambda k: self.read_under_hypothesis(0.0, right, k, w.DRAWING_SIGMA_MM).cost,
+        )
+        for h in (Hypothesis(), *catalogue_hypotheses(self.plan)):
+            if (known := self.vectors_by_name(h)) is not None:
+                yield min(
+                    (
+                        self.read_under_hypothesis(h.cost, known, size, s)
+                        for s in (w.DRAWING_SIGMA_MM, PROGRAM_ACCURACY_MM)
+                    ),
+                    key=lambda r: r.cost,
+                )
 
-    def _sizes(self, known: Known) -> list[float]:
+    def _possible_plan_sizes(self, known: Known) -> list[float]:
         """Sizes of the plan relative to the stated one: the drawer's choice unless given."""
-        sizes, lengths = [1.0], [abs(v) for v in known.values() if abs(v) > HEADLESS_MM]
+        sizes, lengths = [1.0], [abs(v) for v in known.values() if abs(v) > SHORTEST_VECTOR_WITH_HEAD_MM]
         for ratio in sorted(float(abs(v)) / t for v in self.v for t in lengths) if not self.bench.asked.mu else ():
-            if LEAST < ratio < 1 / LEAST and ratio > ALIKE * (sizes[-1] if len(sizes) > 1 else 0.0):
+            if SMALLEST_PLAN_SIZE < ratio < 1 / SMALLEST_PLAN_SIZE and ratio > EQUAL_SIZE_RATIO * (
+                sizes[-1] if len(sizes) > 1 else 0.0
+            ):
                 sizes.append(ratio)
         return sizes
 
-    def read(self, prior: float, known: Known, size: float, sigma: float) -> Reading:
+    def read_under_hypothesis(self, prior: float, known: Known, size: float, sigma: float) -> Reading:
         """The likeliest reading under a hypothesis of this prior cost."""
         true = numpy.array([known[n] for n in self.names]) * size
-        spread = sigma + (SHARE * abs(true) if sigma == w.HAND_MM else 0.0)
-        unlike = w.HAND * abs(self.v[:, None] - true) ** 2 / (2 * spread**2)
-        missed = self.needed & (self.written | (abs(true) > HEADLESS_MM / 2))
-        cost = numpy.minimum(unlike, w.COSTS["anywhere"]) + self.prices - w.OMITTED * missed
-        cost = cost + BARE * self.bare[self.of, None]
+        spread = sigma + (COMPUTED_FORCE_ERROR_SHARE * abs(true) if sigma == w.DRAWING_SIGMA_MM else 0.0)
+        unlike = w.DRAWING_ERROR_WEIGHT * abs(self.v[:, None] - true) ** 2 / (2 * spread**2)
+        missed = self.needed & (self.written | (abs(true) > SHORTEST_VECTOR_WITH_HEAD_MM / 2))
+        cost = numpy.minimum(unlike, w.HYPOTHESIS_COSTS["anywhere"]) + self.prices - w.OMITTED_LINE_COST * missed
+        cost = cost + NO_HEAD_COST * self.bare[self.of, None]
         first, last = (numpy.searchsorted(self.of, range(len(self.arrows)), side) for side in ("left", "right"))
         last = last - 1  # the other direction of an arrow without a head
         ways = numpy.where(cost[last] < cost[first], last[:, None], first[:, None])
-        over = numpy.minimum(HEAD[self.headed] + w.STRANGE * abs(self.v[first]), LEFT[self.headed])
-        beside = numpy.where(numpy.eye(len(over), dtype=bool), numpy.where(self.bare, 0.0, over), NEVER)
+        over = numpy.minimum(
+            LEAST_STRAY_ARROW_COSTS[self.headed] + w.UNEXPLAINED_COST_PER_MM * abs(self.v[first]),
+            MOST_STRAY_ARROW_COSTS[self.headed],
+        )
+        beside = numpy.where(numpy.eye(len(over), dtype=bool), numpy.where(self.bare, 0.0, over), IMPOSSIBLE_COST)
         table = numpy.hstack([numpy.minimum(cost[first], cost[last]), beside])
-        columns = cheapest(table)
+        columns = cheapest_assignment(table)
         taken = {self.names[j]: int(ways[i, j]) for i, j in enumerate(columns) if j < len(self.names)}
         left = [i for i, j in enumerate(columns) if j >= len(self.names)]
-        total = float(table[range(len(table)), columns].sum()) + prior + OTHER_SIZE * (size != 1.0)
-        total += 4 * w.HAND * len(taken) * math.log(sigma / w.HAND_MM)
+        total = float(table[range(len(table)), columns].sum()) + prior + OTHER_SIZE_COST * (size != 1.0)
+        total += 4 * w.DRAWING_ERROR_WEIGHT * len(taken) * math.log(sigma / w.DRAWING_SIGMA_MM)
         return Reading(total, dict(zip(self.names, true.tolist(), strict=True)), taken, left)
 
 
-def force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
+def read_force_arrows(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The vectors of a force plan, each a row from its start."""
     paper, seen = ReadPaper(sketch.file, whole=False), ForceArrows(sketch, bench)
-    if not 0 < len(seen.arrows) <= MOST:
-        paper.reason = asking("check_force_unsure") if seen.arrows else None
+    if not 0 < len(seen.arrows) <= MOST_ARROWS:
+        paper.reason = phrase_with_remedy("check_force_unsure") if seen.arrows else None
         return paper
-    readings = sorted(seen.readings(), key=lambda r: r.cost)
+    readings = sorted(seen.likeliest_readings(), key=lambda r: r.cost)
     if not readings:
         return paper
     best = readings[0]
     own = {s.name for s in seen.sides}
-    back = dict(_turned_round(seen, best, own))
-    rows = {n: s for n, s in (_shared(seen, best) | back).items() if n in own}
+    back = dict(_reversed_vectors(seen, best, own))
+    rows = {n: s for n, s in (_vectors_with_arrows(seen, best) | back).items() if n in own}
     true = {n: v for n, v in best.known.items() if n in own}
-    bare = dict(_headless(seen, {n: v for n, v in best.known.items() if n not in {*best.taken, *rows}}, rows))
+    bare = dict(_headless_vectors(seen, {n: v for n, v in best.known.items() if n not in {*best.taken, *rows}}, rows))
     rows |= {n: s for n, s in bare.items() if n in own}
-    rows |= dict(_between(rows, true))
+    rows |= dict(_short_vectors_between(rows, true))
     heads = dict.fromkeys(rows, DrawnVector("end"))
     heads |= dict.fromkeys(back, DrawnVector("start")) | dict.fromkeys(bare, DrawnVector("none"))
-    exchanged, elsewhere = _misnamed(seen, best)
+    exchanged, elsewhere = _swapped_and_misplaced_names(seen, best)
     paper.signs = [*exchanged, *arrow_faults({("", n): how for n, how in heads.items()})]
     paper.untold = [n for n in elsewhere if n in own]
     ring = {s.name for s in seen.plan.sides} & {*compress(seen.names, seen.needed)}  # vectors inside are optional
-    unread = (n for n in true if n in ring and n not in rows and abs(true[n]) > HEADLESS_MM)
-    paper.left = [n for n in unread if not _into_a_head(seen, true[n], rows)]
-    error = max(sketch.error_mm, LOOSE * _gap(rows))
+    unread = (n for n in true if n in ring and n not in rows and abs(true[n]) > SHORTEST_VECTOR_WITH_HEAD_MM)
+    paper.left = [n for n in unread if not _may_end_in_other_head(seen, true[n], rows)]
+    error = max(sketch.error_mm, GAP_ERROR_SHARE * _typical_gap(rows))
     paper.spots = _spots(rows, error)
-    paper.whole = seen.headed and all(abs(seen.arrows[i][0][1] - seen.arrows[i][0][0]) < HEADLESS_MM for i in best.left)
-    room = 2 * max(_gaps(rows), default=0.0)  # where all ends meet, no vector is hidden
-    paper.whole &= all(n in rows or not HIDDEN_MM < abs(true[n]) < min(room, HEADLESS_MM) for n in own)
-    if _vague(seen, rows, bench, paper):
-        paper.spots, paper.reason = [], asking("check_force_unsure")
+    paper.whole = seen.headed and all(
+        abs(seen.arrows[i][0][1] - seen.arrows[i][0][0]) < SHORTEST_VECTOR_WITH_HEAD_MM for i in best.left
+    )
+    room = 2 * max(_end_to_start_gaps(rows), default=0.0)  # where all ends meet, no vector is hidden
+    paper.whole &= all(
+        n in rows or not SHORTEST_DRAWN_VECTOR_MM < abs(true[n]) < min(room, SHORTEST_VECTOR_WITH_HEAD_MM) for n in own
+    )
+    if _is_only_guessed(seen, rows, bench, paper):
+        paper.spots, paper.reason = [], phrase_with_remedy("check_force_unsure")
     return paper
 
 
-def _shared(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
+def _vectors_with_arrows(seen: ForceArrows, best: Reading) -> dict[str, Stroke]:
     """The vectors with their arrows: a reaction and its only component, or two inner vectors, may share one."""
     rows, known = {n: seen.flat[k][1] for n, k in best.taken.items()}, best.known
     for n in (s.name for s in seen.sides):
-        alike = [m for m in rows if abs(known[m] - known[n]) < SAME_MM]
+        alike = [m for m in rows if abs(known[m] - known[n]) < COINCIDENT_VECTORS_MM]
         same = [m for m in alike if n in seen.reactions or not seen.own[seen.names.index(m)]]
         if n not in rows and same:
             rows[n] = rows[same[0]]
     return rows
 
 
-def _turned_round(seen: ForceArrows, best: Reading, own: Collection[str]) -> NamedStrokes:
+def _reversed_vectors(seen: ForceArrows, best: Reading, own: Collection[str]) -> NamedStrokes:
     """Vectors without an arrow, each at a reversed one; and sums that have one."""
     left = [seen.arrows[i][0] for i in best.left if len(seen.arrows[i]) == 1]
-    left = [(a, b) for a, b in left if all(abs(b - a - v) > _near(v) for v in best.known.values())]
+    left = [(a, b) for a, b in left if all(abs(b - a - v) > _vector_tolerance_mm(v) for v in best.known.values())]
     for n, v in best.known.items():
-        if abs(v) <= HEADLESS_MM or (n in best.taken and n in own):
+        if abs(v) <= SHORTEST_VECTOR_WITH_HEAD_MM or (n in best.taken and n in own):
             continue
         lying = [seen.flat[best.taken[n]][1]] if n in best.taken else left
-        back = next((s for s in lying if abs(s[1] - s[0] + v) < _near(v)), None)
+        back = next((s for s in lying if abs(s[1] - s[0] + v) < _vector_tolerance_mm(v)), None)
         if back:
             left = [s for s in left if s != back]
             yield n, back[::-1]
 
 
-def _misnamed(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]]:
+def _swapped_and_misplaced_names(seen: ForceArrows, best: Reading) -> tuple[list[SignFault], list[str]]:
     """Pairs of names at each other's arrows; vectors whose names fit another's place better, and vice versa."""
     names, v = [*best.taken], numpy.array([best.known[n] for n in best.taken])
-    prices = seen.prices[[*best.taken.values()]][:, [seen.names.index(n) for n in names]] / w.LETTERS
-    other = numpy.where(abs(v[:, None] - v) > MEET_MM, prices, math.inf)
-    own, surely = prices.diagonal(), -math.log(w.LIKELY)
-    rather = own - other > math.log(w.RATHER)  # by row of an arrow and column of a name
+    prices = seen.prices[[*best.taken.values()]][:, [seen.names.index(n) for n in names]] / w.MISPLACED_NAME_WEIGHT
+    other = numpy.where(abs(v[:, None] - v) > MEETING_ENDS_MM, prices, math.inf)
+    own, surely = prices.diagonal(), -math.log(w.LEAST_NAME_CERTAINTY)
+    rather = own - other > math.log(w.SWAPPED_OVER_OWN_ODDS)  # by row of an arrow and column of a name
     sure = rather & rather.T & (other + other.T < 2 * surely)
     there, theirs = (other.min(axis=k, initial=math.inf) for k in (0, 1))
     elsewhere = rather.any(axis=0) & (numpy.maximum(there, theirs) < surely)
     pairs = [(names[k], names[j]) for k, j in numpy.argwhere(numpy.triu(sure))]
-    exchanged = [SignFault("names_exchanged", *pair, w.EXCHANGED) for pair in pairs]
+    exchanged = [SignFault("names_exchanged", *pair, w.SWAPPED_NAMES_CERTAINTY) for pair in pairs]
     return exchanged, [*compress(names, elsewhere)]
 
 
-def _headless(seen: ForceArrows, unread: Known, rows: Rows) -> NamedStrokes:
+def _headless_vectors(seen: ForceArrows, unread: Known, rows: Rows) -> NamedStrokes:
     """Vectors that are headless lines from the end of one to the start of another, where others have heads."""
     ends = numpy.array([*rows.values()]).ravel()
-    lines = [s for k, s in enumerate(seen.sketch.strokes) if seen.headed and not seen.sketch.way(k)]
-    joined = [s for s in lines if all((abs(ends - z) < MEET_MM).any() for z in s)]
+    lines = [s for k, s in enumerate(seen.sketch.strokes) if seen.headed and not seen.sketch.end_with_head(k)]
+    joined = [s for s in lines if all((abs(ends - z) < MEETING_ENDS_MM).any() for z in s)]
     for n, v in unread.items():
-        like = [s for one in joined for s in (one, one[::-1]) if abs(s[1] - s[0] - v) < _near(v)]
-        yield from [(n, s) for s in like[:1] if abs(v) > HEADLESS_MM]
+        like = [s for one in joined for s in (one, one[::-1]) if abs(s[1] - s[0] - v) < _vector_tolerance_mm(v)]
+        yield from [(n, s) for s in like[:1] if abs(v) > SHORTEST_VECTOR_WITH_HEAD_MM]
 
 
-def _into_a_head(seen: ForceArrows, v: complex, rows: Rows) -> bool:
+def _may_end_in_other_head(seen: ForceArrows, v: complex, rows: Rows) -> bool:
     """Whether a vector may end in the head of another in the same direction, so that it has none."""
     headed = [one[0] for one in seen.arrows if len(one) == 1]
     ends = [b for _, b in rows.values()]
-    return any(abs(b - z - v) < _near(v) and covered(headed, z, b) > UPON for _, b in headed for z in ends)
+    return any(
+        abs(b - z - v) < _vector_tolerance_mm(v) and covered_share(headed, z, b) > HIDDEN_VECTOR_SHARE
+        for _, b in headed
+        for z in ends
+    )
 
 
-def _near(v: complex) -> float:
+def _vector_tolerance_mm(v: complex) -> float:
     """The tolerance of a drawn vector."""
-    return max(MEET_MM, SHARE * abs(v))
+    return max(MEETING_ENDS_MM, COMPUTED_FORCE_ERROR_SHARE * abs(v))
 
 
-def _vague(seen: ForceArrows, rows: Rows, bench: PreparedPlan, paper: ReadPaper) -> bool:
+def _is_only_guessed(seen: ForceArrows, rows: Rows, bench: PreparedPlan, paper: ReadPaper) -> bool:
     """Whether the vectors of a wrong polygon are only guessed.
 
     They have no names; or, as none has a head, they may as well be reversed; or headless lines do not form a chain.
     """
     if not seen.headed:
         begun = [a for a, _ in rows.values()]
-        if sum(all(abs(b - a) > MEET_MM for a in begun) for _, b in rows.values()) > 1:
+        if sum(all(abs(b - a) > MEETING_ENDS_MM for a in begun) for _, b in rows.values()) > 1:
             return True
-    if is_right(bench, paper):
+    if is_right_paper(bench, paper):
         return False
     error = next((s.error_mm for s in paper.spots), 0.0)
     back = _spots({n: s[::-1] for n, s in rows.items()}, error)
-    turned = not seen.headed and worth(bench, replace(paper, spots=back)) >= worth(bench, paper)
+    turned = not seen.headed and agreement_score(bench, replace(paper, spots=back)) >= agreement_score(bench, paper)
     return turned or not (seen.written & seen.own).any()
 
 
-def _gap(rows: Rows) -> float:
+def _typical_gap(rows: Rows) -> float:
     """The distance between the ends and the starts of vectors that should meet."""
-    return median([gap for gap in _gaps(rows) if gap < MEET_MM] or [0.0])
+    return median([gap for gap in _end_to_start_gaps(rows) if gap < MEETING_ENDS_MM] or [0.0])
 
 
-def _gaps(rows: Rows) -> list[float]:
+def _end_to_start_gaps(rows: Rows) -> list[float]:
     """The distance from the end of each vector to the start of another."""
     return [min(abs(b - a) for a, _ in rows.values()) for _, b in rows.values()]
 
 
 def _spots(rows: Rows, error: float) -> list[ReadMark]:
     """Each vector as its start and its end."""
-    return [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE, name), s, strict=True)]
+    return [ReadMark(n, z, error) for name, s in rows.items() for n, z in zip((POLE_LABEL, name), s, strict=True)]
 
 
-def _between(rows: Rows, known: Known) -> NamedStrokes:
+def _short_vectors_between(rows: Rows, known: Known) -> NamedStrokes:
     """Short vectors, not drawn separately, between the end of one and the start of another."""
     begun, ended = [a for a, _ in rows.values()], [b for _, b in rows.values()]
     begun, ended = (
-        [z for z in one if all(abs(z - q) > EXACT_MM for q in other)] for one, other in ((begun, ended), (ended, begun))
+        [z for z in one if all(abs(z - q) > PROGRAM_ACCURACY_MM for q in other)]
+        for one, other in ((begun, ended), (ended, begun))
     )
-    short = [n for n, v in known.items() if n not in rows and EXACT_MM < abs(v) < HEADLESS_MM]
+    short = [
+        n for n, v in known.items() if n not in rows and PROGRAM_ACCURACY_MM < abs(v) < SHORTEST_VECTOR_WITH_HEAD_MM
+    ]
     ways = [(abs(b - a - known[n]), n, (a, b)) for n in short for a in ended for b in begun]
     used = set[object]()
     for off, n, (a, b) in sorted(ways, key=lambda way: way[0]):
-        if off < SAME_MM and not used & {n, a, b}:
+        if off < COINCIDENT_VECTORS_MM and not used & {n, a, b}:
             used |= {n, a, b}
             yield n, (a, b)
 
 
-def _back(s: Stroke, o: Stroke) -> bool:
+def _leads_back_beside(s: Stroke, o: Stroke) -> bool:
     """Whether one vector leads back beside another."""
-    return abs(o[0] - s[1]) + abs(o[1] - s[0]) < NARROW * abs(s[1] - s[0])
+    return abs(o[0] - s[1]) + abs(o[1] - s[0]) < OPPOSITE_VECTORS_GAP_RATIO * abs(s[1] - s[0])
 
 
-def cheapest(table: Array) -> list[int]:
+def cheapest_assignment(table: Array) -> list[int]:
     """The column of each row, each used once, with the lowest total cost: by shortest augmenting paths."""
     rows, columns = table.shape
     row_of = numpy.full(columns, -1)

@@ -10,14 +10,17 @@ from shapely import STRtree, points
 
 from planes.check.reading.strokes import ReadDrawing
 from planes.check.reading.written import Strokes
-from planes.geometry.plane import toward
+from planes.geometry.plane import direction_between
 
-FEWEST = 4  # minimum number of rows in hatching
-WIDEST_MM, EVEN_MM = 6.0, 0.15  # maximum distance between rows, and tolerance of their spacing
-PARALLEL_DEG = 0.5
-ROW_MM = 0.1  # strokes closer than this are pieces of one row, cut around a letter
-FREE_MM = 0.3  # an end is free if no other line ends this close
-AT_ONCE = 250  # ends in one search for neighbours: all of a scribble may be neighbours
+LEAST_HATCH_ROWS = 4  # minimum number of rows in hatching
+MOST_ROW_SPACING_MM, ROW_SPACING_TOLERANCE_MM = (
+    6.0,
+    0.15,
+)  # maximum distance between rows, and tolerance of their spacing
+PARALLEL_TOLERANCE_DEG = 0.5
+SAME_ROW_DISTANCE_MM = 0.1  # strokes closer than this are pieces of one row, cut around a letter
+FREE_END_DISTANCE_MM = 0.3  # an end is free if no other line ends this close
+MOST_ENDS_AT_ONCE = 250  # ends in one search for neighbours: all of a scribble may be neighbours
 
 
 def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
@@ -25,37 +28,37 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
 
     One end of a few of its strokes may be close to something by chance.
     """
-    free = _free(sketch.strokes)
-    gone, loose = set[int](), {k for k, ends in enumerate(free) if ends == 2 and not sketch.way(k)}
-    for held in (loose, {k for k, ends in enumerate(free) if ends and not sketch.way(k)}):
-        for alike in _parallel(sketch.strokes, sorted(held)):
-            gone.update(_even_rows(sketch.strokes, alike, loose))
-    return sketch.only(k for k in range(len(sketch.strokes)) if k not in gone) if gone else sketch
+    free = _free_end_counts(sketch.strokes)
+    gone, loose = set[int](), {k for k, ends in enumerate(free) if ends == 2 and not sketch.end_with_head(k)}
+    for held in (loose, {k for k, ends in enumerate(free) if ends and not sketch.end_with_head(k)}):
+        for alike in _parallel_groups(sketch.strokes, sorted(held)):
+            gone.update(_strokes_in_even_rows(sketch.strokes, alike, loose))
+    return sketch.with_strokes_only(k for k in range(len(sketch.strokes)) if k not in gone) if gone else sketch
 
 
-def _free(strokes: Strokes) -> list[int]:
+def _free_end_counts(strokes: Strokes) -> list[int]:
     """The number of ends of each stroke without other ends close by, except those of other pieces of its row."""
     places = numpy.array(strokes, complex).ravel()
     ways = numpy.repeat([cmath.rect(1.0, cmath.phase(b - a)) for a, b in strokes], 2)
     ends = points(places.real, places.imag)
     tree = STRtree(ends)
     joined = numpy.zeros(len(ends), bool)
-    for part in numpy.array_split(numpy.arange(len(ends)), 1 + len(ends) // AT_ONCE):
-        i, other = tree.query(ends[part], predicate="dwithin", distance=FREE_MM)
+    for part in numpy.array_split(numpy.arange(len(ends)), 1 + len(ends) // MOST_ENDS_AT_ONCE):
+        i, other = tree.query(ends[part], predicate="dwithin", distance=FREE_END_DISTANCE_MM)
         own = part[i]
         turned = abs((ways[own] * ways[other].conj()).imag)
         aside = abs(((places[other] - places[own]) * ways[own].conj()).imag)
-        pieces = (turned < math.radians(PARALLEL_DEG)) & (aside < ROW_MM)
+        pieces = (turned < math.radians(PARALLEL_TOLERANCE_DEG)) & (aside < SAME_ROW_DISTANCE_MM)
         joined[own[(own != other) & ~pieces]] = True
     free: list[int] = (~joined.reshape(-1, 2)).sum(axis=1).tolist()
     return free
 
 
-def _parallel(strokes: Strokes, held: Sequence[int]) -> list[list[int]]:
+def _parallel_groups(strokes: Strokes, held: Sequence[int]) -> list[list[int]]:
     """Groups of parallel strokes."""
     angles = {k: math.degrees(cmath.phase(strokes[k][1] - strokes[k][0])) % 180 for k in held}
-    groups = _together(angles, PARALLEL_DEG)
-    if len(groups) > 1 and angles[groups[0][0]] + 180 - angles[groups[-1][-1]] <= PARALLEL_DEG:
+    groups = _together(angles, PARALLEL_TOLERANCE_DEG)
+    if len(groups) > 1 and angles[groups[0][0]] + 180 - angles[groups[-1][-1]] <= PARALLEL_TOLERANCE_DEG:
         groups[0] += groups.pop()  # horizontal strokes, some of them slightly below 180°
     return groups
 
@@ -67,25 +70,29 @@ def _together(values: Mapping[int, float], gap: float) -> list[list[int]]:
     return [order[i:j] for i, j in pairwise([0, *cuts, len(order)])]
 
 
-def _even_rows(strokes: Strokes, held: Sequence[int], loose: Set[int]) -> Iterator[int]:
+def _strokes_in_even_rows(strokes: Strokes, held: Sequence[int], loose: Set[int]) -> Iterator[int]:
     """Those of parallel strokes that lie in evenly spaced rows, enough of which begin and end freely."""
-    if len(held) < FEWEST:
+    if len(held) < LEAST_HATCH_ROWS:
         return
-    across = toward(*strokes[held[0]]).conjugate()
+    across = direction_between(*strokes[held[0]]).conjugate()
     off = {k: (sum(strokes[k]) / 2 * across).imag for k in held}
-    rows = _together(off, ROW_MM)
+    rows = _together(off, SAME_ROW_DISTANCE_MM)
     gaps, start = [off[below[0]] - off[row[0]] for row, below in pairwise(rows)], 0
     for i in range(1, len(rows) + 1):
-        if i < len(rows) and gaps[start] < WIDEST_MM and abs(gaps[i - 1] - gaps[start]) < EVEN_MM:
+        if (
+            i < len(rows)
+            and gaps[start] < MOST_ROW_SPACING_MM
+            and abs(gaps[i - 1] - gaps[start]) < ROW_SPACING_TOLERANCE_MM
+        ):
             continue
-        if sum(not loose.isdisjoint(row) for row in rows[start:i]) >= FEWEST:
+        if sum(not loose.isdisjoint(row) for row in rows[start:i]) >= LEAST_HATCH_ROWS:
             own = [k for row in rows[start:i] for k in row]
             along = {k: sorted((z * across).real for z in strokes[k]) for k in own}
             beside = [along[k] for k in own if k in loose]
-            yield from (k for k in own if k in loose or any(_beside(along[k], other) for other in beside))
+            yield from (k for k in own if k in loose or any(_is_half_beside(along[k], other) for other in beside))
         start = i - 1 if i - start > 1 else i
 
 
-def _beside(own: Sequence[float], other: Sequence[float]) -> bool:
+def _is_half_beside(own: Sequence[float], other: Sequence[float]) -> bool:
     """Whether half of a stroke lies beside another one, by their ends along their direction."""
     return min(own[1], other[1]) - max(own[0], other[0]) > (own[1] - own[0]) / 2

@@ -10,16 +10,16 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 MB = 1_000_000
-LARGEST = 200 * MB  # of pictures and pages
-LETTERS = 16  # of a hash
+LARGEST_FILE_BYTES = 200 * MB  # of pictures and pages
+HASH_LETTERS = 16  # of a hash
 
 
-def hash_of(shown: bytes) -> str:
+def hash_of_content(shown: bytes) -> str:
     """A short hash of the content of a drawing."""
-    return hashlib.sha256(shown).hexdigest()[:LETTERS]
+    return hashlib.sha256(shown).hexdigest()[:HASH_LETTERS]
 
 
-def contents(path: str | Path, most: int) -> bytes:
+def read_bounded_bytes(path: str | Path, most: int) -> bytes:
     """The bytes of a file of at most ``most``; :class:`PlanesError` if it is no file or larger."""
     file = Path(path)
     try:
@@ -35,13 +35,13 @@ def contents(path: str | Path, most: int) -> bytes:
     return data
 
 
-def too_many(file: str, what: str, most: int) -> PlanesError:
+def too_many_error(file: str, what: str, most: int) -> PlanesError:
     """An error for a file that holds more than any drawing of a plan; ``what`` is counted."""
     return PlanesError(Phrase("check_too_many", file=file, what=Phrase(f"count_{what}"), most=most))
 
 
 @contextmanager
-def hushed() -> Iterator[None]:
+def silenced_output() -> Iterator[None]:
     """Suppresses terminal output of libraries while they decode."""
     try:
         kept = os.dup(2)

@@ -9,65 +9,65 @@ from xml.etree import ElementTree
 import pypdfium2
 import pypdfium2.raw as pdf
 
-from planes.check.reading.opened import LARGEST, contents
-from planes.check.reading.parts import joined
+from planes.check.reading.opened import LARGEST_FILE_BYTES, read_bounded_bytes
+from planes.check.reading.parts import merge_word_pieces
 from planes.check.reading.strokes import ReadDrawing
-from planes.check.reading.svg import sketch_of
+from planes.check.reading.svg import drawing_from_svg
 
-MOST = 60_000  # objects of a page
-DEEPEST = 15  # nesting depth of forms
-FEWEST = 4  # with fewer lines, a page that also shows an image is a picture
-PICTURE = 0.5  # an image over this share of the page is its content
+MOST_OBJECTS = 60_000  # objects of a page
+MOST_FORM_DEPTH = 15  # nesting depth of forms
+LEAST_LINES_BESIDE_IMAGE = 4  # with fewer lines, a page that also shows an image is a picture
+PICTURE_PAGE_SHARE = 0.5  # an image over this share of the page is its content
 
 
 def read_pdf(path: str | Path, page: int = 0) -> ReadDrawing | None:
     """The strokes of a page in mm, y up; None if it shows a picture or cannot be read."""
-    data = contents(path, LARGEST)
+    data = read_bounded_bytes(path, LARGEST_FILE_BYTES)
     try:
         document = pypdfium2.PdfDocument(data)
     except pypdfium2.PdfiumError:
         return None
     try:
-        root = _tree(document[page]) if 0 <= page < len(document) else None
-        drawing = None if root is None else sketch_of(root, str(path))
+        root = _page_as_svg(document[page]) if 0 <= page < len(document) else None
+        drawing = None if root is None else drawing_from_svg(root, str(path))
         if drawing:
-            drawing.words = joined(drawing.words)
+            drawing.words = merge_word_pieces(drawing.words)
         return drawing
     finally:
         document.close()
 
 
-def _tree(page: Any) -> ElementTree.Element | None:
+def _page_as_svg(page: Any) -> ElementTree.Element | None:
     """The page as an SVG: y down from its upper edge, in points."""
     width, height = page.get_size()
     root = ElementTree.Element("svg", width=f"{width}pt", height=f"{height}pt", viewBox=f"0 0 {width} {height}")
     box = page.get_mediabox()
     turned = ElementTree.SubElement(root, "g", transform=f"matrix(1 0 0 -1 {-box[0]} {box[3]})")
     words, count, shows = page.get_textpage(), 0, False
-    for thing, _ in zip(page.get_objects(max_depth=DEEPEST), range(MOST), strict=False):
+    for thing, _ in zip(page.get_objects(max_depth=MOST_FORM_DEPTH), range(MOST_OBJECTS), strict=False):
         if thing.type == pdf.FPDF_PAGEOBJ_PATH:
-            count += _path(turned, thing)
+            count += _add_path(turned, thing)
         elif thing.type == pdf.FPDF_PAGEOBJ_TEXT:
-            _text(turned, thing, words)
+            _add_text(turned, thing, words)
         elif thing.type == pdf.FPDF_PAGEOBJ_IMAGE:
             left, low, right, high = thing.get_bounds()
-            if (right - left) * (high - low) > PICTURE * width * height:
+            if (right - left) * (high - low) > PICTURE_PAGE_SHARE * width * height:
                 return None
             shows = True
-    return root if count >= (FEWEST if shows else 1) else None
+    return root if count >= (LEAST_LINES_BESIDE_IMAGE if shows else 1) else None
 
 
-def _path(root: ElementTree.Element, thing: Any) -> bool:
+def _add_path(root: ElementTree.Element, thing: Any) -> bool:
     """A path with its style; whether it is visible."""
     fill, stroke = ctypes.c_int(), ctypes.c_int()
     pdf.FPDFPath_GetDrawMode(thing, fill, stroke)
     looks = {"stroke": "#000" if stroke.value else "none", "fill": "#000" if fill.value else "none"}
     matrix = "matrix({})".format(" ".join(map(str, thing.get_matrix().get())))
-    ElementTree.SubElement(root, "path", looks, d=" ".join(_pieces(thing)), transform=matrix)
+    ElementTree.SubElement(root, "path", looks, d=" ".join(_svg_path_commands(thing)), transform=matrix)
     return bool(stroke.value or fill.value)
 
 
-def _pieces(thing: Any) -> Iterator[str]:
+def _svg_path_commands(thing: Any) -> Iterator[str]:
     """A path's pieces in SVG notation."""
     letters = {pdf.FPDF_SEGMENT_MOVETO: "M", pdf.FPDF_SEGMENT_LINETO: "L", pdf.FPDF_SEGMENT_BEZIERTO: "C"}
     x, y, handles = ctypes.c_float(), ctypes.c_float(), list[str]()
@@ -85,7 +85,7 @@ def _pieces(thing: Any) -> Iterator[str]:
             yield "Z"
 
 
-def _text(root: ElementTree.Element, thing: Any, words: Any) -> None:
+def _add_text(root: ElementTree.Element, thing: Any, words: Any) -> None:
     """A piece of text at its start, upright in its local axes."""
     length = pdf.FPDFTextObj_GetText(thing, words, None, 0)
     held = ctypes.create_string_buffer(max(length, 2))

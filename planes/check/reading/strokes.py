@@ -12,19 +12,29 @@ from typing import Any, NamedTuple
 import numpy
 from shapely import linestrings
 
-from planes.check.reading.opened import too_many
+from planes.check.reading.opened import too_many_error
 from planes.check.reading.written import Stroke, Strokes, Words
-from planes.geometry.plane import corners
+from planes.geometry.plane import bounding_corners
 
 Round = tuple[complex, float]  # centre and radius of a small circle, a hinge or a point
-LONGEST = 200  # letters of a text
-ROUND_MM = 3.0  # a larger circle is no sign of a point
-SHORT_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
-SNAPPED_MM, LOOSE_MM, FARTHEST_MM = 0.1, 0.6, 2.0  # closer ends coincide: joined by a program, by eye, badly
-CROSSINGS = 400  # with more strokes, crossings are not searched
-MOST, MOST_SHORT = 12_000, 120_000  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
-HEADED, FEWEST_HEADS = 0.25, 2  # minimum share and number of lines with heads at which heads distinguish the vectors
-STRAIGHT = 0.005  # radians, maximum turn at a vertex of a polyline that continues straight on
+LONGEST_TEXT = 200  # letters of a text
+LARGEST_POINT_RADIUS_MM = 3.0  # a larger circle is no sign of a point
+SHORTEST_STROKE_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
+SNAPPED_ENDS_MM, ENDS_JOINED_BY_EYE_MM, FARTHEST_JOINED_ENDS_MM = (
+    0.1,
+    0.6,
+    2.0,
+)  # closer ends coincide: joined by a program, by eye, badly
+MOST_STROKES_FOR_CROSSINGS = 400  # with more strokes, crossings are not searched
+MOST_STROKES, MOST_SHORT_STROKES = (
+    12_000,
+    120_000,
+)  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
+LEAST_HEADED_SHARE, LEAST_HEADED_STROKES = (
+    0.25,
+    2,
+)  # minimum share and number of lines with heads at which heads distinguish the vectors
+MOST_STRAIGHT_TURN_RAD = 0.005  # radians, maximum turn at a vertex of a polyline that continues straight on
 
 
 class Arrowhead(NamedTuple):
@@ -54,35 +64,39 @@ class ReadDrawing:
     @property
     def box(self) -> tuple[complex, complex]:
         """The lower left and the upper right corner of its strokes."""
-        return corners(z for stroke in self.strokes for z in stroke)
+        return bounding_corners(z for stroke in self.strokes for z in stroke)
 
-    def way(self, k: int) -> int:
+    def end_with_head(self, k: int) -> int:
         """The end of a stroke that has a head."""
         return self.ways[k] if self.ways else 0
 
-    def only(self, held: Iterable[int]) -> ReadDrawing:
+    def with_strokes_only(self, held: Iterable[int]) -> ReadDrawing:
         """The drawing with some of its strokes."""
         kept = list(held)
         ways = [self.ways[k] for k in kept] if self.ways else []
         return replace(self, strokes=[self.strokes[k] for k in kept], ways=ways)
 
-    def write(self, words: Words) -> None:
+    def add_text(self, words: Words) -> None:
         """Adds a text, unless it is empty or too long."""
-        if 0 < len(text := words.text.strip()) <= LONGEST:
+        if 0 < len(text := words.text.strip()) <= LONGEST_TEXT:
             self.words.append(replace(words, text=text))
 
-    def add(self, points: Sequence[complex], closed: bool = False) -> None:
+    def add_polyline(self, points: Sequence[complex], closed: bool = False) -> None:
         """Adds a polyline's strokes; where it continues straight on, they are one."""
         line = [*points, points[0]] if closed and len(points) > 2 else list(points)
-        on = {k for k, (a, b, c) in enumerate(zip(line, line[1:], line[2:], strict=False), 1) if goes_on(a, b, c)}
+        on = {
+            k
+            for k, (a, b, c) in enumerate(zip(line, line[1:], line[2:], strict=False), 1)
+            if continues_straight(a, b, c)
+        }
         self.passed += len(on)
         line = [z for k, z in enumerate(line) if k not in on]
         for a, b in pairwise(line):
             if cmath.isfinite(a) and cmath.isfinite(b) and abs(b - a) > 0.02:
-                (self.strokes if abs(b - a) >= SHORT_MM else self.short).append((a, b))
-        for count, most in ((len(self.strokes) + self.passed, MOST), (len(self.short), MOST_SHORT)):
+                (self.strokes if abs(b - a) >= SHORTEST_STROKE_MM else self.short).append((a, b))
+        for count, most in ((len(self.strokes) + self.passed, MOST_STROKES), (len(self.short), MOST_SHORT_STROKES)):
             if count > most:
-                raise too_many(self.file, "strokes", most)
+                raise too_many_error(self.file, "strokes", most)
 
 
 def as_lines(strokes: Strokes) -> Any:  # shapely has no types for many lines
@@ -91,35 +105,35 @@ def as_lines(strokes: Strokes) -> Any:  # shapely has no types for many lines
     return linestrings(ends) if ends else numpy.array([], object)
 
 
-def goes_on(a: complex, b: complex, c: complex, within: float = STRAIGHT) -> bool:
+def continues_straight(a: complex, b: complex, c: complex, within: float = MOST_STRAIGHT_TURN_RAD) -> bool:
     """Whether the path from a to b continues to c, turning by at most ``within``, radians."""
     return a != b != c and abs(cmath.phase((c - b) / (b - a))) < within
 
 
-def headed(sketch: ReadDrawing) -> list[int]:
+def strokes_with_heads(sketch: ReadDrawing) -> list[int]:
     """The strokes with arrowheads, if enough have one to distinguish vectors from construction lines."""
     heads = [k for k, way in enumerate(sketch.ways) if way]
-    return heads if len(heads) >= max(FEWEST_HEADS, HEADED * len(sketch.strokes)) else []
+    return heads if len(heads) >= max(LEAST_HEADED_STROKES, LEAST_HEADED_SHARE * len(sketch.strokes)) else []
 
 
-def hinged(sketch: ReadDrawing) -> ReadDrawing:
+def extend_strokes_to_hinges(sketch: ReadDrawing) -> ReadDrawing:
     """The sketch with strokes that end at the circle of a hinge extended to its centre."""
 
     def on(z: complex) -> complex:
-        return next((c for c, r in sketch.rounds if abs(z - c) < r + LOOSE_MM / 2), z)
+        return next((c for c, r in sketch.rounds if abs(z - c) < r + ENDS_JOINED_BY_EYE_MM / 2), z)
 
     lines = [(on(a), on(b)) for a, b in sketch.strokes]
-    return replace(sketch, strokes=lines).only(k for k, (a, b) in enumerate(lines) if a != b)
+    return replace(sketch, strokes=lines).with_strokes_only(k for k, (a, b) in enumerate(lines) if a != b)
 
 
-def reach_of(strokes: Strokes, vectors: Sequence[int]) -> float:
+def coincident_ends_distance_mm(strokes: Strokes, vectors: Sequence[int]) -> float:
     """The distance, mm, within which ends of vectors meet others: small if joined by a program, larger if by eye."""
     ends = [(k, z) for k, stroke in enumerate(strokes) for z in stroke]
-    if len(ends) > 2 * CROSSINGS:
-        return LOOSE_MM
+    if len(ends) > 2 * MOST_STROKES_FOR_CROSSINGS:
+        return ENDS_JOINED_BY_EYE_MM
     asked = ((k, z) for k in vectors for z in strokes[k])
     gaps = sorted(min((abs(z - w) for j, w in ends if j != k), default=math.inf) for k, z in asked)
-    joined = [g for g in gaps if g < FARTHEST_MM]
-    if not joined or sum(g < SNAPPED_MM for g in joined) > 0.7 * len(joined):
-        return SNAPPED_MM if joined else LOOSE_MM
-    return min(max(LOOSE_MM, 1.3 * joined[int(0.9 * (len(joined) - 1))]), FARTHEST_MM)
+    joined = [g for g in gaps if g < FARTHEST_JOINED_ENDS_MM]
+    if not joined or sum(g < SNAPPED_ENDS_MM for g in joined) > 0.7 * len(joined):
+        return SNAPPED_ENDS_MM if joined else ENDS_JOINED_BY_EYE_MM
+    return min(max(ENDS_JOINED_BY_EYE_MM, 1.3 * joined[int(0.9 * (len(joined) - 1))]), FARTHEST_JOINED_ENDS_MM)

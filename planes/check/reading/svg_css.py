@@ -17,57 +17,67 @@ from cssselect2.parser import parse as selectors
 from fontTools.misc.transform import Transform
 from tinycss2 import parse_blocks_contents, parse_component_value_list, parse_stylesheet, serialize
 
-from planes.check.reading.opened import too_many
+from planes.check.reading.opened import too_many_error
 
 Looks = Mapping[str, str]
-LOOKS = ("stroke", "fill", "display", "visibility", "marker", "marker-start", "marker-end", "font-size", "text-anchor")
-OWN = "transform"  # not inherited by child elements
-MM = 25.4 / 96  # of the default unit of a picture
-_UNITS = {"mm": 1 / MM, "cm": 10 / MM, "in": 96.0, "pt": 96 / 72, "pc": 16.0, "px": 1.0}
-_TURNS = {"rad": math.degrees(1), "turn": 360.0, "grad": 0.9}
-LONGEST = 200_000  # letters of a style sheet
-MOST_ASKED = 10_000_000  # elements times selectors
-WITHIN = 20  # selectors that take as long as one with an ancestor
+STYLE_PROPERTIES = (
+    "stroke",
+    "fill",
+    "display",
+    "visibility",
+    "marker",
+    "marker-start",
+    "marker-end",
+    "font-size",
+    "text-anchor",
+)
+TRANSFORM_PROPERTY = "transform"  # not inherited by child elements
+MM_PER_PX = 25.4 / 96  # of the default unit of a picture
+_PX_PER_UNIT = {"mm": 1 / MM_PER_PX, "cm": 10 / MM_PER_PX, "in": 96.0, "pt": 96 / 72, "pc": 16.0, "px": 1.0}
+_DEG_PER_UNIT = {"rad": math.degrees(1), "turn": 360.0, "grad": 0.9}
+LONGEST_STYLE_SHEET = 200_000  # letters of a style sheet
+MOST_SELECTOR_TESTS = 10_000_000  # elements times selectors
+ANCESTOR_SELECTOR_COST = 20  # selectors that take as long as one with an ancestor
 
 
 @lru_cache(4096)
-def numbers(text: str | None) -> tuple[float, ...]:
+def parse_numbers(text: str | None) -> tuple[float, ...]:
     """All numbers of a text; lengths are in units of the picture, angles in degrees."""
-    return tuple(_numbers(parse_component_value_list(text or "")))
+    return tuple(_numbers_of_tokens(parse_component_value_list(text or "")))
 
 
-def _numbers(tokens: list[Any]) -> Iterator[float]:
+def _numbers_of_tokens(tokens: list[Any]) -> Iterator[float]:
     for one in tokens:
         if one.type == "dimension":
-            yield one.value * (_UNITS | _TURNS).get(one.lower_unit, 1.0)
+            yield one.value * (_PX_PER_UNIT | _DEG_PER_UNIT).get(one.lower_unit, 1.0)
         elif one.type in ("number", "percentage"):
             yield one.value
 
 
-def number(e: Element, key: str) -> float:
+def number_attribute(e: Element, key: str) -> float:
     """A coordinate; zero if missing."""
     text = e.get(key, "")
     with suppress(ValueError):
         return float(text)
-    return next(iter(numbers(text)), 0.0)
+    return next(iter(parse_numbers(text)), 0.0)
 
 
-def length(text: str | None) -> float:
+def side_length_mm(text: str | None) -> float:
     """A side of a picture, in mm; 0 if it is relative to the surroundings or missing."""
-    return 0.0 if not text or "%" in text else next(iter(numbers(text)), 0.0) * MM
+    return 0.0 if not text or "%" in text else next(iter(parse_numbers(text)), 0.0) * MM_PER_PX
 
 
 @lru_cache(4096)
-def transform_of(text: str) -> Transform:
+def parse_transform(text: str) -> Transform:
     """The transform of a list of transforms, the last one applied first."""
     transform = Transform()
     for part in parse_component_value_list(text.replace(" (", "(")):
         if part.type == "function":
-            transform = _turned(transform, part.lower_name, list(_numbers(part.arguments)))
+            transform = _apply_transform(transform, part.lower_name, list(_numbers_of_tokens(part.arguments)))
     return transform
 
 
-def _turned(transform: Transform, name: str, said: list[float]) -> Transform:
+def _apply_transform(transform: Transform, name: str, said: list[float]) -> Transform:
     match name, said:
         case "matrix", [_, _, _, _, _, _]:
             return transform.transform(said)
@@ -85,29 +95,29 @@ def _turned(transform: Transform, name: str, said: list[float]) -> Transform:
     return transform
 
 
-def _declared(said: str | list[Any]) -> Looks:
+def _parse_declarations(said: str | list[Any]) -> Looks:
     """The style in declarations."""
     every = (one for one in parse_blocks_contents(said) if one.type == "declaration")
-    values = {one.lower_name: one.value for one in every if one.lower_name in (*LOOKS, OWN)}
+    values = {one.lower_name: one.value for one in every if one.lower_name in (*STYLE_PROPERTIES, TRANSFORM_PROPERTY)}
     with suppress(RecursionError):  # nested brackets that occur in no style
         return {name: serialize(value).strip() for name, value in values.items()}
     return {}
 
 
-_of_itself = lru_cache(4096)(_declared)  # many elements have equal declarations
+_of_itself = lru_cache(4096)(_parse_declarations)  # many elements have equal declarations
 
 
-def ruled(root: Element, file: str) -> dict[Element, Looks]:
+def styles_by_element(root: Element, file: str) -> dict[Element, Looks]:
     """The style of each element in the file's style sheets. :class:`PlanesError` if they are too complex."""
     matcher, said, asked = Matcher(), list[Looks](), 0
-    for rule in _rules(root):
-        looks = _declared(rule.content)
-        for selector in _selectors(rule.prelude) if looks else ():
-            asked += WITHIN if isinstance(selector.parsed_tree, CombinedSelector) else 1
+    for rule in _style_rules(root):
+        looks = _parse_declarations(rule.content)
+        for selector in _bounded_selectors(rule.prelude) if looks else ():
+            asked += ANCESTOR_SELECTOR_COST if isinstance(selector.parsed_tree, CombinedSelector) else 1
             matcher.add_selector(CompiledSelector(selector), len(said))
             said.append(looks)
-    if asked * sum(1 for _ in root.iter()) > MOST_ASKED:
-        raise too_many(file, "rules", MOST_ASKED)
+    if asked * sum(1 for _ in root.iter()) > MOST_SELECTOR_TESTS:
+        raise too_many_error(file, "rules", MOST_SELECTOR_TESTS)
     looks_by_element: dict[Element, Looks] = {}
     for e in ElementWrapper.from_xml_root(root).iter_subtree() if said else ():
         for *_, which in matcher.match(e):
@@ -115,14 +125,14 @@ def ruled(root: Element, file: str) -> dict[Element, Looks]:
     return looks_by_element
 
 
-def _rules(root: Element) -> Iterator[Any]:
+def _style_rules(root: Element) -> Iterator[Any]:
     for e in root.iter("style"):
-        for rule in parse_stylesheet("".join(e.itertext())[:LONGEST]):
+        for rule in parse_stylesheet("".join(e.itertext())[:LONGEST_STYLE_SHEET]):
             if rule.type == "qualified-rule":
                 yield rule
 
 
-def _selectors(prelude: list[Any]) -> list[Any]:
+def _bounded_selectors(prelude: list[Any]) -> list[Any]:
     """Selectors that match in bounded time: no states, no siblings, at most one ancestor."""
     if any(one == sign for one in prelude for sign in ":~+"):
         return []
@@ -132,7 +142,7 @@ def _selectors(prelude: list[Any]) -> list[Any]:
     return []
 
 
-def looks_of(e: Element, rules: Mapping[Element, Looks]) -> dict[str, str]:
+def style_of_element(e: Element, rules: Mapping[Element, Looks]) -> dict[str, str]:
     """The style of an element, as far as it is given for the element itself."""
-    looks = {k: v for k in (*LOOKS, OWN) if (v := e.get(k))}
+    looks = {k: v for k in (*STYLE_PROPERTIES, TRANSFORM_PROPERTY) if (v := e.get(k))}
     return {**looks, **rules.get(e, {}), **_of_itself(e.get("style") or "")}

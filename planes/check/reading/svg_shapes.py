@@ -9,20 +9,20 @@ from xml.parsers import expat
 from fontTools.pens.recordingPen import RecordingPen
 from fontTools.svgLib.path.parser import parse_path
 
-from planes.check.reading.opened import too_many
-from planes.check.reading.svg_css import number
+from planes.check.reading.opened import too_many_error
+from planes.check.reading.svg_css import number_attribute
 from planes.words import Phrase
-from planes.words.errors import PlanesError, guarded
+from planes.words.errors import PlanesError, reporting_library_errors
 from planes.words.frozen import frozen
 
-MOST = 60_000  # elements
-DEEPEST = 200
-PREFIX = re.compile(r"^[^:]*:")  # of a tag or an attribute
-ROUND = 0.05  # tolerance of a circle's radii and of the gap between its ends, relative to its size
-STRAIGHT = 0.01  # a curve closer than this to its chord is a line
+MOST_ELEMENTS = 60_000  # elements
+MOST_ELEMENT_DEPTH = 200
+NAMESPACE_PREFIX = re.compile(r"^[^:]*:")  # of a tag or an attribute
+CIRCLE_TOLERANCE = 0.05  # tolerance of a circle's radii and of the gap between its ends, relative to its size
+STRAIGHT_CURVE_TOLERANCE = 0.01  # a curve closer than this to its chord is a line
 
 
-def tree(data: bytes, file: str) -> ElementTree.Element:
+def parse_xml_tree(data: bytes, file: str) -> ElementTree.Element:
     """The root element; tags lose their prefixes, declared or not (FreeCAD's is not).
 
     :class:`PlanesError` if it is no XML, holds entities, which may grow without bound, or too many elements.
@@ -32,15 +32,19 @@ def tree(data: bytes, file: str) -> ElementTree.Element:
     def start(tag: str, attributes: dict[str, str]) -> None:
         nonlocal count, depth
         count, depth = count + 1, depth + 1
-        if count > MOST or depth > DEEPEST:
-            raise too_many(file, "elements" if count > MOST else "levels", MOST if count > MOST else DEEPEST)
-        link = next((said for name, said in attributes.items() if PREFIX.sub("", name) == "href"), "")
-        builder.start(PREFIX.sub("", tag), {"href": link, **attributes})
+        if count > MOST_ELEMENTS or depth > MOST_ELEMENT_DEPTH:
+            raise too_many_error(
+                file,
+                "elements" if count > MOST_ELEMENTS else "levels",
+                MOST_ELEMENTS if count > MOST_ELEMENTS else MOST_ELEMENT_DEPTH,
+            )
+        link = next((said for name, said in attributes.items() if NAMESPACE_PREFIX.sub("", name) == "href"), "")
+        builder.start(NAMESPACE_PREFIX.sub("", tag), {"href": link, **attributes})
 
     def end(tag: str) -> None:
         nonlocal depth
         depth -= 1
-        builder.end(PREFIX.sub("", tag))
+        builder.end(NAMESPACE_PREFIX.sub("", tag))
 
     def entity(*_: object) -> None:
         raise PlanesError(Phrase("check_svg_entities", file=file))
@@ -48,7 +52,7 @@ def tree(data: bytes, file: str) -> ElementTree.Element:
     parser.buffer_text = True
     parser.StartElementHandler, parser.EndElementHandler = start, end
     parser.CharacterDataHandler, parser.EntityDeclHandler = builder.data, entity
-    with guarded("check_svg", file):
+    with reporting_library_errors("check_svg", file):
         parser.Parse(data, True)
         return builder.close()
 
@@ -65,13 +69,17 @@ class Subpath:
     def circle(self) -> tuple[complex, float] | None:
         """Centre and radius, if it consists of curves only and surrounds its centre."""
         ring = self.corners[:-1]
-        if any(self.straight) or len(ring) < 2 or abs(self.corners[-1] - ring[0]) >= ROUND * abs(ring[1] - ring[0]):
+        if (
+            any(self.straight)
+            or len(ring) < 2
+            or abs(self.corners[-1] - ring[0]) >= CIRCLE_TOLERANCE * abs(ring[1] - ring[0])
+        ):
             return None
         middle = sum(ring) / len(ring)
         radii = [abs(z - middle) for z in ring]
-        return (middle, max(radii)) if max(radii) < (1 + ROUND) * min(radii) else None
+        return (middle, max(radii)) if max(radii) < (1 + CIRCLE_TOLERANCE) * min(radii) else None
 
-    def lines(self) -> Iterator[tuple[list[complex], bool]]:
+    def straight_polylines(self) -> Iterator[tuple[list[complex], bool]]:
         """Its straight polylines, and whether they are closed; curves are skipped."""
         line = self.corners[:1]
         for place, straight in zip(self.corners[1:], self.straight, strict=True):
@@ -85,7 +93,7 @@ class Subpath:
             yield line, self.closed or (len(line) > 3 and line[0] == line[-1])
 
 
-def outlines(e: ElementTree.Element) -> Iterator[Subpath]:
+def read_subpaths(e: ElementTree.Element) -> Iterator[Subpath]:
     """The parts of a line, a polyline, a polygon or a path, as far as it can be read."""
     pen, corners, straight = RecordingPen(), list[complex](), list[bool]()
 
@@ -94,13 +102,13 @@ def outlines(e: ElementTree.Element) -> Iterator[Subpath]:
 
     pen.arcTo = arc_to
     with suppress(ValueError, LookupError, TypeError, ArithmeticError):
-        parse_path(_path(e), pen)
+        parse_path(_path_description(e), pen)
     for name, points in (*pen.value, ("endPath", ())):
         places = [complex(*p) for p in points]
         if name == "moveTo":
             corners, straight = places, []
         elif places:
-            straight.append(name == "lineTo" or (name != "arcTo" and _straight(corners[-1], places)))
+            straight.append(name == "lineTo" or (name != "arcTo" and _is_straight_curve(corners[-1], places)))
             corners.append(places[-1])
         elif len(corners) > 1:
             back = name == "closePath" and straight[-1] and corners[0] == corners[-1]  # the closing line is implied
@@ -108,16 +116,16 @@ def outlines(e: ElementTree.Element) -> Iterator[Subpath]:
             corners = []
 
 
-def _path(e: ElementTree.Element) -> str:
+def _path_description(e: ElementTree.Element) -> str:
     """The path description of an equivalent shape."""
     if e.tag == "path":
         return e.get("d") or ""
     if e.tag == "line":
-        return "M{} {}L{} {}".format(*(number(e, k) for k in ("x1", "y1", "x2", "y2")))
+        return "M{} {}L{} {}".format(*(number_attribute(e, k) for k in ("x1", "y1", "x2", "y2")))
     return f"M{e.get('points')}" + "Z" * (e.tag == "polygon")
 
 
-def _straight(at: complex, places: list[complex]) -> bool:
+def _is_straight_curve(at: complex, places: list[complex]) -> bool:
     """Whether a curve's handles lie on its chord."""
     chord = places[-1] - at
-    return abs(chord) > 0 and all(abs(((z - at) / chord).imag) < STRAIGHT for z in places[:-1])
+    return abs(chord) > 0 and all(abs(((z - at) / chord).imag) < STRAIGHT_CURVE_TOLERANCE for z in places[:-1])

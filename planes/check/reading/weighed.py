@@ -3,13 +3,16 @@
 from planes.check.grading.grading import Grading, grade
 from planes.check.grading.paper import ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.grading.readable import readable
+from planes.check.grading.readable import unreadable_reason
 from planes.words.errors import PlanesError
 
-OPEN, NAMED = 2.0, 0.5  # cost of an open force polygon, and of a known mistake as its cause, in marks
+OPEN_POLYGON_COST, NAMED_MISTAKE_CREDIT = (
+    2.0,
+    0.5,
+)  # cost of an open force polygon, and of a known mistake as its cause, in marks
 
 
-def _graded(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
+def _grading_or_none(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
     """A paper's grading; None if it cannot be graded."""
     try:
         return grade(bench, paper)
@@ -17,17 +20,22 @@ def _graded(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:
         return None
 
 
-def is_right(bench: PreparedPlan, paper: ReadPaper) -> bool:
+def is_right_paper(bench: PreparedPlan, paper: ReadPaper) -> bool:
     """Whether a paper is right."""
-    grading = _graded(bench, paper)
-    return grading is not None and not grading.fault and readable(grading) is None
+    grading = _grading_or_none(bench, paper)
+    return grading is not None and not grading.fault and unreadable_reason(grading) is None
 
 
-def worth(bench: PreparedPlan, paper: ReadPaper) -> float:
+def agreement_score(bench: PreparedPlan, paper: ReadPaper) -> float:
     """The number of a paper's marks at their constructed points, minus the number of others."""
-    bench = bench.at(paper.mu, fixed=True) if paper.mu else bench
-    grading = _graded(bench, paper) if paper.spots else None
+    bench = bench.at_scale(paper.mu, fixed=True) if paper.mu else bench
+    grading = _grading_or_none(bench, paper) if paper.spots else None
     if grading is None:
         return -len(bench.marks)
     judged = grading.judgement
-    return len(judged.misses) - 2.0 * len(judged.wrong) - OPEN * bool(grading.gap_wrong) + NAMED * bool(judged.named)
+    return (
+        len(judged.misses)
+        - 2.0 * len(judged.wrong)
+        - OPEN_POLYGON_COST * bool(grading.wrong_closing_error_mm)
+        + NAMED_MISTAKE_CREDIT * bool(judged.named)
+    )

@@ -8,85 +8,96 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from planes.check.grading.paper import ReadPaper
-from planes.check.grading.polygons import sides_of
+from planes.check.grading.polygons import polygon_sides
 from planes.check.grading.prepared_plan import PreparedPlan, known_plans
-from planes.check.reading.matching import paper_of
-from planes.check.reading.parts import parts
+from planes.check.reading.matching import read_plan_marks
+from planes.check.reading.parts import connected_parts
 from planes.check.reading.strokes import ReadDrawing
-from planes.check.reading.weighed import worth
+from planes.check.reading.weighed import agreement_score
 from planes.check.reading.written import Words
-from planes.words.names import kind_of
+from planes.words.names import plan_kind
 from planes.words.units import UnitError, read_mu
 
-MOST = 6  # parts that are read
-NAMED = 0.1  # weight of a name of the plan beside a part, in marks drawn correctly
-FAR_MM = 40.0  # a title farther above a plan belongs elsewhere
-BESIDE = 2.0  # a title is above its plan rather than beside it: weight of a sideways millimetre
-GAP = 2.0  # maximum gap between pieces of a title, in heights
-OVER_DETAIL_MM = 25.0  # maximum height of a detail's sign above the content of its circle
-_DETAIL = re.compile(r"\((\d+):1\)$")
-_MU = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
+MOST_PARTS_READ = 6  # parts that are read
+NAME_WEIGHT = 0.1  # weight of a name of the plan beside a part, in marks drawn correctly
+MOST_TITLE_DISTANCE_MM = 40.0  # a title farther above a plan belongs elsewhere
+SIDEWAYS_TITLE_WEIGHT = 2.0  # a title is above its plan rather than beside it: weight of a sideways millimetre
+MOST_TITLE_GAP_RATIO = 2.0  # maximum gap between pieces of a title, in heights
+MOST_DETAIL_SIGN_HEIGHT_MM = 25.0  # maximum height of a detail's sign above the content of its circle
+_DETAIL_SIGN = re.compile(r"\((\d+):1\)$")
+_SCALE_IN_TITLE = re.compile(r"[μµ]\s*_?\w*\s*=\s*(\d.*)")
 
 
-def paper_on(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
+def read_page(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     """The marks of the plan on a page that may show other contents, too."""
-    sides = [side.name for side in sides_of(bench.plans, bench.asked.plan)]
-    known = bench.naming.names(sides) if kind_of(bench.asked.plan) == "force" else bench.names
+    sides = [side.name for side in polygon_sides(bench.plans, bench.asked.plan)]
+    known = bench.naming.name_finder(sides) if plan_kind(bench.asked.plan) == "force" else bench.written_mark_names
 
     def named(part: ReadDrawing) -> int:
-        return len({known.exactly(one.text) for w in part.words for one in w.listed()} - {None})
+        return len({known.find_exact_name(one.text) for w in part.words for one in w.split_names()} - {None})
 
     def own(pieces: list[ReadDrawing]) -> list[ReadDrawing]:
         """Those under the plan's title that name parts of it, unlike a diagram of the same quantity."""
-        return [p for p in pieces if named(p) and mu_over(sketch.words, p, bench.asked.plan, plans)[1]]
+        return [p for p in pieces if named(p) and scale_in_title(sketch.words, p, bench.asked.plan, plans)[1]]
 
     plans = known_plans(bench.plans)
-    if elsewhere(sketch.words, bench.asked.plan, plans):
+    if shows_other_plans_only(sketch.words, bench.asked.plan, plans):
         return ReadPaper(sketch.file, whole=False)
-    pieces = parts(sketch)
+    pieces = connected_parts(sketch)
     titled = own(pieces)
-    plain = [p for p in titled if enlarged(sketch.words, p) == 1.0]
-    likely = plain or titled or own(parts(sketch, 0.0)) or pieces
-    likely = sorted(likely, key=named, reverse=True)[:MOST]
+    plain = [p for p in titled if detail_enlargement(sketch.words, p) == 1.0]
+    likely = plain or titled or own(connected_parts(sketch, 0.0)) or pieces
+    likely = sorted(likely, key=named, reverse=True)[:MOST_PARTS_READ]
     likely = [p for p in likely if 2 * named(p) >= named(likely[0])]
-    papers = [(_paper_of(replace(part), bench, sketch.words), named(part)) for part in likely or [sketch]]
-    return max(papers, key=lambda p: worth(bench, p[0]) + NAMED * p[1])[0] if len(papers) > 1 else papers[0][0]
+    papers = [(_read_part(replace(part), bench, sketch.words), named(part)) for part in likely or [sketch]]
+    return (
+        max(papers, key=lambda p: agreement_score(bench, p[0]) + NAME_WEIGHT * p[1])[0]
+        if len(papers) > 1
+        else papers[0][0]
+    )
 
 
-def _paper_of(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) -> ReadPaper:
+def _read_part(part: ReadDrawing, bench: PreparedPlan, words: Sequence[Words]) -> ReadPaper:
     """The marks of a plan on a part of a page, at the scale in its title."""
-    said = None if bench.asked.mu else mu_over(words, part, bench.asked.plan, known_plans(bench.plans))[0]
-    mu = said and said * enlarged(words, part)
-    paper = paper_of(part, bench.at(mu, fixed=True) if mu else bench)
+    said = None if bench.asked.mu else scale_in_title(words, part, bench.asked.plan, known_plans(bench.plans))[0]
+    mu = said and said * detail_enlargement(words, part)
+    paper = read_plan_marks(part, bench.at_scale(mu, fixed=True) if mu else bench)
     paper.mu = mu
     return paper
 
 
-def enlarged(words: Sequence[Words], part: ReadDrawing) -> float:
+def detail_enlargement(words: Sequence[Words], part: ReadDrawing) -> float:
     """The enlargement of a detail of a plan, from the sign over its circle: "А (10:1)"; 1 for no detail."""
     low, high = part.box
-    signs = ((w.middle, float(said[1])) for w in words if (said := _DETAIL.search(w.text)))
+    signs = ((w.middle, float(said[1])) for w in words if (said := _DETAIL_SIGN.search(w.text)))
     over = [(abs(z - (low + high) / 2), times) for z, times in signs if z.imag > high.imag]
-    near, times = min(over, default=(OVER_DETAIL_MM, 1.0))
-    return times if near < OVER_DETAIL_MM else 1.0
+    near, times = min(over, default=(MOST_DETAIL_SIGN_HEIGHT_MM, 1.0))
+    return times if near < MOST_DETAIL_SIGN_HEIGHT_MM else 1.0
 
 
-def mu_over(words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequence[str]) -> tuple[float | None, bool]:
+def scale_in_title(
+    words: Sequence[Words], part: ReadDrawing, plan: str, plans: Sequence[str]
+) -> tuple[float | None, bool]:
     """μ in the nearest title of this plan of ``plans`` over a part of a page, and whether none is nearer."""
     if not part.strokes:
         return None, False
     low, high = part.box
     titles = []
-    for title in _titles(words):
+    for title in _scale_titles(words):
         aside = max(low.real - title.place.real - title.width, title.place.real - high.real, 0.0)
         up = title.place.imag - high.imag
-        if title.middle.imag > (low + high).imag / 2 and max(aside, up) < FAR_MM:
-            titles.append((abs(complex(BESIDE * aside, max(up, 0.0))), _read(title.text, plan, plans) or 0.0))
+        if title.middle.imag > (low + high).imag / 2 and max(aside, up) < MOST_TITLE_DISTANCE_MM:
+            titles.append(
+                (
+                    abs(complex(SIDEWAYS_TITLE_WEIGHT * aside, max(up, 0.0))),
+                    _scale_from_title(title.text, plan, plans) or 0.0,
+                )
+            )
     own = min((one for one in titles if one[1]), default=None)
     return (own[1], own == min(titles)) if own else (None, False)
 
 
-def _titles(words: Sequence[Words]) -> Iterator[Words]:
+def _scale_titles(words: Sequence[Words]) -> Iterator[Words]:
     """Texts with a μ, each with its continuation in the same line."""
     for word in words:
         if not set("μµ") & set(word.text):
@@ -97,7 +108,7 @@ def _titles(words: Sequence[Words]) -> Iterator[Words]:
             for w in words
             if w.text.startswith("=")
             and abs(w.place.imag - end.imag) < word.height / 2
-            and abs(w.place.real - end.real) < GAP * word.height
+            and abs(w.place.real - end.real) < MOST_TITLE_GAP_RATIO * word.height
         )
         more = None if "=" in word.text else next(goes_on, None)
         if more is not None:
@@ -105,21 +116,21 @@ def _titles(words: Sequence[Words]) -> Iterator[Words]:
         yield word
 
 
-def elsewhere(words: Sequence[Words], plan: str, plans: Sequence[str]) -> bool:
+def shows_other_plans_only(words: Sequence[Words], plan: str, plans: Sequence[str]) -> bool:
     """Whether titles on a page are of other plans of its kind, and none of this one."""
-    alike = [p for p in plans if kind_of(p) == kind_of(plan)]
-    shown = {p for title in _titles(words) for p in alike if _read(title.text, p, plans)}
+    alike = [p for p in plans if plan_kind(p) == plan_kind(plan)]
+    shown = {p for title in _scale_titles(words) for p in alike if _scale_from_title(title.text, p, plans)}
     return bool(shown) and plan not in shown
 
 
-def _read(text: str, plan: str, plans: Sequence[str]) -> float | None:
+def _scale_from_title(text: str, plan: str, plans: Sequence[str]) -> float | None:
     """μ of a plan from its title; None if the title names the links of another one."""
-    said = _MU.search(text)
+    said = _SCALE_IN_TITLE.search(text)
     links = re.findall(r"\d+", text[: said.start()] if said else "")
     named = [p for p in plans if (own := re.findall(r"\d+", p)) and links[-len(own) :] == own]
     if named and plan not in named:
         return None
     try:
-        return read_mu(said[1].replace(",", "."), kind_of(plan)) if said else None
+        return read_mu(said[1].replace(",", "."), plan_kind(plan)) if said else None
     except UnitError:
         return None

@@ -10,8 +10,8 @@ from planes.words.frozen import frozen, replace
 
 Stroke = tuple[complex, complex]
 Strokes = Sequence[Stroke]
-LONGEST_LIST = 40  # letters of names in a row
-_ENDS = re.compile(r"\((\d+)–(\d+)\)")
+LONGEST_NAME_LIST = 40  # letters of names in a row
+_END_NUMBERS = re.compile(r"\((\d+)–(\d+)\)")
 
 
 @frozen
@@ -25,21 +25,23 @@ class Words:
     along: complex = 1 + 0j
     ends: tuple[str, str] | None = None  # numbers at the ends of the vectors it names
 
-    def listed(self) -> list[Words]:
+    def split_names(self) -> list[Words]:
         """One for each of several names in a row: p, a, d, or F = R; with numbers of ends, G (1–2).
 
         In F = −R the second is reversed.
         """
-        if len(self.text) > LONGEST_LIST:
+        if len(self.text) > LONGEST_NAME_LIST:
             return [self]
-        ends = (match[1], match[2]) if (match := _ENDS.search(self.text)) else None
-        names = [t.strip() for t in re.split("[,=]", _ENDS.sub("", self.text)) if t.strip()]
+        ends = (match[1], match[2]) if (match := _END_NUMBERS.search(self.text)) else None
+        names = [t.strip() for t in re.split("[,=]", _END_NUMBERS.sub("", self.text)) if t.strip()]
         ways = ((t.lstrip("−"), ends and (ends[::-1] if t[0] == "−" else ends)) for t in names)
         return [replace(self, text=t, ends=way) for t, way in ways] or [self]
 
-    def runs(self, stroke: Stroke, words: Iterable[Words]) -> bool:
+    def agrees_with_end_numbers(self, stroke: Stroke, words: Iterable[Words]) -> bool:
         """Whether a vector may run as the numbers at its ends say, those that are there."""
-        at = {w.text: w for w in sorted(words, key=lambda w: -w.beside(stroke)) if w.text in (self.ends or ())}
+        at = {
+            w.text: w for w in sorted(words, key=lambda w: -w.distance_to_vector(stroke)) if w.text in (self.ends or ())
+        }
 
         def off(way: Stroke) -> float:
             return sum(at[n].distance(z) for n, z in zip(self.ends or (), way, strict=False) if n in at)
@@ -58,6 +60,6 @@ class Words:
         aside, above = max(-local.real, 0.0, local.real - width), local.imag - self.height
         return math.hypot(aside, max(-local.imag - below, 0.0, above))
 
-    def beside(self, stroke: Stroke) -> float:
+    def distance_to_vector(self, stroke: Stroke) -> float:
         """Its distance from the middle part of a vector."""
         return min(self.distance(stroke[0] + (stroke[1] - stroke[0]) * t / 8) for t in range(1, 8))

@@ -9,18 +9,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import field, fields, replace
 
-from planes.check.outcome import STATUS, Outcome
+from planes.check.outcome import EXIT_STATUS_OF_VERDICT, Outcome
 from planes.check.report import Checked
-from planes.check.report.places import address, thumb, wrong_places
-from planes.plans.measuring import lettering, say_plan
-from planes.words import Lang, capital, in_sentences, say
+from planes.check.report.places import jpeg_data_address, thumbnail_jpeg, wrong_places
+from planes.plans.measuring import plan_name_in_words, scene_lettering
+from planes.words import Lang, capitalize_first_letter, join_sentences, say
 from planes.words.frozen import frozen
-from planes.words.names import kind_of
+from planes.words.names import plan_kind
 from planes.words.naming import Naming
 from planes.words.records import Json
 
-UNREADABLE, UNSURE, WRONG, RIGHT = range(4)
-HEADS = ("check_file", "check_verdict", "check_mark", "check_first")
+UNREADABLE_RANK, UNSURE_RANK, WRONG_RANK, RIGHT_RANK = range(4)
+HEADING_KEYS = ("check_file", "check_verdict", "check_mark", "check_first")
 
 
 @frozen
@@ -43,85 +43,91 @@ class ClassRow:
     lettering: Json = field(default_factory=dict)  # the lettering of names on its sheets
 
     @classmethod
-    def of(cls, one: Checked, lang: Lang) -> ClassRow:
+    def from_checked(cls, one: Checked, lang: Lang) -> ClassRow:
         """The row of an outcome."""
-        outcome, said = one.found, one.said(lang)
+        outcome, said = one.found, one.verdict_text(lang)
         bare = said.removeprefix(f"{one.read_from}: ").removeprefix(f"{one.file}: ")  # that has a separate column
-        said = said if bare == said else capital(bare)
-        cause = outcome.sentence.told(lang).removeprefix(f"{one.first}: ") if outcome and outcome.mistake else ""
+        said = said if bare == said else capitalize_first_letter(bare)
+        cause = (
+            outcome.sentence.told(lang).removeprefix(f"{one.first_error_place}: ")
+            if outcome and outcome.mistake
+            else ""
+        )
         return cls(
             file=one.file,
             verdict=one.verdict,
-            rank=rank(one),
-            first=one.first,
+            rank=teacher_priority(one),
+            first=one.first_error_place,
             said=said,
             whose=one.whose,
-            plan=_plan_said(outcome, lang) if outcome else "",
+            plan=_plan_text(outcome, lang) if outcome else "",
             link=one.report,
             mistake=cause if cause in said else "",
-            picture=address(thumb(outcome, one.picture)),
+            picture=jpeg_data_address(thumbnail_jpeg(outcome, one.picture)),
             places=wrong_places(outcome) if outcome else [],
             object=one.as_json(lang),
-            lettering=lettering(outcome.bench.asked.scene, outcome.bench.plans) if outcome else {},
+            lettering=scene_lettering(outcome.bench.asked.scene, outcome.bench.plans) if outcome else {},
         )
 
     @property
-    def names(self) -> list[str]:
+    def text_names(self) -> list[str]:
         """The names that may occur in its text."""
         results = (str(row["name"]) for row in self.object.get("results", ()))
         return [self.first, *(str(row["mark"]) for row in self.object.get("marks", ())), *results]
 
     @property
-    def kind(self) -> str:
+    def plan_kind(self) -> str:
         """The kind of its plan, "" if unknown."""
-        return kind_of(str(self.object["plan"])) if "plan" in self.object else ""
+        return plan_kind(str(self.object["plan"])) if "plan" in self.object else ""
 
     @property
-    def subject(self) -> tuple[str, str, str]:
+    def plan_task_and_student(self) -> tuple[str, str, str]:
         """The plan, and the task and student it belongs to."""
         return self.task, self.whose, self.plan
 
-    def also(self, more: str) -> ClassRow:
+    def with_text(self, more: str) -> ClassRow:
         """The same row with an additional text."""
-        return replace(self, said=in_sentences([self.said, more])) if more else self
+        return replace(self, said=join_sentences([self.said, more])) if more else self
 
     @classmethod
-    def read(cls, data: Json) -> ClassRow:
+    def from_saved(cls, data: Json) -> ClassRow:
         """A row saved by an earlier run; TypeError or ValueError if it is none."""
-        if set(data) != {f.name for f in fields(cls)} or data["verdict"] not in STATUS:
+        if set(data) != {f.name for f in fields(cls)} or data["verdict"] not in EXIT_STATUS_OF_VERDICT:
             raise ValueError("no row of a class")
         return cls(**data)
 
 
-def _plan_said(outcome: Outcome, lang: Lang) -> str:
-    return say("check_numbers", lang) if outcome.alone else say_plan(outcome.bench.asked.plan, lang)
+def _plan_text(outcome: Outcome, lang: Lang) -> str:
+    return (
+        say("check_numbers", lang) if outcome.has_only_results else plan_name_in_words(outcome.bench.asked.plan, lang)
+    )
 
 
-def rank(one: Checked) -> int:
+def teacher_priority(one: Checked) -> int:
     """Its priority for a teacher."""
     if one.verdict == "unreadable" or one.found is None:
-        return UNREADABLE
+        return UNREADABLE_RANK
     doubtful = one.found.unseen or (one.verdict == "wrong" and one.found.mistake is None)
-    return UNSURE if doubtful else WRONG if one.verdict == "wrong" else RIGHT
+    return UNSURE_RANK if doubtful else WRONG_RANK if one.verdict == "wrong" else RIGHT_RANK
 
 
-def columns(rows: Sequence[ClassRow], lang: Lang) -> tuple[list[str], list[str]]:
+def table_columns(rows: Sequence[ClassRow], lang: Lang) -> tuple[list[str], list[str]]:
     """The keys and headings of a table's columns: the owner only where known, the plan only where they differ."""
     whose, plans = ({getattr(row, key) for row in rows} - {""} for key in ("whose", "plan"))
     more = ["whose"] * bool(whose) + ["plan"] * (bool(whose) or len(plans) > 1)
     words = {"whose": "check_whose", "plan": "check_plan"}
     keys = ["file", *more, "verdict", "first", "said"]
-    names = dict(zip(("file", "verdict", "first", "said"), HEADS, strict=True)) | words
+    names = dict(zip(("file", "verdict", "first", "said"), HEADING_KEYS, strict=True)) | words
     return keys, [say(names[key], lang) for key in keys]
 
 
-def cells(row: ClassRow, keys: Sequence[str], lang: Lang) -> list[str]:
+def row_cells(row: ClassRow, keys: Sequence[str], lang: Lang) -> list[str]:
     """The cells of a row in those columns."""
     shown = {"verdict": say(f"verdict_{row.verdict}", lang)}
     return [shown.get(key) or str(getattr(row, key)) for key in keys]
 
 
-def typed(row: ClassRow, cells: Sequence[str], lang: Lang) -> list[str]:
+def cells_as_typed(row: ClassRow, cells: Sequence[str], lang: Lang) -> list[str]:
     """The cells of a row with names as people type them."""
     naming = Naming(lang, **row.lettering)
-    return [naming.retold(cell, row.names) for cell in cells]
+    return [naming.retell_in_typed_names(cell, row.text_names) for cell in cells]

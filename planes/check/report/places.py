@@ -8,25 +8,25 @@ from itertools import islice
 from planes.check.grading.grading import Grading
 from planes.check.grading.paper import Box
 from planes.check.outcome import Outcome
-from planes.check.report.shown import Vector, pair, shown_plans, true_marks
-from planes.geometry.plane import corners
-from planes.words.names import POLE, kind_of, label_of
+from planes.check.report.shown import Vector, point_coordinates, shown_plans, true_marks
+from planes.geometry.plane import bounding_corners
+from planes.words.names import POLE_LABEL, label_of, plan_kind
 from planes.words.records import Json
 
 MOST_PLACES = 3  # maximum number of wrong places shown of a drawing
-WINDOW_MM = (18.0, 90.0)  # minimum and maximum half size of a window around a wrong place
-THUMB_PX, PLACE_PX, QUALITY, RIM_MM = 170, 320, 62, 12.0
+WINDOW_HALF_SIZES_MM = (18.0, 90.0)  # minimum and maximum half size of a window around a wrong place
+THUMBNAIL_SIDE_PX, PLACE_PICTURE_SIDE_PX, JPEG_QUALITY, THUMBNAIL_MARGIN_MM = 170, 320, 62, 12.0
 
 
 def wrong_places(outcome: Outcome) -> list[Json]:
     """Windows around the places where a drawing goes wrong, the first one first."""
     if outcome.grading is None or outcome.verdict != "wrong":
         return []
-    return list(islice(_windows(outcome, outcome.grading), MOST_PLACES))
+    return list(islice(_place_windows(outcome, outcome.grading), MOST_PLACES))
 
 
-def _windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
-    shown, paper, kind = shown_plans(outcome), outcome.paper, kind_of(outcome.bench.asked.plan)
+def _place_windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
+    shown, paper, kind = shown_plans(outcome), outcome.paper, plan_kind(outcome.bench.asked.plan)
     truth = true_marks(outcome)
     if kind == "force":  # there its order is free, and a step leads to the right position
         truth = {n: b for n, z in shown.marks.items() for a, b in shown.next if a == z}
@@ -34,66 +34,71 @@ def _windows(outcome: Outcome, grading: Grading) -> Iterable[Json]:
     wrong = [label_of(m) for m, verdict in verdicts.items() if verdict == "wrong"]
     for name in dict.fromkeys([outcome.first_wrong or "", *wrong]):
         places = [z for z in (shown.marks.get(name), truth.get(name)) if z is not None]
-        if name == POLE or not places:
+        if name == POLE_LABEL or not places:
             continue
         middle, apart = sum(places) / len(places), max(abs(z - places[0]) for z in places)
-        reach = min(max(WINDOW_MM[0], 0.75 * apart + 6), WINDOW_MM[1])
+        reach = min(max(WINDOW_HALF_SIZES_MM[0], 0.75 * apart + 6), WINDOW_HALF_SIZES_MM[1])
         box = middle.real - reach, middle.imag - reach, middle.real + reach, middle.imag + reach
         yield {
             "name": name,
             "box": [round(v, 2) for v in box],
-            "at": pair(places[0], 2),
-            "picture": address(cropped(paper.picture, paper.box, box)),
-            "strokes": _vectors(_near(paper.strokes, box)),
-            "own": _vectors(shown.own),
-            "true": _vectors(shown.true),
-            "next": _vectors(shown.next),
+            "at": point_coordinates(places[0], 2),
+            "picture": jpeg_data_address(crop_picture(paper.picture, paper.box, box)),
+            "strokes": _vector_coordinates(_strokes_near_box(paper.strokes, box)),
+            "own": _vector_coordinates(shown.own),
+            "true": _vector_coordinates(shown.true),
+            "next": _vector_coordinates(shown.next),
             "lines": kind == "position",
         }
 
 
-def _vectors(all_: Iterable[Vector]) -> list[list[float]]:
-    return [[*pair(a, 2), *pair(b, 2)] for a, b in all_]
+def _vector_coordinates(all_: Iterable[Vector]) -> list[list[float]]:
+    return [[*point_coordinates(a, 2), *point_coordinates(b, 2)] for a, b in all_]
 
 
-def _near(strokes: Iterable[Vector], box: Box) -> list[Vector]:
+def _strokes_near_box(strokes: Iterable[Vector], box: Box) -> list[Vector]:
     """Strokes that may be visible in a window."""
     left, lower, right, upper = box
 
     def shows(stroke: Vector) -> bool:
-        low, high = corners(stroke)
+        low, high = bounding_corners(stroke)
         return low.real <= right and high.real >= left and low.imag <= upper and high.imag >= lower
 
     return [*filter(shows, strokes)]
 
 
-def address(data: bytes) -> str:
+def jpeg_data_address(data: bytes) -> str:
     """A JPEG as a data address."""
     return f"data:image/jpeg;base64,{base64.b64encode(data).decode()}" if data else ""
 
 
-def thumb(outcome: Outcome | None, small: bytes) -> bytes:
+def thumbnail_jpeg(outcome: Outcome | None, small: bytes) -> bytes:
     """A small picture (JPEG) of a drawing: the part with its plan, if read, else ``small``; b"" without a picture."""
     if not outcome or not outcome.paper.picture:
-        return _jpeg(small, None, THUMB_PX) if small else b""
+        return _cropped_jpeg(small, None, THUMBNAIL_SIDE_PX) if small else b""
     paper, ends = outcome.paper, [z for v in shown_plans(outcome).own for z in v]
     if len(ends) < 2:
-        return _jpeg(paper.picture, None, THUMB_PX)
-    low, high = corners(ends)
-    box = low.real - RIM_MM, low.imag - RIM_MM, high.real + RIM_MM, high.imag + RIM_MM
-    return cropped(paper.picture, paper.box, box, THUMB_PX)
+        return _cropped_jpeg(paper.picture, None, THUMBNAIL_SIDE_PX)
+    low, high = bounding_corners(ends)
+    box = (
+        low.real - THUMBNAIL_MARGIN_MM,
+        low.imag - THUMBNAIL_MARGIN_MM,
+        high.real + THUMBNAIL_MARGIN_MM,
+        high.imag + THUMBNAIL_MARGIN_MM,
+    )
+    return crop_picture(paper.picture, paper.box, box, THUMBNAIL_SIDE_PX)
 
 
-def cropped(picture: bytes, lies: Box | None, box: Box, longest: int = PLACE_PX) -> bytes:
+def crop_picture(picture: bytes, lies: Box | None, box: Box, longest: int = PLACE_PICTURE_SIDE_PX) -> bytes:
     """The part of a picture in a window, ``lies`` being the picture's position (mm from the pole)."""
     if not picture or lies is None:
         return b""
     x0, y0, x1, y1 = lies
     part = ((box[0] - x0) / (x1 - x0), (y1 - box[3]) / (y1 - y0), (box[2] - x0) / (x1 - x0), (y1 - box[1]) / (y1 - y0))
-    return _jpeg(picture, [min(max(share, -1.0), 2.0) for share in part], longest)  # marks may be anywhere
+    return _cropped_jpeg(picture, [min(max(share, -1.0), 2.0) for share in part], longest)  # marks may be anywhere
 
 
-def _jpeg(picture: bytes, part: Sequence[float] | None, longest: int) -> bytes:
+def _cropped_jpeg(picture: bytes, part: Sequence[float] | None, longest: int) -> bytes:
     from PIL import Image
 
     with Image.open(io.BytesIO(picture), formats=("JPEG",)) as opened:
@@ -106,5 +111,5 @@ def _jpeg(picture: bytes, part: Sequence[float] | None, longest: int) -> bytes:
         shown = out
     shown.thumbnail((longest, longest))
     written = io.BytesIO()
-    shown.save(written, "JPEG", quality=QUALITY)
+    shown.save(written, "JPEG", quality=JPEG_QUALITY)
     return written.getvalue()

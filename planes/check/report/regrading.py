@@ -9,8 +9,8 @@ import math
 from collections.abc import Container, Iterable
 from dataclasses import dataclass
 
-from planes.batch.plain_tape import PlainRecording, exported
-from planes.batch.symbols import Num, Vec, place_of
+from planes.batch.plain_tape import PlainRecording, export_operations
+from planes.batch.symbols import Num, Vec, place_of_number
 from planes.batch.tape import Tape
 from planes.batch.tracing import Source, TracingTool
 from planes.check.grading.grading import Grading
@@ -23,7 +23,7 @@ from planes.geometry.arithmetic import Truth
 from planes.words.records import Json
 
 Places = dict[str, tuple[int, int]]  # positions on a tape of x and y of each mark's miss
-SURELY_MM = 0.2  # accuracy of placing a mark on the screen
+SCREEN_MARK_ERROR_MM = 0.2  # accuracy of placing a mark on the screen
 
 
 @dataclass
@@ -34,14 +34,14 @@ class _TapeHand(Person, TracingTool):
 
     def source(self, size: float) -> Num:
         """A new error."""
-        place = self.tape.leaf("source", len(self.sources))
+        place = self.tape.record_leaf("source", len(self.sources))
         self.sources.append(Source(place, size))
         return Num(self.tape, place)
 
     def is_read(self, mark: str) -> Truth:
         """Whether a mark is a person's own: known now, or by a number of the tape."""
         if mark in self.late:
-            return Num(self.tape, self.tape.leaf("given", f"{mark}?")) > 0.5
+            return Num(self.tape, self.tape.record_leaf("given", f"{mark}?")) > 0.5
         return super().is_read(mark)
 
 
@@ -56,37 +56,41 @@ class _Desk:
         self.program, self.taken = hand.program, hand.taken
         self.tape = Tape()
         self.tool = _TapeHand(PlainRecording(), True, tape=self.tape, errors=errors, late=late, plans=12, settled=1e-5)
-        self.own = {mark: self._read(mark) for mark in (*hand.taken, *late) if mark in hand.program.made}
+        self.own = {
+            mark: self._read_mark_position(mark) for mark in (*hand.taken, *late) if mark in hand.program.result_names
+        }
         self.tool.own, self.tool.values = self.own, hand.given
         self.things: Env = dict(hand.given)
         for name, share in hand.unsure.items():
             self.things[name] = self.things[name] * (1 + self.tool.source(share))
         self.made = draw_steps(self.program.steps, self.things, self.tool)
 
-    def _read(self, mark: str) -> Vec:
+    def _read_mark_position(self, mark: str) -> Vec:
         """The position of a read mark, with its reading error."""
-        error = self.taken[mark].error_mm if mark in self.taken else SURELY_MM
-        step = self.program.makers[mark]
+        error = self.taken[mark].error_mm if mark in self.taken else SCREEN_MARK_ERROR_MM
+        step = self.program.steps_by_result[mark]
         error = max(error, self.tool.errors[0]) if isinstance(step, Same) and self.tool.errors else error
-        x, y = (Num(self.tape, self.tape.leaf("given", f"{mark}.{axis}")) + self.tool.source(error) for axis in "xy")
+        x, y = (
+            Num(self.tape, self.tape.record_leaf("given", f"{mark}.{axis}")) + self.tool.source(error) for axis in "xy"
+        )
         return Vec(x, y)
 
-    def misses(self, marks: Iterable[str], variant: Variant | None = None) -> Places:
+    def miss_tape_positions(self, marks: Iterable[str], variant: Variant | None = None) -> Places:
         """The positions on the tape of each mark's miss, from the original steps or those affected by a mistake."""
-        made = variant.drawn(self.program, self.things, self.tool, self.taken) if variant else self.made
+        made = variant.draw_affected_steps(self.program, self.things, self.tool, self.taken) if variant else self.made
         off = {m: self.own[m] - made[m] for m in marks if m in made}
-        return {m: (place_of(self.tape, z.real), place_of(self.tape, z.imag)) for m, z in off.items()}
+        return {m: (place_of_number(self.tape, z.real), place_of_number(self.tape, z.imag)) for m, z in off.items()}
 
 
-def retrace(grading: Grading, variants: Iterable[Variant]) -> tuple[Json, list[Places]]:
+def grading_tape(grading: Grading, variants: Iterable[Variant]) -> tuple[Json, list[Places]]:
     """The grading as a tape (plain data), with every mistake as another path to the marks it affects; and positions.
 
     Positions on the tape are given for the plan itself, then for each mistake. Unused numbers are dropped, and the
     positions renumbered.
     """
     desk = _Desk(grading)
-    misses_by_way = [desk.misses(grading.marks, way) for way in (None, *variants)]
+    misses_by_way = [desk.miss_tape_positions(grading.marks, way) for way in (None, *variants)]
     wanted = [place for one in misses_by_way for pair in one.values() for place in pair]
-    exported_tape, new = exported(desk.tape, wanted, desk.tool.sources)
+    exported_tape, new = export_operations(desk.tape, wanted, desk.tool.sources)
     places = [{m: (new[x], new[y]) for m, (x, y) in one.items()} for one in misses_by_way]
     return exported_tape, places

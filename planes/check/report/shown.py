@@ -4,15 +4,15 @@ import shlex
 from collections.abc import Collection, Mapping, Sequence
 from itertools import accumulate, pairwise
 
-from planes.check.grading.judging import WARN
+from planes.check.grading.judging import WARNING_SIGMAS
 from planes.check.grading.paper import ReadMark
-from planes.check.grading.polygons import Side, sides_of
+from planes.check.grading.polygons import Side, polygon_sides
 from planes.check.grading.prepared_plan import Asked, PreparedPlan, known_plans, prepare
 from planes.check.outcome import Outcome
-from planes.plans.measuring import lettering, title_of
+from planes.plans.measuring import plan_title, scene_lettering
 from planes.words import Lang
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE, kind_of, label_of, plan_of
+from planes.words.names import POLE_LABEL, label_of, plan_kind, plan_of
 from planes.words.naming import Naming
 from planes.words.records import Json
 from planes.words.units import mu_text
@@ -20,23 +20,23 @@ from planes.words.units import mu_text
 Vector = tuple[complex, complex]
 
 
-def pair(z: complex, digits: int = 4) -> list[float]:
+def point_coordinates(z: complex, digits: int = 4) -> list[float]:
     """A point as plain data."""
     return [round(z.real, digits), round(z.imag, digits)]
 
 
-def vectors(bench: PreparedPlan) -> list[tuple[str, str]]:
+def vector_end_labels(bench: PreparedPlan) -> list[tuple[str, str]]:
     """Vectors of the plan by the labels of their ends; of a scheme, its links."""
     plan = bench.asked.plan
-    if kind_of(plan) == "force":
-        return [(s.start, s.end) for s in sides_of(bench.plans, plan)]
-    drawn = {POLE, *(label_of(m) for m in bench.marks)}
+    if plan_kind(plan) == "force":
+        return [(s.start, s.end) for s in polygon_sides(bench.plans, plan)]
+    drawn = {POLE_LABEL, *(label_of(m) for m in bench.marks)}
     if plan == "position":
-        return _bars(bench, drawn)
-    return [pair for pair in bench.vectors if set(pair) <= drawn]
+        return _scheme_lines(bench, drawn)
+    return [pair for pair in bench.vector_names if set(pair) <= drawn]
 
 
-def _bars(bench: PreparedPlan, drawn: Collection[str]) -> list[tuple[str, str]]:
+def _scheme_lines(bench: PreparedPlan, drawn: Collection[str]) -> list[tuple[str, str]]:
     """Lines of a scheme: from point to point of a link, and along a link's guide to its slider."""
     mechanism = bench.plans.mechanism
     bars = [p for link in mechanism.links.values() for p in pairwise(n for n in link.points if n in drawn)]
@@ -76,38 +76,38 @@ class Shown:
 def shown_plans(outcome: Outcome) -> Shown:
     """The person's plan in its position and the right one; force polygons both in the person's order."""
     bench, own = outcome.bench, own_marks(outcome)
-    at_own, at_true = {POLE: 0j, **own}, {POLE: 0j, **true_marks(outcome)}
-    if kind_of(bench.asked.plan) != "force":
-        pairs = vectors(bench)
+    at_own, at_true = {POLE_LABEL: 0j, **own}, {POLE_LABEL: 0j, **true_marks(outcome)}
+    if plan_kind(bench.asked.plan) != "force":
+        pairs = vector_end_labels(bench)
         drawn = [(at_own[a], at_own[b]) for a, b in pairs if a in at_own and b in at_own]
-        return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {}, _leads(outcome, own))
-    sides, order = sides_of(bench.plans, bench.asked.plan), own_order(outcome)
-    laid = own_sides(sides, outcome.paper.spots, bench.naming) if order else between(sides, at_own)
-    right = chained(order, at_true) if order else between(sides, at_true)
+        return Shown(drawn, [(at_true[a], at_true[b]) for a, b in pairs], own, {}, _correction_vectors(outcome, own))
+    sides, order = polygon_sides(bench.plans, bench.asked.plan), own_side_order(outcome)
+    laid = read_sides(sides, outcome.paper.spots, bench.naming) if order else sides_between_marks(sides, at_own)
+    right = sides_laid_in_order(order, at_true) if order else sides_between_marks(sides, at_true)
     ends = {s.end: end for s, (_, end) in reversed(laid)}  # each at the end of the first side that leads to it
     marks = {s.end: ends[s.end] for s, _ in laid if s.end in own}
     along = {s.name: v for s, v in laid}
-    return Shown([v for _, v in laid], [v for _, v in right], marks, along, _leads(outcome, marks))
+    return Shown([v for _, v in laid], [v for _, v in right], marks, along, _correction_vectors(outcome, marks))
 
 
-def _leads(outcome: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
+def _correction_vectors(outcome: Outcome, shown: Mapping[str, complex]) -> list[Vector]:
     """From each wrong mark, as displayed, to the point constructed from the person's own marks."""
     if outcome.grading is None:
         return []
     verdicts, limit = outcome.grading.verdicts, outcome.grading.judgement.limit
-    off = {m: miss for m, miss in outcome.grading.judgement.misses.items() if miss.sigmas > WARN}
+    off = {m: miss for m, miss in outcome.grading.judgement.misses.items() if miss.sigmas > WARNING_SIGMAS}
     rows = [(label_of(m), miss.off) for m, miss in off.items() if verdicts[m] != "right" or miss.sigmas <= limit]
     return [(shown[n], shown[n] - by) for n, by in rows if n in shown]
 
 
-def own_order(outcome: Outcome) -> list[Side]:
+def own_side_order(outcome: Outcome) -> list[Side]:
     """A force polygon's sides in the person's order, missing ones last; none where the pen was lifted."""
     bench, spots, grading = outcome.bench, outcome.paper.spots, outcome.grading
-    if kind_of(bench.asked.plan) != "force" or grading is None or grading.rebuilt is None:
+    if plan_kind(bench.asked.plan) != "force" or grading is None or grading.rebuilt is None:
         return []
-    sides = {s.name: s for s in sides_of(bench.plans, bench.asked.plan)}
-    first, *read = map(bench.naming.names(sides).find, (spot.name for spot in spots))
-    if POLE in read or first != POLE:
+    sides = {s.name: s for s in polygon_sides(bench.plans, bench.asked.plan)}
+    first, *read = map(bench.naming.name_finder(sides).find_name, (spot.name for spot in spots))
+    if POLE_LABEL in read or first != POLE_LABEL:
         return []
     missing = (s.name for s in sides.values() if s.end in grading.rebuilt.absent)
     return [sides[n] for n in dict.fromkeys([*read, *missing]) if n in sides]
@@ -116,22 +116,22 @@ def own_order(outcome: Outcome) -> list[Side]:
 LaidSides = list[tuple[Side, Vector]]  # their positions, mm from the pole
 
 
-def own_sides(sides: Sequence[Side], spots: Sequence[ReadMark], naming: Naming) -> LaidSides:
+def read_sides(sides: Sequence[Side], spots: Sequence[ReadMark], naming: Naming) -> LaidSides:
     """The vectors as read."""
     by_name = {s.name: s for s in sides}
-    names, pole = naming.names(by_name), spots[0].place
-    rows = [(names.find(b.name), (a.place - pole, b.place - pole)) for a, b in pairwise(spots)]
+    names, pole = naming.name_finder(by_name), spots[0].place
+    rows = [(names.find_name(b.name), (a.place - pole, b.place - pole)) for a, b in pairwise(spots)]
     return [(by_name[name], v) for name, v in rows if name in by_name]
 
 
-def chained(order: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:
+def sides_laid_in_order(order: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:
     """The sides of another drawing of the polygon, by its marks, laid in that order."""
-    laid = between(order, places)
+    laid = sides_between_marks(order, places)
     ends = accumulate((b - a for _, (a, b) in laid), initial=0j)
     return [(side, way) for (side, _), way in zip(laid, pairwise(ends), strict=True)]
 
 
-def between(sides: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:
+def sides_between_marks(sides: Sequence[Side], places: Mapping[str, complex]) -> LaidSides:
     """The sides between their marks."""
     return [(s, (places[s.start], places[s.end])) for s in sides if s.start in places and s.end in places]
 
@@ -144,24 +144,24 @@ def tracing_data(asked: Asked, lang: Lang) -> Json:
     scene = asked.scene
     return {
         "title": scene.title.get(lang, "") or scene.file,
-        "lettering": lettering(scene, bench.plans),
-        "plans": [_plan(b, lang) for b in benches],
+        "lettering": scene_lettering(scene, bench.plans),
+        "plans": [_plan_data(b, lang) for b in benches],
     }
 
 
-def _plan(bench: PreparedPlan, lang: Lang) -> Json:
-    plan, kind = bench.asked.plan, kind_of(bench.asked.plan)
+def _plan_data(bench: PreparedPlan, lang: Lang) -> Json:
+    plan, kind = bench.asked.plan, plan_kind(bench.asked.plan)
     marks = bench.true_marks
     mu = mu_text(bench.said_mu, kind, lang, bench.asked.scene.mu_convention)
-    line = shlex.join(bench.asked.line("⟦file⟧")).replace("'⟦file⟧'", "⟦file⟧")
-    names = [(s.name, s.start, s.end) for s in sides_of(bench.plans, plan)] if kind == "force" else []
+    line = shlex.join(bench.asked.command_words("⟦file⟧")).replace("'⟦file⟧'", "⟦file⟧")
+    names = [(s.name, s.start, s.end) for s in polygon_sides(bench.plans, plan)] if kind == "force" else []
     return {
         "key": plan,
         "kind": kind,
-        "title": f"{title_of(plan, lang)}, μ = {mu}",
-        "marks": {POLE: [0.0, 0.0], **{n: pair(z) for n, z in marks.items()}},
+        "title": f"{plan_title(plan, lang)}, μ = {mu}",
+        "marks": {POLE_LABEL: [0.0, 0.0], **{n: point_coordinates(z) for n, z in marks.items()}},
         "far": max(marks, key=lambda n: abs(marks[n])),
-        "vectors": vectors(bench),
+        "vectors": vector_end_labels(bench),
         "names": names,
         "command": f"{line} --pole ⟦pole⟧ --mark ⟦mark⟧",  # the page inserts the picture and two points
     }

@@ -7,20 +7,20 @@ from planes.check.blank import blank_pole
 from planes.check.evidence.sheet_ink import SheetInk
 from planes.check.explaining.explained import Explanation
 from planes.check.explaining.plan_lines import PlanLines
-from planes.check.explaining.sought_pole import sought_pole
-from planes.check.explaining.weights import LEAST_COVER, STRANGE_MM
+from planes.check.explaining.sought_pole import likeliest_pole
+from planes.check.explaining.weights import LEAST_COVER, MOST_STRAY_INK_MM
 from planes.check.fiducials import SHEET_MM
 from planes.check.grading.paper import Box, ReadPaper
 from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.vision.image.picture import Flat
-from planes.check.vision.page_parts import A2_MM2, parts_of
-from planes.check.vision.print_scale import measured_by, resized_by
+from planes.check.vision.page_parts import A2_MM2, split_page
+from planes.check.vision.print_scale import convert_to_true_mm, with_scale_vector_errors
 from planes.words import Phrase, Written
-from planes.words.names import kind_of
+from planes.words.names import plan_kind
 
 # minimum share of the ink around a plan that it explains; more if its pole was not given. Of 44 pictures of a plan two
 # were below the first, of 44 of another mechanism's plan thirty
-LEAST_EXPLAINED = 0.35, 0.5
+LEAST_EXPLAINED_SHARES = 0.35, 0.5
 
 
 @dataclass
@@ -35,57 +35,77 @@ class Look:
     bare: bool = False  # whether there are no lines at all
 
     @property
-    def seen(self) -> bool:
+    def has_plan(self) -> bool:
         """Whether the plan, right or with a mistake, is there."""
         return bool(self.paper.spots)
 
-    def box(self, bench: PreparedPlan) -> Box:
+    def picture_box(self, bench: PreparedPlan) -> Box:
         """The position of the rectified picture."""
-        printed = not self.seen and self.flat.by == "marks"
+        printed = not self.has_plan and self.flat.by == "marks"
         low = self.flat.corner - (self.flat.pole or blank_pole(bench) if printed else self.pole)
         h, w = self.flat.grey.shape[:2]
         high = low + complex(w, h) / self.flat.scale
         return low.real, low.imag, high.real, high.imag
 
 
-def seen_best(bench: PreparedPlan, flat: Flat, pole: complex | None, held: tuple[str, complex] | None = None) -> Look:
+def best_examination(
+    bench: PreparedPlan, flat: Flat, pole: complex | None, held: tuple[str, complex] | None = None
+) -> Look:
     """The best findings in a rectified picture: in all of it or, on a page of known scale, in one of its parts.
 
     ``held`` is the mark, with its position, that was pointed to and set the scale of the picture.
     """
     if flat.by != "scale" or pole is not None:
         printed = flat.pole or blank_pole(bench) if flat.by == "marks" or flat.size_mm == SHEET_MM else None
-        look = looked(bench, flat, printed if pole is None else pole, held)
-        return look if look.seen or pole is not None or flat.by == "marks" else looked(bench, flat, None, held)
-    page, looks = parts_of(flat), [Look(flat, 0j)]
-    for k, mu in page.likely(bench):
-        look = looked(bench.at(mu, fixed=True) if mu else bench, page.cut(k), None)
+        look = examine_picture(bench, flat, printed if pole is None else pole, held)
+        return (
+            look
+            if look.has_plan or pole is not None or flat.by == "marks"
+            else examine_picture(bench, flat, None, held)
+        )
+    page, looks = split_page(flat), [Look(flat, 0j)]
+    for k, mu in page.likely_plan_parts(bench):
+        look = examine_picture(bench.at_scale(mu, fixed=True) if mu else bench, page.cut_out_part(k), None)
         look.paper.mu = mu
         looks.append(look)
         if look.cover * look.explained > LEAST_COVER:
             break
-    if math.prod(flat.size_mm) <= A2_MM2 and not any(look.seen for look in looks):
-        looks.append(looked(bench, flat, None))
-    return max(looks, key=lambda look: (look.seen, look.cover * look.explained))
+    if math.prod(flat.size_mm) <= A2_MM2 and not any(look.has_plan for look in looks):
+        looks.append(examine_picture(bench, flat, None))
+    return max(looks, key=lambda look: (look.has_plan, look.cover * look.explained))
 
 
-def looked(bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[str, complex] | None = None) -> Look:
+def examine_picture(
+    bench: PreparedPlan, flat: Flat, near: complex | None, held: tuple[str, complex] | None = None
+) -> Look:
     """The plan found in a rectified picture by drawing it again from its pole, near a given point or searched for."""
     ink = SheetInk.of_picture(flat)
     if not ink.points.size:
         return Look(flat, 0j, bare=True)
     plan = PlanLines(bench, flat.printed, held, flat.by == "marks")
-    pole = sought_pole(plan, ink) if near is None else near
+    pole = likeliest_pole(plan, ink) if near is None else near
     seen = Explanation(plan, ink, pole)
-    look = Look(flat, 0j if near is None else pole, cover=seen.best.cover, explained=seen.explained)
-    least = LEAST_EXPLAINED[near is None]
-    if seen.best.cover < LEAST_COVER or seen.best.cover * seen.explained < least:
+    look = Look(
+        flat, 0j if near is None else pole, cover=seen.likeliest_drawing.cover, explained=seen.explained_ink_share
+    )
+    least = LEAST_EXPLAINED_SHARES[near is None]
+    if seen.likeliest_drawing.cover < LEAST_COVER or seen.likeliest_drawing.cover * seen.explained_ink_share < least:
         return look
     look.pole, paper = pole, look.paper
-    paper.spots = resized_by(flat, pole, seen.share, measured_by(flat, pole, seen.spots(), bench))
-    paper.untold, paper.left, paper.named = [*seen.untold(), *seen.unled()], seen.faint(), seen.named()
-    if seen.best.hypothesis.right and seen.best.strange > STRANGE_MM:
-        flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.best.strange:.0f}")))
-    motion = kind_of(bench.asked.plan) not in ("position", "force")
-    paper.signs = seen.whole_fault() or (seen.exchanged() if motion else []) or seen.reversed_vectors()
+    paper.spots = convert_to_true_mm(
+        flat, pole, seen.sheet_scale, with_scale_vector_errors(flat, pole, seen.seen_marks(), bench)
+    )
+    paper.untold, paper.left, paper.named = (
+        [*seen.unverified_marks(), *seen.marks_without_clear_lines()],
+        seen.faint_vectors(),
+        seen.marks_seen_by_name_only(),
+    )
+    if seen.likeliest_drawing.hypothesis.is_right and seen.likeliest_drawing.strange > MOST_STRAY_INK_MM:
+        flat.notes.append(Phrase("check_strangers", mm=Written(f"{seen.likeliest_drawing.strange:.0f}")))
+    motion = plan_kind(bench.asked.plan) not in ("position", "force")
+    paper.signs = (
+        seen.transformed_plan_faults()
+        or (seen.swapped_letter_faults() if motion else [])
+        or seen.reversed_vector_faults()
+    )
     return look

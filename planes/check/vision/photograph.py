@@ -5,27 +5,34 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from planes.check.fiducials import SHEET_MM
-from planes.check.grading.paper import Known, ReadPaper, with_told
-from planes.check.grading.prepared_plan import PreparedPlan, drawn_at, known_plans
-from planes.check.grading.remedies import asking
-from planes.check.sheet_mark import SheetMark, mark_of
-from planes.check.vision.from_aside import strange, tilt_told
+from planes.check.grading.paper import Known, ReadPaper, with_pointed_marks
+from planes.check.grading.prepared_plan import PreparedPlan, drawn_mark_position, known_plans
+from planes.check.grading.remedies import phrase_with_remedy
+from planes.check.sheet_mark import SheetMark, read_mark_of_sheet
+from planes.check.vision.from_aside import fitted_camera_tilt, log_deviation_from_plan
 from planes.check.vision.image.decoding import DecodedPicture, load
-from planes.check.vision.image.frame import by_frame
+from planes.check.vision.image.frame import rectify_by_frame
 from planes.check.vision.image.lens import CameraTilt
-from planes.check.vision.image.opencv import cv, shrunk, smaller
-from planes.check.vision.image.picture import LARGEST_PX, Flat, by_scale, find_marks, fits, flatten
-from planes.check.vision.image.two_points import by_points
-from planes.check.vision.looking import Look, seen_best
-from planes.check.vision.print_scale import printed_share
+from planes.check.vision.image.opencv import cv, reduce_to_longest_side, resize_by_factor
+from planes.check.vision.image.picture import (
+    LARGEST_SIDE_PX,
+    Flat,
+    find_marks,
+    flatten,
+    is_plausible_scale,
+    rectify_by_scale,
+)
+from planes.check.vision.image.two_points import rectify_by_two_points
+from planes.check.vision.looking import Look, best_examination
+from planes.check.vision.print_scale import print_scale_of_scan
 from planes.geometry.arrays import Greys
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE, label_of
+from planes.words.names import POLE_LABEL, label_of
 
 
-def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> ReadPaper:
+def read_picture(file: str, bench: PreparedPlan, known: Known | None = None) -> ReadPaper:
     """The plan in a picture, rectified by corner marks, otherwise by two named points, otherwise by the sheet's frame.
 
     :class:`PlanesError` if it is no picture or has no reference for its scale.
@@ -33,64 +40,72 @@ def paper_of_picture(file: str, bench: PreparedPlan, known: Known | None = None)
     known = known or Known()
     picture = load(file, known.page)
     best, by, pole, code = None, None, known.pole, None
-    for flat, named in _flats(bench, picture, known):
-        code = mark_of(flat) if flat.by == "marks" else None
-        bench = _as_printed(bench, flat, code)
-        held = _held(bench, flat, known)
-        look = seen_best(bench, flat, 0j if named else None if pole is None else flat.place(pole), held)
-        if best is None or (look.seen, look.cover) > (best.seen, best.cover):
+    for flat, named in _possible_rectifications(bench, picture, known):
+        code = read_mark_of_sheet(flat) if flat.by == "marks" else None
+        bench = _plan_at_printed_scale(bench, flat, code)
+        held = _mark_setting_scale(bench, flat, known)
+        look = best_examination(
+            bench, flat, 0j if named else None if pole is None else flat.sheet_point_of_pixel(pole), held
+        )
+        if best is None or (look.has_plan, look.cover) > (best.has_plan, best.cover):
             best, by = look, None if flat.by_file else named
-        if best.flat.by in ("scale", "part") and best.seen:
+        if best.flat.by in ("scale", "part") and best.has_plan:
             break
-    best = best and _from_aside(bench, picture, known, best)
+    best = best and _correct_camera_tilt(bench, picture, known, best)
     has_scale = best and (best.flat.by not in ("scale", "part") or pole is not None)
-    if best is None or not (has_scale or best.seen):
-        raise _nothing_to_measure_by(picture.grey)
-    paper = replace(best.paper, file=file, whole=False, look=picture.look, scale_mark=by, notes=list(best.flat.notes))
+    if best is None or not (has_scale or best.has_plan):
+        raise _missing_reference_error(picture.grey)
+    paper = replace(
+        best.paper, file=file, whole=False, look=picture.pixel_hash, scale_mark=by, notes=list(best.flat.notes)
+    )
     paper.pole_told, paper.mu = pole is not None or best.flat.by == "marks", best.paper.mu or bench.asked.mu
-    paper.picture, paper.box = shown(best.flat), best.box(bench)
+    paper.picture, paper.box = picture_for_page(best.flat), best.picture_box(bench)
     if code and code.plan != bench.asked.plan and code.plan in known_plans(bench.plans):
         plans = {"other": plan_phrase(code.plan), "plan": plan_phrase(bench.asked.plan)}
         paper.notes.append(Phrase("check_code_says", **plans))
     if best.bare:
         paper.reason = Phrase("check_no_lines")
-    elif not best.seen:
+    elif not best.has_plan:
         shares = {"share": best.cover, "own": best.explained}
-        paper.reason = asking("check_no_plan_seen", **{key: f"{100 * value:.0f}" for key, value in shares.items()})
+        paper.reason = phrase_with_remedy(
+            "check_no_plan_seen", **{key: f"{100 * value:.0f}" for key, value in shares.items()}
+        )
     else:
-        pointed = bench.pointed(known.marks, best.flat.place)
-        paper.spots = with_told(paper.spots, pointed)
+        pointed = bench.pointed_positions(known.marks, best.flat.sheet_point_of_pixel)
+        paper.spots = with_pointed_marks(paper.spots, pointed)
         if best.paper.mu and best.paper.mu != bench.said_mu:
-            paper.notes.append(Phrase("check_mu_found", mu=bench.mu_said(best.paper.mu)))
+            paper.notes.append(Phrase("check_mu_found", mu=bench.written_scale(best.paper.mu)))
         paper.untold = [n for n in paper.untold if n not in pointed]
     return paper
 
 
-def _held(bench: PreparedPlan, flat: Flat, known: Known) -> tuple[str, complex] | None:
+def _mark_setting_scale(bench: PreparedPlan, flat: Flat, known: Known) -> tuple[str, complex] | None:
     """The mark pointed to that sets a picture's scale, and its position; none if the file gives the scale."""
     if flat.told is None or flat.by_file:
         return None
-    names = {n: z for k, z in known.marks.items() if (n := bench.names.find(k))}
-    return (flat.told[0], flat.place(names[flat.told[0]])) if flat.told[0] in names else None
+    names = {n: z for k, z in known.marks.items() if (n := bench.written_mark_names.find_name(k))}
+    return (flat.told[0], flat.sheet_point_of_pixel(names[flat.told[0]])) if flat.told[0] in names else None
 
 
-def _from_aside(bench: PreparedPlan, picture: DecodedPicture, known: Known, best: Look) -> Look:
+def _correct_camera_tilt(bench: PreparedPlan, picture: DecodedPicture, known: Known, best: Look) -> Look:
     """The findings in a photograph scaled by two points, after correcting the camera tilt shown by its marks.
 
     The first findings are kept if they explain the marks better.
     """
     lens, true = best.flat.lens, {label_of(m): z for m, z in bench.true_marks.items()}
-    tilt = tilt_told(lens, best.pole, best.paper.spots, true) if lens and best.seen else None
+    tilt = fitted_camera_tilt(lens, best.pole, best.paper.spots, true) if lens and best.has_plan else None
     if tilt is None or lens is None or known.pole is None:
         return best
     held = replace(lens.held, slopes=lens.held.slopes + tilt)
-    flat, _ = _by_hand(bench, picture, known.pole, known.marks, held)
-    other = seen_best(bench, flat, 0j, _held(bench, flat, known))
-    likelier = strange(lens, best.pole, best.paper.spots, true) - strange(lens, other.pole, other.paper.spots, true)
-    return other if other.seen and likelier > 0 else best
+    flat, _ = _rectify_by_pole_and_mark(bench, picture, known.pole, known.marks, held)
+    other = best_examination(bench, flat, 0j, _mark_setting_scale(bench, flat, known))
+    likelier = log_deviation_from_plan(lens, best.pole, best.paper.spots, true) - log_deviation_from_plan(
+        lens, other.pole, other.paper.spots, true
+    )
+    return other if other.has_plan and likelier > 0 else best
 
 
-def _as_printed(bench: PreparedPlan, flat: Flat, code: SheetMark | None) -> PreparedPlan:
+def _plan_at_printed_scale(bench: PreparedPlan, flat: Flat, code: SheetMark | None) -> PreparedPlan:
     """The plan at the scale its blank was printed for (from its ``code``, otherwise the scene), unless given.
 
     The pole is the one in the code.
@@ -98,35 +113,37 @@ def _as_printed(bench: PreparedPlan, flat: Flat, code: SheetMark | None) -> Prep
     if code is None or code.plan != bench.asked.plan:
         return bench
     flat.pole = code.pole
-    return bench if bench.asked.mu else bench.at(code.mu or bench.said_mu, fixed=True)
+    return bench if bench.asked.mu else bench.at_scale(code.mu or bench.said_mu, fixed=True)
 
 
-def _nothing_to_measure_by(grey: Greys) -> PlanesError:
+def _missing_reference_error(grey: Greys) -> PlanesError:
     """An error, by the number of a blank's corner marks seen."""
-    count = len(find_marks(smaller(grey, LARGEST_PX)[0]))
+    count = len(find_marks(reduce_to_longest_side(grey, LARGEST_SIDE_PX)[0]))
     return PlanesError(Phrase("check_few_marks", count=count) if count else Phrase("check_no_marks"))
 
 
-def _flats(bench: PreparedPlan, picture: DecodedPicture, known: Known) -> Iterator[tuple[Flat, str | None]]:
+def _possible_rectifications(
+    bench: PreparedPlan, picture: DecodedPicture, known: Known
+) -> Iterator[tuple[Flat, str | None]]:
     """Possible rectifications of the picture; with the vector that sets its scale, if any."""
     grey, scale = picture.grey, picture.scale
     if known.pole is not None and known.marks:
-        yield _by_hand(bench, picture, known.pole, known.marks)
+        yield _rectify_by_pole_and_mark(bench, picture, known.pole, known.marks)
     elif flat := None if known.format else flatten(grey):
-        flat.printed = printed_share(flat, grey, scale)
+        flat.printed = print_scale_of_scan(flat, grey, scale)
         yield flat, None
     else:
-        if scale is not None and known.format is None and fits(grey, scale):
-            yield by_scale(grey, scale), None
-        yield from ((flat, None) for flat in by_frame(grey, known.format))
+        if scale is not None and known.format is None and is_plausible_scale(grey, scale):
+            yield rectify_by_scale(grey, scale), None
+        yield from ((flat, None) for flat in rectify_by_frame(grey, known.format))
 
 
-def shown(flat: Flat) -> bytes:
+def picture_for_page(flat: Flat) -> bytes:
     """The rectified picture, small enough for a page."""
-    return bytes(cv().imencode(".jpg", shrunk(flat.grey, 0.5), [cv().IMWRITE_JPEG_QUALITY, 75])[1])
+    return bytes(cv().imencode(".jpg", resize_by_factor(flat.grey, 0.5), [cv().IMWRITE_JPEG_QUALITY, 75])[1])
 
 
-def _by_hand(
+def _rectify_by_pole_and_mark(
     bench: PreparedPlan,
     picture: DecodedPicture,
     pole: complex,
@@ -134,22 +151,25 @@ def _by_hand(
     held: CameraTilt | None = None,
 ) -> tuple[Flat, str]:
     """Scale from a named pole and vector."""
-    name, where = next(((n, z) for k, z in marks.items() if (n := bench.names.find(k)) and n != POLE), (None, 0j))
+    name, where = next(
+        ((n, z) for k, z in marks.items() if (n := bench.written_mark_names.find_name(k)) and n != POLE_LABEL),
+        (None, 0j),
+    )
     if name is None:
         raise PlanesError(Phrase("check_no_marks"))
-    vector = _vector(bench, picture, abs(where - pole), name)
-    return by_points(picture.grey, pole, where, vector, name, picture.scale, held, picture.focal), name
+    vector = _vector_of_likely_size(bench, picture, abs(where - pole), name)
+    return rectify_by_two_points(picture.grey, pole, where, vector, name, picture.scale, held, picture.focal), name
 
 
-def _vector(bench: PreparedPlan, picture: DecodedPicture, length: float, name: str) -> complex:
+def _vector_of_likely_size(bench: PreparedPlan, picture: DecodedPicture, length: float, name: str) -> complex:
     """The vector to a mark with this length in pixels: the right one, or a mistake's.
 
     If the right one would make the sheet too large, it is that of the mistake that makes it most like A4.
     """
-    ways = (drawn_at(bench, v, name) for v in bench.mistakes)
+    ways = (drawn_mark_position(bench, v, name) for v in bench.mistakes)
     true = bench.true_marks[name]
-    if length < 1 or not true or fits(picture.grey, length / abs(true)):
+    if length < 1 or not true or is_plausible_scale(picture.grey, length / abs(true)):
         return true
-    likely = [z for z in ways if z and fits(picture.grey, length / abs(z))]
+    likely = [z for z in ways if z and is_plausible_scale(picture.grey, length / abs(z))]
     area = picture.grey.size / length**2
     return min(likely, key=lambda z: abs(math.log(area * abs(z) ** 2 / math.prod(SHEET_MM))), default=true)

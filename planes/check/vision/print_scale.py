@@ -9,22 +9,22 @@ import math
 from dataclasses import replace
 
 from planes.check.grading.handwork import Hand
-from planes.check.grading.paper import TOLD_MM, ReadMark
+from planes.check.grading.paper import POINTED_MARK_ERROR_MM, ReadMark
 from planes.check.grading.prepared_plan import PreparedPlan
-from planes.check.vision.from_aside import as_sure
+from planes.check.vision.from_aside import with_scale_and_tilt_errors
 from planes.check.vision.image.picture import Flat
 from planes.geometry.arrays import Greys
 from planes.words import Phrase, Written
-from planes.words.names import at
+from planes.words.names import full_mark_name
 
-LEAST, MOST = 0.9, 1.05  # limits of a print scale
-TRUE = 0.003  # accuracy of a scanner
-LONG_MM = 12.0  # of a vector that determines it
-LYING = 0.01  # unknown rotation of a sheet, radians
-ALONG = 0.004  # rotation of a drawing on its paper, radians
+LEAST_PRINT_SCALE, MOST_PRINT_SCALE = 0.9, 1.05  # limits of a print scale
+SCANNER_ACCURACY = 0.003  # accuracy of a scanner
+LONG_VECTOR_MM = 12.0  # of a vector that determines it
+SHEET_ROTATION_RAD = 0.01  # unknown rotation of a sheet, radians
+DRAWING_ROTATION_RAD = 0.004  # rotation of a drawing on its paper, radians
 
 
-def printed_share(flat: Flat, grey: Greys, scale: float | None) -> float:
+def print_scale_of_scan(flat: Flat, grey: Greys, scale: float | None) -> float:
     """The print scale of a blank, from a scan with known pixels per millimetre.
 
     1 for others (oblique pictures among them), and where no printer produces that scale.
@@ -33,13 +33,16 @@ def printed_share(flat: Flat, grey: Greys, scale: float | None) -> float:
         return 1.0
     height, width = grey.shape
     far, middle = min(height, width) / 4, complex(width, height) / 2
-    across, down = (2 * far / scale / abs(flat.place(middle + far * w) - flat.place(middle - far * w)) for w in (1, 1j))
+    across, down = (
+        2 * far / scale / abs(flat.sheet_point_of_pixel(middle + far * w) - flat.sheet_point_of_pixel(middle - far * w))
+        for w in (1, 1j)
+    )
     share = (across + down) / 2
-    true = LEAST < share < MOST and abs(across - down) < TRUE < abs(share - 1)
+    true = LEAST_PRINT_SCALE < share < MOST_PRINT_SCALE and abs(across - down) < SCANNER_ACCURACY < abs(share - 1)
     return share if true else 1.0
 
 
-def resized_by(flat: Flat, about: complex, share: float, spots: list[ReadMark]) -> list[ReadMark]:
+def convert_to_true_mm(flat: Flat, about: complex, share: float, spots: list[ReadMark]) -> list[ReadMark]:
     """The marks and the picture of a sheet printed at a scale, converted to true millimetres.
 
     It is reported only if a ruler shows the difference.
@@ -52,18 +55,24 @@ def resized_by(flat: Flat, about: complex, share: float, spots: list[ReadMark]) 
     return [replace(s, place=about + (s.place - about) * share) for s in spots]
 
 
-def measured_by(flat: Flat, about: complex, spots: list[ReadMark], bench: PreparedPlan) -> list[ReadMark]:
+def with_scale_vector_errors(flat: Flat, about: complex, spots: list[ReadMark], bench: PreparedPlan) -> list[ReadMark]:
     """Marks with the errors of the vector that set the scale of their sheet.
 
     These are its drawing error, the accuracy of pointing to its ends, and a possible camera tilt.
     """
     if flat.told is None:
         return spots
-    length, mark = flat.told[1], at(bench.asked.plan, flat.told[0])
-    right = {at(bench.asked.plan, n): ReadMark(n, z) for n, z in bench.true_marks.items()}
+    length, mark = flat.told[1], full_mark_name(bench.asked.plan, flat.told[0])
+    right = {full_mark_name(bench.asked.plan, n): ReadMark(n, z) for n, z in bench.true_marks.items()}
     misses = Hand(bench.program, bench.given, bench.asked.skill, right).misses([mark])
-    own = misses[mark].mean if mark in misses else 0.0
-    drawn = math.hypot(own, TOLD_MM) / max(length, LONG_MM)
-    turned = ALONG if flat.by_paper else drawn / math.sqrt(2) if length > LONG_MM else LYING
+    own = misses[mark].mean_sigma_mm if mark in misses else 0.0
+    drawn = math.hypot(own, POINTED_MARK_ERROR_MM) / max(length, LONG_VECTOR_MM)
+    turned = (
+        DRAWING_ROTATION_RAD
+        if flat.by_paper
+        else drawn / math.sqrt(2)
+        if length > LONG_VECTOR_MM
+        else SHEET_ROTATION_RAD
+    )
     share = math.hypot(turned if flat.by_file else drawn, flat.aslant)
-    return [as_sure(s, about, share, flat.lens) for s in spots]
+    return [with_scale_and_tilt_errors(s, about, share, flat.lens) for s in spots]

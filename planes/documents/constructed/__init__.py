@@ -13,20 +13,20 @@ from planes.documents.sheets import DrawnPosition
 from planes.drafting.program import Program
 from planes.plans import Plans
 from planes.scene import Scene
-from planes.scene.files import keep
+from planes.scene.files import save_file_or_refuse
 from planes.solving import Position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE, at, kind_of, label_of, plan_of
+from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_kind, plan_of
 from planes.words.naming import Naming
 from render.sheet.composer import Composer, drawn_plans
-from render.sheet.single import name_of_view
+from render.sheet.single import plan_view_name
 from render.sheet.sizes import Sizes
-from render.views.plotted import of_position
+from render.views.plotted import plot_position
 
-SCHEME = "position"
-GAP_MM = 30.0  # mm between figures
+SCHEME_PLAN = "position"
+FIGURE_GAP_MM = 30.0  # mm between figures
 
 
 @frozen
@@ -50,87 +50,93 @@ class LiveFigure:
     lang: Lang
 
     @property
-    def stated(self) -> Plans:
+    def stated_plans(self) -> Plans:
         """The plans as they are stated."""
         return self.position.plans
 
     @cached_property
-    def marks(self) -> list[str]:
+    def shown_marks(self) -> list[str]:
         """The marks shown, by their full names."""
-        made = [s for s in self.stated.program.steps if s.kind == "mark" and s.makes in self.position.drawing]
-        shown = {end for s in self.stated.segments for end in s.ends}
-        own = (s.makes for s in made if s.makes in shown or not (s.loose or s.helper))
-        return [name for name in own if plan_of(name) in self.plans and name not in self.stated.program.trials]
+        made = [s for s in self.stated_plans.program.steps if s.kind == "mark" and s.makes in self.position.drawing]
+        shown = {end for s in self.stated_plans.segments for end in s.ends}
+        own = (s.makes for s in made if s.makes in shown or not (s.is_outside_plan or s.is_auxiliary_mark))
+        return [
+            name for name in own if plan_of(name) in self.plans and name not in self.stated_plans.program.trial_marks
+        ]
 
     @cached_property
-    def program(self) -> Program:
+    def shown_program(self) -> Program:
         """The steps that these marks need."""
-        return Program(self.stated.program.sliced(self.marks).steps)
+        return Program(self.stated_plans.program.cut_to_names(self.shown_marks).steps)
 
-    def place(self, mark: str) -> complex:
+    def place_on_plan(self, mark: str) -> complex:
         """The place of a mark on its plan, mm from the pole."""
         return complex(self.position.drawing[mark])
 
     @cached_property
-    def poles(self) -> dict[str, complex]:
+    def pole_places(self) -> dict[str, complex]:
         """The places of each plan's pole, and of the scheme's origin, on the whole picture."""
         poles, right = {}, 0.0
         for k, plan in enumerate(self.plans):
-            xs = [self.place(m).real for m in self.marks if plan_of(m) == plan]
-            poles[plan] = complex(right + GAP_MM - min(0.0, *xs) if k else 0.0)
+            xs = [self.place_on_plan(m).real for m in self.shown_marks if plan_of(m) == plan]
+            poles[plan] = complex(right + FIGURE_GAP_MM - min(0.0, *xs) if k else 0.0)
             right = poles[plan].real + max(0.0, *xs)
-        return {**poles, **{p: 0j for p in map(plan_of, self.program.made) if p not in poles}}
+        return {**poles, **{p: 0j for p in map(plan_of, self.shown_program.result_names) if p not in poles}}
 
-    def at(self, mark: str) -> complex:
+    def place_on_picture(self, mark: str) -> complex:
         """The place of a mark on the whole picture."""
-        return self.poles[plan_of(mark)] + self.place(mark)
+        return self.pole_places[plan_of(mark)] + self.place_on_plan(mark)
 
-    def text(self, mark: str) -> str:
+    def mark_lettering(self, mark: str) -> str:
         """The lettering of a mark on a sheet, "" for a mark whose vectors are named instead."""
         plan, label = plan_of(mark), label_of(mark)
-        if plan == SCHEME:
-            return "" if label == POLE else self.naming.point(label)
-        return self.naming.mark(label, plan) if kind_of(plan) != "force" else ""
+        if plan == SCHEME_PLAN:
+            return "" if label == POLE_LABEL else self.naming.lettered_point(label)
+        return self.naming.mark(label, plan) if plan_kind(plan) != "force" else ""
 
     @cached_property
-    def shafts(self) -> list[Stretch]:
+    def plan_vectors(self) -> list[Stretch]:
         """The vectors of the plans, each once."""
         names: dict[tuple[str, str], str] = {}
-        for s in (s for plan in self.plans for s in self.stated.segments_of.get(plan, ())):
-            if s.start != s.end and {*s.ends} <= {*self.marks}:
-                names.setdefault(s.ends, self.naming.vector(s.name))
+        for s in (s for plan in self.plans for s in self.stated_plans.segments_by_plan.get(plan, ())):
+            if s.start != s.end and {*s.ends} <= {*self.shown_marks}:
+                names.setdefault(s.ends, self.naming.lettered_vector(s.name))
         return [Stretch(*ends, text) for ends, text in names.items()]
 
     @cached_property
-    def bars(self) -> list[Stretch]:
+    def link_sides(self) -> list[Stretch]:
         """The links of the scheme: the sides of each."""
-        return [*self._bars()] if SCHEME in self.plans else []
+        return [*self._each_link_side()] if SCHEME_PLAN in self.plans else []
 
-    def _bars(self) -> Iterator[Stretch]:
-        for link in self.stated.mechanism.links.values():
-            own = [m for p in self.stated.mechanism.joined(link) if (m := at(SCHEME, p)) in self.marks]
+    def _each_link_side(self) -> Iterator[Stretch]:
+        for link in self.stated_plans.mechanism.links.values():
+            own = [
+                m
+                for p in self.stated_plans.mechanism.points_without_guide_centre(link)
+                if (m := full_mark_name(SCHEME_PLAN, p)) in self.shown_marks
+            ]
             sides = list(zip(own, [*own[1:], *own[:1]] if len(own) > 2 else own[1:], strict=False))
             yield from (Stretch(*side) for side in sides)
 
 
-def suffixes() -> tuple[str, ...]:
+def format_suffixes() -> tuple[str, ...]:
     """The suffixes of the available formats."""
     return tuple(f".{m.name}" for m in pkgutil.iter_modules(__path__) if m.name[0] != "_")
 
 
-def figure_of(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> LiveFigure:
+def live_figure(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> LiveFigure:
     """The scheme with the plan named by a view, or with all."""
     drawn = DrawnPosition(replace(scene, find=None), values, lang)
-    position, composer = drawn.at(Sizes()), Composer(scene, lang, drawn.stated[0])
-    scheme = (SCHEME,) if position.plans.moves else ()
-    plotted = of_position(position)
-    known = {name_of_view(p): p for p in drawn_plans(plotted, position)} | dict.fromkeys(scheme, SCHEME)
+    position, composer = drawn.position_at_sizes(Sizes()), Composer(scene, lang, drawn.plans_and_wanted[0])
+    scheme = (SCHEME_PLAN,) if position.plans.has_mechanism else ()
+    plotted = plot_position(position)
+    known = {plan_view_name(p): p for p in drawn_plans(plotted, position)} | dict.fromkeys(scheme, SCHEME_PLAN)
     if view and view not in known:
         raise PlanesError(Phrase("bad_view", view=view, known=tuple(known)))
-    wanted = [known[view]] if view else [p for p in known.values() if p != SCHEME]
-    plans = (*scheme, *(p for p in wanted if p != SCHEME))
-    names = {p: f"{composer.plan_name(p)}, {composer.mu(plotted, p)}" for p in plans if p != SCHEME}
-    titles = tuple(names.get(p) or composer.titled(position, "scheme") for p in plans)
+    wanted = [known[view]] if view else [p for p in known.values() if p != SCHEME_PLAN]
+    plans = (*scheme, *(p for p in wanted if p != SCHEME_PLAN))
+    names = {p: f"{composer.plan_name(p)}, {composer.title_mu(plotted, p)}" for p in plans if p != SCHEME_PLAN}
+    titles = tuple(names.get(p) or composer.title_with_mu(position, "scheme") for p in plans)
     return LiveFigure(position, plans, composer.naming, titles, scene.title.get(lang, ""), lang)
 
 
@@ -140,6 +146,6 @@ def draw_constructed(
     """Write the construction into a file of its format; returns sentences about its limitations."""
     suffix = Path(output).suffix.lower()
     format_ = import_module(f"{__name__}.{suffix[1:]}")
-    data, said = format_.written(figure_of(scene, view, values, lang))
-    keep(data, output)
+    data, said = format_.file_and_limitations(live_figure(scene, view, values, lang))
+    save_file_or_refuse(data, output)
     return tuple(said)

@@ -6,17 +6,17 @@ from dataclasses import fields
 from pathlib import Path
 
 from planes.documents.constructed import LiveFigure
-from planes.documents.constructed._numbers import RADIAN, literal
+from planes.documents.constructed._numbers import RADIANS_PER_DEGREE, number_literal
 from planes.drafting import steps as s
 from planes.drafting.steps import crossings as c
 from planes.drafting.steps import reckoning as r
-from planes.words.names import POLE, at, plan_of
-from render.files.ggb import HIDDEN, PALE, Aspect, GeogebraFile, Kind
+from planes.words.names import POLE_LABEL, full_mark_name, plan_of
+from render.files.ggb import HIDDEN_ASPECT, PALE_COLOUR, Aspect, GeogebraFile, Kind
 
 Labels = dict[str, str]
-LINE = Aspect(PALE, thick=2, dashed=True)
-RIGHT = "90 * pi / 180"
-WRITTEN: dict[str, list[tuple[Kind, str, str, *tuple[str, ...]]]] = json.loads(
+CONSTRUCTION_LINE_ASPECT = Aspect(PALE_COLOUR, thick=2, dashed=True)
+RIGHT_ANGLE_FORMULA = "90 * pi / 180"
+OBJECTS_BY_STEP_KIND: dict[str, list[tuple[Kind, str, str, *tuple[str, ...]]]] = json.loads(
     Path(__file__).with_name("geogebra.json").read_text("utf-8")
 )
 """The objects that stand for a step of a class: the kind of each, what precedes the step's own label in its label, and
@@ -32,88 +32,90 @@ class Translator:
         self.figure, self.made, self.labels, self.looks = figure, made, labels, looks
         self.left: list[s.Step] = []
 
-    def of(self, step: s.Step) -> None:
+    def write_step(self, step: s.Step) -> None:
         """One step."""
         names = [kind.__name__ for kind in type(step).__mro__]
         if isinstance(step, s.Put) and not step.at:
             names = ["Pole"]
         elif isinstance(step, s.Carry) and step.quarter % 4:
             names = ["CarryTurned"]
-        written = next((WRITTEN[name] for name in names if name in WRITTEN), None)
+        written = next((OBJECTS_BY_STEP_KIND[name] for name in names if name in OBJECTS_BY_STEP_KIND), None)
         if written is None:
             self.left.append(step)
-            self.stands(step)
+            self.write_as_constant(step)
             return
-        named = dict(self.named(step))
+        named = dict(self.placeholder_values(step))
         for kind, head, first, *inputs in written:
-            label, look = head + self.labels[step.makes], self.look(step.makes, kind, head)
+            label, look = head + self.labels[step.makes], self.mark_appearance(step.makes, kind, head)
             if inputs:
-                self.made.command(kind, [label], first, [text.format_map(named) for text in inputs], look)
+                self.made.add_command(kind, [label], first, [text.format_map(named) for text in inputs], look)
             else:
-                self.made.formula(kind, label, first.format_map(named), look)
+                self.made.add_formula(kind, label, first.format_map(named), look)
 
-    def look(self, mark: str, kind: Kind, head: str) -> Aspect:
+    def mark_appearance(self, mark: str, kind: Kind, head: str) -> Aspect:
         """The appearance of an object on the way to a mark, or of the mark."""
-        if kind == "conic" or (kind == "line" and mark in self.figure.marks):
-            return LINE
-        return self.looks(mark) if kind == "point" and not head else HIDDEN
+        if kind == "conic" or (kind == "line" and mark in self.figure.shown_marks):
+            return CONSTRUCTION_LINE_ASPECT
+        return self.looks(mark) if kind == "point" and not head else HIDDEN_ASPECT
 
-    def stands(self, step: s.Step) -> None:
+    def write_as_constant(self, step: s.Step) -> None:
         """A step as a constant, with its value in this position."""
         label, thing = self.labels[step.makes], complex(self.figure.position.drawing[step.makes])
         if step.kind == "mark":
-            self.made.formula("point", label, f"{self.pole(step.makes)} + {_place(thing)}", self.looks(step.makes))
+            self.made.add_formula(
+                "point", label, f"{self.pole_label(step.makes)} + {_coordinates_text(thing)}", self.looks(step.makes)
+            )
         elif step.kind == "direction":
-            self.made.formula("vector", label, _place(thing))
+            self.made.add_formula("vector", label, _coordinates_text(thing))
         else:
-            self.made.formula("numeric", label, literal(thing.real))
+            self.made.add_formula("numeric", label, number_literal(thing.real))
 
-    def pole(self, mark: str) -> str:
+    def pole_label(self, mark: str) -> str:
         """The pole of a mark's plan, "(0, 0)" where it has none."""
-        return self.labels.get(at(plan_of(mark), POLE), "(0, 0)")
+        return self.labels.get(full_mark_name(plan_of(mark), POLE_LABEL), "(0, 0)")
 
-    def named(self, step: s.Step) -> Iterator[tuple[str, object]]:
+    def placeholder_values(self, step: s.Step) -> Iterator[tuple[str, object]]:
         """What the names in braces stand for."""
         n = self.labels
-        yield "pole", self.pole(step.makes)
+        yield "pole", self.pole_label(step.makes)
         for name in (f.name for f in fields(step)):
             match getattr(step, name):
                 case str(given):
                     yield from ((name + end, n.get(given + end.replace("_", "."))) for end in ("", "_x", "_y"))
                 case int(number):
-                    yield name, literal(float(number))
+                    yield name, number_literal(float(number))
                 case (str(), str()) as marks:
                     yield name, [n[mark] for mark in marks]
-        yield from self.parts(step).items()
+        yield from self.composed_placeholders(step).items()
 
-    def parts(self, step: s.Step) -> dict[str, str]:
+    def composed_placeholders(self, step: s.Step) -> dict[str, str]:
         """Parts of a text that are more than a label."""
         n = self.labels
         match step:
             case s.Put() if not step.at:
-                return {"at": _place(self.figure.poles[plan_of(step.makes)])}
+                return {"at": _coordinates_text(self.figure.pole_places[plan_of(step.makes)])}
             case s.Carry() | s.Turn():
-                turns = [f"{step.quarter % 4} * {RIGHT}"] * bool(step.quarter % 4)
-                turns += [f"{n[step.angle]} * {RADIAN}"] if isinstance(step, s.Turn) and step.angle else []
+                turns = [f"{step.quarter % 4} * {RIGHT_ANGLE_FORMULA}"] * bool(step.quarter % 4)
+                turns += [f"{n[step.angle]} * {RADIANS_PER_DEGREE}"] if isinstance(step, s.Turn) and step.angle else []
                 return {"turns": " + ".join(turns) or "0"}
             case c.Touch():
                 apart = f"Distance[{n[step.start]}, {n[step.end]}]"
                 return {"sine": f"({n[step.offset]} * {n[step.mu]} / {apart})" if step.offset else "0"}
             case r.Choose():
-                return {"chosen": self.chosen(step)}
+                return {"chosen": self.chosen_trial_formula(step)}
             case r.Measure():
-                return {"span": self.span(step)}
+                return {"span": self.span_formula(step)}
             case r.Sense():
-                beside = [f"Distance[{self.pole(m)}, {n[m]}]" for m in step.beside]
-                return {"span": self.span(step), "largest": " + ".join(beside) or "0"}
+                beside = [f"Distance[{self.pole_label(m)}, {n[m]}]" for m in step.beside]
+                return {"span": self.span_formula(step), "largest": " + ".join(beside) or "0"}
             case r.Calculate():
-                return {"sum": " + ".join(self.product(term) for term in step.terms) or "0"}
+                return {"sum": " + ".join(self.product_formula(term) for term in step.terms) or "0"}
             case r.SenseBetween():
-                rates = [f"({n[rate]} * abs({n[sense]}))" if rate else "0" for rate, sense in step.both]
+                rates = [f"({n[rate]} * abs({n[sense]}))" if rate else "0" for rate, sense in step.signed_rates]
                 return dict(zip(("one", "two"), rates, strict=True))
         return {}
 
-    def chosen(self, step: r.Choose) -> str:
+    def chosen_trial_formula(self, step: r.Choose) -> str:
         """The trial whose assumptions hold."""
         text = ""
         for trial in reversed(step.trials):
@@ -122,17 +124,17 @@ class Translator:
             text = f"If[{holds}, {self.labels[trial.mark]}{', ' + text if text else ''}]"
         return text
 
-    def span(self, step: r.Measure | r.Sense) -> str:
+    def span_formula(self, step: r.Measure | r.Sense) -> str:
         """The distance between two marks, or its component along a direction."""
         start, end = self.labels[step.start], self.labels[step.end]
         return f"(({end} - {start}) * {self.labels[step.along]})" if step.along else f"Distance[{start}, {end}]"
 
-    def product(self, term: r.Product) -> str:
+    def product_formula(self, term: r.Product) -> str:
         """One product of powers."""
         factors = (self.labels[name] + (f"^({power})" if power != 1 else "") for name, power in term.factors)
-        return " * ".join([literal(float(term.coefficient)), *factors])
+        return " * ".join([number_literal(float(term.coefficient)), *factors])
 
 
-def _place(z: complex) -> str:
+def _coordinates_text(z: complex) -> str:
     """A place or a vector as two numbers."""
-    return f"({literal(z.real)}, {literal(z.imag)})"
+    return f"({number_literal(z.real)}, {number_literal(z.imag)})"

@@ -2,58 +2,67 @@
 
 from collections.abc import Iterator
 
-from planes.documents.constructed import SCHEME, LiveFigure
+from planes.documents.constructed import SCHEME_PLAN, LiveFigure
 from planes.documents.constructed._numbers import GivenNumbers
 from planes.documents.constructed._steps import Labels, Translator
-from planes.geometry.plane import corners
+from planes.geometry.plane import bounding_corners
 from planes.words import say
-from planes.words.names import POLE, aimed, given_of, label_of, letter_of, links_of, parts_of, plan_of
-from render.files.ggb import BLUE, HIDDEN, INK, RED, Aspect, GeogebraFile
+from planes.words.names import (
+    POLE_LABEL,
+    direction_of_given_angle,
+    force_plan_links,
+    given_name_of_number,
+    label_of,
+    letter_of,
+    plan_of,
+    split_value_name,
+)
+from render.files.ggb import BLUE_COLOUR, HIDDEN_ASPECT, INK_COLOUR, RED_COLOUR, Aspect, GeogebraFile
 
-HEADS = {"position": "P", "velocity": "V", "acceleration": "A", "motion": "V", "lever": "L"}
-GREEK = {"omega": "ω", "epsilon": "ε", "mu": "μ", "angle": "α", "phi": "φ", "": "n"}
-SIGNS = str.maketrans({"'": "p", "′": "p", "⊥": "n", "∥": "p", "→": "to", "−": "m", "-": "m", "↓": "down"})
-AXES = ("x", "y", "z")
-SLIDERS_FROM, SLIDER_STEP = 40 + 40j, 40j  # px from the upper left corner
-MARGIN_MM, ABOVE_MM = 40.0, 120.0
-SHARE = 0.5  # relative range of the slider for a length
-TURN = 360.0
+LABEL_LETTERS_BY_PLAN = {"position": "P", "velocity": "V", "acceleration": "A", "motion": "V", "lever": "L"}
+GREEK_LABEL_LETTERS = {"omega": "ω", "epsilon": "ε", "mu": "μ", "angle": "α", "phi": "φ", "": "n"}
+SIGN_SPELLINGS = str.maketrans({"'": "p", "′": "p", "⊥": "n", "∥": "p", "→": "to", "−": "m", "-": "m", "↓": "down"})
+AXIS_NAMES = ("x", "y", "z")
+FIRST_SLIDER_PX, SLIDER_STEP_PX = 40 + 40j, 40j  # px from the upper left corner
+PICTURE_MARGIN_MM, ROOM_ABOVE_FIGURES_MM = 40.0, 120.0
+LENGTH_SLIDER_SHARE = 0.5  # relative range of the slider for a length
+FULL_TURN_DEG = 360.0
 
 
-def written(figure: LiveFigure) -> tuple[bytes, list[str]]:
+def file_and_limitations(figure: LiveFigure) -> tuple[bytes, list[str]]:
     """The file, and the sentences about it: the objects that GeoGebra does not draw itself."""
     numbers = GivenNumbers(figure)
-    labels = labels_of(figure, numbers)
-    corner = min((figure.at(m).real for m in figure.marks), default=0.0) - MARGIN_MM
-    top = max((figure.at(m).imag for m in figure.marks), default=0.0) + ABOVE_MM
+    labels = unique_labels(figure, numbers)
+    corner = min((figure.place_on_picture(m).real for m in figure.shown_marks), default=0.0) - PICTURE_MARGIN_MM
+    top = max((figure.place_on_picture(m).imag for m in figure.shown_marks), default=0.0) + ROOM_ABOVE_FIGURES_MM
     made = GeogebraFile(figure.title, complex(corner, top))
-    _given(figure, numbers, made, labels)
-    translator = Translator(figure, made, labels, lambda mark: _look(figure, mark))
-    for step in figure.program.steps:
-        translator.of(step)
-    _shafts(figure, made, labels)
+    _write_given_numbers(figure, numbers, made, labels)
+    translator = Translator(figure, made, labels, lambda mark: _point_appearance(figure, mark))
+    for step in figure.shown_program.steps:
+        translator.write_step(step)
+    _write_sides_and_vectors(figure, made, labels)
     for k, (plan, title) in enumerate(zip(figure.plans, figure.titles, strict=True)):
-        own = [figure.at(m) for m in figure.marks if plan_of(m) == plan]
-        low, high = corners(own)
-        made.caption(f"T{k}", title, complex(low.real, high.imag + 20))
-    return made.packed(), [*_said(figure, translator)]
+        own = [figure.place_on_picture(m) for m in figure.shown_marks if plan_of(m) == plan]
+        low, high = bounding_corners(own)
+        made.add_caption(f"T{k}", title, complex(low.real, high.imag + 20))
+    return made.zip_bytes(), [*_stationary_objects_remark(figure, translator)]
 
 
-def _said(figure: LiveFigure, translator: Translator) -> Iterator[str]:
+def _stationary_objects_remark(figure: LiveFigure, translator: Translator) -> Iterator[str]:
     """The objects that stay in place when the drive moves."""
     stuck = [s.makes for s in translator.left]
-    stuck += [n for n in figure.stated.laws if n in figure.program.givens]
+    stuck += [n for n in figure.stated_plans.laws if n in figure.shown_program.given_names]
     if stuck:
-        names = ", ".join(figure.naming.named(label_of(n), plan_of(n)) for n in stuck)
+        names = ", ".join(figure.naming.lettered_name(label_of(n), plan_of(n)) for n in stuck)
         yield say("ggb_numbers", figure.lang, names=names)
 
 
-def labels_of(figure: LiveFigure, numbers: GivenNumbers) -> Labels:
+def unique_labels(figure: LiveFigure, numbers: GivenNumbers) -> Labels:
     """A unique label for each name of the program."""
-    names = [*numbers.free, *_reckoned(numbers), *(s.makes for s in figure.program.steps)]
+    names = [*numbers.free_values, *_names_of_computed(numbers), *(s.makes for s in figure.shown_program.steps)]
     labels, taken = Labels(), set[str]()
     for name in names:
-        label = wanted = _label(figure, name)
+        label = wanted = _geogebra_label(figure, name)
         count = 1
         while label in taken:
             count += 1
@@ -63,63 +72,69 @@ def labels_of(figure: LiveFigure, numbers: GivenNumbers) -> Labels:
     return labels
 
 
-def _label(figure: LiveFigure, name: str) -> str:
+def _geogebra_label(figure: LiveFigure, name: str) -> str:
     """A label in the style of GeoGebra: a letter and an index."""
-    drive, plan = figure.stated.mechanism.drive, plan_of(name)
-    if figure.stated.moves and name == drive.given:
+    drive, plan = figure.stated_plans.mechanism.drive, plan_of(name)
+    if figure.stated_plans.has_mechanism and name == drive.coordinate_name:
         return f"{'φ' if drive.rotates else 's'}_{{{drive.link}}}"
-    own = given_of(name)
-    head, tail, part = parts_of(own)
+    own = given_name_of_number(name)
+    head, tail, part = split_value_name(own)
     tail += part
     if plan:
-        head, tail = HEADS.get(plan, "F"), label_of(name) + "".join(links_of(plan))
-    elif not head.isalpha() or not tail or head in AXES:
+        head, tail = LABEL_LETTERS_BY_PLAN.get(plan, "F"), label_of(name) + "".join(force_plan_links(plan))
+    elif not head.isalpha() or not tail or head in AXIS_NAMES:
         head, tail = "u", own
-    tail = "".join(c for c in tail.translate(SIGNS) if c.isalnum()) + name[len(own) + 1 :]
-    return f"{GREEK.get(head, head)}_{{{tail or '0'}}}"
+    tail = "".join(c for c in tail.translate(SIGN_SPELLINGS) if c.isalnum()) + name[len(own) + 1 :]
+    return f"{GREEK_LABEL_LETTERS.get(head, head)}_{{{tail or '0'}}}"
 
 
-def _reckoned(numbers: GivenNumbers) -> Iterator[str]:
+def _names_of_computed(numbers: GivenNumbers) -> Iterator[str]:
     """Names of computed numbers, and of both coordinates of computed places."""
-    for name in numbers.reckoned:
+    for name in numbers.computed_names:
         yield from (f"{name}.x", f"{name}.y") if isinstance(numbers.given[name], complex) else (name,)
 
 
-def _given(figure: LiveFigure, numbers: GivenNumbers, made: GeogebraFile, labels: Labels) -> None:
+def _write_given_numbers(figure: LiveFigure, numbers: GivenNumbers, made: GeogebraFile, labels: Labels) -> None:
     """The free numbers on sliders, and formulas for those computed from them."""
-    drive, place = figure.stated.drive_given, SLIDERS_FROM
-    for name, value in numbers.free.items():
+    drive, place = figure.stated_plans.drive_given_name, FIRST_SLIDER_PX
+    for name, value in numbers.free_values.items():
         shown = name == drive or letter_of(name) in ("l", "omega", "epsilon")
-        slider = _range(name, value, name == drive)
-        made.number(labels[name], value, slider, place if shown and slider else 0j)
-        place += SLIDER_STEP * bool(shown and slider)
-    for name in numbers.reckoned:
-        texts = numbers.formulas(name, labels)
+        slider = _slider_range(name, value, name == drive)
+        made.add_number(labels[name], value, slider, place if shown and slider else 0j)
+        place += SLIDER_STEP_PX * bool(shown and slider)
+    for name in numbers.computed_names:
+        texts = numbers.coordinate_formulas(name, labels)
         for own, text in zip([name] if len(texts) == 1 else [f"{name}.x", f"{name}.y"], texts, strict=True):
-            made.formula("numeric", labels[own], text)
+            made.add_formula("numeric", labels[own], text)
 
 
-def _range(name: str, value: float, drives: bool) -> tuple[float, float] | None:
+def _slider_range(name: str, value: float, drives: bool) -> tuple[float, float] | None:
     """The range of a number's slider, None for a number without one."""
     if letter_of(name) == "side":
         return None
-    if aimed(name) or (drives and letter_of(name) == "angle"):
-        return (0.0, TURN) if 0 <= value <= TURN else (value - TURN / 2, value + TURN / 2)
-    return ((1 - SHARE) * value, (1 + SHARE) * value) if value else None
+    if direction_of_given_angle(name) or (drives and letter_of(name) == "angle"):
+        return (
+            (0.0, FULL_TURN_DEG)
+            if 0 <= value <= FULL_TURN_DEG
+            else (value - FULL_TURN_DEG / 2, value + FULL_TURN_DEG / 2)
+        )
+    return ((1 - LENGTH_SLIDER_SHARE) * value, (1 + LENGTH_SLIDER_SHARE) * value) if value else None
 
 
-def _look(figure: LiveFigure, mark: str) -> Aspect:
+def _point_appearance(figure: LiveFigure, mark: str) -> Aspect:
     """The appearance of a point."""
-    if mark not in figure.marks or (label_of(mark) == POLE and plan_of(mark) == SCHEME):
-        return HIDDEN
-    return Aspect(INK, figure.text(mark), 4 if plan_of(mark) == SCHEME else 2)
+    if mark not in figure.shown_marks or (label_of(mark) == POLE_LABEL and plan_of(mark) == SCHEME_PLAN):
+        return HIDDEN_ASPECT
+    return Aspect(INK_COLOUR, figure.mark_lettering(mark), 4 if plan_of(mark) == SCHEME_PLAN else 2)
 
 
-def _shafts(figure: LiveFigure, made: GeogebraFile, labels: Labels) -> None:
+def _write_sides_and_vectors(figure: LiveFigure, made: GeogebraFile, labels: Labels) -> None:
     """The sides of links, and the vectors of the plans."""
-    for k, bar in enumerate(figure.bars):
-        made.command("segment", [f"s_{{{k}}}"], "Segment", [labels[bar.start], labels[bar.end]], Aspect(INK, thick=6))
-    for k, shaft in enumerate(figure.shafts):
-        from_pole = label_of(shaft.start) == POLE
-        look = Aspect(RED if from_pole else BLUE, shaft.text, 5 if from_pole else 4)
-        made.command("vector", [f"w_{{{k}}}"], "Vector", [labels[shaft.start], labels[shaft.end]], look)
+    for k, bar in enumerate(figure.link_sides):
+        made.add_command(
+            "segment", [f"s_{{{k}}}"], "Segment", [labels[bar.start], labels[bar.end]], Aspect(INK_COLOUR, thick=6)
+        )
+    for k, shaft in enumerate(figure.plan_vectors):
+        from_pole = label_of(shaft.start) == POLE_LABEL
+        look = Aspect(RED_COLOUR if from_pole else BLUE_COLOUR, shaft.text, 5 if from_pole else 4)
+        made.add_command("vector", [f"w_{{{k}}}"], "Vector", [labels[shaft.start], labels[shaft.end]], look)

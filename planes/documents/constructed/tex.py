@@ -3,94 +3,101 @@
 import re
 from collections.abc import Iterator
 
-from planes.documents.constructed import SCHEME, LiveFigure
+from planes.documents.constructed import SCHEME_PLAN, LiveFigure
 from planes.drafting.steps.crossings import Cross
-from planes.geometry.plane import corners
-from planes.lesson import Teller, value_of
-from planes.lesson.formulas import fill
-from planes.words.lettering import flat
-from planes.words.names import POLE, kind_of, label_of, links_of, plan_of
-from render.files.tikz import document, in_math, in_text
-from render.views.plotted import gathered
+from planes.geometry.plane import bounding_corners
+from planes.lesson import Teller, slot_value
+from planes.lesson.formulas import fill_slots
+from planes.words.lettering import without_index_markup
+from planes.words.names import POLE_LABEL, force_plan_links, label_of, plan_kind, plan_of
+from render.files.tikz import latex_math, latex_text, tikz_document
+from render.views.plotted import group_names_by_place
 
-NAME = re.compile(r"⟨([^⟩]*)⟩")
+NAME_PATTERN = re.compile(r"⟨([^⟩]*)⟩")
 
 
-def written(figure: LiveFigure) -> tuple[bytes, list[str]]:
+def file_and_limitations(figure: LiveFigure) -> tuple[bytes, list[str]]:
     """The file; it has no limitations to report."""
-    lines = [*coordinates(figure), "", *strokes(figure), "", *letters(figure)]
-    return document(lines, figure.title, figure.lang).encode(), []
+    lines = [*coordinate_lines(figure), "", *draw_commands(figure), "", *lettering_commands(figure)]
+    return tikz_document(lines, figure.title, figure.lang).encode(), []
 
 
-def name_of(mark: str) -> str:
+def coordinate_name(mark: str) -> str:
     """The name of a coordinate: velocity-b3 of velocity:b3, force-2-3-F_21t of force:2-3:F_21t."""
     primes = {"'": "p", "′": "p"}
-    plan = "-".join(filter(None, (kind_of(mark), *links_of(plan_of(mark)))))
+    plan = "-".join(filter(None, (plan_kind(mark), *force_plan_links(plan_of(mark)))))
     return f"{plan}-" + "".join(primes.get(c, c if c.isalnum() or c in "_-" else "q") for c in label_of(mark))
 
 
-def coordinates(figure: LiveFigure) -> Iterator[str]:
+def coordinate_lines(figure: LiveFigure) -> Iterator[str]:
     """Every mark on the plans shown, each under the sentence of its step."""
-    drawing, left = figure.position.drawing, _drawn(figure)
-    teller = Teller(figure.stated, drawing)
+    drawing, left = figure.position.drawing, _drawn_marks(figure)
+    teller = Teller(figure.stated_plans, drawing)
     names = dict(zip(figure.plans, figure.titles, strict=True))
     for plan in figure.plans:
-        yield f"% {flat(names[plan])}"
-        for frame in (f for f in teller.frames() if f.plan == plan):
-            text = fill(frame.said[figure.lang], lambda n: float(value_of(n, teller, drawing)), figure.lang)
+        yield f"% {without_index_markup(names[plan])}"
+        for frame in (f for f in teller.lesson_frames() if f.plan == plan):
+            text = fill_slots(
+                frame.words_with_rows[figure.lang], lambda n: float(slot_value(n, teller, drawing)), figure.lang
+            )
             own = [m for m in frame.makes if m in left]
             if own:
-                yield f"% {' '.join(_told(figure, text, plan).split())}"
-            yield from (_coordinate(figure, left.pop(left.index(m))) for m in own)
-        yield from (_coordinate(figure, m) for m in left if plan_of(m) == plan)
+                yield f"% {' '.join(_plain_sentence(figure, text, plan).split())}"
+            yield from (_coordinate_line(figure, left.pop(left.index(m))) for m in own)
+        yield from (_coordinate_line(figure, m) for m in left if plan_of(m) == plan)
 
 
-def _drawn(figure: LiveFigure) -> list[str]:
+def _drawn_marks(figure: LiveFigure) -> list[str]:
     """The marks of the plans shown that are drawn."""
-    made = (s.makes for s in figure.program.steps if s.kind == "mark" and plan_of(s.makes) in figure.plans)
-    return [m for m in made if figure.place(m) == figure.place(m)]  # a failed trial is not a number
+    made = (s.makes for s in figure.shown_program.steps if s.kind == "mark" and plan_of(s.makes) in figure.plans)
+    return [m for m in made if figure.place_on_plan(m) == figure.place_on_plan(m)]  # a failed trial is not a number
 
 
-def _told(figure: LiveFigure, text: str, plan: str) -> str:
+def _plain_sentence(figure: LiveFigure, text: str, plan: str) -> str:
     """A sentence in plain letters."""
-    return NAME.sub(lambda m: flat(figure.naming.named(m[1], plan)), text)
+    return NAME_PATTERN.sub(lambda m: without_index_markup(figure.naming.lettered_name(m[1], plan)), text)
 
 
-def _coordinate(figure: LiveFigure, mark: str) -> str:
-    z = figure.at(mark)
-    return rf"\coordinate ({name_of(mark)}) at ({_mm(z.real)}, {_mm(z.imag)});"
+def _coordinate_line(figure: LiveFigure, mark: str) -> str:
+    z = figure.place_on_picture(mark)
+    return rf"\coordinate ({coordinate_name(mark)}) at ({_mm_text(z.real)}, {_mm_text(z.imag)});"
 
 
-def _mm(value: float) -> str:
+def _mm_text(value: float) -> str:
     return f"{value + 0.0:.9f}".rstrip("0").rstrip(".")
 
 
-def strokes(figure: LiveFigure) -> Iterator[str]:
+def draw_commands(figure: LiveFigure) -> Iterator[str]:
     """Links, lines of action, vectors."""
-    for bar in figure.bars:
-        yield rf"\draw[link] ({name_of(bar.start)}) -- ({name_of(bar.end)});"
-    for step in figure.program.steps:
-        if isinstance(step, Cross) and step.makes in figure.marks and plan_of(step.makes) != SCHEME:
-            for start in (m for m in (step.start, step.other) if _apart(figure, m, step.makes)):
-                yield rf"\draw[action] ({name_of(start)}) -- ({name_of(step.makes)});"
-    for s in (s for s in figure.shafts if _apart(figure, s.start, s.end)):
-        style = "whole" if label_of(s.start) == POLE else "part"
-        named = f"node[midway, sloped, above, font=\\scriptsize] {{${in_math(s.text)}$}} "
-        yield rf"\draw[{style}] ({name_of(s.start)}) -- {named}({name_of(s.end)});"
+    for bar in figure.link_sides:
+        yield rf"\draw[link] ({coordinate_name(bar.start)}) -- ({coordinate_name(bar.end)});"
+    for step in figure.shown_program.steps:
+        if isinstance(step, Cross) and step.makes in figure.shown_marks and plan_of(step.makes) != SCHEME_PLAN:
+            for start in (m for m in (step.start, step.other) if _are_apart(figure, m, step.makes)):
+                yield rf"\draw[action] ({coordinate_name(start)}) -- ({coordinate_name(step.makes)});"
+    for s in (s for s in figure.plan_vectors if _are_apart(figure, s.start, s.end)):
+        style = "whole" if label_of(s.start) == POLE_LABEL else "part"
+        named = f"node[midway, sloped, above, font=\\scriptsize] {{${latex_math(s.text)}$}} "
+        yield rf"\draw[{style}] ({coordinate_name(s.start)}) -- {named}({coordinate_name(s.end)});"
 
 
-def _apart(figure: LiveFigure, one: str, two: str) -> bool:
-    return abs(figure.at(one) - figure.at(two)) > 0.05
+def _are_apart(figure: LiveFigure, one: str, two: str) -> bool:
+    return abs(figure.place_on_picture(one) - figure.place_on_picture(two)) > 0.05
 
 
-def letters(figure: LiveFigure) -> Iterator[str]:
+def lettering_commands(figure: LiveFigure) -> Iterator[str]:
     """Points with their letters, and the title of each figure."""
     for plan, title in zip(figure.plans, figure.titles, strict=True):
-        named = [(m, figure.at(m)) for m in figure.marks if plan_of(m) == plan and figure.text(m)]
-        dot = "hinge" if plan == SCHEME else "dot"
-        for _, marks in gathered(named):
-            text = ", ".join(dict.fromkeys(map(figure.text, marks)))
-            yield rf"\node[{dot}, label={{above right:{{${in_math(text)}$}}}}] at ({name_of(marks[0])}) {{}};"
-        own = [figure.at(m) for m in figure.marks if plan_of(m) == plan]
-        low, high = corners(own)
-        yield rf"\node[anchor=west] at ({_mm(low.real)}, {_mm(high.imag + 14)}) {{{in_text(title)}}};"
+        named = [
+            (m, figure.place_on_picture(m))
+            for m in figure.shown_marks
+            if plan_of(m) == plan and figure.mark_lettering(m)
+        ]
+        dot = "hinge" if plan == SCHEME_PLAN else "dot"
+        for _, marks in group_names_by_place(named):
+            text = ", ".join(dict.fromkeys(map(figure.mark_lettering, marks)))
+            label = f"{{above right:{{${latex_math(text)}$}}}}"
+            yield rf"\node[{dot}, label={label}] at ({coordinate_name(marks[0])}) {{}};"
+        own = [figure.place_on_picture(m) for m in figure.shown_marks if plan_of(m) == plan]
+        low, high = bounding_corners(own)
+        yield rf"\node[anchor=west] at ({_mm_text(low.real)}, {_mm_text(high.imag + 14)}) {{{latex_text(title)}}};"

@@ -11,10 +11,10 @@ from typing import ClassVar, Literal, get_args
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.words.frozen import field, frozen
-from planes.words.names import HELPERS, Meaning
+from planes.words.names import HELPER_MARK_KINDS, Meaning
 
 Kind = Literal["mark", "direction", "value", "place"]
-KINDS: tuple[Kind, ...] = get_args(Kind)
+INPUT_KINDS: tuple[Kind, ...] = get_args(Kind)
 Read = tuple[str, Kind]
 
 
@@ -29,22 +29,22 @@ class Step:
     needs: ClassVar[tuple[Read, ...]] = ()  # the fields that name its inputs, one or several, with their kind
 
     @property
-    def quantity(self) -> str:
+    def quantity_represented(self) -> str:
         """The quantity the name stands for; "" where it is not given."""
         return self.means.quantity if self.means else ""
 
     @property
-    def helper(self) -> bool:
+    def is_auxiliary_mark(self) -> bool:
         """Whether it draws an auxiliary mark, which is never asked for."""
-        return self.quantity in HELPERS
+        return self.quantity_represented in HELPER_MARK_KINDS
 
     @property
-    def loose(self) -> bool:
+    def is_outside_plan(self) -> bool:
         """Whether it draws a mark that may lie anywhere (a guide's place, a trial, a centre) and is no part of the plan
         proper."""
-        return self.quantity in ("guide", "moved", "trial", "centre")
+        return self.quantity_represented in ("guide", "moved", "trial", "centre")
 
-    def reads(self) -> tuple[Read, ...]:
+    def input_names(self) -> tuple[Read, ...]:
         """Names of its inputs, each with its kind."""
         needed = [(getattr(self, field) or (), kind) for field, kind in self.needs]
         return tuple([(n, kind) for names, kind in needed for n in ((names,) if isinstance(names, str) else names)])
@@ -54,11 +54,11 @@ class Step:
         raise NotImplementedError
 
 
-def _of(kind: Kind, *names: str | None) -> tuple[Read, ...]:
+def _inputs_of_kind(kind: Kind, *names: str | None) -> tuple[Read, ...]:
     return tuple((n, kind) for n in names if n)
 
 
-marks, directions, values, places = (partial(_of, kind) for kind in KINDS)
+marks, directions, values, places = (partial(_inputs_of_kind, kind) for kind in INPUT_KINDS)
 
 
 @frozen
@@ -95,7 +95,7 @@ class Through(Step):
     needs = marks("start", "end")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        return plane.unit(env[self.end] - env[self.start], tool.ar)
+        return plane.unit_direction(env[self.end] - env[self.start], tool.ar)
 
 
 @frozen
@@ -124,7 +124,7 @@ class LayOff(Step):
     needs = marks("start") + directions("along") + values("length", "mu")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        return tool.mark(env[self.start] + tool.ray(env[self.along]) * (env[self.length] * env[self.mu]))
+        return tool.mark(env[self.start] + tool.transfer_direction(env[self.along]) * (env[self.length] * env[self.mu]))
 
 
 @frozen

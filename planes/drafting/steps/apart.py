@@ -14,7 +14,7 @@ class ThroughApart(Through):
     def draw(self, env: Env, tool: Tool) -> Thing:
         start, end = env[self.start], env[self.end]
         there = abs(end - start) > tool.slack * (abs(start) + abs(end))
-        return tool.ar.where(there, plane.unit(end - start, tool.ar), complex("nan"))
+        return tool.ar.where(there, plane.unit_direction(end - start, tool.ar), complex("nan"))
 
 
 @frozen
@@ -22,5 +22,5 @@ class CrossApart(Cross):
     """The crossing of two lines, missing where they are parallel or one of them is missing; neither is a failure."""
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        place, sharpness, _ = self.met(env, tool)
+        place, sharpness, _ = self.crossing_and_sharpness(env, tool)
         return tool.ar.where(abs(sharpness) > tool.flat, tool.mark(place), complex("nan"))

@@ -11,28 +11,30 @@ from planes.geometry.arithmetic import Point, Real
 from planes.words.frozen import frozen
 
 Names = tuple[str, ...]  # of marks and directions
-LEAN = "leads_lean"
+LEANING_LEADS_REASON = "leads_lean"
 """Reason for other plans: two leads that meet in a special point are too nearly parallel."""
-FAIR = 0.4  # of the best crossing of two leads: a pair less sharp than this gives way to another
+LEAST_FAIR_SHARPNESS_RATIO = 0.4  # of the best crossing of two leads: a pair less sharp than this gives way to another
 
 
 class ByLeads(Step):
     """A step by some leads of a basic link; others are preferred where those are too nearly parallel."""
 
     @property
-    def crossed(self) -> Names:
+    def sharp_directions(self) -> Names:
         """The directions whose crossing should be sharp."""
         raise NotImplementedError
 
-    def crossings(self, env: Env) -> tuple[Real, ...]:
+    def crossing_sharpnesses(self, env: Env) -> tuple[Real, ...]:
         """The sharpness of their crossings: as used, the first two, then after each rotation of the leads."""
-        one, two, three, four = (env[name] for name in self.crossed)
+        one, two, three, four = (env[name] for name in self.sharp_directions)
         return abs(plane.cross(one, two)), abs(plane.cross(three, four))
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         """Draw as usual; prefer other leads where these cross much less sharply."""
-        own, *others = self.crossings(env)
-        tool.prefer(own >= FAIR * reduce(tool.ar.maximum, others), self, LEAN)
+        own, *others = self.crossing_sharpnesses(env)
+        tool.prefer_other_leads_unless(
+            own >= LEAST_FAIR_SHARPNESS_RATIO * reduce(tool.ar.maximum, others), self, LEANING_LEADS_REASON
+        )
         return super().draw(env, tool)
 
 
@@ -45,11 +47,11 @@ class CrossLeads(ByLeads, Cross):
     needs = marks("start", "other", "third") + directions("along", "across", "third_along")
 
     @property
-    def crossed(self) -> tuple[str, str, str]:
+    def sharp_directions(self) -> tuple[str, str, str]:
         return self.along, self.across, self.third_along
 
-    def crossings(self, env: Env) -> tuple[Real, Real, Real]:
-        one, two, three = (env[name] for name in self.crossed)
+    def crossing_sharpnesses(self, env: Env) -> tuple[Real, Real, Real]:
+        one, two, three = (env[name] for name in self.sharp_directions)
         return abs(plane.cross(one, two)), abs(plane.cross(two, three)), abs(plane.cross(three, one))
 
 
@@ -75,16 +77,16 @@ class CrossInChain(ByLeads, Cross):
     needs = marks("start", "other", "points", "pins") + directions("along", "across", "lines")
 
     @property
-    def crossed(self) -> Names:
+    def sharp_directions(self) -> Names:
         return *self.points, *self.pins, *self.lines
 
-    def crossings(self, env: Env) -> tuple[Real, ...]:
-        products = [self._met(env, side, last)[1] for last, side in enumerate(self.sides)]
+    def crossing_sharpnesses(self, env: Env) -> tuple[Real, ...]:
+        products = [self._lines_to_basic_link(env, side, last)[1] for last, side in enumerate(self.sides)]
         for last, (one, two) in enumerate(self.joined, len(self.sides)):
-            products.append(self._met(env, one, last)[1] * self._met(env, two, last)[1])
+            products.append(self._lines_to_basic_link(env, one, last)[1] * self._lines_to_basic_link(env, two, last)[1])
         return *products[self.turn :], *products[: self.turn]
 
-    def _met(self, env: Env, basic: int, but: int) -> tuple[list[Line], Real]:
+    def _lines_to_basic_link(self, env: Env, basic: int, but: int) -> tuple[list[Line], Real]:
         """The lines that lead to a basic link, except one, and the sharpness of all crossings on the way."""
         lines = []
         sharp: Real = 1.0
@@ -93,15 +95,15 @@ class CrossInChain(ByLeads, Cross):
                 lines.append((env[self.points[k]], env[self.lines[k]]))
         for k, ends in enumerate(self.joined, len(self.sides)):
             if basic in ends and k != but:
-                beyond, sharpness = self._met(env, sum(ends) - basic, k)
+                beyond, sharpness = self._lines_to_basic_link(env, sum(ends) - basic, k)
                 pin = env[self.pins[k - len(self.sides)]]
-                lines.append((pin, _towards(pin, *beyond)))
+                lines.append((pin, _direction_to_crossing(pin, *beyond)))
                 sharp = sharp * sharpness
         (_, ray), (_, other) = lines
         return lines, sharp * abs(plane.cross(ray, other))
 
 
-def _towards(pin: Point, one: Line, two: Line) -> Point:
+def _direction_to_crossing(pin: Point, one: Line, two: Line) -> Point:
     """The direction from a place to the crossing of two lines, or along both where they are parallel."""
     (p, u), (q, w) = one, two
     line = u * plane.cross(q - pin, w) - w * plane.cross(p - pin, u)
@@ -118,7 +120,7 @@ class CrossFalse(ByLeads, Cross):
     needs = marks("start", "other") + directions("along", "across", "instead")
 
     @property
-    def crossed(self) -> Names:
+    def sharp_directions(self) -> Names:
         return self.along, self.across, *self.instead
 
 
@@ -131,7 +133,7 @@ class DropFalse(ByLeads, Drop):
     needs = marks("point", "about") + directions("along", "lines") + values("mu")
 
     @property
-    def crossed(self) -> Names:
+    def sharp_directions(self) -> Names:
         return self.lines
 
 
@@ -144,5 +146,5 @@ class CosineFalse(ByLeads, Cosine):
     needs = directions("of", "along", "lines")
 
     @property
-    def crossed(self) -> Names:
+    def sharp_directions(self) -> Names:
         return self.lines

@@ -19,21 +19,21 @@ class Cross(Step):
     far, same = "parallel", "coincident"  # the reasons for its absence
     needs = marks("start", "other") + directions("along", "across")
 
-    def met(self, env: Env, tool: Tool) -> tuple[Point, Real, Real]:
+    def crossing_and_sharpness(self, env: Env, tool: Tool) -> tuple[Point, Real, Real]:
         """Where the lines cross, how sharply, and how far apart they are there if they are parallel."""
-        u, w = tool.ray(env[self.along]), tool.ray(env[self.across])
-        return plane.lines(env[self.start], u, env[self.other], w)
+        u, w = tool.transfer_direction(env[self.along]), tool.transfer_direction(env[self.across])
+        return plane.intersect_lines(env[self.start], u, env[self.other], w)
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        place, sharpness, gap = self.met(env, tool)
-        tool.sharpen(self.makes, abs(sharpness))
+        place, sharpness, gap = self.crossing_and_sharpness(env, tool)
+        tool.record_sharpness(self.makes, abs(sharpness))
         met = abs(sharpness) > tool.flat
         if self.supposed:
             return tool.ar.where(met, tool.mark(place), complex("nan"))
         size = tool.ar.size
         apart = abs(gap) > tool.slack * (size(env[self.start]) + size(env[self.other]))
-        tool.require(met | apart, self, self.same, gap_mm=gap)
-        tool.require(met, self, self.far, gap_mm=gap)
+        tool.fail_unless(met | apart, self, self.same, gap_mm=gap)
+        tool.fail_unless(met, self, self.far, gap_mm=gap)
         return tool.mark(place)
 
 
@@ -41,7 +41,7 @@ class TwoPlaces(Step):
     """A step with two solutions, one of which is selected by a side; they merge where the construction only just
     exists."""
 
-    def opening(self, env: Env) -> Real:
+    def opening_measure(self, env: Env) -> Real:
         """Positive where it can be drawn, negative where it cannot, and smooth in between: mm² or mm⁴."""
         raise NotImplementedError
 
@@ -61,27 +61,27 @@ class CrossArc(TwoPlaces):
     side: str
     arm: tuple[str, str, str] | None = None
 
-    def reads(self) -> tuple[Read, ...]:
+    def input_names(self) -> tuple[Read, ...]:
         hub, ray, length = self.arm or (None, None, None)
         lines = directions(self.along, ray)
         return marks(self.start, self.centre, hub) + lines + values(self.radius, self.mu, self.side, length)
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         radius = abs(env[self.radius] * env[self.mu])
-        u = tool.ray(env[self.along])
+        u = tool.transfer_direction(env[self.along])
         arm = None
         if self.arm and not tool.doubt_mm:
             hub, ray, length = self.arm
             arm = env[hub], env[ray], env[length] * env[self.mu]
         start, centre, side = env[self.start], env[self.centre], env[self.side]
-        place, sharpness, miss = plane.line_arc(start, u, centre, radius, side, tool.ar, arm)
-        tool.sharpen(self.makes, sharpness)
+        place, sharpness, miss = plane.intersect_line_circle(start, u, centre, radius, side, tool.ar, arm)
+        tool.record_sharpness(self.makes, sharpness)
         slack = tool.slack * (tool.ar.size(start) + tool.ar.size(centre) + radius)
-        tool.require(radius > 0, self, "no_length")
-        tool.require(miss <= slack, self, "arc_short", miss_mm=miss, miss=miss / env[self.mu])
+        tool.fail_unless(radius > 0, self, "no_length")
+        tool.fail_unless(miss <= slack, self, "arc_short", miss_mm=miss, miss=miss / env[self.mu])
         return tool.mark(place)
 
-    def opening(self, env: Env) -> Real:
+    def opening_measure(self, env: Env) -> Real:
         radius = env[self.radius] * env[self.mu]
         height = plane.cross(env[self.along], env[self.centre] - env[self.start])
         return (radius - height) * (radius + height)
@@ -102,18 +102,18 @@ class CrossArcs(TwoPlaces):
     def draw(self, env: Env, tool: Tool) -> Thing:
         r, s = abs(env[self.radius] * env[self.mu]), abs(env[self.other_radius] * env[self.mu])
         centre, other = env[self.centre], env[self.other]
-        place, sharpness, far, near = plane.arcs(centre, r, other, s, env[self.side], tool.ar)
-        tool.sharpen(self.makes, sharpness)
+        place, sharpness, far, near = plane.intersect_circles(centre, r, other, s, env[self.side], tool.ar)
+        tool.record_sharpness(self.makes, sharpness)
         slack = tool.slack * (tool.ar.size(centre) + tool.ar.size(other) + r + s)
         square = plane.dot(other - centre, other - centre)  # test without its square root
-        tool.require((r > 0) & (s > 0), self, "no_lengths")
-        tool.require(square <= (r + s + slack) ** 2, self, "arcs_apart", miss_mm=far, miss=far / env[self.mu])
+        tool.fail_unless((r > 0) & (s > 0), self, "no_lengths")
+        tool.fail_unless(square <= (r + s + slack) ** 2, self, "arcs_apart", miss_mm=far, miss=far / env[self.mu])
         outside = square >= tool.ar.maximum(abs(r - s) - slack, 0.0) ** 2
-        tool.require(outside, self, "arcs_inside", miss_mm=near, miss=near / env[self.mu])
-        tool.require(square > slack * slack, self, "arcs_coincide")
+        tool.fail_unless(outside, self, "arcs_inside", miss_mm=near, miss=near / env[self.mu])
+        tool.fail_unless(square > slack * slack, self, "arcs_coincide")
         return tool.mark(place)
 
-    def opening(self, env: Env) -> Real:
+    def opening_measure(self, env: Env) -> Real:
         r, s = env[self.radius] * env[self.mu], env[self.other_radius] * env[self.mu]
         apart = env[self.other] - env[self.centre]
         square = plane.dot(apart, apart)
@@ -136,14 +136,14 @@ class Touch(TwoPlaces):
     def draw(self, env: Env, tool: Tool) -> Thing:
         offset = env[self.offset] * env[self.mu] if self.offset else 0.0
         start, end = env[self.start], env[self.end]
-        u, sharpness, miss = plane.tangent(start, end, offset, env[self.side], tool.ar)
-        tool.sharpen(self.makes, sharpness)
+        u, sharpness, miss = plane.tangent_direction(start, end, offset, env[self.side], tool.ar)
+        tool.record_sharpness(self.makes, sharpness)
         slack = tool.slack * (tool.ar.size(start) + tool.ar.size(end) + abs(offset))
-        tool.require(miss <= slack, self, "circle_large", miss_mm=miss, miss=miss / env[self.mu])
-        tool.require(abs(end - start) > slack, self, "points_meet", miss_mm=miss)
+        tool.fail_unless(miss <= slack, self, "circle_large", miss_mm=miss, miss=miss / env[self.mu])
+        tool.fail_unless(abs(end - start) > slack, self, "points_meet", miss_mm=miss)
         return u
 
-    def opening(self, env: Env) -> Real:
+    def opening_measure(self, env: Env) -> Real:
         offset = env[self.offset] * env[self.mu] if self.offset else 0.0
         apart = env[self.end] - env[self.start]
         return plane.dot(apart, apart) - offset * offset

@@ -3,14 +3,14 @@
 from planes.drafting.steps import Read, Step, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real, Truth
-from planes.scene.law_expressions import LawParser, between, folded, within
+from planes.scene.law_expressions import LawParser, fold_angle_into_turn, interpolate_table, is_within_table
 from planes.scene.mechanism import LoadLaw
-from planes.scene.reader import MOST
+from planes.scene.reader import LARGEST_SCENE_NUMBER
 from planes.words.errors import PlanFailure
 from planes.words.frozen import field, frozen
 from planes.words.lettering import name_in_words
 
-SLACK, SLACK_BY_HAND = 1e-9, 0.05  # of a table's length: dead points are at its ends
+TABLE_END_SLACK, TABLE_END_SLACK_BY_HAND = 1e-9, 0.05  # of a table's length: dead points are at its ends
 
 
 @frozen
@@ -28,28 +28,28 @@ class Follow(Step):
     line: str = field(default="", compare=False)  # line of the scene, for whoever has to change the law
     kind = "value"
 
-    def reads(self) -> tuple[Read, ...]:
+    def input_names(self) -> tuple[Read, ...]:
         return values(*dict.fromkeys([value for _, value in self.of] + [self.stroke]))
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         idle: Truth = env[self.stroke] * self.sense <= 0 if self.stroke else False
         parser = LawParser(self.law.text, {name: env[value] for name, value in self.of}, tool.ar)
-        result = parser.value()
+        result = parser.parse_expression()
         table, ok = self.law.table, parser.ok
-        tool.require(ok | idle, self, "law_no_value")
+        tool.fail_unless(ok | idle, self, "law_no_value")
         if table:
-            result = folded(table, result, tool.ar) if self.law.turning else result
-            inside = within(table, result, SLACK_BY_HAND if tool.doubt_mm else SLACK)
-            self._told(inside | idle, result, tool)
-            result, ok = between(table, result, tool.ar), ok & inside
-        small = abs(result) <= MOST
-        tool.require(small | idle, self, "law_no_value")
+            result = fold_angle_into_turn(table, result, tool.ar) if self.law.turning else result
+            inside = is_within_table(table, result, TABLE_END_SLACK_BY_HAND if tool.doubt_mm else TABLE_END_SLACK)
+            self._refuse_beyond_table(inside | idle, result, tool)
+            result, ok = interpolate_table(table, result, tool.ar), ok & inside
+        small = abs(result) <= LARGEST_SCENE_NUMBER
+        tool.fail_unless(small | idle, self, "law_no_value")
         return tool.ar.where(ok & small, result, 0.0)
 
-    def _told(self, inside: Truth, result: Real, tool: Tool) -> None:
+    def _refuse_beyond_table(self, inside: Truth, result: Real, tool: Tool) -> None:
         """Fail beyond the table; for one position with the numbers and their signs."""
         if tool.many or inside:
-            tool.require(inside, self, "law_beyond", value=result)
+            tool.fail_unless(inside, self, "law_beyond", value=result)
             return
         raise PlanFailure(
             "law_beyond", makes=name_in_words(self.makes), line=self.line, value=float(result), **self.ends

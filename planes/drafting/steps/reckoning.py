@@ -8,7 +8,7 @@ from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words.frozen import frozen
 
-IDLE = 1e-12  # of the largest force: below this a rope is slack
+SLACK_ROPE_FORCE_RATIO = 1e-12  # of the largest force: below this a rope is slack
 
 
 @frozen
@@ -25,7 +25,7 @@ class Measure(Step):
     def draw(self, env: Env, tool: Tool) -> Thing:
         segment = env[self.end] - env[self.start]
         length = plane.dot(env[self.along], segment) if self.along else abs(segment)
-        return tool.read(length) / env[self.mu]
+        return tool.read_length(length) / env[self.mu]
 
 
 @frozen
@@ -41,7 +41,9 @@ class Pull(Measure):
     def draw(self, env: Env, tool: Tool) -> Thing:
         pull = Measure.draw(self, env, tool)
         largest = reduce(tool.ar.maximum, [tool.ar.size(env[mark]) for mark in self.beside])
-        tool.require(pull * env[self.mu] >= -(IDLE * largest + tool.doubt_mm), self, "rope_pushes")
+        tool.fail_unless(
+            pull * env[self.mu] >= -(SLACK_ROPE_FORCE_RATIO * largest + tool.doubt_mm), self, "rope_pushes"
+        )
         return pull
 
 
@@ -59,7 +61,7 @@ class Drop(Step):
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         arm = plane.cross(env[self.point] - env[self.about], env[self.along])
-        return tool.read(arm) / env[self.mu]
+        return tool.read_length(arm) / env[self.mu]
 
 
 @frozen
@@ -94,7 +96,7 @@ class Product:
     coefficient: float
     factors: tuple[tuple[str, int], ...]
 
-    def value(self, env: Things, ar: Arithmetic) -> Real:
+    def product_value(self, env: Things, ar: Arithmetic) -> Real:
         """The product itself."""
         product: Real = self.coefficient
         for name, power in self.factors:
@@ -109,13 +111,13 @@ class Calculate(Step):
     terms: tuple[Product, ...]
     kind = "value"
 
-    def reads(self) -> tuple[Read, ...]:
+    def input_names(self) -> tuple[Read, ...]:
         return values(*dict.fromkeys(name for t in self.terms for name, _ in t.factors))
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         total: Real = 0.0
         for term in self.terms:
-            total = total + term.value(env, tool.ar)
+            total = total + term.product_value(env, tool.ar)
         return total
 
 
@@ -134,17 +136,17 @@ class Sense(Step):
     kind = "value"
     needs = marks("start", "end", "beside") + directions("along")
 
-    def weighed(self, env: Things, ar: Arithmetic) -> tuple[Real, Real]:
+    def length_and_farthest_distance(self, env: Things, ar: Arithmetic) -> tuple[Real, Real]:
         """The length of the segment along its direction, and the distance of the farthest of the others."""
         segment = env[self.end] - env[self.start]
         length = plane.dot(env[self.along], segment) if self.along else abs(segment)
         return length, reduce(ar.maximum, (abs(env[mark]) for mark in self.beside), 0.0)
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        length, largest = self.weighed(env, tool.ar)
+        length, largest = self.length_and_farthest_distance(env, tool.ar)
         moving = abs(length) > tool.still * largest
         if self.told:
-            tool.note(moving, self, "standstill")
+            tool.warn_unless(moving, self, "standstill")
         return tool.ar.where(moving, tool.ar.sign(length), 0.0)
 
 
@@ -186,14 +188,14 @@ class SenseBetween(Step):
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         ar = tool.ar
-        rates = [(env[rate] * abs(env[sense])) if rate else 0.0 for rate, sense in self.both]
+        rates = [(env[rate] * abs(env[sense])) if rate else 0.0 for rate, sense in self.signed_rates]
         apart, largest = rates[0] - rates[1], ar.maximum(abs(rates[0]), abs(rates[1]))
         moving = abs(apart) > tool.still * largest
-        tool.note(moving, self, "standstill")
+        tool.warn_unless(moving, self, "standstill")
         return ar.where(moving, ar.sign(apart), 0.0)
 
     @property
-    def both(self) -> tuple[tuple[str, str], tuple[str, str]]:
+    def signed_rates(self) -> tuple[tuple[str, str], tuple[str, str]]:
         """The rate of each with its sense."""
         return (self.rate, self.sense), (self.other_rate, self.other_sense)
 
@@ -216,7 +218,7 @@ class Lean(Step):
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         friction = env[self.coefficient] * env[self.sliding] * self.push
-        return plane.unit(env[self.normal] - env[self.along] * friction, tool.ar)
+        return plane.unit_direction(env[self.normal] - env[self.along] * friction, tool.ar)
 
 
 @frozen
@@ -236,7 +238,7 @@ class Choose(Step):
     size: str
     mu: str
 
-    def reads(self) -> tuple[Read, ...]:
+    def input_names(self) -> tuple[Read, ...]:
         pushes = tuple(dict.fromkeys(p for t in self.trials for p in t.pushes))
         return marks(*(t.mark for t in self.trials)) + values(*pushes, self.mu) + marks(self.size)
 
@@ -253,6 +255,6 @@ class Choose(Step):
             count = count + fresh
             chosen = tool.ar.where(true, env[trial.mark], chosen)
             sharp = tool.ar.where(true, tool.sharpness[trial.mark], sharp)
-        tool.sharpen(self.makes, sharp)
-        tool.require(count == 1, self, "self_locking", solutions=count)
+        tool.record_sharpness(self.makes, sharp)
+        tool.fail_unless(count == 1, self, "self_locking", solutions=count)
         return chosen

@@ -34,33 +34,33 @@ class Settle(Step):
     kind = "value"
 
     @cached_property
-    def _read(self) -> tuple[Read, ...]:
+    def _names_read_by_plan(self) -> tuple[Read, ...]:
         own = {step.makes for step in (*self.plan, *self.fed)}
-        names = (read for step in (*self.plan, *self.fed) for read in step.reads() if read[0] not in own)
+        names = (read for step in (*self.plan, *self.fed) for read in step.input_names() if read[0] not in own)
         return tuple(dict.fromkeys(names))
 
-    def reads(self) -> tuple[Read, ...]:
-        return self._read
+    def input_names(self) -> tuple[Read, ...]:
+        return self._names_read_by_plan
 
     @cached_property
-    def _anew(self) -> tuple[Step, ...]:
+    def _repeated_steps(self) -> tuple[Step, ...]:
         """The steps that every plan repeats."""
         changed, redrawn = {f.makes for f in self.fed}, []
         for step in self.plan:
-            if any(name in changed for name, _ in step.reads()):
+            if any(name in changed for name, _ in step.input_names()):
                 changed.add(step.makes)
                 redrawn.append(step)
         return tuple(redrawn)
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        tool, things = tool.calm(), {**env, **dict.fromkeys((f.makes for f in self.fed), 0.0)}
-        sizes = self._sizes(self.plan, things, tool)
-        if self._anew:
-            sizes = self._settled(sizes, things, tool)
-        self._feed(sizes, things)
+        tool, things = tool.tool_without_errors(), {**env, **dict.fromkeys((f.makes for f in self.fed), 0.0)}
+        sizes = self._draw_and_read_sizes(self.plan, things, tool)
+        if self._repeated_steps:
+            sizes = self._settled_sizes(sizes, things, tool)
+        self._put_sizes_into_inputs(sizes, things)
         return things[self.makes]
 
-    def _settled(self, first: Reals, things: Env, tool: Tool) -> Reals:
+    def _settled_sizes(self, first: Reals, things: Env, tool: Tool) -> Reals:
         """The sizes that a plan drawn with them reproduces, by Newton's steps from those of the plan drawn with zero.
 
         Smaller couples lead to them without a fold; past a fold the slope is reversed, the solution belongs to another
@@ -70,38 +70,38 @@ class Settle(Step):
         largest = reduce(ar.maximum, first)
         least = ar.sqrt(ar.eps) * ar.where(largest > 0, largest, 1.0)
         for _ in range(tool.plans):
-            self._feed(sizes, things)
-            given = self._sizes(self._anew, things, tool)
-            slopes = [self._slope(k, sizes, given, least, things, tool) for k in range(len(sizes))]
-            steps, turned = eliminated(slopes, [g - s for g, s in zip(given, sizes, strict=True)])
+            self._put_sizes_into_inputs(sizes, things)
+            given = self._draw_and_read_sizes(self._repeated_steps, things, tool)
+            slopes = [self._error_slope_column(k, sizes, given, least, things, tool) for k in range(len(sizes))]
+            steps, turned = solve_by_elimination(slopes, [g - s for g, s in zip(given, sizes, strict=True)])
             del tool.failures[failures:]
             sizes = [s + step for s, step in zip(sizes, steps, strict=True)]
             change = reduce(ar.maximum, map(abs, steps))
             still = change <= tool.settled * least
             if still is True or (hasattr(still, "all") and (still | (change != change)).all()):
                 break
-        tool.require(still & (turned > 0), self, "not_settled")
+        tool.fail_unless(still & (turned > 0), self, "not_settled")
         return sizes
 
-    def _slope(self, k: int, sizes: Reals, given: Reals, step: Real, things: Env, tool: Tool) -> Reals:
+    def _error_slope_column(self, k: int, sizes: Reals, given: Reals, step: Real, things: Env, tool: Tool) -> Reals:
         """How the error of the sizes changes with one of them: a column."""
-        self._feed([s + step if i == k else s for i, s in enumerate(sizes)], things)
-        moved = self._sizes(self._anew, things, tool)
+        self._put_sizes_into_inputs([s + step if i == k else s for i, s in enumerate(sizes)], things)
+        moved = self._draw_and_read_sizes(self._repeated_steps, things, tool)
         return [float(i == k) - (m - g) / step for i, (m, g) in enumerate(zip(moved, given, strict=True))]
 
-    def _feed(self, sizes: Reals, things: Env) -> None:
+    def _put_sizes_into_inputs(self, sizes: Reals, things: Env) -> None:
         """Put the values made from the sizes into the inputs of the plan."""
         for fed, size in zip(self.fed, sizes, strict=True):
             things[fed.makes] = things[fed.factor] * size
 
-    def _sizes(self, steps: tuple[Step, ...], things: Env, tool: Tool) -> Reals:
+    def _draw_and_read_sizes(self, steps: tuple[Step, ...], things: Env, tool: Tool) -> Reals:
         """Draw a plan; returns its sizes."""
         for step in steps:
             things[step.makes] = tool.draw(step, things)
         return [things[f.size] for f in self.fed]
 
 
-def eliminated(columns: list[Reals], right: Reals) -> tuple[Reals, Real]:
+def solve_by_elimination(columns: list[Reals], right: Reals) -> tuple[Reals, Real]:
     """The solution of linear equations by C. F. Gauss's elimination, and their determinant."""
     rows = [[*row, r] for row, r in zip(zip(*columns, strict=True), right, strict=True)]
     turned: Real = 1.0

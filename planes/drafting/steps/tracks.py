@@ -13,11 +13,13 @@ from itertools import chain
 from planes.drafting.steps import Read, Step, directions, marks, places, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
-from planes.geometry.tracks import Pose, Tie, TieKind, advanced, origins
+from planes.geometry.tracks import Pose, Tie, TieKind, link_origins, newton_step
 from planes.words.frozen import frozen
 
-BEFORE = 5  # steps from the guess, a tenth off where lengths were changed, until only the rounding error is left
-SETTLED = 1e-9  # of the link's size: largest move in the last step
+STEPS_BEFORE_ROUNDING = (
+    5  # steps from the guess, a tenth off where lengths were changed, until only the rounding error is left
+)
+MOST_SETTLED_MOVE_RATIO = 1e-9  # of the link's size: largest move in the last step
 
 
 @frozen
@@ -34,12 +36,12 @@ class Hold:
     link: int = 0
     hinge: str = ""
 
-    def reads(self) -> Iterator[Read]:
+    def input_names(self) -> Iterator[Read]:
         """Names of its inputs."""
         turn = directions if self.kind == "line" else values
         yield from (*places(self.local), *marks(self.place), *values(self.reach), *turn(self.turn), *places(self.hinge))
 
-    def tie(self, env: Env, mu: Real, ar: Arithmetic) -> Tie:
+    def lead_tie(self, env: Env, mu: Real, ar: Arithmetic) -> Tie:
         """The lead in its current position, in mm."""
         reach = abs(env[self.reach]) if self.kind == "arc" else env[self.reach] if self.reach else 0.0
         turn: Point = 1 + 0j
@@ -67,26 +69,26 @@ class SeriesGuess:
     places: tuple[str, ...]
     turns: tuple[tuple[str, ...], ...]
 
-    def reads(self) -> Iterator[Read]:
+    def input_names(self) -> Iterator[Read]:
         """Names of its inputs."""
         yield from values(self.drive, self.middle, self.half, self.size, *chain(*self.turns))
         yield from places(*self.places)
 
-    def part(self, env: Env, ar: Arithmetic) -> Real:
+    def relative_drive_position(self, env: Env, ar: Arithmetic) -> Real:
         """The relative position of the drive in its range: -1 to 1."""
         off = env[self.drive] - env[self.middle]
         return (ar.angle_deg(ar.cis_deg(off)) if self.turning else off) / env[self.half]
 
-    def pose(self, part: Real, env: Env, mu: Real, ar: Arithmetic) -> Pose:
+    def guessed_pose(self, part: Real, env: Env, mu: Real, ar: Arithmetic) -> Pose:
         """The pose guessed."""
         inside = ar.maximum(ar.minimum(part, 1.0), -1.0)
         y = ar.angle_deg(inside + 1j * ar.sqrt(1.0 - inside * inside)) / 90.0 - 1.0
-        turns = (series([env[n] for n in terms], y) for terms in self.turns)
+        turns = (chebyshev_sum([env[n] for n in terms], y) for terms in self.turns)
         axes = (ar.cis_deg(turn * 57.29577951308232) for turn in turns)
-        return series([env[n] for n in self.places], y) * (env[self.size] * mu), *axes
+        return chebyshev_sum([env[n] for n in self.places], y) * (env[self.size] * mu), *axes
 
 
-def series(terms: list[Thing], y: Real) -> Thing:
+def chebyshev_sum(terms: list[Thing], y: Real) -> Thing:
     """A sum of Chebyshev polynomials, by C. W. Clenshaw's recurrence."""
     one: Thing = 0.0
     two: Thing = 0.0
@@ -108,29 +110,29 @@ class CutTrack(Step):
     link: int = 0
     hinge: str = ""
 
-    def reads(self) -> tuple[Read, ...]:
+    def input_names(self) -> tuple[Read, ...]:
         own = (*places(self.local), *values(self.mu, self.side), *places(self.hinge))
-        held = (read for hold in self.holds for read in hold.reads())
-        return tuple(dict.fromkeys((*held, *self.guess.reads(), *own)))
+        held = (read for hold in self.holds for read in hold.input_names())
+        return tuple(dict.fromkeys((*held, *self.guess.input_names(), *own)))
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        origin, axis = self.lie(env, tool)
+        origin, axis = self.origin_and_axis_direction(env, tool)
         local = env[self.local] - env[self.hinge] if self.hinge else env[self.local]
         return tool.mark(origin + axis * (local * env[self.mu]))
 
-    def lie(self, env: Env, tool: Tool) -> tuple[Point, Point]:
+    def origin_and_axis_direction(self, env: Env, tool: Tool) -> tuple[Point, Point]:
         """The place of the link's origin, and the direction of its axis."""
         ar, mu = tool.ar, env[self.mu]
         size = env[self.guess.size] * mu
-        ties = [hold.tie(env, mu, ar) for hold in self.holds]
-        part = self.guess.part(env, ar)
-        pose, det, moved = settle(ties, self.guess.pose(part, env, mu, ar), size, ar)
-        tool.sharpen(self.makes, abs(det))
-        places, last = origins(ties, pose), [tie for tie in ties if tie.kind != "hinge"][-1]
-        miss = abs(last.wrench(places[last.link], pose[1 + last.link])[0])
+        ties = [hold.lead_tie(env, mu, ar) for hold in self.holds]
+        part = self.guess.relative_drive_position(env, ar)
+        pose, det, moved = settle_pose_on_ties(ties, self.guess.guessed_pose(part, env, mu, ar), size, ar)
+        tool.record_sharpness(self.makes, abs(det))
+        places, last = link_origins(ties, pose), [tie for tie in ties if tie.kind != "hinge"][-1]
+        miss = abs(last.error_and_wrench(places[last.link], pose[1 + last.link])[0])
         inside: Truth = (part <= 1.0) & (part >= -1.0)
-        tool.require(inside & (moved <= SETTLED), self, "track_missed", miss_mm=miss)
-        tool.require(det * env[self.side] > 0, self, "track_missed", miss_mm=miss)
+        tool.fail_unless(inside & (moved <= MOST_SETTLED_MOVE_RATIO), self, "track_missed", miss_mm=miss)
+        tool.fail_unless(det * env[self.side] > 0, self, "track_missed", miss_mm=miss)
         return places[self.link], pose[1 + self.link]
 
 
@@ -141,18 +143,18 @@ class CutTurn(CutTrack):
     kind = "direction"
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        return self.lie(env, tool)[1]
+        return self.origin_and_axis_direction(env, tool)[1]
 
 
-def settle(ties: list[Tie], pose: Pose, size: Real, ar: Arithmetic) -> tuple[Pose, Real, Real]:
+def settle_pose_on_ties(ties: list[Tie], pose: Pose, size: Real, ar: Arithmetic) -> tuple[Pose, Real, Real]:
     """The pose near a guess that satisfies the ties, the sharpness (with its sign), and the length of the last step.
 
     All relative to ``size``, the link's own.
     """
     over = [Tie(t.kind, t.local / size, t.place / size, t.reach / size, t.turn, t.link) for t in ties]
     at: Pose = (pose[0] / size, *pose[1:])
-    for _ in range(BEFORE):
-        at = advanced(over, at)[0]
+    for _ in range(STEPS_BEFORE_ROUNDING):
+        at = newton_step(over, at)[0]
     origin, *axes = (ar.guess(z.real) + 1j * ar.guess(z.imag) for z in at)
-    (origin, *axes), moved, det = advanced(over, (origin, *(axis / abs(axis) for axis in axes)))
+    (origin, *axes), moved, det = newton_step(over, (origin, *(axis / abs(axis) for axis in axes)))
     return (origin * size, *axes), det, moved

@@ -8,48 +8,52 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Literal
 
-from planes.plans.assur.basic_chains import chain_of
-from planes.plans.assur.contours import AnyGroup, Contour, Tracked, contour_of, triad_of
-from planes.plans.assur.groups import KIND_NAMES, Group, Names, Pair
-from planes.plans.assur.inner_drives import driven_from_inside
-from planes.plans.assur.structure import LEVELS, Structure
-from planes.plans.assur.unsolvable import Joint, freedom, unsolvable
+from planes.plans.assur.basic_chains import chain_of_basic_links
+from planes.plans.assur.contours import AnyGroup, Contour, Tracked, contour_group_of_links, triad_of_links
+from planes.plans.assur.groups import DYAD_KIND_NAMES, Group, Names, Pair
+from planes.plans.assur.inner_drives import group_moved_by_inner_drive
+from planes.plans.assur.structure import GROUP_CLASSES, Structure
+from planes.plans.assur.unsolvable import Joint, degree_of_freedom_of_links, find_unsolvable_links
 from planes.scene.mechanism import FRAME, Drive, Mechanism
 from planes.words import Phrase
 from planes.words.errors import StructureError
 
 
-def analyse(mechanism: Mechanism, file: str = "") -> Structure:
+def analyse_structure(mechanism: Mechanism, file: str = "") -> Structure:
     """Find W, q and the groups, and other drivers that give lower groups; :class:`StructureError` names the links where
     the method stops, and the drivers with which it does not."""
     try:
-        structure = _found(mechanism, file)
+        structure = _find_structure(mechanism, file)
     except StructureError as error:
         why = error.phrase
-        if not isinstance(why, Phrase) or why.key != "higher_class" or not (ways := _lighter(mechanism, len(LEVELS))):
+        if (
+            not isinstance(why, Phrase)
+            or why.key != "higher_class"
+            or not (ways := _drivers_lowering_class(mechanism, len(GROUP_CLASSES)))
+        ):
             raise
-        others = tuple(Phrase("other_driver", link=w.driver, formula=w.formula) for w in ways)
+        others = tuple(Phrase("other_driver", link=w.driver, formula=w.structural_formula) for w in ways)
         raise StructureError(Phrase("higher_class_driven", **why.parts, ways=others), error.file, error.line) from None
-    return replace(structure, ways=_lighter(mechanism, structure.heaviness))
+    return replace(structure, ways=_drivers_lowering_class(mechanism, structure.class_index))
 
 
-TRIED = 8  # other drivers: few mechanisms have more links on the frame, and each costs a new analysis
+MOST_OTHER_DRIVERS = 8  # other drivers: few mechanisms have more links on the frame, and each costs a new analysis
 
 
-def _lighter(mechanism: Mechanism, heaviness: int) -> tuple[Structure, ...]:
+def _drivers_lowering_class(mechanism: Mechanism, heaviness: int) -> tuple[Structure, ...]:
     """The same mechanism driven by another link on the frame, wherever that lowers its class; the lowest first."""
     finder, structures = _Finder(mechanism, ""), []
     others = [(x, finder.between(x, FRAME)) for x in mechanism.links if heaviness]
-    for link, (pair,) in [(x, pairs) for x, pairs in others if len(pairs) == 1][:TRIED]:
+    for link, (pair,) in [(x, pairs) for x, pairs in others if len(pairs) == 1][:MOST_OTHER_DRIVERS]:
         try:
             drive = Drive(link, "phi" if pair.kind == "R" else "s", 0.0)
-            structures.append(_found(replace(mechanism, drive=drive), ""))
+            structures.append(_find_structure(replace(mechanism, drive=drive), ""))
         except StructureError:
             continue
-    return tuple(sorted((s for s in structures if s.heaviness < heaviness), key=lambda s: s.heaviness))
+    return tuple(sorted((s for s in structures if s.class_index < heaviness), key=lambda s: s.class_index))
 
 
-def _found(mechanism: Mechanism, file: str) -> Structure:
+def _find_structure(mechanism: Mechanism, file: str) -> Structure:
     """W, q and the groups."""
     finder = _Finder(mechanism, file)
     pair_count = finder.pair_count()
@@ -57,10 +61,10 @@ def _found(mechanism: Mechanism, file: str) -> Structure:
     if freedom != 1:
         hint = Phrase("freedom_more") if freedom > 1 else Phrase("freedom_less", count=1 - freedom)
         counted = {"links": len(mechanism.links), "pairs": pair_count, "freedom": freedom}
-        why = Phrase("wrong_freedom", **counted, hint=hint, listed=finder.pair_words())
-        raise finder.error(why, "links", finder.suspect(freedom > 1))
+        why = Phrase("wrong_freedom", **counted, hint=hint, listed=finder.pairs_in_words())
+        raise finder.error(why, "links", finder.suspect_link(freedom > 1))
     drive_pair = finder.drive_pair()
-    groups = finder.groups(drive_pair)
+    groups = finder.attach_groups(drive_pair)
     redundant = freedom - 6 * len(mechanism.links) + 5 * pair_count
     return Structure(freedom, redundant, drive_pair, groups, mechanism.drive.link)
 
@@ -76,7 +80,7 @@ class _Finder:
             for point in link.points:
                 self.holders.setdefault(point, []).append(link.name)
         self.slides = [
-            Pair("P", link.name, mechanism.owner(link.slides.guide), guide=link.slides.guide)
+            Pair("P", link.name, mechanism.owner_of_guide(link.slides.guide), guide=link.slides.guide)
             for link in mechanism.links.values()
             if link.slides
         ]
@@ -97,7 +101,7 @@ class _Finder:
         """The number of one-freedom pairs: k - 1 for a hinge of k links, one for each slide."""
         return sum(len(h) - 1 for h in self.holders.values()) + len(self.slides)
 
-    def suspect(self, loose: bool) -> str:
+    def suspect_link(self, loose: bool) -> str:
         """The link blamed for a wrong W: the one with the fewest pairs, or the most; of equals the last."""
         count = {name: sum(name in h for h in self.holders.values() if len(h) > 1) for name in self.links}
         for slide in self.slides:
@@ -105,7 +109,7 @@ class _Finder:
                 count[name] += 1
         return (min if loose else max)(reversed(self.links), key=lambda name: count[name])
 
-    def pair_words(self) -> tuple[Phrase, ...]:
+    def pairs_in_words(self) -> tuple[Phrase, ...]:
         """The pairs in words, for the sentence of a wrong W."""
         hinges = [Phrase("hinge_pair", point=p, links=tuple(h)) for p, h in self.holders.items() if len(h) > 1]
         slides = [Phrase("slide_pair", link=s.link, guide=s.guide, owner=s.other) for s in self.slides]
@@ -115,7 +119,7 @@ class _Finder:
         """The pair of the driver with the frame that defines the drive's motion."""
         drive = self.mechanism.drive
         slides = self.mechanism.links[drive.link].slides
-        if drive.kind == "s" and slides and self.mechanism.owner(slides.guide) != FRAME:
+        if drive.kind == "s" and slides and self.mechanism.owner_of_guide(slides.guide) != FRAME:
             return next(s for s in self.slides if s.link == drive.link)
         pairs = self.between(drive.link, drive.on)
         wanted: Literal["R", "P"] = "R" if drive.rotates else "P"
@@ -131,7 +135,7 @@ class _Finder:
     def between(self, link: str, other: str) -> list[Pair]:
         """Pairs of a link with another one."""
         points = (p for p in self.mechanism.link(link).points if other in self.holders[p])
-        slides = (slide for slide in self.slid.get(link, ()) if slide.mate(link) == other)
+        slides = (slide for slide in self.slid.get(link, ()) if slide.other_link_of_pair(link) == other)
         return [*(Pair("R", link, other, point=point) for point in points), *slides]
 
     def solve(self, link: str) -> None:
@@ -144,17 +148,17 @@ class _Finder:
                 if other in self.left:
                     self.outer[other].append(Pair("R", other, link, point=point))
         for slide in self.slid.get(link, ()):
-            if slide.mate(link) in self.left:
-                self.outer[slide.mate(link)].append(slide)
+            if slide.other_link_of_pair(link) in self.left:
+                self.outer[slide.other_link_of_pair(link)].append(slide)
 
-    def groups(self, drive: Pair) -> tuple[AnyGroup, ...]:
+    def attach_groups(self, drive: Pair) -> tuple[AnyGroup, ...]:
         """Dyads in the order of attachment, a higher group where no dyad attaches; an error for the rest when nothing
         does."""
         groups: list[AnyGroup] = []
         solved: Names = (FRAME, drive.link)
         if drive.other != FRAME:
             self.solve(FRAME)
-            still, driven = driven_from_inside(self, drive)
+            still, driven = group_moved_by_inner_drive(self, drive)
             groups += [*still, driven]
             solved = driven.reached(drive)
         while True:
@@ -162,9 +166,9 @@ class _Finder:
                 self.solve(link)
             if not self.left:
                 return tuple(groups)
-            group = next((g for g in map(self.dyad, self.meeting()) if g), None) or self.higher()
+            group = next((g for g in map(self.dyad, self.meeting()) if g), None) or self.find_higher_group()
             groups.append(group)
-            solved = group.solved
+            solved = group.links_in_solving_order
 
     def meeting(self) -> Iterator[tuple[str, str]]:
         """Two links, each attached to a solved link, with a common hinge or guide, in the order of the file."""
@@ -172,59 +176,61 @@ class _Finder:
         for one in place:
             points = (p for p in self.mechanism.link(one).points if p not in self.reached)
             mates = {h for point in points for h in self.holders[point]}
-            mates |= {slide.mate(one) for slide in self.slid.get(one, ())}
+            mates |= {slide.other_link_of_pair(one) for slide in self.slid.get(one, ())}
             yield from ((one, self.links[k]) for k in sorted(place[m] for m in mates if place.get(m, -1) > place[one]))
 
     def dyad(self, links: tuple[str, str]) -> Group | None:
         """The two links as a dyad on the solved links, or None."""
         one, two = links
-        inner = self.inside(two, one)
-        return self.classified(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
+        inner = self.unsolved_pairs_between(two, one)
+        return self.classify_dyad(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
 
-    def classified(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
+    def classify_dyad(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
         """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""
         letters = a.kind + inner.kind + b.kind
         one, two = links
         if letters == "PPP":
             raise self.error(Phrase("three_slides", one=one, two=two), "links", one)
-        if letters == "PRP" and a.mate(one) == b.mate(two):
-            raise self.error(Phrase("locked_slides", one=one, two=two, owner=a.mate(one)), "links", two)
+        if letters == "PRP" and a.other_link_of_pair(one) == b.other_link_of_pair(two):
+            raise self.error(Phrase("locked_slides", one=one, two=two, owner=a.other_link_of_pair(one)), "links", two)
         swap = letters in ("PRR", "PPR") or (letters == "RPR" and inner.other == one)
         if swap:
             one, two, a, b = two, one, b, a
-        kind = KIND_NAMES.index(letters[::-1] if letters in ("PRR", "PPR") else letters) + 1
+        kind = DYAD_KIND_NAMES.index(letters[::-1] if letters in ("PRR", "PPR") else letters) + 1
         return Group(links, kind, one, two, inner, a, b)
 
-    def higher(self) -> Tracked:
+    def find_higher_group(self) -> Tracked:
         """The smallest group of links that can only be solved together, if it is of class III and order 3 or IV and
         2."""
-        names, free = self.together()
-        if free >= 0 and (chain := chain_of(names, self.inside, self.outer)):
+        names, free = self.links_blocking_solution()
+        if free >= 0 and (chain := chain_of_basic_links(names, self.unsolved_pairs_between, self.outer)):
             return chain
         if free >= 0 and len(names) == 4:
-            group = triad_of(names, self.inside, self.outer) or contour_of(names, self.inside, self.outer)
-            twice = [lead.link for lead in group.leads if lead.name == "PP"] if group else []
+            group = triad_of_links(names, self.unsolved_pairs_between, self.outer) or contour_group_of_links(
+                names, self.unsolved_pairs_between, self.outer
+            )
+            twice = [lead.link for lead in group.leads if lead.pair_letters == "PP"] if group else []
             if group and (len(twice) > 1 or (twice and isinstance(group, Contour))):
                 key = "leads_slide_twice" if len(twice) > 1 else "lead_slides_twice"
                 why = Phrase(key, link=twice[0], links=tuple(twice), basic=group.basic, level=group.level)
                 raise self.error(why, "links", twice[0])
             if group:
                 return group
-        raise self.stuck(names, free)
+        raise self.unsolvable_links_error(names, free)
 
-    def inside(self, link: str, other: str) -> list[Pair]:
+    def unsolved_pairs_between(self, link: str, other: str) -> list[Pair]:
         """Pairs between two unsolved links."""
         return [p for p in self.between(link, other) if p.kind == "P" or p.point not in self.reached]
 
-    def together(self) -> tuple[Names, int]:
+    def links_blocking_solution(self) -> tuple[Names, int]:
         """The links that prevent a solution of the rest, and their degree of freedom."""
         holders = [*self.holders.values(), *([s.link, s.other] for s in self.slides)]
         here = [tuple(x for x in links if x in self.left) for links in holders]
         joints = [Joint(some, len(some) < len(all_)) for some, all_ in zip(here, holders, strict=True)]
-        names = unsolvable(list(self.left), joints)
-        return names, freedom(names, joints)
+        names = find_unsolvable_links(list(self.left), joints)
+        return names, degree_of_freedom_of_links(names, joints)
 
-    def stuck(self, names: Names, free: int) -> StructureError:
+    def unsolvable_links_error(self, names: Names, free: int) -> StructureError:
         """The error for links that form a group of too high a class, or are over- or under-constrained."""
         if free < 0:
             why = Phrase("overconstrained", names=names, count=(1 - free) // 2, freedom=free)

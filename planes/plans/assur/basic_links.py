@@ -24,21 +24,21 @@ class Lead:
     drive: Pair | None = None
 
     @property
-    def parts(self) -> Names:
+    def lead_links(self) -> Names:
         """The links it consists of."""
-        return (self.link, self.drive.mate(self.link)) if self.drive else (self.link,)
+        return (self.link, self.drive.other_link_of_pair(self.link)) if self.drive else (self.link,)
 
-    def moving(self, basic: str) -> Group:
+    def as_inner_driven_dyad(self, basic: str) -> Group:
         """The lead and the basic link as a dyad driven from inside."""
         return Group((self.link, basic), 1, self.link, basic, self.inner, self.outer, self.outer, self.drive)
 
     @property
-    def name(self) -> str:
+    def pair_letters(self) -> str:
         """The letters of its pairs, the outer one first: "RR", "PR", "RP"."""
         return self.outer.kind + self.inner.kind
 
 
-def lead_pairs(leads: Iterable[Lead]) -> tuple[Pair, ...]:
+def pairs_of_leads(leads: Iterable[Lead]) -> tuple[Pair, ...]:
     """The pairs of leads: the outer, then the inner one of each."""
     return tuple(p for lead in leads for p in (lead.outer, lead.inner))
 
@@ -47,18 +47,18 @@ class SolvedByLeads:
     """The common part of groups of ``basics``, basic links, on ``leads``."""
 
     @property
-    def ends(self: Any) -> Names:
+    def output_link_candidates(self: Any) -> Names:
         """The links that may be the output of the mechanism, the likeliest first."""
         return tuple(lead.link for lead in reversed(self.leads))
 
     @property
-    def solved(self: Any) -> Names:
+    def links_in_solving_order(self: Any) -> Names:
         """Its links in the order of solving."""
         return *(x for x in self.links if x in self.basics), *(lead.link for lead in self.leads)
 
     def reached(self: Any, drive: Pair) -> Names:
         """The links solved together with it where the drive is inside."""
-        return drive.link, drive.other, *(x for x in self.solved if not drive.joins(x))
+        return drive.link, drive.other, *(x for x in self.links_in_solving_order if not drive.has_link(x))
 
 
 class OnLeads(SolvedByLeads):
@@ -70,14 +70,14 @@ class OnLeads(SolvedByLeads):
     order: Names
 
     @property
-    def whole(self) -> Names:
+    def all_links(self) -> Names:
         """All its links, including both links of a drive inside."""
         return self.order or self.links
 
     @property
-    def balanced(self) -> Names:
+    def balanced_links(self) -> Names:
         """The links whose forces are on its plan; they name the plan."""
-        return self.whole
+        return self.all_links
 
     @property
     def basics(self) -> Names:
@@ -85,15 +85,15 @@ class OnLeads(SolvedByLeads):
         return (self.basic,)
 
     @property
-    def balances(self) -> tuple[Names, ...]:
+    def links_by_force_plan(self) -> tuple[Names, ...]:
         """The links of each force plan, which name it."""
-        return (self.balanced,)
+        return (self.balanced_links,)
 
     @property
-    def members(self) -> str:
+    def formula_members(self) -> str:
         """Its links as in a structural formula."""
-        mates = {lead.link: lead.parts for lead in self.leads}
-        return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.whole.index)) for link in self.links)
+        mates = {lead.link: lead.lead_links for lead in self.leads}
+        return ";".join("-".join(sorted(mates.get(link, (link,)), key=self.all_links.index)) for link in self.links)
 
 
 @frozen
@@ -107,25 +107,25 @@ class Triad(OnLeads):
     level = "III"
 
     @property
-    def slid(self) -> bool:
+    def is_on_slides(self) -> bool:
         """Whether a lead slides at both ends, so that the basic link turns with the outer guide of that lead."""
-        return any(lead.name == "PP" for lead in self.leads)
+        return any(lead.pair_letters == "PP" for lead in self.leads)
 
     @property
-    def by_slid(self) -> tuple[Lead, Lead, Lead]:
+    def leads_sliding_last(self) -> tuple[Lead, Lead, Lead]:
         """Its leads, with the one that slides at both ends last."""
-        one, two, three = sorted(self.leads, key=lambda lead: lead.name == "PP")
+        one, two, three = sorted(self.leads, key=lambda lead: lead.pair_letters == "PP")
         return one, two, three
 
     @property
     def kind(self) -> int:
         """Where a lead slides at both ends: the kind of the dyad by which the others position the basic link."""
-        return kind_by(self.leads)
+        return dyad_kind_of_leads(self.leads)
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
         """Its pairs: for every lead the outer, then the inner one."""
-        return lead_pairs(self.leads)
+        return pairs_of_leads(self.leads)
 
     @property
     def inner_pairs(self) -> tuple[Pair, ...]:
@@ -133,18 +133,18 @@ class Triad(OnLeads):
         return tuple(lead.inner for lead in self.leads)
 
     @property
-    def name(self) -> str:
+    def pair_letters(self) -> str:
         """The letters of its leads, e.g. "RR-RR-PR"."""
-        return "-".join(lead.name for lead in self.leads)
+        return "-".join(lead.pair_letters for lead in self.leads)
 
     @property
-    def said(self) -> Phrase:
+    def group_description(self) -> Phrase:
         """Its class, order, basic link and leads in words."""
         leads = tuple(lead.link for lead in self.leads)
-        return Phrase("class_three", basic=self.basic, leads=leads, name=self.name)
+        return Phrase("class_three", basic=self.basic, leads=leads, name=self.pair_letters)
 
     @property
-    def brief(self) -> Phrase:
+    def short_group_description(self) -> Phrase:
         """The same without letters."""
         return Phrase("class_three_brief")
 
@@ -152,9 +152,9 @@ class Triad(OnLeads):
         """The group as in the JSON output."""
         leads = [lead.link for lead in self.leads]
         own = {"class": 3, "order": 3, "basic": self.basic, "leads": leads}
-        return {"links": list(self.links), **own, "name": self.name}
+        return {"links": list(self.links), **own, "name": self.pair_letters}
 
 
-def kind_by(leads: Iterable[Lead]) -> int:
+def dyad_kind_of_leads(leads: Iterable[Lead]) -> int:
     """The kind of the dyad that positions a point as these leads do."""
-    return {2: 1, 1: 2, 0: 4}[sum(lead.name == "RR" for lead in leads)]
+    return {2: 1, 1: 2, 0: 4}[sum(lead.pair_letters == "RR" for lead in leads)]

@@ -8,7 +8,7 @@ order the number of outer pairs. One of the two attached links has a hinge outsi
 from collections.abc import Sequence
 
 from planes.plans.assur.basic_chains import BasicChain
-from planes.plans.assur.basic_links import Lead, OnLeads, Triad, kind_by, lead_pairs
+from planes.plans.assur.basic_links import Lead, OnLeads, Triad, dyad_kind_of_leads, pairs_of_leads
 from planes.plans.assur.groups import Between, Group, Names, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
@@ -29,7 +29,7 @@ class Contour(OnLeads):
     level = "IV"
 
     @property
-    def slid(self) -> bool:
+    def is_on_slides(self) -> bool:
         """Whether both outer pairs are guides."""
         return all(pair.kind == "P" for pair in self.outer)
 
@@ -37,23 +37,23 @@ class Contour(OnLeads):
     def kind(self) -> int:
         """Where both outer pairs are guides: the kind of the dyad by which its leads position the basic link from the
         base."""
-        return kind_by(self.leads)
+        return dyad_kind_of_leads(self.leads)
 
     @property
-    def contour(self) -> tuple[str, str, str, str]:
+    def links_around_contour(self) -> tuple[str, str, str, str]:
         """Its links in the order of the closed contour."""
         one, two = self.leads
         return self.base, one.link, self.basic, two.link
 
     @property
-    def ends(self) -> Names:
+    def output_link_candidates(self) -> Names:
         """The links that may be the output of the mechanism, the likeliest first."""
         return self.basic, self.base
 
     @property
-    def solved(self) -> Names:
+    def links_in_solving_order(self) -> Names:
         """Its links in the order of solving."""
-        return self.base, *super().solved
+        return self.base, *super().links_in_solving_order
 
     @property
     def pairs(self) -> tuple[Pair, ...]:
@@ -63,28 +63,28 @@ class Contour(OnLeads):
     @property
     def inner_pairs(self) -> tuple[Pair, ...]:
         """The pairs between its own links."""
-        return lead_pairs(self.leads)
+        return pairs_of_leads(self.leads)
 
     @property
-    def name(self) -> str:
+    def pair_letters(self) -> str:
         """The letters of its pairs: the outer ones, then those of the contour."""
         return "-".join(("".join(p.kind for p in self.outer), "".join(p.kind for p in self.inner_pairs)))
 
     @property
-    def said(self) -> Phrase:
+    def group_description(self) -> Phrase:
         """Its class, order and contour in words."""
         outer = tuple(p.point or p.guide for p in self.outer)
-        return Phrase("class_four", contour=self.contour, outer=outer, name=self.name)
+        return Phrase("class_four", contour=self.links_around_contour, outer=outer, name=self.pair_letters)
 
     @property
-    def brief(self) -> Phrase:
+    def short_group_description(self) -> Phrase:
         """The same without letters."""
         return Phrase("class_four_brief")
 
     def json(self) -> Json:
         """The group as in the JSON output."""
-        own = {"class": 4, "order": 2, "contour": list(self.contour), "outer": [self.base, self.basic]}
-        return {"links": list(self.links), **own, "name": self.name}
+        own = {"class": 4, "order": 2, "contour": list(self.links_around_contour), "outer": [self.base, self.basic]}
+        return {"links": list(self.links), **own, "name": self.pair_letters}
 
 
 Tracked = Triad | Contour | BasicChain
@@ -92,7 +92,7 @@ Tracked = Triad | Contour | BasicChain
 AnyGroup = Group | Tracked
 
 
-def triad_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Triad | None:
+def triad_of_links(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Triad | None:
     """Four links as a basic link on three leads, if they form one."""
     for basic in (n for n in names if not outer[n]):
         held = [(n, between(n, basic), outer[n]) for n in names if n != basic]
@@ -102,7 +102,7 @@ def triad_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]
     return None
 
 
-def contour_of(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Contour | None:
+def contour_group_of_links(names: Sequence[str], between: Between, outer: dict[str, list[Pair]]) -> Contour | None:
     """Four links as a closed contour, if they form one that can be drawn."""
     hung = [n for n in names if len(outer[n]) == 1]
     rods = [n for n in names if not outer[n]]

@@ -10,7 +10,7 @@ from planes.words.records import Json
 Between = Callable[[str, str], Sequence["Pair"]]
 """The pairs of a link with another one."""
 Names = tuple[str, ...]  # of links
-KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
+DYAD_KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
 
 @frozen
@@ -24,16 +24,16 @@ class Pair:
     point: str = ""
     guide: str = ""
 
-    def joins(self, link: str) -> bool:
+    def has_link(self, link: str) -> bool:
         """Whether this pair belongs to the link."""
         return link in (self.link, self.other)
 
     @property
-    def sides(self) -> tuple[tuple[str, float], tuple[str, float]]:
+    def signed_links(self) -> tuple[tuple[str, float], tuple[str, float]]:
         """Its links with the signs of their relative motion."""
         return (self.link, 1.0), (self.other, -1.0)
 
-    def mate(self, link: str) -> str:
+    def other_link_of_pair(self, link: str) -> str:
         """The other link of the pair."""
         return self.other if link == self.link else self.link
 
@@ -48,7 +48,7 @@ class Brace:
     far: Pair
 
     @property
-    def halves(self) -> tuple[str, str]:
+    def cylinder_links(self) -> tuple[str, str]:
         """Its two links, the one at the near hinge first."""
         return self.near.link, self.far.link
 
@@ -76,66 +76,75 @@ class Group:
     level = "II"
 
     @property
-    def whole(self) -> Names:
+    def all_links(self) -> Names:
         """All its links, including both links of a drive inside."""
-        return tuple(part for link in self.links for part in self.parts(link))
+        return tuple(part for link in self.links for part in self.links_composing(link))
 
     @property
-    def balanced(self) -> Names:
+    def balanced_links(self) -> Names:
         """The links whose forces are on its plan; they name the plan."""
         return self.order or self.links
 
     @property
-    def held(self) -> str:
+    def held_link(self) -> str:
         """Of the two links of a drive inside, the one on the frame."""
-        return self.hung[0][0]
+        return self.held_link_first_with_pairs[0][0]
 
     @property
-    def hangs(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
+    def links_with_outer_pairs(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
         """Both links in the order of the method, with their outer pairs."""
         return (self.first, self.first_outer), (self.last, self.last_outer)
 
     @property
-    def hung(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
+    def held_link_first_with_pairs(self) -> tuple[tuple[str, Pair], tuple[str, Pair]]:
         """The held link and the other, with their outer pairs."""
-        return self.hangs[::-1] if self.drive and self.drive.joins(self.last) else self.hangs
+        return (
+            self.links_with_outer_pairs[::-1]
+            if self.drive and self.drive.has_link(self.last)
+            else self.links_with_outer_pairs
+        )
 
     @property
-    def balances(self) -> tuple[Names, ...]:
+    def links_by_force_plan(self) -> tuple[Names, ...]:
         """The links of each force plan, which name it."""
-        return (self.balanced,)
+        return (self.balanced_links,)
 
-    def parts(self, link: str) -> Names:
+    def links_composing(self, link: str) -> Names:
         """The links that one of the two consists of: itself and, with a drive inside, the other link of the drive."""
-        return (link, self.drive.mate(link)) if self.drive and link == self.held else (link,)
+        return (link, self.drive.other_link_of_pair(link)) if self.drive and link == self.held_link else (link,)
 
-    def loaded(self, link: str) -> Names:
+    def loaded_links(self, link: str) -> Names:
         """The links whose loads act on one of the two: its parts, and the cylinder that braces them."""
-        loaded_parts = (*self.parts(link), *(self.brace.halves if self.brace and link == self.held else ()))
+        loaded_parts = (
+            *self.links_composing(link),
+            *(self.brace.cylinder_links if self.brace and link == self.held_link else ()),
+        )
         return tuple(x for x in self.order if x in loaded_parts) or loaded_parts
 
-    def holder(self, link: str, pair: Pair) -> str:
+    def link_holding_pair(self, link: str, pair: Pair) -> str:
         """Which of its parts has the pair."""
-        return next(x for x in self.parts(link) if pair.joins(x))
+        return next(x for x in self.links_composing(link) if pair.has_link(x))
 
     @property
-    def members(self) -> str:
+    def formula_members(self) -> str:
         """Its links as in a structural formula, those of a stopped drive together."""
-        return ";".join("-".join(self.loaded(x)) for x in self.links)
+        return ";".join("-".join(self.loaded_links(x)) for x in self.links)
 
     @property
-    def ends(self) -> Names:
+    def output_link_candidates(self) -> Names:
         """The links that may be the output of the mechanism, the likeliest first."""
         return self.last, self.first
 
     @property
-    def solved(self) -> Names:
+    def links_in_solving_order(self) -> Names:
         """Its links in the order of solving."""
         return self.links
 
     def reached(self, drive: Pair) -> Names:
         """The links solved together with it where the drive is inside."""
-        return *((drive.link, drive.other) if self.drive == drive else self.parts(self.held)), self.hung[1][0]
+        return *(
+            (drive.link, drive.other) if self.drive == drive else self.links_composing(self.held_link)
+        ), self.held_link_first_with_pairs[1][0]
 
     @property
     def pairs(self) -> tuple[Pair, Pair, Pair]:
@@ -148,23 +157,23 @@ class Group:
         return (self.inner,)
 
     @property
-    def said(self) -> Phrase:
+    def group_description(self) -> Phrase:
         """Its class and kind in words."""
-        return Phrase("class_two", kind=self.kind, name=self.name)
+        return Phrase("class_two", kind=self.kind, name=self.pair_letters)
 
     @property
-    def brief(self) -> Phrase:
+    def short_group_description(self) -> Phrase:
         """The same without letters."""
         return Phrase("class_two_brief", kind=self.kind)
 
     def json(self) -> Json:
         """The group as in the JSON output."""
         pair = self.brace.slide if self.brace else self.drive
-        own: Json = {"links": list(self.links), "kind": self.kind, "name": self.name}
+        own: Json = {"links": list(self.links), "kind": self.kind, "name": self.pair_letters}
         own |= {"drive": [pair.other, pair.link]} if pair else {}
         return own | ({"across": self.drive.point} if self.brace and self.drive else {})
 
     @property
-    def name(self) -> str:
+    def pair_letters(self) -> str:
         """The letters of its pairs, e.g. "RRP"."""
-        return KIND_NAMES[self.kind - 1]
+        return DYAD_KIND_NAMES[self.kind - 1]

@@ -21,18 +21,18 @@ class Joint:
     links: tuple[str, ...]
     solved: bool
 
-    def pairs(self, chosen: Iterable[str]) -> int:
+    def pairs_among_links(self, chosen: Iterable[str]) -> int:
         """Its pairs among the chosen links and with a solved one."""
         here = sum(link in self.links for link in chosen)
         return here if self.solved else max(0, here - 1)
 
 
-def freedom(chosen: Sequence[str], joints: Iterable[Joint]) -> int:
+def degree_of_freedom_of_links(chosen: Sequence[str], joints: Iterable[Joint]) -> int:
     """The degree of freedom of some links, with all the pairs among them and with solved ones."""
-    return 3 * len(chosen) - 2 * sum(joint.pairs(chosen) for joint in joints)
+    return 3 * len(chosen) - 2 * sum(joint.pairs_among_links(chosen) for joint in joints)
 
 
-def unsolvable(links: Sequence[str], joints: Sequence[Joint]) -> tuple[str, ...]:
+def find_unsolvable_links(links: Sequence[str], joints: Sequence[Joint]) -> tuple[str, ...]:
     """Over-constrained links if there are any; otherwise the smallest group of more than two that must be solved
     together; otherwise empty."""
     room: dict[Freedoms, int] = {(link,): 3 for link in links}
@@ -41,14 +41,16 @@ def unsolvable(links: Sequence[str], joints: Sequence[Joint]) -> tuple[str, ...]
         own = () if joint.solved else ((str(number), "joint"),)
         room |= dict.fromkeys(own, 2)
         holds += [((link,), *own) for link in joint.links for _ in range(2)]
-    takers, asked = _matched(holds, room)
+    takers, asked = _match_constraints_to_freedoms(holds, room)
     if asked:
-        return _least([link for link in links if (link,) in asked], joints)
-    groups = [_together(link, links, holds, takers) for link in links]
+        return _smallest_overconstrained_subset([link for link in links if (link,) in asked], joints)
+    groups = [_links_solved_together(link, links, holds, takers) for link in links]
     return min((group for group in groups if len(group) > 2), key=len, default=())
 
 
-def _matched(holds: Holds, room: dict[Freedoms, int]) -> tuple[dict[Freedoms, list[int]], set[Freedoms]]:
+def _match_constraints_to_freedoms(
+    holds: Holds, room: dict[Freedoms, int]
+) -> tuple[dict[Freedoms, list[int]], set[Freedoms]]:
     """The freedoms that each constraint takes; and all links asked by the first constraint that found none."""
     takers: dict[Freedoms, list[int]] = {whose: [] for whose in room}
     taken: dict[int, Freedoms] = {}
@@ -74,7 +76,9 @@ def _matched(holds: Holds, room: dict[Freedoms, int]) -> tuple[dict[Freedoms, li
     return takers, set()
 
 
-def _together(link: str, links: Sequence[str], holds: Holds, takers: dict[Freedoms, list[int]]) -> tuple[str, ...]:
+def _links_solved_together(
+    link: str, links: Sequence[str], holds: Holds, takers: dict[Freedoms, list[int]]
+) -> tuple[str, ...]:
     """The links without which one cannot be solved, including itself."""
     queue: list[Freedoms] = [(link,)]
     for whose in queue:
@@ -82,9 +86,9 @@ def _together(link: str, links: Sequence[str], holds: Holds, takers: dict[Freedo
     return tuple(x for x in links if (x,) in queue)
 
 
-def _least(held: list[str], joints: Sequence[Joint]) -> tuple[str, ...]:
+def _smallest_overconstrained_subset(held: list[str], joints: Sequence[Joint]) -> tuple[str, ...]:
     """The smallest over-constrained subset: no link can be left out of it."""
     for link in reversed(held[:]):
         fewer = [x for x in held if x != link]
-        held = fewer if freedom(fewer, joints) < 0 else held
+        held = fewer if degree_of_freedom_of_links(fewer, joints) < 0 else held
     return tuple(held)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from planes.plans import Plans
 from planes.plans.columns import DriverVector
-from planes.plans.force.loads import pair_index
+from planes.plans.force.loads import force_pair_index
 from planes.words.units import unit_of_parameter
 
 
@@ -21,7 +21,7 @@ class Derived(NamedTuple):
     per: DriverVector | None = None
 
 
-def derived(plans: Plans) -> Iterator[Derived]:
+def derived_values(plans: Plans) -> Iterator[Derived]:
     """Weights, inertia forces and couples of every link, then normal force, friction and its power in every pair; in a
     hinge the couple of friction and its power."""
     loads = plans.acting
@@ -34,9 +34,9 @@ def derived(plans: Plans) -> Iterator[Derived]:
     for r in (r for r in plans.reactions.values() if r.edges):
         letter, group = ("N", "edges") if r.pair.guide else ("F", "bearings")
         for k, edge in enumerate(r.edges or (), 1):
-            yield Derived((f"{letter}_{pair_index(r.pair.link, r.pair.other)}^{k}",), "N", edge, group)
+            yield Derived((f"{letter}_{force_pair_index(r.pair.link, r.pair.other)}^{k}",), "N", edge, group)
     for r in (r for r in plans.reactions.values() if r.friction):
-        index = pair_index(r.pair.link, r.pair.other)
+        index = force_pair_index(r.pair.link, r.pair.other)
         if r.pair.kind == "R":
             yield Derived((f"M_T{index}",), "N·m", r.friction, "friction")
         else:
@@ -45,19 +45,19 @@ def derived(plans: Plans) -> Iterator[Derived]:
         yield Derived((f"P_T{index}",), "W", r.power, "friction")
 
 
-def of_laws(plans: Plans) -> Iterator[Derived]:
+def values_given_by_laws(plans: Plans) -> Iterator[Derived]:
     """Loads given by laws, with their values in the position; values computed from stated vectors."""
     figure = plans.figure
     members = {name for name, _, _ in figure.members} | {n for _, _, n in figure.shears} if figure else set[str]()
     for name, value in plans.values.items():
-        yield Derived((name,), "N" if name in members else unit_of_value(name), value, "values")
+        yield Derived((name,), "N" if name in members else unit_key_of_value(name), value, "values")
 
     for name in plans.acting.laws:
         load, unit = plans.means[name].of, {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)
-        if unit and load in plans.program.made:
+        if unit and load in plans.program.result_names:
             yield Derived((load,), unit, load, "loads")
 
 
-def unit_of_value(name: str) -> str:
+def unit_key_of_value(name: str) -> str:
     """The key of the unit of a stated value, "" where its name does not show it; P_T is a power of friction."""
     return "W" if name.startswith("P_T") else unit_of_parameter(name)

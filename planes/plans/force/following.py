@@ -5,14 +5,14 @@ from functools import cached_property
 from planes.drafting.steps.laws import ByStroke, Follow
 from planes.drafting.steps.reckoning import Protractor, Sense
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME, Bodies
-from planes.scene.expressions import names_in
-from planes.scene.load_laws import Coordinate, check_law, coordinates
+from planes.plans.position.bodies import SCHEME_PLAN, Bodies
+from planes.scene.expressions import names_in_expression
+from planes.scene.load_laws import Coordinate, check_law, coordinates_by_name
 from planes.scene.mechanism import FRAME, Amount, Load, LoadLaw, StrokeLoad
 from planes.words import Phrase
-from planes.words.errors import ExpressionError, SceneError, choices
+from planes.words.errors import ExpressionError, SceneError, list_valid_choices
 from planes.words.frozen import field, frozen
-from planes.words.names import POLE, Meaning, at
+from planes.words.names import POLE_LABEL, Meaning, full_mark_name
 
 
 @frozen
@@ -24,77 +24,88 @@ class LawValues:
     accelerations: Rates
     said: dict[str, LoadLaw | StrokeLoad] = field(default_factory=dict)
 
-    def value(self, name: str, load: Load, means: Meaning) -> str:
+    def name_of_load_value(self, name: str, load: Load, means: Meaning) -> str:
         """The name of a load's value: given, or found in every position."""
         value = load.value
         if not isinstance(value, StrokeLoad):
-            return self.amount(name, load, value, means)
+            return self.name_of_amount(name, load, value, means)
         self.said[name] = value
         slid = self.velocity.slides.get(value.slider)  # with the driver at rest there is no stroke
         if slid is None:
-            what = Phrase("load", number=self.numbers[id(load)] + 1)
-            why = Phrase("law_slider", what=what, link=value.slider, valid=choices("", self.velocity.slides))
+            what = Phrase("load", number=self.load_numbers[id(load)] + 1)
+            why = Phrase("law_slider", what=what, link=value.slider, valid=list_valid_choices("", self.velocity.slides))
             raise SceneError(why, self.bodies.file, self._line(load))
         sense = 1 if value.stroke == "ahead" else -1
-        stroke = self.bodies.draft.step(
+        stroke = self.bodies.draft.add_step(
             Sense(f"moves_{value.slider}", *slid.ends, slid.along, tuple(self.velocity.driven))
         )
-        working = self.amount(f"‖{name}", load, value.working, means, stroke, sense)
-        idle = self.amount(f"|{name}", load, value.idle, means, stroke, -sense)
-        return self.bodies.draft.step(ByStroke(name, stroke, sense, working, idle, means=means))
+        working = self.name_of_amount(f"‖{name}", load, value.working, means, stroke, sense)
+        idle = self.name_of_amount(f"|{name}", load, value.idle, means, stroke, -sense)
+        return self.bodies.draft.add_step(ByStroke(name, stroke, sense, working, idle, means=means))
 
-    def amount(self, name: str, load: Load, amount: Amount, means: Meaning, stroke: str = "", sense: int = 1) -> str:
+    def name_of_amount(
+        self, name: str, load: Load, amount: Amount, means: Meaning, stroke: str = "", sense: int = 1
+    ) -> str:
         """A given number, or the value of a law in its stroke."""
         if not isinstance(amount, LoadLaw):
-            return self.bodies.draft.give(name, amount, means=None if stroke else means)
+            return self.bodies.draft.add_given(name, amount, means=None if stroke else means)
         if not stroke:
             self.said[name] = amount
         try:  # laws built in Python were not checked on reading
-            check_law(amount.text, self.known)
+            check_law(amount.text, self.names_for_laws)
         except ExpressionError as error:
             raise SceneError(error.phrase, self.bodies.file, self._line(load)) from None
-        values = tuple((n, self._found(self.known[n][0])) for n in dict.fromkeys(names_in(amount.text)))
+        values = tuple(
+            (n, self._coordinate_value_name(self.names_for_laws[n][0]))
+            for n in dict.fromkeys(names_in_expression(amount.text))
+        )
         line, law_means = str(self._line(load) or ""), None if stroke else means
-        return self.bodies.draft.step(Follow(name, amount, values, stroke, sense, line, means=law_means))
+        return self.bodies.draft.add_step(Follow(name, amount, values, stroke, sense, line, means=law_means))
 
     @cached_property
-    def known(self) -> dict[str, list[Coordinate]]:
+    def names_for_laws(self) -> dict[str, list[Coordinate]]:
         """The names a law may use."""
-        return coordinates(self.bodies.mechanism.links, self.bodies.mechanism.drive)
+        return coordinates_by_name(self.bodies.mechanism.links, self.bodies.mechanism.drive)
 
     @cached_property
-    def numbers(self) -> dict[int, int]:
+    def load_numbers(self) -> dict[int, int]:
         """The number of each load among the loads."""
         return {id(load): k for k, load in enumerate(self.bodies.mechanism.loads)}
 
     def _line(self, load: Load) -> int | None:
-        return self.bodies.mechanism.where.get(("loads", str(self.numbers[id(load)])))
+        return self.bodies.mechanism.where.get(("loads", str(self.load_numbers[id(load)])))
 
-    def _found(self, c: Coordinate) -> str:
+    def _coordinate_value_name(self, c: Coordinate) -> str:
         """The name of a coordinate's value."""
         if c.sort == "drive":
-            return self.bodies.mechanism.drive.given
-        return {"link": self._of_link, "slider": self._of_slider, "point": self._of_point}[c.sort](c)
+            return self.bodies.mechanism.drive.coordinate_name
+        return {
+            "link": self._link_coordinate_value,
+            "slider": self._slider_coordinate_value,
+            "point": self._point_coordinate_value,
+        }[c.sort](c)
 
-    def _of_link(self, c: Coordinate) -> str:
+    def _link_coordinate_value(self, c: Coordinate) -> str:
         body = self.bodies.known[c.of]
         if c.letter == "phi":
-            return self.bodies.draft.step(Protractor(f"phi_{c.of}", body.axis))
+            return self.bodies.draft.add_step(Protractor(f"phi_{c.of}", body.axis))
         rates = self.velocity if c.letter == "omega" else self.accelerations
-        return self.bodies.draft.give(f"still_{c.of}", 0.0) if body.root == FRAME else rates.spin(body.root)
+        return self.bodies.draft.add_given(f"still_{c.of}", 0.0) if body.root == FRAME else rates.spin(body.root)
 
-    def _of_slider(self, c: Coordinate) -> str:
+    def _slider_coordinate_value(self, c: Coordinate) -> str:
         if c.letter != "s":
             return (self.velocity if c.letter == "v" else self.accelerations).slides[c.of].value
         pair = next(p for p in self.bodies.structure.pairs if p.link == c.of and p.kind == "P")
-        start, along = self.bodies.line(pair, pair.other)
-        first = at(SCHEME, self.bodies.mechanism.links[c.of].first_point)
-        return self.bodies.draft.measure(f"s_{c.of}", start, first, along)
+        start, along = self.bodies.guide_mark_and_direction(pair, pair.other)
+        first = full_mark_name(SCHEME_PLAN, self.bodies.mechanism.links[c.of].first_point)
+        return self.bodies.draft.measure_segment(f"s_{c.of}", start, first, along)
 
-    def _of_point(self, c: Coordinate) -> str:
+    def _point_coordinate_value(self, c: Coordinate) -> str:
         d, name = self.bodies.draft, f"|{c.letter}_{c.of}|"
         if c.letter in ("x", "y"):
-            along = d.aim(f"→{c.letter}", 0.0 if c.letter == "x" else 90.0, Meaning("along", c.letter))
-            return d.measure(name, d.pole(SCHEME), at(SCHEME, c.of), along)
+            along = d.draw_direction_at_angle(
+                f"→{c.letter}", 0.0 if c.letter == "x" else 90.0, Meaning("along", c.letter)
+            )
+            return d.measure_segment(name, d.draw_pole(SCHEME_PLAN), full_mark_name(SCHEME_PLAN, c.of), along)
         rates = self.velocity if c.letter == "v" else self.accelerations
-        return d.measure(name, at(rates.plan, POLE), rates.mark(c.of))
+        return d.measure_segment(name, full_mark_name(rates.plan, POLE_LABEL), rates.mark(c.of))

@@ -11,7 +11,7 @@ from planes.drafting.steps import Step
 from planes.drafting.steps.reckoning import Product, Sense, SenseBetween
 from planes.drafting.steps.settling import Fed, Settle
 from planes.plans.assur.groups import Pair
-from planes.plans.force.loads import Acting, Couple, force_name
+from planes.plans.force.loads import Acting, Couple, name_of_force
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
 from planes.words.names import Meaning
@@ -25,27 +25,27 @@ class Grip:
     couple: str
     factor: str
 
-    def on(self, link: str) -> Couple:
+    def couple_on_link(self, link: str) -> Couple:
         """Its couple on one of the two links."""
         return Couple(self.couple, link, self.couple, 1 if link == self.pair.link else -1, True)
 
 
-def grip_of(acting: Acting, pair: Pair) -> Grip | None:
+def hinge_friction(acting: Acting, pair: Pair) -> Grip | None:
     """The friction of a hinge; None where there is none, or where its links never turn relative to each other."""
     b, d = acting.bodies, acting.bodies.draft
-    name = b.mechanism.rubs(pair.point, pair.link, pair.other) if pair.kind == "R" else None
+    name = b.mechanism.journal_key_of_hinge(pair.point, pair.link, pair.other) if pair.kind == "R" else None
     roots = [b.known[x].root for x in (pair.link, pair.other)]
     if name is None or roots[0] == roots[1]:
         return None
-    key, journal = force_name(pair.link, pair.other), b.mechanism.journals[name]
-    circle = d.give(f"rho_{name}", journal.circle, Meaning("circle", name))
+    key, journal = name_of_force(pair.link, pair.other), b.mechanism.journals[name]
+    circle = d.add_given(f"rho_{name}", journal.friction_circle_radius, Meaning("circle", name))
     for field in ((), ("coefficient",), ("radius",)):
-        d.law(circle, b.mechanism.laws.get(("friction", name, *field)))
+        d.record_law(circle, b.mechanism.laws.get(("friction", name, *field)))
     rates = [("", "") if root == FRAME else (acting.motion.spin(root), acting.turning(root, False)) for root in roots]
-    sense = d.step(SenseBetween(f"turns_{key}", *rates[0], *rates[1]))
+    sense = d.add_step(SenseBetween(f"turns_{key}", *rates[0], *rates[1]))
     signed = zip((1.0, -1.0), rates, strict=True)
-    d.total(acting.motion.spin(key), [Product(sign, ((rate, 1),)) for sign, (rate, _) in signed if rate])
-    return Grip(pair, f"MT_{key}", d.product(f"ρ_{key}", -1.0, **{circle: 1, sense: 1}))
+    d.add_sum(acting.motion.spin(key), [Product(sign, ((rate, 1),)) for sign, (rate, _) in signed if rate])
+    return Grip(pair, f"MT_{key}", d.add_product(f"ρ_{key}", -1.0, **{circle: 1, sense: 1}))
 
 
 @frozen
@@ -57,30 +57,32 @@ class Slip:
     factor: str
 
 
-def slip_of(acting: Acting, pair: Pair) -> Slip | None:
+def guide_friction(acting: Acting, pair: Pair) -> Slip | None:
     """The friction of a guide; None where there is none."""
     if pair.kind != "P" or pair.guide not in acting.bodies.mechanism.friction:
         return None
-    key, factor = force_name(pair.link, pair.other), dict.fromkeys(sliding(acting, pair), 1)
-    return Slip(f"T_{key}", acting.bodies.draft.product(f"f_{pair.link}", -1.0, **factor))
+    key, factor = name_of_force(pair.link, pair.other), dict.fromkeys(friction_and_sliding_direction(acting, pair), 1)
+    return Slip(f"T_{key}", acting.bodies.draft.add_product(f"f_{pair.link}", -1.0, **factor))
 
 
-def sliding(acting: Acting, pair: Pair) -> tuple[str, str]:
+def friction_and_sliding_direction(acting: Acting, pair: Pair) -> tuple[str, str]:
     """The coefficient of friction of a guide, and the direction in which the link slides along it."""
     d, m, reading = acting.bodies.draft, acting.bodies.mechanism, acting.motion.slides[pair.link]
-    coefficient = d.give(f"f_{pair.guide}", m.friction[pair.guide])
-    d.law(coefficient, m.laws.get(("friction", pair.guide)))
-    return coefficient, d.step(Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(acting.motion.driven)))
+    coefficient = d.add_given(f"f_{pair.guide}", m.friction[pair.guide])
+    d.record_law(coefficient, m.laws.get(("friction", pair.guide)))
+    return coefficient, d.add_step(
+        Sense(f"slides_{pair.link}", *reading.ends, reading.along, tuple(acting.motion.driven))
+    )
 
 
-def settle(acting: Acting, fed: tuple[Fed, ...], trial: Draft) -> None:
+def settle_friction_values(acting: Acting, fed: tuple[Fed, ...], trial: Draft) -> None:
     """Settle the values ``fed`` to a plan, so that the plan drawn in ``trial`` reproduces them by the magnitudes of its
     reactions."""
     d = acting.bodies.draft
     needed, steps = {f.size for f in fed}, list[Step]()
     for step in reversed([s for name, s in trial.steps.items() if name not in d.steps]):
         if step.makes in needed:
-            needed.update(name for name, _ in step.reads())
+            needed.update(name for name, _ in step.input_names())
             steps.append(step)
     for f in fed:
-        d.step(Settle(f.makes, tuple(reversed(steps)), fed))
+        d.add_step(Settle(f.makes, tuple(reversed(steps)), fed))

@@ -11,18 +11,18 @@ from planes.drafting.steps.reckoning import Drop, Product
 from planes.plans.force.loads import Force
 from planes.plans.force.reactions import Statics
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, at, mu_of
+from planes.words.names import POLE_LABEL, full_mark_name, mu_name
 
 
 def draw_lever(s: Statics) -> str:
     """Draw the lever and balance it; returns the name of its balancing moment (or force)."""
     acting, b = s.acting, s.bodies
     drive = b.mechanism.drive
-    rate = acting.motion.drive_rate
-    b.draft.pole("lever")
+    rate = acting.motion.drive_rate_name
+    b.draft.draw_pole("lever")
     terms = []
     for force in (f for forces in acting.forces.values() for f in forces if f.spot):  # not of a reaction
-        arm = _arm(s, force)
+        arm = _lever_arm(s, force)
         terms.append((force.name, arm, Product(1.0, ((force.size, 1), (arm, 1), (rate, -1)))))
     for link, couples in acting.couples.items():
         root = b.known[link].root
@@ -30,13 +30,13 @@ def draw_lever(s: Statics) -> str:
             if root != FRAME and not couple.handed:
                 spin = acting.motion.spin(root)
                 terms.append((couple.name, spin, Product(-1.0, ((couple.value, 1), (spin, 1), (rate, -1)))))
-    for value, speed in rubbing(s):
+    for value, speed in friction_and_relative_speeds(s):
         terms.append((value, speed, Product(-1.0, ((value, 1), (speed, 1), (rate, -1)))))
     name = f"{'M' if drive.rotates else 'F'}Z_{drive.link}"
-    return b.draft.balance(name, at("lever", POLE), ("lever",), terms)
+    return b.draft.solve_moment_equation(name, full_mark_name("lever", POLE_LABEL), ("lever",), terms)
 
 
-def rubbing(s: Statics) -> list[tuple[str, str]]:
+def friction_and_relative_speeds(s: Statics) -> list[tuple[str, str]]:
     """Names of each friction force along its guide, or couple of its hinge, and of the relative speed there; its power
     is a result."""
     names = []
@@ -45,21 +45,23 @@ def rubbing(s: Statics) -> list[tuple[str, str]]:
         if guide in s.bodies.mechanism.friction:
             force = f"T_{key}"
             if force not in s.bodies.draft.steps:  # no plan was drawn with it
-                force = s.bodies.draft.measure(force, reaction.start, reaction.end, f"∥{guide}")
+                force = s.bodies.draft.measure_segment(force, reaction.start, reaction.end, f"∥{guide}")
             speed = s.acting.motion.slides[reaction.pair.link].value
         if force:
-            power = s.bodies.draft.product(f"PT_{key}", **{force: 1, speed: 1})
+            power = s.bodies.draft.add_product(f"PT_{key}", **{force: 1, speed: 1})
             s.reactions[key] = replace(reaction, friction=force, power=power)
             names.append((force, speed))
     return names
 
 
-def _arm(s: Statics, force: Force) -> str:
+def _lever_arm(s: Statics, force: Force) -> str:
     motion = s.acting.motion
     assert force.spot
     label = motion.label(force.spot.name)
-    mark = at("lever", POLE)
-    if label != POLE:
-        ends = at(motion.plan, POLE), motion.mark(force.spot.name)
-        mark = s.bodies.draft.step(Carry(at("lever", label), mark, *ends, 1))
-    return s.bodies.draft.step(Drop(f"H_{force.name}", mark, force.along, at("lever", POLE), mu_of("lever")))
+    mark = full_mark_name("lever", POLE_LABEL)
+    if label != POLE_LABEL:
+        ends = full_mark_name(motion.plan, POLE_LABEL), motion.mark(force.spot.name)
+        mark = s.bodies.draft.add_step(Carry(full_mark_name("lever", label), mark, *ends, 1))
+    return s.bodies.draft.add_step(
+        Drop(f"H_{force.name}", mark, force.along, full_mark_name("lever", POLE_LABEL), mu_name("lever"))
+    )

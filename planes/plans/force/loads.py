@@ -8,10 +8,10 @@ from planes.drafting.steps import Aim, Turn
 from planes.drafting.steps.reckoning import Sense, SenseOf
 from planes.plans.force.following import LawValues
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME, Bodies, BodyPoint
+from planes.plans.position.bodies import SCHEME_PLAN, Bodies, BodyPoint
 from planes.scene.mechanism import FRAME, Link, Load, LoadLaw, Mechanism, StrokeLoad
 from planes.words.frozen import frozen
-from planes.words.names import POLE, Meaning, Quantity, at
+from planes.words.names import POLE_LABEL, Meaning, Quantity, full_mark_name
 from planes.words.records import Json
 
 
@@ -33,7 +33,7 @@ class Force:
         return {"name": self.name, "mark": self.point, "along": self.along, "size": self.size}
 
     @property
-    def means(self) -> Meaning:
+    def meaning_of_mark(self) -> Meaning:
         """The meaning of its mark on a force plan."""
         return Meaning(self.quantity, self.name, link=self.link)
 
@@ -56,7 +56,7 @@ class Couple:
         return {"name": self.name, "link": self.link, "size": self.value, "sign": self.sign}
 
 
-def load_names(mechanism: Mechanism) -> list[str]:
+def names_of_loads(mechanism: Mechanism) -> list[str]:
     """The names of the loads, in order: P_5, a second force on that link P_5_2; couples M_3, on the driver MP_1."""
     names, counts = [], Counter[tuple[str, str]]()
     for load in mechanism.loads:
@@ -66,12 +66,12 @@ def load_names(mechanism: Mechanism) -> list[str]:
     return names
 
 
-def force_name(on: str, by: str) -> str:
+def name_of_force(on: str, by: str) -> str:
     """F_21 acts on 2 from 1; longer names are separated: F_11_10."""
-    return f"F_{pair_index(on, by)}"
+    return f"F_{force_pair_index(on, by)}"
 
 
-def pair_index(on: str, by: str) -> str:
+def force_pair_index(on: str, by: str) -> str:
     """The index of a force on a link from another."""
     return on + by if len(on) == len(by) == 1 else f"{on}_{by}"
 
@@ -102,96 +102,112 @@ class Acting:
     forces: dict[str, list[Force]] = field(default_factory=dict)
     couples: dict[str, list[Couple]] = field(default_factory=dict)
 
-    def gather(self) -> None:
+    def gather_all_loads(self) -> None:
         """Weights, inertia and loads of every link, in this order on each."""
         for link in self.bodies.mechanism.links.values():
             self.forces[link.name], self.couples[link.name] = [], []
-            self._weight(link)
-            self._inertia(link)
+            self._add_weight(link)
+            self._add_inertia_loads(link)
         m = self.bodies.mechanism
-        for number, (name, load) in enumerate(zip(load_names(m), m.loads, strict=True)):
-            name = self._force(load, name) if load.kind == "force" else self._couple(load, name)
+        for number, (name, load) in enumerate(zip(names_of_loads(m), m.loads, strict=True)):
+            name = self._add_given_force(load, name) if load.kind == "force" else self._add_given_couple(load, name)
             for path, law in self.bodies.mechanism.laws.items():
                 if path[:2] == ("loads", str(number)):
-                    self.bodies.draft.law(name, law)
+                    self.bodies.draft.record_law(name, law)
 
     @property
-    def loads(self) -> Loads:
+    def all_loads(self) -> Loads:
         """All loads found."""
         return Loads(self.forces, self.couples, self.laws.said, self.motion)
 
-    def _weight(self, link: Link) -> None:
+    def _add_weight(self, link: Link) -> None:
         if link.mass is None or self.bodies.mechanism.gravity is None:
             return
         d = self.bodies.draft
-        gravity, mass = d.give("g", self.bodies.mechanism.gravity), d.give(f"m_{link.name}", link.mass)
-        size = d.product(f"G_{link.name}", **{mass: 1, gravity: 1})
-        down = d.aim("↓", -90.0, Meaning("down"))
-        self.forces[link.name].append(Force(f"G_{link.name}", link.name, size, down, *self._centre(link, "weight")))
+        gravity, mass = d.add_given("g", self.bodies.mechanism.gravity), d.add_given(f"m_{link.name}", link.mass)
+        size = d.add_product(f"G_{link.name}", **{mass: 1, gravity: 1})
+        down = d.draw_direction_at_angle("↓", -90.0, Meaning("down"))
+        self.forces[link.name].append(
+            Force(f"G_{link.name}", link.name, size, down, *self._mass_centre_mark(link, "weight"))
+        )
 
-    def _centre(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, BodyPoint]:
-        return at(SCHEME, link.mass_centre), quantity, BodyPoint(link.mass_centre, link.mass_centre)
+    def _mass_centre_mark(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, BodyPoint]:
+        return full_mark_name(SCHEME_PLAN, link.mass_centre), quantity, BodyPoint(link.mass_centre, link.mass_centre)
 
-    def _inertia(self, link: Link) -> None:
+    def _add_inertia_loads(self, link: Link) -> None:
         d, rates = self.bodies.draft, self.accelerations
         root = self.bodies.known[link.name].root
         if link.inertia is not None and root != FRAME:
-            moment = d.give(f"J_{link.name}", link.inertia)
-            value = d.product(f"MI_{link.name}", -1.0, **{moment: 1, rates.spin(root): 1})
+            moment = d.add_given(f"J_{link.name}", link.inertia)
+            value = d.add_product(f"MI_{link.name}", -1.0, **{moment: 1, rates.spin(root): 1})
             self.couples[link.name].append(Couple(f"MI_{link.name}", link.name, value, inertia=True))
         mark = rates.mark(link.mass_centre)
-        pole = at(rates.plan, POLE)
+        pole = full_mark_name(rates.plan, POLE_LABEL)
         if link.mass is None or mark == pole:
             return
-        rate = d.measure(f"a_{link.mass_centre}", pole, mark)
-        size = d.product(f"I_{link.name}", **{d.give(f"m_{link.name}", link.mass): 1, rate: 1})
-        back = d.through(f"-a_{link.mass_centre}", mark, pole, Meaning("against", f"a_{link.mass_centre}"))
-        self.forces[link.name].append(Force(f"I_{link.name}", link.name, size, back, *self._centre(link, "inertia")))
+        rate = d.measure_segment(f"a_{link.mass_centre}", pole, mark)
+        size = d.add_product(f"I_{link.name}", **{d.add_given(f"m_{link.name}", link.mass): 1, rate: 1})
+        back = d.draw_direction_through_marks(
+            f"-a_{link.mass_centre}", mark, pole, Meaning("against", f"a_{link.mass_centre}")
+        )
+        self.forces[link.name].append(
+            Force(f"I_{link.name}", link.name, size, back, *self._mass_centre_mark(link, "inertia"))
+        )
 
-    def _force(self, load: Load, name: str) -> str:
+    def _add_given_force(self, load: Load, name: str) -> str:
         d, point = self.bodies.draft, load.point or ""
-        size = self.laws.value(f"{name}_given", load, Meaning("load", name, link=load.link))
+        size = self.laws.name_of_load_value(f"{name}_given", load, Meaning("load", name, link=load.link))
         if load.sense:
-            ends = at(self.motion.plan, POLE), self.motion.mark(point)
-            moving = d.step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
+            ends = full_mark_name(self.motion.plan, POLE_LABEL), self.motion.mark(point)
+            moving = d.add_step(Sense(f"moves_{point}", *ends, None, tuple(self.motion.driven)))
             ends = ends if load.sense == "along" else (ends[1], ends[0])
             means = Meaning("with" if load.sense == "along" else "against", f"v_{point}")
-            along = d.through(f"{'+' if load.sense == 'along' else '-'}{self.motion.letter}{point}", *ends, means)
-            size = d.product(name, **{size: 1, moving: 1})
+            along = d.draw_direction_through_marks(
+                f"{'+' if load.sense == 'along' else '-'}{self.motion.letter}{point}", *ends, means
+            )
+            size = d.add_product(name, **{size: 1, moving: 1})
         else:
-            along = self._direction(name, load)
+            along = self._load_direction(name, load)
         if not load.sense:
-            size = d.product(name, **{size: 1})
-        acting = Force(name, load.link, size, along, at(SCHEME, point), "load", BodyPoint(point, point))
+            size = d.add_product(name, **{size: 1})
+        acting = Force(
+            name, load.link, size, along, full_mark_name(SCHEME_PLAN, point), "load", BodyPoint(point, point)
+        )
         self.forces[load.link].append(acting)
         return size
 
-    def _direction(self, name: str, load: Load) -> str:
+    def _load_direction(self, name: str, load: Load) -> str:
         d, means, angle = self.bodies.draft, Meaning("given", name), load.direction_deg or 0.0
         turned = bool(load.direction_link) and load.direction_link != FRAME
         axis = self.bodies.known[load.direction_link or FRAME].axis
         if isinstance(angle, LoadLaw):
-            law = self.laws.amount(f"∠{name}_given", load, angle, Meaning("angle", name, link=load.link))
-            return d.step(Turn(f"∠{name}", axis, 0, law, means=means) if turned else Aim(f"∠{name}", law, means=means))
-        return d.turn(f"∠{name}", axis, angle, means) if turned else d.aim(f"∠{name}", angle, means)
+            law = self.laws.name_of_amount(f"∠{name}_given", load, angle, Meaning("angle", name, link=load.link))
+            return d.add_step(
+                Turn(f"∠{name}", axis, 0, law, means=means) if turned else Aim(f"∠{name}", law, means=means)
+            )
+        return (
+            d.draw_turned_direction(f"∠{name}", axis, angle, means)
+            if turned
+            else d.draw_direction_at_angle(f"∠{name}", angle, means)
+        )
 
-    def _couple(self, load: Load, name: str) -> str:
+    def _add_given_couple(self, load: Load, name: str) -> str:
         d, link = self.bodies.draft, load.link
-        value = self.laws.value(f"{name}_given", load, Meaning("couple", name, link=link))
+        value = self.laws.name_of_load_value(f"{name}_given", load, Meaning("couple", name, link=link))
         if not load.sense:
-            self.couples[link].append(Couple(name, link, d.product(name, **{value: 1})))
+            self.couples[link].append(Couple(name, link, d.add_product(name, **{value: 1})))
             return name
         root = self.bodies.known[link].root
         if root == FRAME:
             return name  # a link that never turns gives a couple no sense of rotation
         sense = self.turning(root)
         sign = 1.0 if load.sense == "along" else -1.0
-        self.couples[link].append(Couple(name, link, d.product(name, sign, **{value: 1, sense: 1})))
+        self.couples[link].append(Couple(name, link, d.add_product(name, sign, **{value: 1, sense: 1})))
         return name
 
     def turning(self, root: str, warns: bool = True) -> str:
         """The sense of rotation of a link; ``warns`` at standstill."""
         if root in self.motion.turning:
             ends = (*self.motion.turning[root], tuple(self.motion.driven))
-            return self.bodies.draft.step(Sense(f"turns_{root}" if warns else f"way_{root}", *ends, warns))
-        return self.bodies.draft.step(SenseOf(f"turns_{root}", self.motion.spin(root)))
+            return self.bodies.draft.add_step(Sense(f"turns_{root}" if warns else f"way_{root}", *ends, warns))
+        return self.bodies.draft.add_step(SenseOf(f"turns_{root}", self.motion.spin(root)))

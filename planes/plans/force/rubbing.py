@@ -6,8 +6,8 @@ from typing import Protocol
 from planes.drafting.steps.reckoning import SizeOf
 from planes.drafting.steps.settling import Fed
 from planes.plans.assur.groups import Pair
-from planes.plans.force.hinges import Grip, Slip, grip_of, settle, slip_of
-from planes.plans.force.loads import Couple, force_name
+from planes.plans.force.hinges import Grip, Slip, guide_friction, hinge_friction, settle_friction_values
+from planes.plans.force.loads import Couple, name_of_force
 from planes.plans.force.reactions import Statics
 from planes.words.frozen import field, frozen
 
@@ -19,9 +19,9 @@ class Rubs:
     grips: Mapping[Pair, Grip] = field(default_factory=dict)
     slips: Mapping[Pair, Slip] = field(default_factory=dict)
 
-    def couples(self, link: str) -> list[Couple]:
+    def friction_couples_on_link(self, link: str) -> list[Couple]:
         """The couples of its hinges on a link."""
-        return [grip.on(link) for pair, grip in self.grips.items() if pair.joins(link)]
+        return [grip.couple_on_link(link) for pair, grip in self.grips.items() if pair.has_link(link)]
 
 
 class RubbingPlan(Protocol):
@@ -33,27 +33,27 @@ class RubbingPlan(Protocol):
     def polygon(self) -> Mapping[Pair, tuple[str, str]]: ...
 
 
-def settled(
+def draw_with_settled_friction(
     plan: RubbingPlan, make: Callable[[Statics], RubbingPlan], hinges: Iterable[Pair], guides: Iterable[Pair] = ()
 ) -> Rubs:
     """Draw a plan with the friction of these pairs, at the values to which trial plans converge."""
     acting = plan.statics.acting
-    grips = {p: grip for p in hinges if (grip := grip_of(acting, p))}
-    rubs = Rubs(grips, {p: slip for p in guides if (slip := slip_of(acting, p))})
+    grips = {p: grip for p in hinges if (grip := hinge_friction(acting, p))}
+    rubs = Rubs(grips, {p: slip for p in guides if (slip := guide_friction(acting, p))})
     if rubs.grips or rubs.slips:
         plan.rub(rubs)
-        trial = make(plan.statics.apart())
+        trial = make(plan.statics.copy_for_trial())
         trial.rub(rubs)
-        settle(acting, (*_fed(trial, rubs),), trial.statics.bodies.draft)
+        settle_friction_values(acting, (*_friction_from_trial(trial, rubs),), trial.statics.bodies.draft)
     return rubs
 
 
-def _fed(trial: RubbingPlan, rubs: Rubs) -> Iterable[Fed]:
+def _friction_from_trial(trial: RubbingPlan, rubs: Rubs) -> Iterable[Fed]:
     """The results of a trial plan: couples by the reactions of hinges, friction by the normal forces of guides."""
     ends, d = trial.polygon(), trial.statics.bodies.draft
     for pair, grip in rubs.grips.items():
-        yield Fed(grip.couple, grip.factor, d.measure(f"|{force_name(pair.link, pair.other)}|", *ends[pair]))
+        yield Fed(grip.couple, grip.factor, d.measure_segment(f"|{name_of_force(pair.link, pair.other)}|", *ends[pair]))
     for pair, slip in rubs.slips.items():
-        name = f"N_{force_name(pair.link, pair.other)}"
-        normal = d.measure(name, *ends[pair], d.square(f"∥{pair.guide}"))
-        yield Fed(slip.force, slip.factor, d.step(SizeOf(f"|{name}|", normal)))
+        name = f"N_{name_of_force(pair.link, pair.other)}"
+        normal = d.measure_segment(name, *ends[pair], d.draw_perpendicular(f"∥{pair.guide}"))
+        yield Fed(slip.force, slip.factor, d.add_step(SizeOf(f"|{name}|", normal)))

@@ -2,26 +2,29 @@
 
 from planes.drafting.steps import Image, Same
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME, Body, BodyPoint, on_scheme
+from planes.plans.position.bodies import SCHEME_PLAN, Body, BodyPoint, scheme_mark
 from planes.scene.mechanism import FRAME
 from planes.words.names import Meaning, label_of
 
 
-def carried(
+def draw_carried_mark(
     r: Rates, root: Body, start: str, one: BodyPoint, two: BodyPoint, end: str, means: Meaning | None = None
 ) -> str:
     """The mark ``end`` of ``two``, with ``one`` of the same link at ``start``; the link turns as ``root`` does."""
-    d, scheme = r.bodies.draft, (on_scheme(one.place), on_scheme(two.place))
+    d, scheme = r.bodies.draft, (scheme_mark(one.place), scheme_mark(two.place))
     if root.link.name == FRAME:
-        return d.step(Same(end, start, means=means))
+        return d.add_step(Same(end, start, means=means))
     if root.ref:
         ends = r.mark(root.ref[0].name), r.mark(root.ref[1].name)
-        like = on_scheme(root.ref[0].place), on_scheme(root.ref[1].place)
-        return d.step(Image(end, start, scheme, like, ends, means=means))
-    name, ray = two.name + one.name, d.ray(SCHEME, one.place, two.place)  # a driver with one point
-    length, across = d.measure(f"l_{name}°", *scheme), d.square(ray)
-    value = d.product(f"{r.letter}{name}°", **{r.spin(root.link.name): 1, length: 1})
-    if r.quick:
-        inwards = d.product(f"a_{name}°^n", -1.0, **{f"omega_{root.link.name}": 2, length: 1})
+        like = scheme_mark(root.ref[0].place), scheme_mark(root.ref[1].place)
+        return d.add_step(Image(end, start, scheme, like, ends, means=means))
+    name, ray = (
+        two.name + one.name,
+        d.direction_between_marks(SCHEME_PLAN, one.place, two.place),
+    )  # a driver with one point
+    length, across = d.measure_segment(f"l_{name}°", *scheme), d.draw_perpendicular(ray)
+    value = d.add_product(f"{r.letter}{name}°", **{r.spin(root.link.name): 1, length: 1})
+    if r.is_acceleration_plan:
+        inwards = d.add_product(f"a_{name}°^n", -1.0, **{f"omega_{root.link.name}": 2, length: 1})
         start = d.lay_off(r.plan, f"n_{label_of(end)}", start, ray, inwards, means)
     return d.lay_off(r.plan, label_of(end), start, across, value, means)

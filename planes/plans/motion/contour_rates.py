@@ -15,16 +15,16 @@ from planes.drafting.steps import Carry, Image
 from planes.drafting.steps.by_leads import CrossFalse
 from planes.drafting.steps.crossings import Cross
 from planes.plans.assur.contours import Contour
-from planes.plans.motion.carrying import carried
-from planes.plans.motion.driven import driven_terms
+from planes.plans.motion.carrying import draw_carried_mark
+from planes.plans.motion.driven import terms_of_driven_leg
 from planes.plans.motion.kinematics import Rates
-from planes.plans.motion.legs import Leg, lead_leg, outer_leg
-from planes.plans.position.bodies import SCHEME, Body, BodyPoint
-from planes.plans.position.contour_scheme import largest
+from planes.plans.motion.legs import Leg, leg_by_outer_pair, leg_of_lead
+from planes.plans.position.bodies import SCHEME_PLAN, Body, BodyPoint
+from planes.plans.position.contour_scheme import largest_link_size
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE, Meaning, at, label_of
+from planes.words.names import POLE_LABEL, Meaning, full_mark_name, label_of
 
-FALSE = Meaning("false")
+FALSE_PLAN_MEANING = Meaning("false")
 
 
 class ContourRates:
@@ -33,13 +33,13 @@ class ContourRates:
     def __init__(self, r: Rates, g: Contour) -> None:
         self.rates, self.group, self.bodies, self.draft = r, g, r.bodies, r.bodies.draft
         leads = r.bodies.leads[g.basic]
-        self.rod, self.other = (lead_leg(r.bodies, g.basic, lead) for lead in leads)
-        self.swing = outer_leg(r.bodies, g.outer[0], g.base, self.rod.known)
-        self.basic = outer_leg(r.bodies, g.outer[1], g.basic, self.rod.new)
-        self.far = outer_leg(r.bodies, g.outer[1], g.basic, self.other.new)
+        self.rod, self.other = (leg_of_lead(r.bodies, g.basic, lead) for lead in leads)
+        self.swing = leg_by_outer_pair(r.bodies, g.outer[0], g.base, self.rod.known)
+        self.basic = leg_by_outer_pair(r.bodies, g.outer[1], g.basic, self.rod.new)
+        self.far = leg_by_outer_pair(r.bodies, g.outer[1], g.basic, self.other.new)
 
     @property
-    def body(self) -> Body:
+    def rotating_link(self) -> Body:
         """The link whose rotation the basic one has: itself, or the link it slides on."""
         return self.bodies.known[self.bodies.known[self.group.basic].root]
 
@@ -53,17 +53,21 @@ class ContourRates:
             else:
                 body.moving = leg.new
             r.image(leg.link, leg.known)
-        first = self.fixed(self.swing)
-        second = self.draft.lay_off(r.plan, self.label(base, "II"), first, self.swing.along, self.false_rate(), FALSE)
-        self.draft.step(Image(r.mark(base.name), first, *self.proportion(first, second), (first, second)))
-        self.read(self.swing)
+        first = self.known_part_end_of_leg(self.swing)
+        second = self.draft.lay_off(
+            r.plan, self.label(base, "II"), first, self.swing.along, self.assumed_vector_length(), FALSE_PLAN_MEANING
+        )
+        self.draft.add_step(Image(r.mark(base.name), first, *self.false_plan_distances(first, second), (first, second)))
+        self.read_link_rates(self.swing)
         r.driven.append(r.mark(base.name))
-        r.solve(self.rod.new.name, r.chain(self.rod), r.chain(self.basic), (self.rod, self.basic))
+        r.solve(
+            self.rod.new.name, r.terms_to_new_point(self.rod), r.terms_to_new_point(self.basic), (self.rod, self.basic)
+        )
         for link in (self.group.base, self.group.basic):
-            r.show_points(link)
-        self.read(self.other)
-        for link in (part for lead in self.group.leads for part in lead.parts):
-            r.show_points(link)
+            r.draw_link_point_images(link)
+        self.read_link_rates(self.other)
+        for link in (part for lead in self.group.leads for part in lead.lead_links):
+            r.draw_link_point_images(link)
 
     def label(self, spot: BodyPoint, plan: str) -> str:
         """A point's label on a false plan."""
@@ -72,48 +76,59 @@ class ContourRates:
 
     def mark(self, label: str) -> str:
         """A label's mark."""
-        return at(self.rates.plan, label)
+        return full_mark_name(self.rates.plan, label)
 
-    def fixed(self, leg: Leg) -> str:
+    def known_part_end_of_leg(self, leg: Leg) -> str:
         """The end of the known part of an outer leg, whatever is assumed: for the base, at zero rate."""
         mark = self.rates.mark(leg.known.name)
-        for term in self.known(leg):
-            mark = self.draft.lay(self.rates.plan, replace(term, start=label_of(mark)))
+        for term in self.known_part_of_leg(leg):
+            mark = self.draft.lay_off_known_vector(self.rates.plan, replace(term, start=label_of(mark)))
         return mark
 
-    def known(self, leg: Leg) -> Iterator[Term]:
+    def known_part_of_leg(self, leg: Leg) -> Iterator[Term]:
         """The known part of a leg beyond its known point: normal and Coriolis components, the given rate of a drive."""
         r = self.rates
         if leg.drive:
-            yield from [*driven_terms(r, leg, leg.drive)][:-1]
-        elif r.quick and leg.pair is None:
+            yield from [*terms_of_driven_leg(r, leg, leg.drive)][:-1]
+        elif r.is_acceleration_plan and leg.pair is None:
             yield r.normal(leg, "")
-        elif r.quick and self.bodies.known[leg.link].root != FRAME:
-            yield r.across(leg, "")
+        elif r.is_acceleration_plan and self.bodies.known[leg.link].root != FRAME:
+            yield r.coriolis_component_term(leg, "")
 
-    def false_rate(self) -> str:
+    def assumed_vector_length(self) -> str:
         """The length of the vector that plan II assumes."""
         b, r = self.bodies, self.rates
         drive, ends = b.mechanism.drive, b.known[b.mechanism.drive.link].ref
         rate = {"velocity": drive.velocity, "acceleration": drive.velocity**2}.get(r.plan, 1.0) or 1.0
-        given, named = b.draft.given, b.distance(b.known[drive.link].link, *ends) if ends else ""
-        reach = next((abs(given[x]) for x in (named, self.swing.length) if x in given), largest(b, self.group))
+        given, named = b.draft.given, b.distance_of_places(b.known[drive.link].link, *ends) if ends else ""
+        reach = next(
+            (abs(given[x]) for x in (named, self.swing.length) if x in given), largest_link_size(b, self.group)
+        )
         size = abs(rate) * (reach if drive.rotates else 1.0)
-        return self.draft.give(f"{r.letter}{self.swing.symbol}^II", size, means=Meaning("rate", self.swing.new.name))
+        return self.draft.add_given(
+            f"{r.letter}{self.swing.symbol}^II", size, means=Meaning("rate", self.swing.new.name)
+        )
 
-    def proportion(self, first: str, second: str) -> tuple[tuple[str, str], tuple[str, str]]:
+    def false_plan_distances(self, first: str, second: str) -> tuple[tuple[str, str], tuple[str, str]]:
         """The distance of the true plan from I, and of II from I, along the line of the second lead's false vectors."""
         d = self.draft
-        (start, end), (from_, to) = self.supposed(first, "I"), self.supposed(second, "II")
-        carried = d.step(Carry(self.mark(self.label(self.other.new, "II,I")), start, from_, to, means=FALSE))
-        self.stretched(start, carried, "II,I")
-        line = d.through(f"{self.other.new.name}^I{self.other.new.name}^II", end, carried, Meaning("guide"))
-        foot = self.laid(self.other, start, "I")[0]
+        (start, end), (from_, to) = (
+            self.assumed_second_lead_ends(first, "I"),
+            self.assumed_second_lead_ends(second, "II"),
+        )
+        carried = d.add_step(
+            Carry(self.mark(self.label(self.other.new, "II,I")), start, from_, to, means=FALSE_PLAN_MEANING)
+        )
+        self.name_assumed_vector(start, carried, "II,I")
+        line = d.draw_direction_through_marks(
+            f"{self.other.new.name}^I{self.other.new.name}^II", end, carried, Meaning("guide")
+        )
+        foot = self.lay_off_known_parts(self.other, start, "I")[0]
         met = self.mark(self.label(self.other.new, "0"))
-        d.step(Cross(met, foot, self.other.along, end, line, means=FALSE))
+        d.add_step(Cross(met, foot, self.other.along, end, line, means=FALSE_PLAN_MEANING))
         return (end, met), (end, carried)
 
-    def supposed(self, hinge: str, plan: str) -> tuple[str, str]:
+    def assumed_second_lead_ends(self, hinge: str, plan: str) -> tuple[str, str]:
         """The ends of the second lead on a false plan, with the base's point of the first lead at its assumed place."""
         r, d = self.rates, self.draft
         pivot = self.swing.known
@@ -121,74 +136,78 @@ class ContourRates:
         if near != hinge:
             start = self.mark(self.label(self.other.known, plan))
             if start != hinge:
-                shape = self.scheme(pivot, self.other.known), self.scheme(pivot, self.rod.known)
-                d.step(Image(start, near, *shape, (near, hinge), means=FALSE))
+                shape = self.points_on_scheme(pivot, self.other.known), self.points_on_scheme(pivot, self.rod.known)
+                d.add_step(Image(start, near, *shape, (near, hinge), means=FALSE_PLAN_MEANING))
         met = self.mark(self.label(self.rod.new, plan))
-        tied, terms = self.laid(self.rod, hinge, plan)
-        back = self.fixed(self.basic)
+        tied, terms = self.lay_off_known_parts(self.rod, hinge, plan)
+        back = self.known_part_end_of_leg(self.basic)
         crossing = met, tied, self.rod.along, back, self.basic.along
         instead, basic = (self.other.along, self.far.along), self.group.basic
-        d.step(CrossFalse(*crossing, instead=instead, means=Meaning("false", basic)))
-        self.state(hinge, terms, met, plan)
-        end = self.carried(met, plan)
+        d.add_step(CrossFalse(*crossing, instead=instead, means=Meaning("false", basic)))
+        self.state_false_plan_equation(hinge, terms, met, plan)
+        end = self.second_lead_point_on_false_plan(met, plan)
         if start not in (near, hinge):
-            d.show(r.plan, POLE, label_of(start), f"{r.letter}{self.other.known.name}^{plan}")
-        self.stretched(start, end, plan)
+            d.name_segment(r.plan, POLE_LABEL, label_of(start), f"{r.letter}{self.other.known.name}^{plan}")
+        self.name_assumed_vector(start, end, plan)
         return start, end
 
-    def stretched(self, start: str, end: str, plan: str) -> None:
+    def name_assumed_vector(self, start: str, end: str, plan: str) -> None:
         """Name the vector that the second lead would have on a false plan."""
-        self.draft.show(
+        self.draft.name_segment(
             self.rates.plan, label_of(start), label_of(end), f"{self.rates.letter}{self.other.symbol}^{plan}"
         )
 
-    def laid(self, leg: Leg, start: str, plan: str) -> tuple[str, list[Term]]:
+    def lay_off_known_parts(self, leg: Leg, start: str, plan: str) -> tuple[str, list[Term]]:
         """The known parts of a lead's rate on a false plan, from the assumed place of its first point; and their
         terms."""
         terms, mark = list[Term](), start
-        for term in self.known(leg):
+        for term in self.known_part_of_leg(leg):
             end = f"{term.end.removesuffix(chr(39))},{plan}" + ("'" if term.end.endswith("'") else "")
             terms.append(replace(term, start=label_of(mark), end=end, drawn=True))
-            mark = self.draft.lay_off(self.rates.plan, end, mark, term.direction or "", term.length or "", FALSE)
+            mark = self.draft.lay_off(
+                self.rates.plan, end, mark, term.direction or "", term.length or "", FALSE_PLAN_MEANING
+            )
         return mark, terms
 
-    def carried(self, met: str, plan: str) -> str:
+    def second_lead_point_on_false_plan(self, met: str, plan: str) -> str:
         """The second lead's point of the basic link on a false plan, with the first one given."""
         r, d, end = self.rates, self.draft, self.mark(self.label(self.other.new, plan))
         if end == met:
             return met
-        if self.body.link.name == self.group.basic:
+        if self.rotating_link.link.name == self.group.basic:
             far, pivot = r.mark(self.basic.known.name), self.basic.known
-            shape = self.scheme(pivot, self.other.new), self.scheme(pivot, self.rod.new)
-            return d.step(Image(end, far, *shape, (far, met), means=FALSE))
-        return carried(r, self.body, met, self.rod.new, self.other.new, end, FALSE)
+            shape = self.points_on_scheme(pivot, self.other.new), self.points_on_scheme(pivot, self.rod.new)
+            return d.add_step(Image(end, far, *shape, (far, met), means=FALSE_PLAN_MEANING))
+        return draw_carried_mark(r, self.rotating_link, met, self.rod.new, self.other.new, end, FALSE_PLAN_MEANING)
 
-    def state(self, hinge: str, terms: list[Term], met: str, plan: str) -> None:
+    def state_false_plan_equation(self, hinge: str, terms: list[Term], met: str, plan: str) -> None:
         """State the equation of a false plan."""
         r, end = self.rates, label_of(met)
-        one = [Term(f"{r.letter}{self.rod.known.name}^{plan}", POLE, label_of(hinge), drawn=True), *terms]
-        two = [*r.chain(self.basic)][:-1]
+        one = [Term(f"{r.letter}{self.rod.known.name}^{plan}", POLE_LABEL, label_of(hinge), drawn=True), *terms]
+        two = [*r.terms_to_new_point(self.basic)][:-1]
         for chain, leg in ((one, self.rod), (two, self.basic)):
-            part = ("r" if leg.pair else "t") if r.quick else ""
+            part = ("r" if leg.pair else "t") if r.is_acceleration_plan else ""
             name = f"{r.letter}{leg.symbol}^{part}{plan}"
             chain.append(Term(name, chain[-1].end, end, direction=leg.along, action=leg.along))
-        self.draft.conclude(Equation(r.plan, (tuple(one), tuple(two)), f"{r.letter}{self.rod.new.name}^{plan}"))
+        self.draft.measure_equation_results(
+            Equation(r.plan, (tuple(one), tuple(two)), f"{r.letter}{self.rod.new.name}^{plan}")
+        )
 
-    def scheme(self, *spots: BodyPoint) -> tuple[str, str]:
+    def points_on_scheme(self, *spots: BodyPoint) -> tuple[str, str]:
         """Two points on the scheme."""
         one, two = spots
-        return at(SCHEME, one.place), at(SCHEME, two.place)
+        return full_mark_name(SCHEME_PLAN, one.place), full_mark_name(SCHEME_PLAN, two.place)
 
-    def read(self, leg: Leg) -> None:
+    def read_link_rates(self, leg: Leg) -> None:
         """The readings from a link with both ends found."""
         r, d = self.rates, self.draft
         r.image(leg.link, leg.known)
         r.image(self.group.base if leg is self.swing else self.group.basic, leg.new)
-        *known, last = r.chain(leg)
+        *known, last = r.terms_to_new_point(leg)
         for term in known:
-            d.lay(r.plan, term)
-            d.show(r.plan, term.start, term.end, term.name)
+            d.lay_off_known_vector(r.plan, term)
+            d.name_segment(r.plan, term.start, term.end, term.name)
         end = r.label(leg.new.name)
-        d.measure(last.name, at(r.plan, last.start), at(r.plan, end), last.direction)
-        d.show(r.plan, last.start, end, last.name)
-        r.conclude(leg)
+        d.measure_segment(last.name, full_mark_name(r.plan, last.start), full_mark_name(r.plan, end), last.direction)
+        d.name_segment(r.plan, last.start, end, last.name)
+        r.measure_leg_rates(leg)

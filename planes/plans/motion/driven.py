@@ -10,8 +10,8 @@ from planes.drafting.steps import Carry, Turn
 from planes.drafting.steps.reckoning import Product
 from planes.plans.assur.groups import Pair
 from planes.plans.motion.legs import Leg, SlideReading
-from planes.plans.position.bodies import SCHEME, Bodies, BodyPoint
-from planes.words.names import POLE, Meaning, at
+from planes.plans.position.bodies import SCHEME_PLAN, Bodies, BodyPoint
+from planes.words.names import POLE_LABEL, Meaning, full_mark_name
 
 
 class PlanOfRates(Protocol):
@@ -24,15 +24,15 @@ class PlanOfRates(Protocol):
     turning: dict[str, tuple[str, str, str]]
 
     @property
-    def quick(self) -> bool: ...
+    def is_acceleration_plan(self) -> bool: ...
     @property
     def letter(self) -> str: ...
     @property
-    def drive_rate(self) -> str: ...
+    def drive_rate_name(self) -> str: ...
     @property
-    def hinge_rate(self) -> str: ...
+    def hinge_rate_name(self) -> str: ...
     @property
-    def hinge_spin(self) -> str: ...
+    def relative_spin_name(self) -> str: ...
     def spin(self, link: str) -> str: ...
     def label(self, name: str) -> str: ...
     def mark(self, name: str) -> str: ...
@@ -40,102 +40,109 @@ class PlanOfRates(Protocol):
     def normal(self, leg: Leg, start: str) -> Term: ...
 
 
-def driven_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
+def terms_of_driven_leg(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
     """The vectors from the pivot's end to the new one: first the given ones, the rotation last."""
-    given = [*(_turned if drive.kind == "R" else _slid)(r, leg, drive)]
+    given = [*(_turning_drive_terms if drive.kind == "R" else _sliding_drive_terms)(r, leg, drive)]
     yield from given
     name, end = r.letter + leg.symbol, given[-1].end
-    if r.quick and leg.turns:
+    if r.is_acceleration_plan and leg.turns:
         inward = r.normal(leg, end)
         yield inward
         name, end = f"{name}^t", inward.end
     yield Term(name, end, r.label(leg.new.name), direction=leg.along, action=leg.along)
 
 
-def _slid(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
+def _sliding_drive_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
     """Along the guide, with Coriolis across it."""
     d, along = r.bodies.draft, f"∥{drive.guide}"
     if leg.held == drive.link:  # the guide moves against the slider
-        along = d.step(Turn(f"-{along}", along, 2, means=Meaning("along", drive.guide)))
-    start, bent = r.label(leg.known.name), r.quick and leg.turns
+        along = d.add_step(Turn(f"-{along}", along, 2, means=Meaning("along", drive.guide)))
+    start, bent = r.label(leg.known.name), r.is_acceleration_plan and leg.turns
     if bent:
-        yield (coriolis := _coriolis(r, leg, d.square(along)))
+        yield (coriolis := _drive_coriolis_term(r, leg, d.draw_perpendicular(along)))
         start = coriolis.end
     name = r.letter + leg.driven + ("^r" if bent else "")
-    yield _relative(r, leg, name, start, r.drive_rate, along, f"∥{drive.guide}")
+    yield _relative_vector_term(r, leg, name, start, r.drive_rate_name, along, f"∥{drive.guide}")
 
 
-def _turned(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
+def _turning_drive_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
     """Across the arm from the motor, with Coriolis and the normal component along it."""
     d, motor, hinge = r.bodies.draft, drive.point, leg.new.place
-    other = r.bodies.mechanism.link(drive.mate(leg.held))
+    other = r.bodies.mechanism.link(drive.other_link_of_pair(leg.held))
     ends = (motor, hinge) if other.name == drive.link else (hinge, motor)
-    ray, length = d.ray(SCHEME, *ends), r.bodies.length(other, motor, hinge)
-    across, name, start = d.square(ray), r.letter + leg.driven, r.label(leg.known.name)
-    if r.quick:
-        back = d.back(SCHEME, *ends)
+    ray, length = d.direction_between_marks(SCHEME_PLAN, *ends), r.bodies.given_distance(other, motor, hinge)
+    across, name, start = d.draw_perpendicular(ray), r.letter + leg.driven, r.label(leg.known.name)
+    if r.is_acceleration_plan:
+        back = d.direction_back_between_marks(SCHEME_PLAN, *ends)
         if leg.turns:
-            yield (coriolis := _coriolis(r, leg, back))
+            yield (coriolis := _drive_coriolis_term(r, leg, back))
             start = coriolis.end
         inward = back if ends[0] == motor else ray
-        omega, means = r.hinge_spin, Meaning("normal", hinge, motor)
-        value = d.product(f"{name}^n", **{omega: 2, length: 1})
+        omega, means = r.relative_spin_name, Meaning("normal", hinge, motor)
+        value = d.add_product(f"{name}^n", **{omega: 2, length: 1})
         yield (normal := Term(f"{name}^n", start, f"n_{leg.driven}", value, inward, inward, means=means))
         start, name = normal.end, f"{name}^t"
-    value = d.product(name, **{r.hinge_rate: 1, length: 1})
-    yield _relative(r, leg, name, start, value, across, across)
+    value = d.add_product(name, **{r.hinge_rate_name: 1, length: 1})
+    yield _relative_vector_term(r, leg, name, start, value, across, across)
 
 
-def _relative(r: PlanOfRates, leg: Leg, name: str, start: str, length: str, along: str, action: str) -> Term:
-    return Term(name, start, _end(r, leg), length, along, action, means=Meaning("relative", leg.driven))
+def _relative_vector_term(
+    r: PlanOfRates, leg: Leg, name: str, start: str, length: str, along: str, action: str
+) -> Term:
+    return Term(name, start, _end_label_of_leg(r, leg), length, along, action, means=Meaning("relative", leg.driven))
 
 
-def _coriolis(r: PlanOfRates, leg: Leg, across: str) -> Term:
+def _drive_coriolis_term(r: PlanOfRates, leg: Leg, across: str) -> Term:
     """Coriolis: 2ω×v of the drive."""
     name, means, start = f"a_{leg.driven}^k", Meaning("coriolis", leg.driven), r.label(leg.known.name)
-    value = r.bodies.draft.product(name, 2.0, **{f"omega_{leg.turns}": 1, _speed(r, leg): 1})
+    value = r.bodies.draft.add_product(name, 2.0, **{f"omega_{leg.turns}": 1, _given_relative_velocity_name(r, leg): 1})
     return Term(name, start, f"k_{leg.driven}", value, across, across, means=means)
 
 
-def _speed(r: PlanOfRates, leg: Leg) -> str:
+def _given_relative_velocity_name(r: PlanOfRates, leg: Leg) -> str:
     """The name of the given velocity relative to the turning link."""
     return "v_drive" if leg.drive and leg.drive.kind == "P" else f"v_{leg.driven}"
 
 
-def _end(r: PlanOfRates, leg: Leg) -> str:
-    return f"r_{leg.driven}" + ("'" if r.quick else "")
+def _end_label_of_leg(r: PlanOfRates, leg: Leg) -> str:
+    return f"r_{leg.driven}" + ("'" if r.is_acceleration_plan else "")
 
 
-def driven_end(r: PlanOfRates, leg: Leg) -> str:
+def mark_at_drive_vector_end(r: PlanOfRates, leg: Leg) -> str:
     """The mark at the end of the drive's known vector."""
-    return at(r.plan, _end(r, leg))
+    return full_mark_name(r.plan, _end_label_of_leg(r, leg))
 
 
-def driven_spot(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
+def draw_point_under_hinge(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
     """Draw the point of the turning link under the hinge; measure how the other slides on it or turns."""
     assert leg.spot
-    d, end, known, spot = r.bodies.draft, driven_end(r, leg), r.mark(leg.known.name), r.mark(leg.spot.name)
-    d.step(Carry(spot, r.mark(leg.new.name), end, known))
-    d.show(r.plan, POLE, r.label(leg.spot.name), r.letter + leg.spot.name)
+    d, end, known, spot = (
+        r.bodies.draft,
+        mark_at_drive_vector_end(r, leg),
+        r.mark(leg.known.name),
+        r.mark(leg.spot.name),
+    )
+    d.add_step(Carry(spot, r.mark(leg.new.name), end, known))
+    d.name_segment(r.plan, POLE_LABEL, r.label(leg.spot.name), r.letter + leg.spot.name)
     r.driven.append(end)
     if drive.kind == "R":
-        _other_turns(r, leg, drive)
+        _state_other_link_rate(r, leg, drive)
         return
-    bent = r.quick and leg.turns
-    middle, along = at(r.plan, f"k_{leg.driven}") if bent else known, f"∥{drive.guide}"
+    bent = r.is_acceleration_plan and leg.turns
+    middle, along = full_mark_name(r.plan, f"k_{leg.driven}") if bent else known, f"∥{drive.guide}"
     ends, turned, under = (middle, end), (known, middle), spot
     if leg.held == drive.link:  # the slider's point is under the hinge
         ends, turned, under = (end, middle), (middle, known), r.mark(leg.new.name)
-    value = d.measure(f"{r.letter}slide_{drive.link}", *ends, along)
+    value = d.measure_segment(f"{r.letter}slide_{drive.link}", *ends, along)
     r.slides[drive.link] = SlideReading(drive.guide, value, ends, along, turned if bent else None, under)
 
 
-def _other_turns(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
+def _state_other_link_rate(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
     """The other link of a motor turns at the rate of the first plus that of the drive."""
-    other, d = drive.mate(leg.held), r.bodies.draft
+    other, d = drive.other_link_of_pair(leg.held), r.bodies.draft
     sign = 1.0 if other == drive.link else -1.0
     own = [Product(1.0, ((r.spin(leg.turns), 1),))] if leg.turns else []
-    d.total(r.spin(other), [*own, Product(sign, ((r.hinge_rate, 1),))])
+    d.add_sum(r.spin(other), [*own, Product(sign, ((r.hinge_rate_name, 1),))])
     r.image(leg.held, BodyPoint(drive.point, drive.point))
-    ray = d.ray(SCHEME, drive.point, leg.new.place)
-    r.turning[other] = (r.mark(drive.point), r.mark(leg.new.name), d.square(ray))
+    ray = d.direction_between_marks(SCHEME_PLAN, drive.point, leg.new.place)
+    r.turning[other] = (r.mark(drive.point), r.mark(leg.new.name), d.draw_perpendicular(ray))

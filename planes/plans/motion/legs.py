@@ -6,11 +6,11 @@ guide and Y is the coincident point of the other link. All five kinds of class I
 
 from planes.plans.assur.basic_links import Lead
 from planes.plans.assur.groups import Group, Pair
-from planes.plans.position.bodies import SCHEME, Bodies, BodyPoint
-from planes.plans.position.positions import moving_name
+from planes.plans.position.bodies import SCHEME_PLAN, Bodies, BodyPoint
+from planes.plans.position.positions import coincident_point_name
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE
+from planes.words.names import POLE_LABEL
 
 
 @frozen
@@ -61,67 +61,81 @@ class SlideReading:
     under: str = ""
 
 
-def legs_of(b: Bodies, g: Group) -> tuple[Leg, Leg]:
+def legs_of_group(b: Bodies, g: Group) -> tuple[Leg, Leg]:
     """The two legs of a group, in the order in which the method writes them."""
     if g.drive:
-        link, pair = g.hung[1]
-        driven, other = _driven_leg(b, g, g.drive), outer_leg(b, pair, link, BodyPoint(*[g.inner.point] * 2))
-        return (driven, other) if g.held == g.first else (other, driven)
+        link, pair = g.held_link_first_with_pairs[1]
+        driven, other = (
+            _leg_to_driven_hinge(b, g, g.drive),
+            leg_by_outer_pair(b, pair, link, BodyPoint(*[g.inner.point] * 2)),
+        )
+        return (driven, other) if g.held_link == g.first else (other, driven)
     if g.kind in (1, 2, 4):
         new = BodyPoint(g.inner.point, g.inner.point)
-        return outer_leg(b, g.first_outer, g.first, new), outer_leg(b, g.last_outer, g.last, new)
-    inner = inner_leg(b, g.inner, g.first, g.first_outer.point, g.last)
-    return inner, outer_leg(b, g.last_outer, g.last, inner.new)
+        return leg_by_outer_pair(b, g.first_outer, g.first, new), leg_by_outer_pair(b, g.last_outer, g.last, new)
+    inner = leg_along_inner_guide(b, g.inner, g.first, g.first_outer.point, g.last)
+    return inner, leg_by_outer_pair(b, g.last_outer, g.last, inner.new)
 
 
-def lead_leg(b: Bodies, basic: str, lead: Lead) -> Leg:
+def leg_of_lead(b: Bodies, basic: str, lead: Lead) -> Leg:
     """The leg of a lead to the new point on its basic link."""
     if lead.drive:
-        return _driven_leg(b, lead.moving(basic), lead.drive)
+        return _leg_to_driven_hinge(b, lead.as_inner_driven_dyad(basic), lead.drive)
     if lead.inner.kind == "P":
-        return inner_leg(b, lead.inner, lead.link, lead.outer.point, basic)
-    return outer_leg(b, lead.outer, lead.link, BodyPoint(lead.inner.point, lead.inner.point))
+        return leg_along_inner_guide(b, lead.inner, lead.link, lead.outer.point, basic)
+    return leg_by_outer_pair(b, lead.outer, lead.link, BodyPoint(lead.inner.point, lead.inner.point))
 
 
-def inner_leg(b: Bodies, pair: Pair, link: str, hinge: str, new: str) -> Leg:
+def leg_along_inner_guide(b: Bodies, pair: Pair, link: str, hinge: str, new: str) -> Leg:
     """The leg from the hinge of a link to the coincident point of the ``new`` one, along the guide between them."""
-    spot = BodyPoint(hinge, moving_name(b, pair.guide, hinge, new))
+    spot = BodyPoint(hinge, coincident_point_name(b, pair.guide, hinge, new))
     known, along = BodyPoint(hinge, hinge), f"∥{pair.guide}"
     return Leg(spot, known, link, spot.name + hinge, along, pair=pair, slider_new=pair.link == new)
 
 
-def _driven_leg(b: Bodies, g: Group, drive: Pair) -> Leg:
+def _leg_to_driven_hinge(b: Bodies, g: Group, drive: Pair) -> Leg:
     """The leg to the hinge of the driven link: with the link on the frame about its pivot or along its guide, then by
     the drive."""
-    pair, mate, d = g.hung[0][1], g.hung[0][1].mate(g.held), b.draft
+    pair, mate, d = (
+        g.held_link_first_with_pairs[0][1],
+        g.held_link_first_with_pairs[0][1].other_link_of_pair(g.held_link),
+        b.draft,
+    )
     new = BodyPoint(g.inner.point, g.inner.point)
-    spot = BodyPoint(new.place, moving_name(b, drive.guide, new.place, g.held))
+    spot = BodyPoint(new.place, coincident_point_name(b, drive.guide, new.place, g.held_link))
     if pair.kind == "P":
-        leg = _sliding(b, pair, g.held, mate, spot)
+        leg = _sliding_leg(b, pair, g.held_link, mate, spot)
         symbol = f"{spot.name}{new.name}0" if mate == FRAME else leg.symbol
-        return replace(leg, new=new, symbol=symbol, drive=drive, held=g.held, spot=spot)
+        return replace(leg, new=new, symbol=symbol, drive=drive, held=g.held_link, spot=spot)
     pivot = pair.point
-    towards = d.back(SCHEME, pivot, new.place)
-    turning = (d.square(d.ray(SCHEME, pivot, new.place)), f"l_{pivot}{new.place}", towards, g.held)
-    return Leg(new, BodyPoint(pivot, pivot), mate, spot.name + pivot, *turning, drive=drive, held=g.held, spot=spot)
+    towards = d.direction_back_between_marks(SCHEME_PLAN, pivot, new.place)
+    turning = (
+        d.draw_perpendicular(d.direction_between_marks(SCHEME_PLAN, pivot, new.place)),
+        f"l_{pivot}{new.place}",
+        towards,
+        g.held_link,
+    )
+    return Leg(
+        new, BodyPoint(pivot, pivot), mate, spot.name + pivot, *turning, drive=drive, held=g.held_link, spot=spot
+    )
 
 
-def outer_leg(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
+def leg_by_outer_pair(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
     """The leg to a point of ``link`` by its pair with a solved one."""
     if pair.kind == "P":
-        return _sliding(b, pair, link, pair.mate(link), new)
+        return _sliding_leg(b, pair, link, pair.other_link_of_pair(link), new)
     pivot, d = pair.point, b.draft
-    ray = d.ray(SCHEME, pivot, new.place)
+    ray = d.direction_between_marks(SCHEME_PLAN, pivot, new.place)
     known = BodyPoint(pivot, pivot)
-    length, across = b.distance(b.mechanism.link(link), known, new), d.square(ray)
-    towards = d.back(SCHEME, pivot, new.place)
-    return Leg(new, known, pair.mate(link), new.name + pivot, across, length, towards, turns=link)
+    length, across = b.distance_of_places(b.mechanism.link(link), known, new), d.draw_perpendicular(ray)
+    towards = d.direction_back_between_marks(SCHEME_PLAN, pivot, new.place)
+    return Leg(new, known, pair.other_link_of_pair(link), new.name + pivot, across, length, towards, turns=link)
 
 
-def _sliding(b: Bodies, pair: Pair, link: str, known: str, new: BodyPoint) -> Leg:
+def _sliding_leg(b: Bodies, pair: Pair, link: str, known: str, new: BodyPoint) -> Leg:
     if known == FRAME:
-        spot, symbol = BodyPoint(POLE, POLE), f"{new.name}{new.name}0"
+        spot, symbol = BodyPoint(POLE_LABEL, POLE_LABEL), f"{new.name}{new.name}0"
     else:
-        spot = BodyPoint(new.place, moving_name(b, pair.guide, new.place, known))
+        spot = BodyPoint(new.place, coincident_point_name(b, pair.guide, new.place, known))
         symbol = f"{new.name}{spot.name}"
     return Leg(new, spot, known, symbol, f"∥{pair.guide}", pair=pair, slider_new=pair.link == link)

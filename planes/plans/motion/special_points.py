@@ -14,8 +14,8 @@ from planes.drafting.steps import Turn
 from planes.drafting.steps.crossings import Cross
 from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg
-from planes.plans.position.bodies import SCHEME, BodyPoint, on_scheme
-from planes.words.names import Meaning, at, parts_of
+from planes.plans.position.bodies import SCHEME_PLAN, BodyPoint, scheme_mark
+from planes.words.names import Meaning, full_mark_name, split_value_name
 
 
 class SpecialPoint:
@@ -23,77 +23,83 @@ class SpecialPoint:
 
     def __init__(self, r: Rates, basic: str, legs: tuple[Leg, Leg]) -> None:
         self.rates, self.bodies, self.draft, self.basic, self.legs = r, r.bodies, r.bodies.draft, basic, legs
-        name = r.bodies.special(basic)
+        name = r.bodies.special_point_name(basic)
         self.spot = BodyPoint(name, name)
 
-    def meet(self, crossing: Callable[..., Cross]) -> None:
+    def draw_special_point(self, crossing: Callable[..., Cross]) -> None:
         """The point where the lines of two leads cross, by a step that knows when other leads would cross more
         sharply."""
-        (a, along), (b, across) = (line_of(self.draft, leg) for leg in self.legs)
+        (a, along), (b, across) = (point_and_line_of_lead(self.draft, leg) for leg in self.legs)
         means = Meaning("special", self.basic)
-        self.draft.step(crossing(on_scheme(self.spot.place), a, along, b, across, means=means))
+        self.draft.add_step(crossing(scheme_mark(self.spot.place), a, along, b, across, means=means))
 
     def solve(self) -> None:
         """The end of its vector."""
         one, two = self.legs
-        self.rates.solve(self.spot.name, self.to_special(one), self.to_special(two), ())
+        self.rates.solve(self.spot.name, self.terms_to_special_point(one), self.terms_to_special_point(two), ())
 
-    def to_special(self, leg: Leg) -> tuple[Term, ...]:
+    def terms_to_special_point(self, leg: Leg) -> tuple[Term, ...]:
         """The terms from the pole through the lead's support to S; both tangential components are one."""
         r, s = self.rates, self.spot.name
-        *known, last = r.chain(leg)
-        symbol, part = s + leg.symbol.removeprefix((leg.spot or leg.new).name), parts_of(last.name)[2]
-        if r.quick:
-            known.append(self.towards(leg, last.start))
+        *known, last = r.terms_to_new_point(leg)
+        symbol, part = s + leg.symbol.removeprefix((leg.spot or leg.new).name), split_value_name(last.name)[2]
+        if r.is_acceleration_plan:
+            known.append(self.lay_off_normal_acceleration(leg, last.start))
         name = f"{r.letter}{symbol}" + (f"^{part}" if part else "")
         return (*known, replace(last, name=name, start=known[-1].end, end=r.label(s)))
 
-    def towards(self, leg: Leg, start: str) -> Term:
+    def lay_off_normal_acceleration(self, leg: Leg, start: str) -> Term:
         """The normal acceleration of S about the lead's point, ω² l, laid off from ``start``."""
         s, new, d = self.spot.place, leg.new, self.draft
-        length = d.measure(f"l_{s}{new.place}", on_scheme(s), on_scheme(new.place))
+        length = d.measure_segment(f"l_{s}{new.place}", scheme_mark(s), scheme_mark(new.place))
         name = f"a_{s}{new.name}"
-        value = d.product(f"{name}^n", **{f"omega_{self.basic}": 2, length: 1})
-        ray = d.ray(SCHEME, s, new.place)
-        along = d.step(Turn(f"{s}→{new.place}", ray, 0, means=Meaning("towards", s, new.place)))
+        value = d.add_product(f"{name}^n", **{f"omega_{self.basic}": 2, length: 1})
+        ray = d.direction_between_marks(SCHEME_PLAN, s, new.place)
+        along = d.add_step(Turn(f"{s}→{new.place}", ray, 0, means=Meaning("towards", s, new.place)))
         normal = Meaning("normal", s, new.name)
         return Term(f"{name}^n", start, f"n_{s}{new.name}", length=value, direction=along, action=along, means=normal)
 
-    def about(self, new: BodyPoint) -> Leg:
+    def leg_about_special_point(self, new: BodyPoint) -> Leg:
         """The motion of another point of the basic link about S."""
         s, d = self.spot, self.draft
-        ray = d.ray(SCHEME, s.place, new.place)
-        length = d.measure(f"l_{new.place}{s.place}", on_scheme(new.place), on_scheme(s.place))
-        towards = d.back(SCHEME, s.place, new.place)
-        turning = (d.square(ray), length, towards, self.basic)
+        ray = d.direction_between_marks(SCHEME_PLAN, s.place, new.place)
+        length = d.measure_segment(f"l_{new.place}{s.place}", scheme_mark(new.place), scheme_mark(s.place))
+        towards = d.direction_back_between_marks(SCHEME_PLAN, s.place, new.place)
+        turning = (d.draw_perpendicular(ray), length, towards, self.basic)
         return Leg(new, s, self.basic, new.name + s.name, *turning)
 
-    def known_by(self, new: BodyPoint) -> None:
+    def define_link_by_points(self, new: BodyPoint) -> None:
         """From now on the basic link is known by S and another point."""
         body = self.bodies.known[self.basic]
         body.ref, body.moving, body.rigid = (self.spot, new), new, False
 
-    def lead(self, third: Leg) -> None:
+    def draw_link_by_third_lead(self, third: Leg) -> None:
         """The link's motion, by S and the lead that does not meet there."""
         r = self.rates
         self.solve()
-        self.known_by(third.new)
-        turning = self.about(third.new)
-        r.solve(third.new.name, r.chain(turning), r.chain(third), (turning, third))
-        self.read()
+        self.define_link_by_points(third.new)
+        turning = self.leg_about_special_point(third.new)
+        r.solve(third.new.name, r.terms_to_new_point(turning), r.terms_to_new_point(third), (turning, third))
+        self.read_lead_rates()
 
-    def read(self) -> None:
+    def read_lead_rates(self) -> None:
         """The points of the leads that meet in S, by similarity, and the readings from the leads."""
         r = self.rates
         for leg in self.legs:
             r.image(self.basic, leg.new)
-            last, end = r.chain(leg)[-1], r.label(leg.new.name)
-            self.draft.measure(last.name, at(r.plan, last.start), at(r.plan, end), last.direction)
-            self.draft.show(r.plan, last.start, end, last.name)
-            r.conclude(leg)
+            last, end = r.terms_to_new_point(leg)[-1], r.label(leg.new.name)
+            self.draft.measure_segment(
+                last.name, full_mark_name(r.plan, last.start), full_mark_name(r.plan, end), last.direction
+            )
+            self.draft.name_segment(r.plan, last.start, end, last.name)
+            r.measure_leg_rates(leg)
 
 
-def line_of(d: Draft, leg: Leg) -> tuple[str, str]:
+def point_and_line_of_lead(d: Draft, leg: Leg) -> tuple[str, str]:
     """The point of a lead and its line, across the point's possible motion."""
-    line = d.ray(SCHEME, leg.known.place, leg.new.place) if leg.pair is None else d.square(leg.along)
-    return on_scheme(leg.new.place), line
+    line = (
+        d.direction_between_marks(SCHEME_PLAN, leg.known.place, leg.new.place)
+        if leg.pair is None
+        else d.draw_perpendicular(leg.along)
+    )
+    return scheme_mark(leg.new.place), line

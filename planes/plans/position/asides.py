@@ -8,11 +8,11 @@ given.
 from planes.drafting.steps import Turn
 from planes.drafting.steps.reckoning import Product
 from planes.plans.assur.groups import Group, Pair
-from planes.plans.position.bodies import SCHEME, Bodies
-from planes.plans.position.reckoned import OwnPlace, angle_deg, difference, reckoned
+from planes.plans.position.bodies import SCHEME_PLAN, Bodies
+from planes.plans.position.reckoned import OwnPlace, dimension_by_way, dimension_difference, direction_between_points
 from planes.scene.mechanism import Link
 from planes.words.frozen import frozen
-from planes.words.names import Meaning, at
+from planes.words.names import Meaning, full_mark_name
 
 
 @frozen
@@ -27,73 +27,94 @@ class Aside:
     axis: str
     tag: str
 
-    def spot(self, point: str) -> str:
+    def mark_of_point(self, point: str) -> str:
         """The mark of a point of the link."""
         if point == self.base:
             return self.start
         b, ends = self.bodies, (OwnPlace(self.link.name, self.base), OwnPlace(self.link.name, point))
-        way = b.draft.turn(f"→{self.base}{point}", self.axis, angle_deg(b.shape, *ends), Meaning("given", self.base))
-        return self.lay_off(point, self.start, way, b.length(self.link, self.base, point))
+        way = b.draft.draw_turned_direction(
+            f"→{self.base}{point}",
+            self.axis,
+            direction_between_points(b.link_dimensions, *ends),
+            Meaning("given", self.base),
+        )
+        return self.lay_off_point(point, self.start, way, b.given_distance(self.link, self.base, point))
 
-    def lay_off(self, point: str, start: str, along: str, length: str) -> str:
+    def lay_off_point(self, point: str, start: str, along: str, length: str) -> str:
         """A point drawn aside, by a length from a mark."""
         label = f"{point}°{self.tag}"
-        return self.bodies.draft.lay_off(SCHEME, label, start, along, length, Meaning("guide", point))
+        return self.bodies.draft.lay_off(SCHEME_PLAN, label, start, along, length, Meaning("guide", point))
 
 
-def aside_of(b: Bodies, g: Group, start: str = "") -> Aside:
+def aside_of_drive(b: Bodies, g: Group, start: str = "") -> Aside:
     """The link of a drive that is on the frame: about its hinge (from ``start``, where that does not exist yet), or by
     its guide."""
-    pair, link = g.hung[0][1], b.mechanism.link(g.held)
+    pair, link = g.held_link_first_with_pairs[0][1], b.mechanism.link(g.held_link)
     if pair.kind == "R":
-        axis = b.draft.aim("→", 0.0, Meaning("given", link.name))
-        return Aside(b, link, pair.point, start or at(SCHEME, pair.point), axis, pair.point)
+        axis = b.draft.draw_direction_at_angle("→", 0.0, Meaning("given", link.name))
+        return Aside(b, link, pair.point, start or full_mark_name(SCHEME_PLAN, pair.point), axis, pair.point)
     first = link.first_point
-    mark, direction = b.line(pair, pair.mate(g.held))
+    mark, direction = b.guide_mark_and_direction(pair, pair.other_link_of_pair(g.held_link))
     beside = Meaning("guide", pair.guide, first)
-    shifted = b.shifted(f"{first}°{pair.guide}", beside, mark, direction, b.offset(pair, link.name, first))
-    return Aside(b, link, first, shifted, b.axis_along(pair, g.held, direction), pair.guide)
+    shifted = b.shifted_mark(
+        f"{first}°{pair.guide}", beside, mark, direction, b.point_offset_from_guide(pair, link.name, first)
+    )
+    return Aside(b, link, first, shifted, b.link_axis_from_guide(pair, g.held_link, direction), pair.guide)
 
 
-def turned(aside: Aside, motor: Pair, hinge: str) -> tuple[str, str]:
+def marks_after_motor_turn(aside: Aside, motor: Pair, hinge: str) -> tuple[str, str]:
     """Marks of a motor and of the hinge of the driven link: the second link is turned by the drive's angle."""
-    b, first, second = aside.bodies, aside.link.name, aside.bodies.mechanism.link(motor.mate(aside.link.name))
-    d, drive, elbow = b.draft, b.mechanism.drive, aside.spot(motor.point)
-    turn = d.give(drive.given, drive.position)
+    b, first, second = (
+        aside.bodies,
+        aside.link.name,
+        aside.bodies.mechanism.link(motor.other_link_of_pair(aside.link.name)),
+    )
+    d, drive, elbow = b.draft, b.mechanism.drive, aside.mark_of_point(motor.point)
+    turn = d.add_given(drive.coordinate_name, drive.position)
     if drive.link == first:
-        turn = d.product(f"-{turn}", -1.0, **{turn: 1})
-    axis = d.step(Turn(f"→{second.name}", aside.axis, 0, turn, means=Meaning("given", motor.point)))
-    way = angle_deg(b.shape, OwnPlace(second.name, motor.point), OwnPlace(second.name, hinge))
-    arm = d.turn(f"→{motor.point}{hinge}", axis, way, Meaning("given", motor.point))
-    return elbow, aside.lay_off(hinge, elbow, arm, b.length(second, motor.point, hinge))
+        turn = d.add_product(f"-{turn}", -1.0, **{turn: 1})
+    axis = d.add_step(Turn(f"→{second.name}", aside.axis, 0, turn, means=Meaning("given", motor.point)))
+    way = direction_between_points(b.link_dimensions, OwnPlace(second.name, motor.point), OwnPlace(second.name, hinge))
+    arm = d.draw_turned_direction(f"→{motor.point}{hinge}", axis, way, Meaning("given", motor.point))
+    return elbow, aside.lay_off_point(hinge, elbow, arm, b.given_distance(second, motor.point, hinge))
 
 
-def slid(aside: Aside, pair: Pair, hinge: str) -> str:
+def hinge_mark_by_cylinder(aside: Aside, pair: Pair, hinge: str) -> str:
     """The mark of the hinge of the driven link: a cylinder leads to it by its length."""
     b, d, carries = aside.bodies, aside.bodies.draft, aside.link.name == pair.other
     ends = (aside.base, hinge) if carries else (hinge, aside.base)
-    reach, across = reach_of(b, pair, ends)
-    line = b.direction_from(pair, aside.link.name, aside.axis)
-    line = line if carries else d.reversed(line)
-    end = aside.lay_off(hinge, aside.start, line, reach)
-    return aside.lay_off(f"{hinge}⊥", end, d.square(line), across) if across else end
+    reach, across = cylinder_distance_names(b, pair, ends)
+    line = b.guide_direction_from_axis(pair, aside.link.name, aside.axis)
+    line = line if carries else d.draw_reversed_direction(line)
+    end = aside.lay_off_point(hinge, aside.start, line, reach)
+    return aside.lay_off_point(f"{hinge}⊥", end, d.draw_perpendicular(line), across) if across else end
 
 
-def reach_of(b: Bodies, pair: Pair, ends: tuple[str, str]) -> tuple[str, str | None]:
+def cylinder_distance_names(b: Bodies, pair: Pair, ends: tuple[str, str]) -> tuple[str, str | None]:
     """The distances between points of a cylinder, of the guide's link and of the slider, along the guide and across it
     (None: zero): names of values, SI."""
     d, carrier, slider = b.draft, b.mechanism.link(pair.other), b.mechanism.link(pair.link)
     guide, origin = carrier.guides[pair.guide], OwnPlace(carrier.name, guide=pair.guide)
     foot, pin = OwnPlace(slider.name, slider.first_point), OwnPlace(slider.name, ends[1])
-    more = difference(
-        reckoned(b.shape, "along", foot, pin, -reckoned(b.shape, "lean", slider.name)),
-        reckoned(b.shape, "along", origin, OwnPlace(carrier.name, ends[0]), reckoned(b.shape, "angle", pair.guide)),
+    more = dimension_difference(
+        dimension_by_way(
+            b.link_dimensions, "along", foot, pin, -dimension_by_way(b.link_dimensions, "lean", slider.name)
+        ),
+        dimension_by_way(
+            b.link_dimensions,
+            "along",
+            origin,
+            OwnPlace(carrier.name, ends[0]),
+            dimension_by_way(b.link_dimensions, "angle", pair.guide),
+        ),
     )
-    reach = d.give(b.mechanism.drive.given, b.mechanism.drive.position)
+    reach = d.add_given(b.mechanism.drive.coordinate_name, b.mechanism.drive.position)
     if ends != (guide.through_point, slider.first_point):
         apart = ends[1] + ends[0]
         assert more
-        own = d.reckon(f"s_{apart}_given", more, Meaning("offset", *ends[::-1]))
-        reach = d.total(f"s_{apart}", [Product(1.0, ((reach, 1),)), Product(1.0, ((own, 1),))])
-    across = difference(b.offset(pair, slider.name, ends[1]), b.offset(pair, carrier.name, ends[0]))
-    return reach, across and d.reckon(f"e_{''.join(ends)}", across, Meaning("offset", *ends))
+        own = d.add_computed_given(f"s_{apart}_given", more, Meaning("offset", *ends[::-1]))
+        reach = d.add_sum(f"s_{apart}", [Product(1.0, ((reach, 1),)), Product(1.0, ((own, 1),))])
+    across = dimension_difference(
+        b.point_offset_from_guide(pair, slider.name, ends[1]), b.point_offset_from_guide(pair, carrier.name, ends[0])
+    )
+    return reach, across and d.add_computed_given(f"e_{''.join(ends)}", across, Meaning("offset", *ends))

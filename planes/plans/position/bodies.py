@@ -12,17 +12,23 @@ from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Contour, Tracked
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.assur.structure import Structure
-from planes.plans.position.reckoned import OwnPlace, SceneDimensions, angle_deg, difference, reckoned
+from planes.plans.position.reckoned import (
+    OwnPlace,
+    SceneDimensions,
+    dimension_by_way,
+    dimension_difference,
+    direction_between_points,
+)
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.frozen import frozen
-from planes.words.names import POLE, Meaning, at
+from planes.words.names import POLE_LABEL, Meaning, full_mark_name
 
-SCHEME = "position"
+SCHEME_PLAN = "position"
 
 
-def on_scheme(label: str) -> str:
+def scheme_mark(label: str) -> str:
     """The full name of a mark of the scheme."""
-    return at(SCHEME, label)
+    return full_mark_name(SCHEME_PLAN, label)
 
 
 @frozen
@@ -48,7 +54,7 @@ class Body:
     moving: BodyPoint | None = None  # start point on the velocity and acceleration plans, if not ``base``
 
     @property
-    def carrier(self) -> BodyPoint:
+    def first_reached_point(self) -> BodyPoint:
         """The point of the link that the velocity and acceleration plans reach first."""
         return self.moving or self.base
 
@@ -105,105 +111,117 @@ class Bodies:
     coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (coincident point, link)
 
     @property
-    def shape(self) -> SceneDimensions:
+    def link_dimensions(self) -> SceneDimensions:
         """The dimensions of the links."""
         return SceneDimensions(self.mechanism, self.passive)
 
-    def apart(self) -> "Bodies":
+    def copy_for_trial(self) -> "Bodies":
         """A copy that can grow separately."""
         other = copy(self)
         vars(other).update({name: copy(kept) for name, kept in vars(self).items() if isinstance(kept, dict | list)})
-        other.draft, other.known = self.draft.apart(), {name: copy(body) for name, body in self.known.items()}
+        other.draft, other.known = self.draft.copy_for_trial(), {name: copy(body) for name, body in self.known.items()}
         return other
 
-    def special(self, basic: str) -> str:
+    def special_point_name(self, basic: str) -> str:
         """The name of the special point of a basic link, not used by any other point."""
         others = (name for link, name in self.specials.items() if link != basic)
-        taken = {*self.mechanism.names, *self.coincident, *others}
+        taken = {*self.mechanism.point_names, *self.coincident, *others}
         names = "S", f"S{basic}", "T", "U", "W", *(f"S{basic}" + "_" * k for k in range(1, 2 + len(taken)))
         name = next(name for name in names if name not in taken)
         return self.specials.setdefault(basic, name)
 
-    def small_letter(self, name: str) -> str:
+    def plan_label_of_point(self, name: str) -> str:
         """The label of a point on the velocity and acceleration plans: its small letters, unless another point has
         them."""
         if name not in self.labels:
-            label, taken = name.lower(), {POLE, *self.labels.values()}
+            label, taken = name.lower(), {POLE_LABEL, *self.labels.values()}
             while label in taken:
                 label = name if label == name.lower() != name else label + "_"
             self.labels[name] = label
         return self.labels[name]
 
-    def place_points(self, body: Body) -> None:
+    def draw_missing_points(self, body: Body) -> None:
         """Draw the points of a link that are still missing on the scheme, by similarity or from its axis."""
         for name in body.link.points:
-            if on_scheme(name) not in self.draft.steps:
-                self._place_point(body, name, OwnPlace(body.link.name, name))
+            if scheme_mark(name) not in self.draft.steps:
+                self._draw_point(body, name, OwnPlace(body.link.name, name))
         self.known[body.link.name] = body
 
-    def _place_point(self, body: Body, label: str, p: OwnPlace, means: Meaning | None = None) -> str:
+    def _draw_point(self, body: Body, label: str, p: OwnPlace, means: Meaning | None = None) -> str:
         if body.rigid and body.ref:
-            one, two = (on_scheme(s.place) for s in body.ref)
-            return self.similar(on_scheme(label), body, label, p, (one, two), means)
+            one, two = (scheme_mark(s.place) for s in body.ref)
+            return self.mark_by_similarity(scheme_mark(label), body, label, p, (one, two), means)
         base, d = body.base.place, self.draft
-        way = angle_deg(self.shape, OwnPlace(p.link, base), p)
-        ray = d.turn(f"{base}{label}", body.axis, way, Meaning("along", base, label))
-        d.rays[SCHEME, base, label] = ray
-        return d.lay_off(SCHEME, label, on_scheme(base), ray, self.length(body.link, base, label, p), means)
+        way = direction_between_points(self.link_dimensions, OwnPlace(p.link, base), p)
+        ray = d.draw_turned_direction(f"{base}{label}", body.axis, way, Meaning("along", base, label))
+        d.rays[SCHEME_PLAN, base, label] = ray
+        return d.lay_off(
+            SCHEME_PLAN, label, scheme_mark(base), ray, self.given_distance(body.link, base, label, p), means
+        )
 
-    def similar(
+    def mark_by_similarity(
         self, mark: str, body: Body, name: str, p: OwnPlace, ends: tuple[str, str], means: Meaning | None = None
     ) -> str:
         """The mark of a place of a rigid link, in the same ratio to the ``ends`` as to the points they represent."""
         assert body.ref
-        like = reckoned(self.shape, "ratio", p, *(OwnPlace(p.link, s.place) for s in body.ref))
-        return self.draft.step(Similar(mark, *ends, self.draft.reckon(f"ratio_{name}_{p.link}", like), means=means))
+        like = dimension_by_way(self.link_dimensions, "ratio", p, *(OwnPlace(p.link, s.place) for s in body.ref))
+        return self.draft.add_step(
+            Similar(mark, *ends, self.draft.add_computed_given(f"ratio_{name}_{p.link}", like), means=means)
+        )
 
-    def length(self, link: Link, one: str, two: str, end: OwnPlace | None = None) -> str:
+    def given_distance(self, link: Link, one: str, two: str, end: OwnPlace | None = None) -> str:
         """The given distance of two points of a link; ``end`` is the place of the second if it is none of them."""
-        apart = reckoned(self.shape, "distance", OwnPlace(link.name, one), end or OwnPlace(link.name, two))
-        return self.draft.reckon(f"l_{one}{two}", apart, Meaning("length", one, two, link.name))
+        apart = dimension_by_way(
+            self.link_dimensions, "distance", OwnPlace(link.name, one), end or OwnPlace(link.name, two)
+        )
+        return self.draft.add_computed_given(f"l_{one}{two}", apart, Meaning("length", one, two, link.name))
 
-    def distance(self, link: Link, one: BodyPoint, two: BodyPoint) -> str:
+    def distance_of_places(self, link: Link, one: BodyPoint, two: BodyPoint) -> str:
         """The distance between two places of a link: given if both are its points, else measured on the scheme."""
         if one.name in link.points and two.name in link.points:
-            return self.length(link, one.place, two.place)
-        return self.draft.measure(f"l_{one.place}{two.place}", on_scheme(one.place), on_scheme(two.place))
+            return self.given_distance(link, one.place, two.place)
+        return self.draft.measure_segment(f"l_{one.place}{two.place}", scheme_mark(one.place), scheme_mark(two.place))
 
-    def line(self, pair: Pair, known: str) -> tuple[str, str]:
+    def guide_mark_and_direction(self, pair: Pair, known: str) -> tuple[str, str]:
         """The line of a sliding pair on the solved link ``known``: a mark on it and its direction."""
-        mark = self._guide_mark(self.known[known], pair.guide) if known == pair.other else self.foot(pair)
-        return mark, self.direction_from(pair, known, self.known[known].axis)
+        mark = self._guide_mark(self.known[known], pair.guide) if known == pair.other else self.foot_on_guide(pair)
+        return mark, self.guide_direction_from_axis(pair, known, self.known[known].axis)
 
     def _guide_mark(self, body: Body, name: str) -> str:
         guide = body.link.guides[name]
         label = guide.through_point or f"°{name}"
-        if on_scheme(label) not in self.draft.steps:
+        if scheme_mark(label) not in self.draft.steps:
             means = Meaning("guide", name)
             if body.link.name == FRAME:
-                return self.draft.put(SCHEME, label, guide.through, means)
-            return self._place_point(body, label, OwnPlace(body.link.name, guide=name), means)
-        return on_scheme(label)
+                return self.draft.draw_given_mark(SCHEME_PLAN, label, guide.through, means)
+            return self._draw_point(body, label, OwnPlace(body.link.name, guide=name), means)
+        return scheme_mark(label)
 
-    def own_angle(self, pair: Pair, link: str) -> Dimension:
+    def guide_angle_in_link(self, pair: Pair, link: str) -> Dimension:
         """The direction of the pair's guide in the axes of ``link``, one of the pair, degrees."""
-        return -reckoned(self.shape, "lean", link) if link == pair.link else reckoned(self.shape, "angle", pair.guide)
+        return (
+            -dimension_by_way(self.link_dimensions, "lean", link)
+            if link == pair.link
+            else dimension_by_way(self.link_dimensions, "angle", pair.guide)
+        )
 
-    def axis_along(self, pair: Pair, link: str, direction: str) -> str:
+    def link_axis_from_guide(self, pair: Pair, link: str, direction: str) -> str:
         """The x axis of ``link``, one of the sliding pair, from the direction of the pair's guide."""
-        return self.draft.turn(f"x_{link}", direction, -self.own_angle(pair, link), Meaning("own", link))
+        return self.draft.draw_turned_direction(
+            f"x_{link}", direction, -self.guide_angle_in_link(pair, link), Meaning("own", link)
+        )
 
-    def direction_from(self, pair: Pair, link: str, axis: str) -> str:
+    def guide_direction_from_axis(self, pair: Pair, link: str, axis: str) -> str:
         """The direction of the pair's guide from the x axis of ``link``, one of the pair."""
         name, means, given = f"∥{pair.guide}", Meaning("along", pair.guide), Meaning("angle", pair.guide, link=link)
-        angle = self.own_angle(pair, link)
+        angle = self.guide_angle_in_link(pair, link)
         if link == pair.link:
-            return self.draft.turn(name, axis, angle, means)
+            return self.draft.draw_turned_direction(name, axis, angle, means)
         if link == FRAME:
-            return self.draft.aim(name, angle, means, given)
-        return self.draft.turn(name, axis, angle, means, given)
+            return self.draft.draw_direction_at_angle(name, angle, means, given)
+        return self.draft.draw_turned_direction(name, axis, angle, means, given)
 
-    def offset(self, pair: Pair, link: str, point: str) -> Dimension | None:
+    def point_offset_from_guide(self, pair: Pair, link: str, point: str) -> Dimension | None:
         """How far a point of ``link`` lies to the left of the pair's line (m), with its uncertainty; None: on it by
         construction."""
         body = self.mechanism.link(link)
@@ -211,41 +229,46 @@ class Bodies:
             guide = body.guides[pair.guide]
             if guide.through_point == point:
                 return None
-            return reckoned(
-                self.shape,
+            return dimension_by_way(
+                self.link_dimensions,
                 "height",
                 OwnPlace(link, point),
                 OwnPlace(link, guide=pair.guide),
-                reckoned(self.shape, "angle", pair.guide),
+                dimension_by_way(self.link_dimensions, "angle", pair.guide),
             )
         slides = body.slides
         if slides is None:
             raise AssertionError(pair)
-        own = None if slides.offset is None else -reckoned(self.shape, "offset", link)
+        own = None if slides.offset is None else -dimension_by_way(self.link_dimensions, "offset", link)
         if point == body.first_point:
             return None if own is None else -own
         spots = OwnPlace(link, point), OwnPlace(link, body.first_point)
-        return difference(reckoned(self.shape, "height", *spots, -reckoned(self.shape, "lean", link)), own)
+        return dimension_difference(
+            dimension_by_way(
+                self.link_dimensions, "height", *spots, -dimension_by_way(self.link_dimensions, "lean", link)
+            ),
+            own,
+        )
 
-    def shifted(self, label: str, means: Meaning, start: str, direction: str, by: Dimension | None) -> str:
+    def shifted_mark(self, label: str, means: Meaning, start: str, direction: str, by: Dimension | None) -> str:
         """An auxiliary mark ``by`` metres to the left of a line through ``start`` (``start`` itself where that is
         zero)."""
         if by is None:
             return start
-        offset = self.draft.reckon(f"e_{label}", by, Meaning("offset", label))
-        return self.draft.lay_off(SCHEME, label, start, self.draft.square(direction), offset, means)
+        offset = self.draft.add_computed_given(f"e_{label}", by, Meaning("offset", label))
+        return self.draft.lay_off(SCHEME_PLAN, label, start, self.draft.draw_perpendicular(direction), offset, means)
 
-    def place(self, pair: Pair) -> str:
+    def mark_of_pair(self, pair: Pair) -> str:
         """The mark where a pair acts: its hinge, or the foot of the perpendicular from the slider's first point."""
-        return on_scheme(pair.point) if pair.kind == "R" else self.foot(pair)
+        return scheme_mark(pair.point) if pair.kind == "R" else self.foot_on_guide(pair)
 
-    def foot(self, pair: Pair) -> str:
+    def foot_on_guide(self, pair: Pair) -> str:
         """The foot of the perpendicular from the slider's first point to the guide."""
         body = self.known[pair.link]
-        first = on_scheme(body.link.first_point)
-        offset = self.offset(pair, pair.link, body.link.first_point)
+        first = scheme_mark(body.link.first_point)
+        offset = self.point_offset_from_guide(pair, pair.link, body.link.first_point)
         if offset is None:
             return first
-        direction = self.direction_from(pair, pair.link, body.axis)
+        direction = self.guide_direction_from_axis(pair, pair.link, body.axis)
         label, means = f"{body.link.first_point}⊥{pair.guide}", Meaning("foot", pair.guide, body.link.first_point)
-        return self.shifted(label, means, first, direction, -offset)
+        return self.shifted_mark(label, means, first, direction, -offset)

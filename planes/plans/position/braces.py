@@ -9,59 +9,63 @@ from planes.drafting.steps import Similar
 from planes.drafting.steps.crossings import CrossArcs
 from planes.drafting.steps.reckoning import Drop, Product, SenseOf
 from planes.plans.assur.groups import Brace, Group, Pair
-from planes.plans.position.asides import Aside, aside_of
-from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, BraceReach, on_scheme
-from planes.plans.position.driven_positions import cylinder, led_aside, place_reached
-from planes.plans.position.positions import two_hinges
-from planes.plans.position.reckoned import OwnPlace, reckoned
-from planes.words.names import Meaning, mu_of
+from planes.plans.position.asides import Aside, aside_of_drive
+from planes.plans.position.bodies import SCHEME_PLAN, AssemblyChoice, Bodies, BraceReach, scheme_mark
+from planes.plans.position.driven_positions import (
+    cylinder_distances_from_aside,
+    place_hinge_on_stopped_drive,
+    tie_and_drawer_by_aside_mark,
+)
+from planes.plans.position.positions import link_with_two_hinges
+from planes.plans.position.reckoned import OwnPlace, dimension_by_way
+from planes.words.names import Meaning, mu_name
 
 
 def place_braced(b: Bodies, g: Group) -> None:
     """The two links made rigid by the stopped cylinder, and the third."""
     assert g.drive and g.brace
-    aside = aside_of(b, g)
-    motor, hinge, b.reach = _braced(aside, g, g.drive, g.brace)
-    way, place = led_aside(aside, g, motor, hinge)
-    place_reached(b, g, way)
+    aside = aside_of_drive(b, g)
+    motor, hinge, b.reach = _draw_braced_hinge_aside(aside, g, g.drive, g.brace)
+    way, place = tie_and_drawer_by_aside_mark(aside, g, motor, hinge)
+    place_hinge_on_stopped_drive(b, g, way)
     place()
 
 
-def _braced(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str, BraceReach]:
+def _draw_braced_hinge_aside(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str, BraceReach]:
     """The braced hinge and that of the driven link, drawn aside: two arcs meet at the cylinder's far hinge."""
-    b, second = aside.bodies, two_hinges(aside.bodies, drive.link, drive.point, brace.far.point)
+    b, second = aside.bodies, link_with_two_hinges(aside.bodies, drive.link, drive.point, brace.far.point)
     d, (hinge, motor, near, far) = b.draft, (p.point for p in (g.inner, drive, brace.near, brace.far))
     ends = (near, far) if brace.near.link == brace.slide.other else (far, near)
-    elbow, other_end = aside.spot(motor), aside.spot(near)
-    reach, offset, length = cylinder(aside, brace.slide, ends, near)
-    way = d.step(SenseOf(f"way_{brace.slide.guide}", reach))
-    one, other = (second.name, elbow, b.length(second, motor, far)), (brace.far.link, other_end, length)
+    elbow, other_end = aside.mark_of_point(motor), aside.mark_of_point(near)
+    reach, offset, length = cylinder_distances_from_aside(aside, brace.slide, ends, near)
+    way = d.add_step(SenseOf(f"way_{brace.slide.guide}", reach))
+    one, other = (second.name, elbow, b.given_distance(second, motor, far)), (brace.far.link, other_end, length)
     one, other = sorted((one, other), key=lambda arc: [*b.mechanism.links].index(arc[0]))
     shape = Group((one[0], other[0]), 1, second.name, brace.far.link, brace.far, drive, brace.near)
-    side = d.give(f"side_{far}", 1.0)
+    side = d.add_given(f"side_{far}", 1.0)
     b.choices.append(AssemblyChoice(side, far, shape, False))
-    helper, pinned = Meaning("guide", motor), on_scheme(f"{far}°{aside.tag}")
-    pin = d.step(CrossArcs(pinned, one[1], one[2], other[1], other[2], mu_of(SCHEME), side, means=helper))
+    helper, pinned = Meaning("guide", motor), scheme_mark(f"{far}°{aside.tag}")
+    pin = d.add_step(CrossArcs(pinned, one[1], one[2], other[1], other[2], mu_name(SCHEME_PLAN), side, means=helper))
     end = pin
     if hinge != far:
-        stands = reckoned(b.shape, "ratio", *(OwnPlace(second.name, p) for p in (hinge, motor, far)))
-        like = d.reckon(f"ratio_{hinge}_{second.name}", stands)
-        end = d.step(Similar(on_scheme(f"{hinge}°{aside.tag}"), elbow, pin, like, means=helper))
+        stands = dimension_by_way(b.link_dimensions, "ratio", *(OwnPlace(second.name, p) for p in (hinge, motor, far)))
+        like = d.add_computed_given(f"ratio_{hinge}_{second.name}", stands)
+        end = d.add_step(Similar(scheme_mark(f"{hinge}°{aside.tag}"), elbow, pin, like, means=helper))
     return elbow, end, BraceReach(way, reach, length, offset is not None)
 
 
-def braced_rate(b: Bodies, plan: str, name: str, drive: str, omega: str) -> str:
+def far_link_relative_rate(b: Bodies, plan: str, name: str, drive: str, omega: str) -> str:
     """The angular velocity of the far link relative to the near one, from the ``drive``'s rate on a plan; for
     accelerations from ``omega`` too."""
-    g = next(g for g in b.structure.dyads if g.brace)
+    g = next(g for g in b.structure.class_two_groups if g.brace)
     r, d, brace = b.reach, b.draft, g.brace
     assert r and brace and g.drive
     outwards = r.offset or brace.far.link == brace.slide.link  # the line of the arm points to the far hinge
-    arm, along = _arm(b, g.drive, brace, r.offset)
+    arm, along = _cylinder_arm_and_foot(b, g.drive, brace, r.offset)
     sign, way = (1.0 if outwards else -1.0), (arm, -1)
     grows = ((r.reach, 1), (r.length, -1)) if r.offset else ()
     if plan != "acceleration":
-        return d.product(name, sign, **dict([(drive, 1), *grows, way]))
+        return d.add_product(name, sign, **dict([(drive, 1), *grows, way]))
     terms = [Product(sign, ((drive, 1), *grows, way))]
     if r.offset:
         terms += [
@@ -70,13 +74,13 @@ def braced_rate(b: Bodies, plan: str, name: str, drive: str, omega: str) -> str:
         ]
     length = r.length if r.offset else r.reach
     terms += [Product(1.0, ((omega, 2), (along, 1), way)), Product(-sign, ((omega, 2), (along, 2), (length, -1), way))]
-    return d.total(name, terms)
+    return d.add_sum(name, terms)
 
 
-def _arm(b: Bodies, drive: Pair, brace: Brace, offset: bool) -> tuple[str, str]:
+def _cylinder_arm_and_foot(b: Bodies, drive: Pair, brace: Brace, offset: bool) -> tuple[str, str]:
     """The arm of the cylinder's line about the braced hinge, and the distance of its foot from the far hinge."""
     d, near, far = b.draft, brace.near.point, brace.far.point
-    line = d.ray(SCHEME, near, far) if offset else f"∥{brace.slide.guide}"
-    pin, hinge = on_scheme(far), on_scheme(drive.point)
-    arm = d.step(Drop(f"h_{near}{far}", pin, line, hinge, mu_of(SCHEME)))
-    return arm, d.measure(f"d_{near}{far}", hinge, pin, line)
+    line = d.direction_between_marks(SCHEME_PLAN, near, far) if offset else f"∥{brace.slide.guide}"
+    pin, hinge = scheme_mark(far), scheme_mark(drive.point)
+    arm = d.add_step(Drop(f"h_{near}{far}", pin, line, hinge, mu_name(SCHEME_PLAN)))
+    return arm, d.measure_segment(f"d_{near}{far}", hinge, pin, line)

@@ -9,32 +9,39 @@ hinge is in its place, or the guide in its direction.
 from planes.drafting.steps import Image
 from planes.drafting.steps.reckoning import Drop
 from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold
-from planes.geometry.plane import spread
+from planes.geometry.plane import greatest_distance
 from planes.plans.assur.basic_links import Lead
 from planes.plans.assur.contours import Contour
-from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, on_scheme
-from planes.plans.position.positions import on_line, place_slider, rigid_body
-from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
-from planes.plans.position.triads import Cut, cut_of, first_reached, hold_of, local_of, place_lead
-from planes.words.names import Meaning, mu_of
+from planes.plans.position.bodies import SCHEME_PLAN, Bodies, Body, BodyPoint, scheme_mark
+from planes.plans.position.positions import body_by_two_points, line_of_point_in_pair, place_slider
+from planes.plans.position.reckoned import OwnPlace, dimension_difference, direction_between_points
+from planes.plans.position.triads import (
+    Cut,
+    cut_of_basic_link_tracks,
+    first_point_of_basic_link,
+    place_lead,
+    point_place_on_link,
+    tie_of_lead,
+)
+from planes.words.names import Meaning, mu_name
 
 
 def place_contour(b: Bodies, g: Contour) -> None:
     """Draw the contour aside, turn it into place, and draw the links from it."""
     aside = _Aside(b, g)
-    one, two = map(aside.held, g.leads)
-    key = first_reached(b, g)
-    cut = cut_of(b, g, key, (one, two, aside.hung()))
-    aside.cut(key, cut)
-    aside.place_base()
-    aside.place_basic(key, cut)
+    one, two = map(aside.lead_tie_from_base, g.leads)
+    key = first_point_of_basic_link(b, g)
+    cut = cut_of_basic_link_tracks(b, g, key, (one, two, aside.support_tie_on_base()))
+    aside.draw_basic_link_by_cut(key, cut)
+    aside.draw_base_in_place()
+    aside.draw_basic_link_in_place(key, cut)
     for lead in g.leads:
         place_lead(b, g.basic, lead)
 
 
-def largest(b: Bodies, g: Contour) -> float:
+def largest_link_size(b: Bodies, g: Contour) -> float:
     """The size of the largest of the group's links, m."""
-    return max(spread(b.mechanism.links[x].points.values()) for x in g.links)
+    return max(greatest_distance(b.mechanism.links[x].points.values()) for x in g.links)
 
 
 class _Aside:
@@ -44,103 +51,118 @@ class _Aside:
         self.bodies, self.group, self.draft = b, g, b.draft
         self.base, self.basic = b.mechanism.links[g.base], b.mechanism.links[g.basic]
         self.pivot, self.outer = g.outer[0].point, g.outer[1]
-        self.level = self.draft.aim("→", 0.0, Meaning("given", g.base))
+        self.level = self.draft.draw_direction_at_angle("→", 0.0, Meaning("given", g.base))
         self.like: tuple[str, str] = ("", "")  # marks of the figure and their places, each from the pivot
 
     def mark(self, point: str) -> str:
         """The mark of a point on the auxiliary figure."""
-        return on_scheme(f"{point}°{self.pivot}")
+        return scheme_mark(f"{point}°{self.pivot}")
 
-    def reach(self) -> str:
+    def transfer_length_name(self) -> str:
         """A length by which directions are transferred: the largest of the group's links."""
-        size = largest(self.bodies, self.group)
-        return self.draft.give(f"l_{self.pivot}°", size, means=Meaning("guide", self.pivot))
+        size = largest_link_size(self.bodies, self.group)
+        return self.draft.add_given(f"l_{self.pivot}°", size, means=Meaning("guide", self.pivot))
 
-    def held(self, lead: Lead) -> Hold:
+    def lead_tie_from_base(self, lead: Lead) -> Hold:
         """The tie of a lead from the base, which is drawn level about its outer hinge, on the basic link."""
         b, d, outer, inner = self.bodies, self.draft, lead.outer, lead.inner
         if outer.kind == "P":
-            across = difference(b.offset(outer, lead.link, inner.point), b.offset(outer, self.base.name, self.pivot))
+            across = dimension_difference(
+                b.point_offset_from_guide(outer, lead.link, inner.point),
+                b.point_offset_from_guide(outer, self.base.name, self.pivot),
+            )
             beside = Meaning("offset", inner.point, self.pivot)
-            offset = "" if across is None else d.reckon(f"e_{inner.point}{self.pivot}", across, beside)
+            offset = "" if across is None else d.add_computed_given(f"e_{inner.point}{self.pivot}", across, beside)
             given = Meaning("angle", outer.guide, link=self.base.name)
-            name, angle = f"∥{outer.guide}°", b.own_angle(outer, self.base.name)
-            along = d.turn(name, self.level, angle, Meaning("along", outer.guide), given)
-            return Hold("line", local_of(b, self.basic, inner.point), on_scheme(self.pivot), offset, along)
+            name, angle = f"∥{outer.guide}°", b.guide_angle_in_link(outer, self.base.name)
+            along = d.draw_turned_direction(name, self.level, angle, Meaning("along", outer.guide), given)
+            return Hold("line", point_place_on_link(b, self.basic, inner.point), scheme_mark(self.pivot), offset, along)
         p = outer.point
-        turned = angle_deg(b.shape, OwnPlace(self.base.name, self.pivot), OwnPlace(self.base.name, p))
-        way = d.turn(f"→{self.pivot}{p}", self.level, turned, Meaning("given", p))
-        length = b.length(self.base, self.pivot, p)
-        place = d.lay_off(SCHEME, f"{p}°{self.pivot}", on_scheme(self.pivot), way, length, Meaning("guide", p))
-        return hold_of(b, self.basic.name, lead, place)
+        turned = direction_between_points(
+            b.link_dimensions, OwnPlace(self.base.name, self.pivot), OwnPlace(self.base.name, p)
+        )
+        way = d.draw_turned_direction(f"→{self.pivot}{p}", self.level, turned, Meaning("given", p))
+        length = b.given_distance(self.base, self.pivot, p)
+        place = d.lay_off(SCHEME_PLAN, f"{p}°{self.pivot}", scheme_mark(self.pivot), way, length, Meaning("guide", p))
+        return tie_of_lead(b, self.basic.name, lead, place)
 
-    def hung(self) -> Hold:
+    def support_tie_on_base(self) -> Hold:
         """The tie of the group's support on the basic link, relative to the base."""
-        b, d, name, pivot = self.bodies, self.draft, self.basic.name, on_scheme(self.pivot)
+        b, d, name, pivot = self.bodies, self.draft, self.basic.name, scheme_mark(self.pivot)
         if self.outer.kind == "R":
-            apart = d.measure(f"l_{self.pivot}{self.outer.point}", pivot, on_scheme(self.outer.point))
-            return Hold("arc", local_of(b, self.basic, self.outer.point), pivot, apart)
+            apart = d.measure_segment(f"l_{self.pivot}{self.outer.point}", pivot, scheme_mark(self.outer.point))
+            return Hold("arc", point_place_on_link(b, self.basic, self.outer.point), pivot, apart)
         first, guide = self.basic.first_point, self.outer.guide
-        start, self.along = on_line(b, self.outer, name, first)
+        start, self.along = line_of_point_in_pair(b, self.outer, name, first)
         means = Meaning("offset", self.pivot, first)
-        off = d.step(Drop(f"e_{self.pivot}{guide}", on_scheme(start), self.along, pivot, mu_of(SCHEME), means=means))
-        turn = d.reckon(f"guide_{guide}_{name}", b.own_angle(self.outer, name))
-        return Hold("guide", local_of(b, self.basic, first), pivot, off, turn)
+        off = d.add_step(
+            Drop(f"e_{self.pivot}{guide}", scheme_mark(start), self.along, pivot, mu_name(SCHEME_PLAN), means=means)
+        )
+        turn = d.add_computed_given(f"guide_{guide}_{name}", b.guide_angle_in_link(self.outer, name))
+        return Hold("guide", point_place_on_link(b, self.basic, first), pivot, off, turn)
 
-    def cut(self, key: str, cut: Cut) -> None:
+    def draw_basic_link_by_cut(self, key: str, cut: Cut) -> None:
         """The basic link of the auxiliary figure, and the rotation of the figure."""
         d, b = self.draft, self.bodies
         ends = (key, self.outer.point) if self.outer.kind == "R" else (key,)
         for p in ends:
-            d.step(CutTrack(self.mark(p), local_of(b, self.basic, p), *cut, means=Meaning("guide", p)))
+            d.add_step(CutTrack(self.mark(p), point_place_on_link(b, self.basic, p), *cut, means=Meaning("guide", p)))
         if self.outer.kind == "R":
-            self.like = self.mark(self.outer.point), on_scheme(self.outer.point)
+            self.like = self.mark(self.outer.point), scheme_mark(self.outer.point)
             return
-        axis, guide = self.axis(key, cut), self.outer.guide
-        turned = b.own_angle(self.outer, self.basic.name)
-        aside = d.turn(f"∥{guide}°", axis, turned, Meaning("along", guide))
-        helper, start = Meaning("guide", guide), on_scheme(self.pivot)
+        axis, guide = self.basic_link_axis(key, cut), self.outer.guide
+        turned = b.guide_angle_in_link(self.outer, self.basic.name)
+        aside = d.draw_turned_direction(f"∥{guide}°", axis, turned, Meaning("along", guide))
+        helper, start = Meaning("guide", guide), scheme_mark(self.pivot)
         marks = ((f"{guide}°{self.pivot}", aside), (f"{guide}′{self.pivot}", self.along))
-        one, two = (d.lay_off(SCHEME, label, start, way, self.reach(), helper) for label, way in marks)
+        one, two = (
+            d.lay_off(SCHEME_PLAN, label, start, way, self.transfer_length_name(), helper) for label, way in marks
+        )
         self.like = one, two
 
-    def axis(self, key: str, cut: Cut) -> str:
+    def basic_link_axis(self, key: str, cut: Cut) -> str:
         """The basic link's axis in the auxiliary figure."""
         own, name = Meaning("own", self.basic.name), f"x_{self.basic.name}°"
-        return self.draft.step(CutTurn(name, local_of(self.bodies, self.basic, key), *cut, means=own))
+        return self.draft.add_step(CutTurn(name, point_place_on_link(self.bodies, self.basic, key), *cut, means=own))
 
-    def turned(self, label: str, aside: str, means: Meaning | None = None) -> str:
+    def mark_in_true_place(self, label: str, aside: str, means: Meaning | None = None) -> str:
         """A mark of the figure in its true place, by similarity."""
-        start = on_scheme(self.pivot)
+        start = scheme_mark(self.pivot)
         shape = (start, aside), (start, self.like[0]), (start, self.like[1])
-        return self.draft.step(Image(on_scheme(label), start, *shape, means=means))
+        return self.draft.add_step(Image(scheme_mark(label), start, *shape, means=means))
 
-    def axis_turned(self, link: str, start: str, aside: str, along: str) -> str:
+    def link_axis_in_true_direction(self, link: str, start: str, aside: str, along: str) -> str:
         """A link's axis in its true direction, with its start mark there."""
         helper = Meaning("guide", link)
-        end = self.draft.lay_off(SCHEME, f"x{link}°{self.pivot}", aside, along, self.reach(), helper)
-        return self.draft.through(f"x_{link}", start, self.turned(f"x{link}′", end, helper), Meaning("own", link))
+        end = self.draft.lay_off(
+            SCHEME_PLAN, f"x{link}°{self.pivot}", aside, along, self.transfer_length_name(), helper
+        )
+        return self.draft.draw_direction_through_marks(
+            f"x_{link}", start, self.mark_in_true_place(f"x{link}′", end, helper), Meaning("own", link)
+        )
 
-    def place_base(self) -> None:
+    def draw_base_in_place(self) -> None:
         """The base, by a hinge with a lead, or by its own axis."""
         hinges = [lead.outer.point for lead in self.group.leads if lead.outer.kind == "R"]
         if hinges:
-            self.turned(hinges[0], self.mark(hinges[0]))
-            self.bodies.place_points(rigid_body(self.bodies, self.base.name, self.pivot, hinges[0]))
+            self.mark_in_true_place(hinges[0], self.mark(hinges[0]))
+            self.bodies.draw_missing_points(body_by_two_points(self.bodies, self.base.name, self.pivot, hinges[0]))
             return
-        start = on_scheme(self.pivot)
-        axis = self.axis_turned(self.base.name, start, start, self.level)
-        self.bodies.place_points(Body(self.base, BodyPoint(self.pivot, self.pivot), axis, self.base.name))
+        start = scheme_mark(self.pivot)
+        axis = self.link_axis_in_true_direction(self.base.name, start, start, self.level)
+        self.bodies.draw_missing_points(Body(self.base, BodyPoint(self.pivot, self.pivot), axis, self.base.name))
 
-    def place_basic(self, key: str, cut: Cut) -> None:
+    def draw_basic_link_in_place(self, key: str, cut: Cut) -> None:
         """The basic link, by its outer hinge and another point, by its axis, or on its guide."""
         b, name, hinge = self.bodies, self.basic.name, self.outer.point
         if key != hinge:
-            self.turned(key, self.mark(key))
+            self.mark_in_true_place(key, self.mark(key))
         if self.outer.kind == "P":
             place_slider(b, self.outer, name, key, self.along)
         elif key != hinge:
-            b.place_points(rigid_body(b, name, hinge, key))
+            b.draw_missing_points(body_by_two_points(b, name, hinge, key))
         else:
-            axis = self.axis_turned(name, on_scheme(hinge), self.mark(hinge), self.axis(key, cut))
-            b.place_points(Body(self.basic, BodyPoint(hinge, hinge), axis, name))
+            axis = self.link_axis_in_true_direction(
+                name, scheme_mark(hinge), self.mark(hinge), self.basic_link_axis(key, cut)
+            )
+            b.draw_missing_points(Body(self.basic, BodyPoint(hinge, hinge), axis, name))

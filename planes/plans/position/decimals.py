@@ -8,13 +8,13 @@ from typing import Any
 from planes.drafting.dimensions import Dimension
 from planes.drafting.tools import Thing
 from planes.geometry.arithmetic import Arithmetic, Point, Real
-from planes.plans.position.reckoned import SceneDimensions, anew
+from planes.plans.position.reckoned import SceneDimensions, recompute_dimension
 from planes.words.frozen import frozen
 
-UNSURE = Decimal(2) ** -52  # relative: error of a number computed from written ones
-LONG = Context(prec=40)
-RADIAN = Decimal("0.01745329251994329576923690768488612713442871888541725")
-TERMS = 40  # terms of the series of an angle up to an eighth of a turn: the rest is less than 10⁻⁴⁰
+COMPUTED_NUMBER_ERROR_RATIO = Decimal(2) ** -52  # relative: error of a number computed from written ones
+FORTY_DIGIT_CONTEXT = Context(prec=40)
+RADIANS_PER_DEGREE = Decimal("0.01745329251994329576923690768488612713442871888541725")
+ANGLE_SERIES_TERMS = 40  # terms of the series of an angle up to an eighth of a turn: the rest is less than 10⁻⁴⁰
 Lost = tuple[Thing, float]
 """The rounding error of a double, and the uncertainty of the number beyond that."""
 
@@ -45,9 +45,9 @@ class _Decimals(Arithmetic):
 
     def cis_deg(self, angle: Real) -> Point:
         quarter = (angle / 90).to_integral_value()
-        x = (angle - 90 * quarter) * RADIAN
+        x = (angle - 90 * quarter) * RADIANS_PER_DEGREE
         term, parts = Decimal(1), [Decimal(0), Decimal(0)]
-        for k in range(TERMS):
+        for k in range(ANGLE_SERIES_TERMS):
             parts[k % 2] += -term if k % 4 > 1 else term
             term *= x / (k + 1)
         cos, sin = parts
@@ -56,49 +56,52 @@ class _Decimals(Arithmetic):
     def angle_deg(self, u: Point) -> Real:
         near = Decimal(super().angle_deg(complex(u.real, u.imag)))
         left = u * self.cis_deg(-near)
-        return near + left.imag / left.real / RADIAN if left.real else near
+        return near + left.imag / left.real / RADIANS_PER_DEGREE if left.real else near
 
 
 class AsWritten(SceneDimensions):
     """The dimensions as written, in decimals; numbers not used as written, as their doubles."""
 
-    def lost(self, value: Thing, by: Dimension | None) -> Lost | None:
+    def decimal_rounding_error(self, value: Thing, by: Dimension | None) -> Lost | None:
         """The rounding error of a given, computed from others (``by``) or written directly; None for a single number
         whose decimal is unknown."""
         self.unknown: dict[float, None] = {}  # the magnitudes of such numbers
         self.moved = -1.0  # the one that is assumed to be off
-        with localcontext(LONG):
-            lost = self._less(value, by)
+        with localcontext(FORTY_DIGIT_CONTEXT):
+            lost = self._decimals_less_double(value, by)
             if self.unknown and by is None and not isinstance(value, complex):
                 return None
             off = 0.0
             for size in [*self.unknown]:
                 self.moved = size
-                off += abs(self._less(value, by) - lost)
+                off += abs(self._decimals_less_double(value, by) - lost)
         return lost, off
 
     def taken(self, value: Thing) -> Any:
         """A number or a place in decimals."""
         if not isinstance(value, complex):
-            return self._number(value)
+            return self._decimal_of_number(value)
         if polar := self.mechanism.written.places.get(value):
-            radius, way = self._number(polar[0]), _DECIMALS.cis_deg(self._number(polar[1]))
+            radius, way = (
+                self._decimal_of_number(polar[0]),
+                _DECIMAL_ARITHMETIC.cis_deg(self._decimal_of_number(polar[1])),
+            )
             return _Place(radius * way.real, radius * way.imag)
-        return _Place(self._number(value.real), self._number(value.imag))
+        return _Place(self._decimal_of_number(value.real), self._decimal_of_number(value.imag))
 
-    def _number(self, x: float) -> Decimal:
-        if text := self.mechanism.written.decimal(x):
+    def _decimal_of_number(self, x: float) -> Decimal:
+        if text := self.mechanism.written.decimal_of_number(x):
             return Decimal(text)
         self.unknown[abs(x)] = None
-        return Decimal(x) * (1 + UNSURE) if abs(x) == self.moved else Decimal(x)
+        return Decimal(x) * (1 + COMPUTED_NUMBER_ERROR_RATIO) if abs(x) == self.moved else Decimal(x)
 
-    def _less(self, value: Thing, by: Dimension | None) -> Thing:
+    def _decimals_less_double(self, value: Thing, by: Dimension | None) -> Thing:
         """The decimals less the double."""
-        true = anew(by.of, self, _DECIMALS) if by else self.taken(value)
+        true = recompute_dimension(by.of, self, _DECIMAL_ARITHMETIC) if by else self.taken(value)
         if isinstance(value, complex):
             return complex(float(true.real - Decimal(value.real)), float(true.imag - Decimal(value.imag)))
         less = float(true - Decimal(value))
         return math.remainder(less, 360.0) if abs(less) > 359.0 and abs(value) <= 360.0 else less  # a full turn apart
 
 
-_DECIMALS = _Decimals()
+_DECIMAL_ARITHMETIC = _Decimals()

@@ -5,45 +5,49 @@ from planes.drafting.steps.crossings import Touch
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Group, Pair
-from planes.plans.position.bodies import SCHEME, AssemblyChoice, Bodies, Body, BodyPoint, on_scheme
-from planes.plans.position.reckoned import OwnPlace, angle_deg, difference
+from planes.plans.position.bodies import SCHEME_PLAN, AssemblyChoice, Bodies, Body, BodyPoint, scheme_mark
+from planes.plans.position.reckoned import OwnPlace, dimension_difference, direction_between_points
 from planes.scene.mechanism import Link
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import POLE, Meaning, label_of
+from planes.words.names import POLE_LABEL, Meaning, label_of
 
 
-def chain_to(name: str, start: str, length: str | None = None, along: str | None = None) -> tuple[Term, Term]:
+def chain_through_start(
+    name: str, start: str, length: str | None = None, along: str | None = None
+) -> tuple[Term, Term]:
     """The chain pole–start–end: the end on an arc, or somewhere along a line."""
     on = Term(f"{start}{name}", start, name, length, along, length or along or "")
-    return Term(f"r_{start}", POLE, start, drawn=True), on
+    return Term(f"r_{start}", POLE_LABEL, start, drawn=True), on
 
 
-def on_line(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
+def line_of_point_in_pair(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
     """Label of a mark, and direction, of the line along which a point of ``link`` moves in a solved pair."""
-    mark, direction = b.line(pair, pair.mate(link))
+    mark, direction = b.guide_mark_and_direction(pair, pair.other_link_of_pair(link))
     beside = Meaning("guide", pair.guide, point)
-    shifted = b.shifted(f"{point}°{pair.guide}", beside, mark, direction, b.offset(pair, link, point))
+    shifted = b.shifted_mark(
+        f"{point}°{pair.guide}", beside, mark, direction, b.point_offset_from_guide(pair, link, point)
+    )
     return label_of(shifted), direction
 
 
-def side_of(b: Bodies, key: str, group: Group | Triad | Contour) -> str:
+def assembly_side_name(b: Bodies, key: str, group: Group | Triad | Contour) -> str:
     """Name of the ±1 that chooses between the two assemblies of a group."""
-    name = b.draft.give(f"side_{key}", 1.0)
+    name = b.draft.add_given(f"side_{key}", 1.0)
     b.choices.append(AssemblyChoice(name, key, group))
     return name
 
 
-def meet(
+def draw_meeting_point(
     b: Bodies, key: str, group: Group | Triad | Contour, ends: tuple[tuple[Term, ...], tuple[Term, ...]], label: str
 ) -> None:
     """Draw the point that both ends of a group reach, on the chosen side unless both move along lines."""
     one, two = ends
-    side = None if one[-1].direction and two[-1].direction else side_of(b, key, group)
-    b.draft.draw(Equation(SCHEME, ends, f"r_{label}", side))
+    side = None if one[-1].direction and two[-1].direction else assembly_side_name(b, key, group)
+    b.draft.draw_equation(Equation(SCHEME_PLAN, ends, f"r_{label}", side))
 
 
-def two_hinges(b: Bodies, name: str, one: str, two: str) -> Link:
+def link_with_two_hinges(b: Bodies, name: str, one: str, two: str) -> Link:
     """Two hinges of a link in different places (:class:`SceneError` where there are none)."""
     link = b.mechanism.link(name)
     if link.points[one] == link.points[two]:
@@ -52,64 +56,70 @@ def two_hinges(b: Bodies, name: str, one: str, two: str) -> Link:
     return link
 
 
-def rigid_body(b: Bodies, name: str, one: str, two: str) -> Body:
+def body_by_two_points(b: Bodies, name: str, one: str, two: str) -> Body:
     """A link known by two of its points; its x axis is drawn from them."""
-    link = two_hinges(b, name, one, two)
-    angle = angle_deg(b.shape, OwnPlace(name, one), OwnPlace(name, two))
-    axis = b.draft.turn(f"x_{name}", b.draft.ray(SCHEME, one, two), -angle, Meaning("own", name))
+    link = link_with_two_hinges(b, name, one, two)
+    angle = direction_between_points(b.link_dimensions, OwnPlace(name, one), OwnPlace(name, two))
+    axis = b.draft.draw_turned_direction(
+        f"x_{name}", b.draft.direction_between_marks(SCHEME_PLAN, one, two), -angle, Meaning("own", name)
+    )
     spots = BodyPoint(one, one), BodyPoint(two, two)
     return Body(link, spots[0], axis, name, spots, rigid=True)
 
 
-def _place_hinged(b: Bodies, g: Group) -> None:
+def _place_hinged_dyad(b: Bodies, g: Group) -> None:
     """RRR, RRP and PRP: each link reaches the inner hinge on an arc about a pivot or along a guide."""
     hinge = g.inner.point
-    one, two = (chain_held(b, link, pair, hinge) for link, pair in g.hangs)
-    meet(b, hinge, g, (one, two), hinge)
-    for (link, pair), (*_, on) in zip(g.hangs, (one, two), strict=True):
-        place_held(b, link, pair, hinge, on.direction)
+    one, two = (chain_to_new_hinge(b, link, pair, hinge) for link, pair in g.links_with_outer_pairs)
+    draw_meeting_point(b, hinge, g, (one, two), hinge)
+    for (link, pair), (*_, on) in zip(g.links_with_outer_pairs, (one, two), strict=True):
+        place_link_by_hinge(b, link, pair, hinge, on.direction)
 
 
-def chain_held(b: Bodies, link: str, pair: Pair, hinge: str) -> tuple[Term, Term]:
+def chain_to_new_hinge(b: Bodies, link: str, pair: Pair, hinge: str) -> tuple[Term, Term]:
     """The chain to a new hinge of a link: about the link's other hinge, or along its guide."""
     if pair.kind == "R":
-        return chain_to(hinge, pair.point, b.length(b.mechanism.link(link), pair.point, hinge))
-    start, direction = on_line(b, pair, link, hinge)
-    return chain_to(hinge, start, along=direction)
+        return chain_through_start(hinge, pair.point, b.given_distance(b.mechanism.link(link), pair.point, hinge))
+    start, direction = line_of_point_in_pair(b, pair, link, hinge)
+    return chain_through_start(hinge, start, along=direction)
 
 
-def place_held(b: Bodies, link: str, pair: Pair, hinge: str, direction: str | None) -> None:
+def place_link_by_hinge(b: Bodies, link: str, pair: Pair, hinge: str, direction: str | None) -> None:
     """A link known by a hinge and by its other hinge, or by the ``direction`` of its guide."""
     if direction:
         place_slider(b, pair, link, hinge, direction)
     else:
-        b.place_points(rigid_body(b, link, pair.point, hinge))
+        b.draw_missing_points(body_by_two_points(b, link, pair.point, hinge))
 
 
 def place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) -> None:
     """A link that cannot turn against its solved mate, known by one point."""
-    axis = b.axis_along(pair, name, direction)
-    root = b.known[pair.mate(name)].root
-    b.place_points(Body(b.mechanism.link(name), BodyPoint(base, base), axis, root))
+    axis = b.link_axis_from_guide(pair, name, direction)
+    root = b.known[pair.other_link_of_pair(name)].root
+    b.draw_missing_points(Body(b.mechanism.link(name), BodyPoint(base, base), axis, root))
 
 
-def _place_rpr(b: Bodies, g: Group) -> None:
+def _place_rpr_dyad(b: Bodies, g: Group) -> None:
     one, two, pair = g.first_outer.point, g.last_outer.point, g.inner
-    offset = difference(b.offset(pair, g.first, one), b.offset(pair, g.last, two))
-    given = None if offset is None else b.draft.reckon(f"e_{one}{two}", offset, Meaning("offset", one, two))
-    side = b.reach.way if b.reach and b.structure.is_drive(g) else side_of(b, pair.guide, g)
-    ends = on_scheme(two), on_scheme(one)
+    offset = dimension_difference(
+        b.point_offset_from_guide(pair, g.first, one), b.point_offset_from_guide(pair, g.last, two)
+    )
+    given = None if offset is None else b.draft.add_computed_given(f"e_{one}{two}", offset, Meaning("offset", one, two))
+    side = b.reach.way if b.reach and b.structure.is_driving_cylinder(g) else assembly_side_name(b, pair.guide, g)
+    ends = scheme_mark(two), scheme_mark(one)
     means = Meaning("along", pair.guide)
-    direction = b.draft.step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side, means=means))
-    ref = BodyPoint(two, two), BodyPoint(one, moving_name(b, pair.guide, one, g.last))
-    b.place_points(Body(b.mechanism.link(g.last), ref[0], b.axis_along(pair, g.last, direction), g.last, ref))
+    direction = b.draft.add_step(Touch(f"∥{pair.guide}", *ends, given, "mu_position", side, means=means))
+    ref = BodyPoint(two, two), BodyPoint(one, coincident_point_name(b, pair.guide, one, g.last))
+    b.draw_missing_points(
+        Body(b.mechanism.link(g.last), ref[0], b.link_axis_from_guide(pair, g.last, direction), g.last, ref)
+    )
     place_slider(b, pair, g.first, one, direction)
 
 
-def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
+def coincident_point_name(b: Bodies, guide: str, point: str, link: str) -> str:
     """Name of the point of ``link`` that coincides with ``point``: the letter given with the guide, or "H2"."""
-    name = b.mechanism.guide(guide).mark if guide and b.mechanism.owner(guide) == link else None
-    taken = {*b.mechanism.names, *b.specials.values(), POLE}
+    name = b.mechanism.guide(guide).mark if guide and b.mechanism.owner_of_guide(guide) == link else None
+    taken = {*b.mechanism.point_names, *b.specials.values(), POLE_LABEL}
     here = point, link
     if not name or name in taken or b.coincident.get(name, here) != here:
         name = f"{point}{link}"
@@ -120,20 +130,28 @@ def moving_name(b: Bodies, guide: str, point: str, link: str) -> str:
     return name
 
 
-def _place_rpp(b: Bodies, g: Group) -> None:
+def _place_rpp_dyad(b: Bodies, g: Group) -> None:
     hinge, point = g.first_outer.point, b.mechanism.link(g.last).first_point
-    start, direction = on_line(b, g.last_outer, g.last, point)
-    axis = b.axis_along(g.last_outer, g.last, direction)
-    inner = b.direction_from(g.inner, g.last, axis)
-    apart = difference(b.offset(g.inner, g.last, point), b.offset(g.inner, g.first, hinge))
+    start, direction = line_of_point_in_pair(b, g.last_outer, g.last, point)
+    axis = b.link_axis_from_guide(g.last_outer, g.last, direction)
+    inner = b.guide_direction_from_axis(g.inner, g.last, axis)
+    apart = dimension_difference(
+        b.point_offset_from_guide(g.inner, g.last, point), b.point_offset_from_guide(g.inner, g.first, hinge)
+    )
     beside = Meaning("guide", g.inner.guide, point)
-    shifted = label_of(b.shifted(f"{point}°{g.inner.guide}", beside, on_scheme(hinge), inner, apart))
-    chains = chain_to(point, start, along=direction), chain_to(point, shifted, along=inner)
-    b.draft.draw(Equation(SCHEME, chains, f"r_{point}"))
-    root = b.known[g.last_outer.mate(g.last)].root
-    reached = BodyPoint(hinge, moving_name(b, g.inner.guide, hinge, g.last))
-    b.place_points(Body(b.mechanism.link(g.last), BodyPoint(point, point), axis, root, moving=reached))
+    shifted = label_of(b.shifted_mark(f"{point}°{g.inner.guide}", beside, scheme_mark(hinge), inner, apart))
+    chains = chain_through_start(point, start, along=direction), chain_through_start(point, shifted, along=inner)
+    b.draft.draw_equation(Equation(SCHEME_PLAN, chains, f"r_{point}"))
+    root = b.known[g.last_outer.other_link_of_pair(g.last)].root
+    reached = BodyPoint(hinge, coincident_point_name(b, g.inner.guide, hinge, g.last))
+    b.draw_missing_points(Body(b.mechanism.link(g.last), BodyPoint(point, point), axis, root, moving=reached))
     place_slider(b, g.inner, g.first, hinge, inner)
 
 
-PLACERS = {1: _place_hinged, 2: _place_hinged, 3: _place_rpr, 4: _place_hinged, 5: _place_rpp}
+PLACERS_BY_DYAD_KIND = {
+    1: _place_hinged_dyad,
+    2: _place_hinged_dyad,
+    3: _place_rpr_dyad,
+    4: _place_hinged_dyad,
+    5: _place_rpp_dyad,
+}

@@ -8,7 +8,7 @@ from planes.drafting.dimensions import Dimension
 from planes.geometry.arithmetic import Arithmetic, Point
 from planes.scene.mechanism import FRAME, Link, Mechanism
 
-ARITHMETIC = Arithmetic()
+FLOAT_ARITHMETIC = Arithmetic()
 
 
 class OwnPlace(NamedTuple):
@@ -52,29 +52,33 @@ class SceneDimensions:
 
 # "along" is how far from one point to another it goes in a direction, "height" how far a point lies to the left of the
 # line through another in it; "ratio" (p - q) / (r - q): how a point stands to two others.
-_WAYS: Mapping[str, Callable[..., Any]] = {
-    "-": lambda shape, ar, way: -anew(way, shape, ar),
-    "difference": lambda shape, ar, one, two: anew(one, shape, ar) - anew(two, shape, ar),
+_DIMENSION_FORMULAS: Mapping[str, Callable[..., Any]] = {
+    "-": lambda shape, ar, way: -recompute_dimension(way, shape, ar),
+    "difference": lambda shape, ar, one, two: recompute_dimension(one, shape, ar) - recompute_dimension(two, shape, ar),
     "distance": lambda shape, ar, p, q: abs(shape.place(q) - shape.place(p)),
     "direction": lambda shape, ar, p, q: ar.angle_deg(shape.place(q) - shape.place(p)),
-    "along": lambda shape, ar, p, q, way: ((shape.place(q) - shape.place(p)) * _back(way, shape, ar)).real,
+    "along": lambda shape, ar, p, q, way: (
+        ((shape.place(q) - shape.place(p)) * _rotation_back_to_x(way, shape, ar)).real
+    ),
     "ratio": lambda shape, ar, p, q, r: (shape.place(p) - shape.place(q)) / (shape.place(r) - shape.place(q)),
-    "height": lambda shape, ar, p, q, way: ((shape.place(p) - shape.place(q)) * _back(way, shape, ar)).imag,
+    "height": lambda shape, ar, p, q, way: (
+        ((shape.place(p) - shape.place(q)) * _rotation_back_to_x(way, shape, ar)).imag
+    ),
 }
 
 
-def anew(how: tuple[Any, ...], shape: Any, ar: Arithmetic) -> Any:
+def recompute_dimension(how: tuple[Any, ...], shape: Any, ar: Arithmetic) -> Any:
     """What a dimension is of links that have this shape, in some arithmetic: by a way above, or as the shape says."""
     way, *what = how
-    return _WAYS[way](shape, ar, *what) if way in _WAYS else getattr(shape, way)(*what)
+    return _DIMENSION_FORMULAS[way](shape, ar, *what) if way in _DIMENSION_FORMULAS else getattr(shape, way)(*what)
 
 
-def _back(way: tuple[Any, ...], shape: Any, ar: Arithmetic) -> Point:
+def _rotation_back_to_x(way: tuple[Any, ...], shape: Any, ar: Arithmetic) -> Point:
     """The turn from a direction back to x."""
-    return ar.cis_deg(-anew(way, shape, ar))
+    return ar.cis_deg(-recompute_dimension(way, shape, ar))
 
 
-def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
+def dimension_difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
     """a - b, where None is an exact zero."""
     if b is None:
         return a
@@ -83,13 +87,13 @@ def difference(a: Dimension | None, b: Dimension | None) -> Dimension | None:
     return Dimension(a.value - b.value, ("difference", a.of, b.of))
 
 
-def reckoned(shape: SceneDimensions, way: str, *what: OwnPlace | str | Dimension) -> Dimension:
+def dimension_by_way(shape: SceneDimensions, way: str, *what: OwnPlace | str | Dimension) -> Dimension:
     """A dimension by its way, one of those above or a method of the shape, and what that is of."""
     how = (way, *(one.of if isinstance(one, Dimension) else one for one in what))
-    return Dimension(anew(how, shape, ARITHMETIC), how)
+    return Dimension(recompute_dimension(how, shape, FLOAT_ARITHMETIC), how)
 
 
-def angle_deg(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
+def direction_between_points(shape: SceneDimensions, p: OwnPlace, q: OwnPlace) -> Dimension:
     """The direction from one point to another, degrees."""
-    angle = reckoned(shape, "direction", p, q)
+    angle = dimension_by_way(shape, "direction", p, q)
     return angle._replace(value=angle.value or 0.0)

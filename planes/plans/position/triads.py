@@ -11,12 +11,12 @@ from planes.drafting.steps.tracks import CutTrack, CutTurn, Hold, SeriesGuess
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import Contour, Tracked
-from planes.plans.position.bodies import SCHEME, Bodies, Body, BodyPoint, TrackChoice, on_scheme
-from planes.plans.position.driven_positions import driven_way
-from planes.plans.position.positions import on_line, place_slider, rigid_body
-from planes.plans.position.reckoned import OwnPlace, difference, reckoned
+from planes.plans.position.bodies import SCHEME_PLAN, Bodies, Body, BodyPoint, TrackChoice, scheme_mark
+from planes.plans.position.driven_positions import tie_and_drawer_of_driven_hinge
+from planes.plans.position.positions import body_by_two_points, line_of_point_in_pair, place_slider
+from planes.plans.position.reckoned import OwnPlace, dimension_by_way, dimension_difference
 from planes.scene.mechanism import Link
-from planes.words.names import Meaning, mu_of
+from planes.words.names import Meaning, mu_name
 
 Holds = tuple[Hold, ...]
 Cut = tuple[Holds, SeriesGuess, str, str]  # what cuts the tracks of a basic link
@@ -25,38 +25,40 @@ Cut = tuple[Holds, SeriesGuess, str, str]  # what cuts the tracks of a basic lin
 def place_triad(b: Bodies, g: Triad) -> None:
     """Draw the basic link where its track is cut, and the leads."""
     d, link = b.draft, b.mechanism.links[g.basic]
-    one, two, three = (hold_of(b, g.basic, lead) for lead in g.leads)
+    one, two, three = (tie_of_lead(b, g.basic, lead) for lead in g.leads)
     hinges = [lead.inner.point for lead in reversed(g.leads) if lead.inner.kind == "R"] or [link.first_point]
     key = hinges[0]
-    cut = cut_of(b, g, key, (one, two, three))
+    cut = cut_of_basic_link_tracks(b, g, key, (one, two, three))
     for p in hinges:
-        d.step(CutTrack(on_scheme(p), local_of(b, link, p), *cut))
+        d.add_step(CutTrack(scheme_mark(p), point_place_on_link(b, link, p), *cut))
     if len(hinges) > 1:
-        b.place_points(rigid_body(b, g.basic, hinges[0], hinges[1]))
+        b.draw_missing_points(body_by_two_points(b, g.basic, hinges[0], hinges[1]))
     else:
-        axis = d.step(CutTurn(f"x_{g.basic}", local_of(b, link, key), *cut, means=Meaning("own", g.basic)))
-        b.place_points(Body(link, BodyPoint(key, key), axis, g.basic))
+        axis = d.add_step(
+            CutTurn(f"x_{g.basic}", point_place_on_link(b, link, key), *cut, means=Meaning("own", g.basic))
+        )
+        b.draw_missing_points(Body(link, BodyPoint(key, key), axis, g.basic))
     for lead in g.leads:
         place_lead(b, g.basic, lead)
 
 
-def first_reached(b: Bodies, g: Contour) -> str:
+def first_point_of_basic_link(b: Bodies, g: Contour) -> str:
     """The point of a basic link that is drawn first: preferably a hinge with a lead."""
     hinges = (lead.inner.point for lead in g.leads if lead.inner.kind == "R")
     return next(hinges, b.mechanism.links[g.basic].first_point)
 
 
-def cut_of(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
+def cut_of_basic_link_tracks(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
     """The cut of a basic link's tracks, its assembly still to be chosen; ``key`` is the point that decides."""
     d, drive = b.draft, b.mechanism.drive
     middle, half, size = (
-        d.give(f"{what}_{g.basic}", value) for what, value in (("middle", 0.0), ("half", 1.0), ("size", 1.0))
+        d.add_given(f"{what}_{g.basic}", value) for what, value in (("middle", 0.0), ("half", 1.0), ("size", 1.0))
     )
-    place, turn = d.give(f"track_{g.basic}_0", 0j), d.give(f"turning_{g.basic}_0", 0.0)
-    guess = SeriesGuess(drive.given, drive.rotates, middle, half, size, (place,), ((turn,),))
-    side = d.give(f"sense_{g.basic}", 1.0)
+    place, turn = d.add_given(f"track_{g.basic}_0", 0j), d.add_given(f"turning_{g.basic}_0", 0.0)
+    guess = SeriesGuess(drive.coordinate_name, drive.rotates, middle, half, size, (place,), ((turn,),))
+    side = d.add_given(f"sense_{g.basic}", 1.0)
     b.choices.append(TrackChoice(key, g, holds, guess, side))
-    return holds, guess, mu_of(SCHEME), side
+    return holds, guess, mu_name(SCHEME_PLAN), side
 
 
 def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
@@ -64,76 +66,84 @@ def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
     outer, inner = lead.outer, lead.inner
     if place := b.placers.get(lead):
         place()
-    elif lead.name == "RR":
-        b.place_points(rigid_body(b, lead.link, outer.point, inner.point))
+    elif lead.pair_letters == "RR":
+        b.draw_missing_points(body_by_two_points(b, lead.link, outer.point, inner.point))
     elif outer.kind == "P":
-        place_slider(b, outer, lead.link, inner.point, on_line(b, outer, lead.link, inner.point)[1])
+        place_slider(b, outer, lead.link, inner.point, line_of_point_in_pair(b, outer, lead.link, inner.point)[1])
     else:
-        along = b.direction_from(inner, basic, b.known[basic].axis)
+        along = b.guide_direction_from_axis(inner, basic, b.known[basic].axis)
         place_slider(b, inner, lead.link, outer.point, along)
 
 
-def hold_of(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> Hold:
+def tie_of_lead(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> Hold:
     """The tie of a lead on the basic link, from its outer ``hinge`` (from the auxiliary figure, where that is drawn
     aside)."""
     d, link, outer, inner = b.draft, b.mechanism.links[basic], lead.outer, lead.inner
-    place = hinge or on_scheme(outer.point)
+    place = hinge or scheme_mark(outer.point)
     if inner.kind == "R":
-        local = local_of(b, link, inner.point)
+        local = point_place_on_link(b, link, inner.point)
         if lead.drive:
-            way, b.placers[lead] = driven_way(b, lead.moving(basic), hinge or "")
+            way, b.placers[lead] = tie_and_drawer_of_driven_hinge(b, lead.as_inner_driven_dyad(basic), hinge or "")
             return (
                 Hold("arc", local, place, way.length) if way.length else Hold("line", local, way.start, "", way.along)
             )
         if outer.kind == "R":
-            length = b.length(b.mechanism.links[lead.link], outer.point, inner.point)
+            length = b.given_distance(b.mechanism.links[lead.link], outer.point, inner.point)
             return Hold("arc", local, place, length)
-        start, along = on_line(b, outer, lead.link, inner.point)
-        return Hold("line", local, on_scheme(start), "", along)
+        start, along = line_of_point_in_pair(b, outer, lead.link, inner.point)
+        return Hold("line", local, scheme_mark(start), "", along)
     first = link.first_point
-    offset = difference(b.offset(inner, lead.link, outer.point), b.offset(inner, basic, first))
+    offset = dimension_difference(
+        b.point_offset_from_guide(inner, lead.link, outer.point), b.point_offset_from_guide(inner, basic, first)
+    )
     beside = Meaning("offset", outer.point, first)
-    reach = "" if offset is None else d.reckon(f"e_{outer.point}{first}", offset, beside)
-    turn = d.reckon(f"guide_{inner.guide}_{basic}", b.own_angle(inner, basic))
-    return Hold("guide", local_of(b, link, first), place, reach, turn)
+    reach = "" if offset is None else d.add_computed_given(f"e_{outer.point}{first}", offset, beside)
+    turn = d.add_computed_given(f"guide_{inner.guide}_{basic}", b.guide_angle_in_link(inner, basic))
+    return Hold("guide", point_place_on_link(b, link, first), place, reach, turn)
 
 
-def local_of(b: Bodies, link: Link, point: str) -> str:
+def point_place_on_link(b: Bodies, link: Link, point: str) -> str:
     """The place of a point on its link."""
-    return b.draft.reckon(f"at_{point}_{link.name}", reckoned(b.shape, "place", OwnPlace(link.name, point)))
+    return b.draft.add_computed_given(
+        f"at_{point}_{link.name}", dimension_by_way(b.link_dimensions, "place", OwnPlace(link.name, point))
+    )
 
 
-def place_chain(b: Bodies, g: BasicChain) -> None:
+def place_basic_chain(b: Bodies, g: BasicChain) -> None:
     """Draw the basic links where their tracks are cut, and the leads."""
     origins = [g.hinges[max(k - 1, 0)].point for k in range(len(g.basics))]
-    pins = [local_of(b, b.mechanism.links[x], pin) for x, pin in zip(g.basics, origins, strict=True)]
+    pins = [point_place_on_link(b, b.mechanism.links[x], pin) for x, pin in zip(g.basics, origins, strict=True)]
     holds = [
-        replace(hold_of(b, basic, lead), link=k, hinge=pins[k])
+        replace(tie_of_lead(b, basic, lead), link=k, hinge=pins[k])
         for k, basic in enumerate(g.basics)
         for lead in g.sides[k]
     ]
-    for hinge, (k, _) in list(zip(g.hinges, g.joined, strict=True))[1:]:
-        holds.append(Hold("hinge", local_of(b, b.mechanism.links[g.basics[k]], hinge.point), link=k, hinge=pins[k]))
-    cut = cut_of(b, g, origins[0], tuple(holds))
-    b.leads |= dict.fromkeys(g.basics, (*g.leads, *g.joints))
+    for hinge, (k, _) in list(zip(g.hinges, g.basic_links_at_hinges, strict=True))[1:]:
+        holds.append(
+            Hold("hinge", point_place_on_link(b, b.mechanism.links[g.basics[k]], hinge.point), link=k, hinge=pins[k])
+        )
+    cut = cut_of_basic_link_tracks(b, g, origins[0], tuple(holds))
+    b.leads |= dict.fromkeys(g.basics, (*g.leads, *g.joining_leads))
     for k, pin in enumerate(origins[1:], 1):
-        b.draft.step(CutTrack(on_scheme(pin), pins[k], *cut, link=k, hinge=pins[k]))
+        b.draft.add_step(CutTrack(scheme_mark(pin), pins[k], *cut, link=k, hinge=pins[k]))
     for k in range(len(g.basics)):
-        _place_basic(b, g, k, origins[k], pins[k], cut)
+        _place_basic_link(b, g, k, origins[k], pins[k], cut)
     for basic, side in zip(g.basics, g.sides, strict=True):
         for lead in side:
             place_lead(b, basic, lead)
 
 
-def _place_basic(b: Bodies, g: BasicChain, k: int, pin: str, local: str, cut: Cut) -> None:
+def _place_basic_link(b: Bodies, g: BasicChain, k: int, pin: str, local: str, cut: Cut) -> None:
     """One basic link from its hinge, by another point where its track is cut, or along its axis."""
     basic, link = g.basics[k], b.mechanism.links[g.basics[k]]
     others = [lead.inner.point for lead in g.sides[k] if lead.inner.kind == "R"]
-    others += [h.point for h in g.hinges if h.joins(basic) and h.point != pin]
+    others += [h.point for h in g.hinges if h.has_link(basic) and h.point != pin]
     if others:
-        if on_scheme(others[0]) not in b.draft.steps:  # a hinge with the next basic link is one
-            b.draft.step(CutTrack(on_scheme(others[0]), local_of(b, link, others[0]), *cut, link=k, hinge=local))
-        b.place_points(rigid_body(b, basic, pin, others[0]))
+        if scheme_mark(others[0]) not in b.draft.steps:  # a hinge with the next basic link is one
+            b.draft.add_step(
+                CutTrack(scheme_mark(others[0]), point_place_on_link(b, link, others[0]), *cut, link=k, hinge=local)
+            )
+        b.draw_missing_points(body_by_two_points(b, basic, pin, others[0]))
     else:
-        axis = b.draft.step(CutTurn(f"x_{basic}", local, *cut, link=k, hinge=local, means=Meaning("own", basic)))
-        b.place_points(Body(link, BodyPoint(pin, pin), axis, basic))
+        axis = b.draft.add_step(CutTurn(f"x_{basic}", local, *cut, link=k, hinge=local, means=Meaning("own", basic)))
+        b.draw_missing_points(Body(link, BodyPoint(pin, pin), axis, basic))

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 
-from planes.drafting.drawing import SHAKEN, Drawing, reached
+from planes.drafting.drawing import SHAKEN_DRAWING_SEEDS, Drawing, draw_until_failure
 from planes.drafting.instruments import Shaken
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans.statements.stated_vectors import StatedVectors, VectorState
 from planes.scene.vector_equations import Side, SideTerm, VectorEquation
 from planes.words import Phrase
-from planes.words.names import mu_of, plan_of
+from planes.words.names import mu_name, plan_of
 
-CLOSED = 1e-4  # of the largest vector: the number of digits in given numbers
-CERTAIN = 1e-6  # of the largest vector of a plan: larger ones exceed rounding
+CLOSED_GAP_RATIO = 1e-4  # of the largest vector: the number of digits in given numbers
+LEAST_CERTAIN_RATIO = 1e-6  # of the largest vector of a plan: larger ones exceed rounding
 Row = tuple[VectorEquation, tuple[Side, Side]]
 Drawer = Callable[[VectorEquation, Side, Side], None]
 
@@ -27,11 +27,11 @@ class Closings:
         self.vectors, self._draw = vectors, draw
         self.closed: list[tuple[VectorEquation, Side, str, VectorState]] = []
 
-    def draw(self, row: Row) -> None:
+    def draw_closing_equation(self, row: Row) -> None:
         """Draw an equation of vectors that are fully known, or known except for one length or direction."""
         (equation, (one, two)), vectors = row, self.vectors
-        left = [t.name for t in one + two if not vectors.spanned(t.name) and not vectors.given(t.name).like]
-        free = next((n for n in left if None in vectors.parts(n)), left[-1] if left else "")
+        left = [t.name for t in one + two if not vectors.is_drawn(t.name) and not vectors.given_data(t.name).like]
+        free = next((n for n in left if None in vectors.length_and_direction_names(n)), left[-1] if left else "")
         given = VectorState()
         if free:
             given, vectors.states[free] = vectors.states[free], given
@@ -39,23 +39,27 @@ class Closings:
         against = tuple(SideTerm(t.name, -t.times) for t in two)
         self.closed.append((equation, one + against, free, given))
 
-    def faults(self, drawing: Drawing) -> Iterator[tuple[VectorEquation, Phrase]]:
+    def unclosed_equations(self, drawing: Drawing) -> Iterator[tuple[VectorEquation, Phrase]]:
         """The equations that do not close, and their gaps."""
         for equation, terms, free, given in self.closed:
-            values = {t.name: self._value(drawing, t.name) for t in terms}
-            gap = _gap(drawing, values[free], given) if free else abs(sum(t.times * values[t.name] for t in terms))
-            if gap > CLOSED * max(map(abs, values.values())):
+            values = {t.name: self._vector_value(drawing, t.name) for t in terms}
+            gap = (
+                _closing_gap(drawing, values[free], given)
+                if free
+                else abs(sum(t.times * values[t.name] for t in terms))
+            )
+            if gap > CLOSED_GAP_RATIO * max(map(abs, values.values())):
                 details = {"text": equation.text, "gap": gap}
                 if free:
                     details |= {"name": free, "size": abs(values[free]), "angle": Arithmetic().angle_deg(values[free])}
                 yield equation, Phrase("closing_open_by" if free else "closing_open", **details)
 
-    def _value(self, drawing: Drawing, name: str) -> complex:
-        start, end = self.vectors.span(name)
-        return complex((drawing[end] - drawing[start]) / drawing[mu_of(plan_of(start))])
+    def _vector_value(self, drawing: Drawing, name: str) -> complex:
+        start, end = self.vectors.end_marks(name)
+        return complex((drawing[end] - drawing[start]) / drawing[mu_name(plan_of(start))])
 
 
-def _gap(drawing: Drawing, value: complex, given: VectorState) -> float:
+def _closing_gap(drawing: Drawing, value: complex, given: VectorState) -> float:
     """The difference between the closing vector of a polygon and its data."""
     length = drawing[given.length] if given.length else None
     if given.direction is None:
@@ -64,7 +68,9 @@ def _gap(drawing: Drawing, value: complex, given: VectorState) -> float:
     return float(abs(plane.cross(way, value)) if length is None else abs(value - way * length))
 
 
-def uncertain(vectors: StatedVectors, drawing: Drawing, given: Mapping[str, float]) -> Iterator[tuple[str, str, str]]:
+def uncertain_vectors(
+    vectors: StatedVectors, drawing: Drawing, given: Mapping[str, float]
+) -> Iterator[tuple[str, str, str]]:
     """Divisions by zero, and directions or magnitudes taken from a vector without a correct digit: the key of the
     sentence, the name, and the source."""
     yield from (
@@ -72,19 +78,21 @@ def uncertain(vectors: StatedVectors, drawing: Drawing, given: Mapping[str, floa
         for name, by, number in vectors.quotients
         if number in drawing and drawing[number] == 0
     )
-    faint = [n for n in vectors.leaned if vectors.spanned(n) and _faint(vectors, drawing, n)]
-    blunter = [reached(drawing.program, given, Shaken(seed))[0] for seed in SHAKEN if faint]
+    faint = [n for n in vectors.leaned if vectors.is_drawn(n) and _vanishes_on_plan(vectors, drawing, n)]
+    blunter = [draw_until_failure(drawing.program, given, Shaken(seed))[0] for seed in SHAKEN_DRAWING_SEEDS if faint]
     for name in faint:
-        start, end = vectors.span(name)
+        start, end = vectors.end_marks(name)
         size, *moved = (abs(one[end] - one[start]) for one in (drawing, *blunter) if start in one and end in one)
         if size <= max((abs(other - size) for other in moved), default=size):
             yield "no_direction", name, vectors.leaned[name]
 
 
-def _faint(vectors: StatedVectors, drawing: Drawing, name: str) -> bool:
+def _vanishes_on_plan(vectors: StatedVectors, drawing: Drawing, name: str) -> bool:
     """Whether a vector vanishes beside the marks of its plan."""
-    start, end = vectors.span(name)
+    start, end = vectors.end_marks(name)
     if start not in drawing or end not in drawing:
         return False
-    largest = max(abs(drawing[s.makes]) for s in drawing.program.marks[plan_of(start)] if s.makes in drawing)
-    return bool(abs(drawing[end] - drawing[start]) <= CERTAIN * largest)
+    largest = max(
+        abs(drawing[s.makes]) for s in drawing.program.mark_steps_by_plan[plan_of(start)] if s.makes in drawing
+    )
+    return bool(abs(drawing[end] - drawing[start]) <= LEAST_CERTAIN_RATIO * largest)

@@ -1,8 +1,8 @@
 """The plans of any scene."""
 
-from planes.plans import Plans, plans_of, sliced
-from planes.plans.other_leads import fitting
-from planes.plans.quantities import Quantity, asked
+from planes.plans import Plans, plans_cut_to_names, plans_of
+from planes.plans.other_leads import plans_with_sharp_leads
+from planes.plans.quantities import Quantity, quantities_asked_for
 from planes.scene import Scene
 
 
@@ -21,21 +21,23 @@ def scene_plans(scene: Scene) -> Plans:
     return plans
 
 
-def found_of(scene: Scene) -> tuple[str, ...]:
+def names_to_find(scene: Scene) -> tuple[str, ...]:
     """The entries of ``find:``, in any spelling, by the names of the program."""
-    return tuple(q.name for q in asked(scene_plans(scene), scene.find or (), scene.file))
+    return tuple(q.name for q in quantities_asked_for(scene_plans(scene), scene.find or (), scene.file))
 
 
-def fitted(plans: Plans, wanted: list[Quantity] | None, value: float) -> tuple[Plans, list[Quantity] | None]:
+def plans_fitted_at_position(
+    plans: Plans, wanted: list[Quantity] | None, value: float
+) -> tuple[Plans, list[Quantity] | None]:
     """The plans by leads that cross sharply at a position of the drive, cut to the wanted results; and these
     results."""
-    fit = fitting(plans, value)
+    fit = plans_with_sharp_leads(plans, value)
     if fit is plans or wanted is None:
         return fit, wanted
-    return cut_to(fit, asked(fit, [q.name for q in wanted]), plans)
+    return plans_cut_to_results(fit, quantities_asked_for(fit, [q.name for q in wanted]), plans)
 
 
-def cut_to(plans: Plans, wanted: list[Quantity], shown: Plans | None) -> tuple[Plans, list[Quantity]]:
+def plans_cut_to_results(plans: Plans, wanted: list[Quantity], shown: Plans | None) -> tuple[Plans, list[Quantity]]:
     """The plans cut to the wanted results, and to the scheme for what is ``shown``; and these results."""
-    scheme = [step.makes for step in shown.program.marks.get("position", ())] if shown else []
-    return sliced(plans, [*(n for q in wanted for n in q.needs), *scheme]), wanted
+    scheme = [step.makes for step in shown.program.mark_steps_by_plan.get("position", ())] if shown else []
+    return plans_cut_to_names(plans, [*(n for q in wanted for n in q.needed_names), *scheme]), wanted

@@ -5,23 +5,23 @@ from collections.abc import Iterable
 from dataclasses import replace
 from math import inf
 
-from planes.drafting.drawing import reached, run
-from planes.drafting.equations import Equation, unknown
+from planes.drafting.drawing import draw_program, draw_until_failure
+from planes.drafting.equations import Equation, unknown_in_words
 from planes.plans import Plans
 from planes.plans.force.loads import Loads
-from planes.plans.scales import scales, unit_scales
-from planes.plans.statements.certain import Closings, uncertain
+from planes.plans.scales import plan_scales, unit_scales_of_plans
+from planes.plans.statements.certain import Closings, uncertain_vectors
 from planes.plans.statements.nearer_way import chosen_side
 from planes.plans.statements.stated_chains import Chains
 from planes.plans.statements.stated_plans import plans_of_equations
 from planes.plans.statements.stated_vectors import StatedVectors
-from planes.plans.statements.still import still_plans
-from planes.plans.statements.turning import standing
+from planes.plans.statements.still import plans_of_still_draft
+from planes.plans.statements.turning import mechanism_of_drive_alone
 from planes.plans.structures.built import framework_plans
 from planes.scene import Scene
 from planes.scene.vector_equations import Side, SideTerm, VectorEquation
 from planes.scene.vectors import Statement
-from planes.words import Phrase, Told, table
+from planes.words import Phrase, Told, sentence_table
 from planes.words.errors import EquationError, PlanFailure, ProgramError, SceneError
 from planes.words.lettering import name_in_words
 
@@ -35,7 +35,7 @@ def stated_plans(scene: Scene) -> Plans:
     if scene.statement.statics:
         return framework_plans(scene, scene.statement.statics)
     try:
-        return StatedPlansBuilder(scene, scene.statement).build()
+        return StatedPlansBuilder(scene, scene.statement).build_plans()
     except ProgramError as error:
         raise SceneError(error.phrase, scene.file, scene.where.get(("vectors",))) from None
 
@@ -51,80 +51,89 @@ class StatedPlansBuilder:
         self.chains = Chains(self.vectors)
         self.solved: dict[str, VectorEquation] = {}  # mark -> the equation it was drawn for
         self.chosen: set[str] = set()  # vectors whose direction a side decides
-        self.closings = Closings(self.vectors, self._draw)
+        self.closings = Closings(self.vectors, self._draw_equation)
 
     def error(self, equation: VectorEquation, phrase: Told) -> SceneError:
         return SceneError(phrase, self.scene.file, equation.line)
 
-    def build(self) -> Plans:
+    def build_plans(self) -> Plans:
         """All equations, each as soon as it has only two unknowns; then the remaining values."""
         left = [(e, (e.sides[0], side)) for e in self.statement.equations for side in e.sides[1:]]
         while left:
-            self.vectors.settle()
-            done = self._one(left) or self._pair(left) or self._closing(left)
+            self.vectors.state_completed_data()
+            done = (
+                self._draw_one_equation(left)
+                or self._draw_pair_with_common_unknown(left)
+                or self._draw_closing_equation(left)
+            )
             if not done:
-                raise self._stuck([e for e, _ in left])
+                raise self._undrawable_error([e for e, _ in left])
             left = [row for row in left if row not in done]
-        self.vectors.settle()
+        self.vectors.state_completed_data()
         self._check_used()
-        plans = self._plans()
-        self._try(plans)
+        plans = self._assemble_plans()
+        self._refuse_undrawable(plans)
         return plans
 
-    def _ready(self, names: Iterable[str]) -> bool:
-        return all(map(self.vectors.ready, names))
+    def _are_known(self, names: Iterable[str]) -> bool:
+        return all(map(self.vectors.is_ready_to_draw, names))
 
-    def unknowns(self, terms: Side) -> list[Phrase]:
+    def unknown_parts_in_words(self, terms: Side) -> list[Phrase]:
         """The unknown parts of the vectors, in words."""
         unknowns = []
         for term in terms:
-            parts = zip(("length", "direction"), self.vectors.parts(term.name), strict=True)
-            unknowns += [unknown(term.name, part) for part, given in parts if given is None]
+            parts = zip(("length", "direction"), self.vectors.length_and_direction_names(term.name), strict=True)
+            unknowns += [unknown_in_words(term.name, part) for part, given in parts if given is None]
         return unknowns
 
-    def _lacking(self, terms: Side) -> float:
+    def _unknown_part_count(self, terms: Side) -> float:
         """How many parts of the vectors are unknown; infinite where what they depend on is."""
-        return len(self.unknowns(terms)) if self._ready(t.name for t in terms) else inf
+        return len(self.unknown_parts_in_words(terms)) if self._are_known(t.name for t in terms) else inf
 
-    def _one(self, left: Left) -> list[object]:
+    def _draw_one_equation(self, left: Left) -> list[object]:
         for row in left:
             equation, (one, two) = row
-            if self._lacking(one + two) == 2:
-                self._draw(equation, one, two)
+            if self._unknown_part_count(one + two) == 2:
+                self._draw_equation(equation, one, two)
                 return [row]
         return []
 
-    def _pair(self, left: Left) -> list[object]:
+    def _draw_pair_with_common_unknown(self, left: Left) -> list[object]:
         """Two sides equal to the same unknown vector are equal to each other."""
         for i, (one, (total, first)) in enumerate(left):
             for other, (same, second) in left[i + 1 :]:
                 alone = len(total) == 1 and total == same and total[0].times == 1.0
-                if alone and self._lacking(first + second) == 2:
-                    self._draw(one, first, second, total[0].name, other)
+                if alone and self._unknown_part_count(first + second) == 2:
+                    self._draw_equation(one, first, second, total[0].name, other)
                     return [left[i], (other, (same, second))]
         return []
 
-    def _closing(self, left: Left) -> list[object]:
+    def _draw_closing_equation(self, left: Left) -> list[object]:
         """An equation whose unknowns no other equation needs: it is compared with the known data."""
         for row in left:
             terms = row[1][0] + row[1][1]
-            if self._lacking(terms) < 2:
-                self.closings.draw(row)
+            if self._unknown_part_count(terms) < 2:
+                self.closings.draw_closing_equation(row)
                 return [row]
         return []
 
-    def _stuck(self, left: list[VectorEquation]) -> SceneError:
+    def _undrawable_error(self, left: list[VectorEquation]) -> SceneError:
         """Why none of these can be drawn: too many unknowns, or numbers that depend on each other in a circle."""
         for equation in left:
-            if self._ready(equation.names):
-                listed = tuple(self.unknowns(tuple(map(SideTerm, equation.names)))) or Phrase("none")
+            if self._are_known(equation.vector_names):
+                listed = tuple(self.unknown_parts_in_words(tuple(map(SideTerm, equation.vector_names)))) or Phrase(
+                    "none"
+                )
                 return self.error(equation, Phrase("unknowns_are", text=equation.text, listed=listed))
         name, needed = next(
-            (n, needed) for n in left[0].names if not self.vectors.ready(n) for needed in self.vectors.missing(n)
+            (n, needed)
+            for n in left[0].vector_names
+            if not self.vectors.is_ready_to_draw(n)
+            for needed in self.vectors.results_missing_for(n)
         )
         return self.error(left[0], Phrase("vector_waits", text=left[0].text, name=name, needed=needed))
 
-    def _draw(
+    def _draw_equation(
         self,
         equation: VectorEquation,
         one: Side,
@@ -134,12 +143,12 @@ class StatedPlansBuilder:
     ) -> None:
         d, plan = self.draft, self.plan_of[equation.line, equation.text]
         alone = not total and two and len(one) == 1 and one[0].times == 1
-        if alone and self.vectors.parts(one[0].name) == (None, None):
+        if alone and self.vectors.length_and_direction_names(one[0].name) == (None, None):
             total, one = one[0].name, ()
-        plan, chains = self.chains.of(plan, one, two, total)
+        plan, chains = self.chains.plan_and_chains(plan, one, two, total)
         terms = [*chains[0], *chains[1]]
         free = [t.name for t in terms if t.direction is None and t.length is not None and not t.drawn]
-        side = d.give(f"side_{len(d.equations) + 1}", 1.0) if free else None
+        side = d.add_given(f"side_{len(d.equations) + 1}", 1.0) if free else None
         try:
             drawn = Equation(plan, chains, total, side)
         except EquationError as error:
@@ -148,8 +157,8 @@ class StatedPlansBuilder:
             equation = replace(equation, text=f"{equation.text}, {other.text}")
         for term in terms:
             self.solved.setdefault(str(name_in_words(term.end)), equation)
-        d.draw(drawn)
-        self.vectors.learn(drawn, self.chains.stated)
+        d.draw_equation(drawn)
+        self.vectors.record_equation_vectors(drawn, self.chains.stated)
         if side:
             names = [n.rpartition("·")[2] for n in free]
             self.chosen |= {*names}
@@ -157,51 +166,51 @@ class StatedPlansBuilder:
 
     def _check_used(self) -> None:
         """Refuse data of a vector that have no effect."""
-        named = {name for equation in self.statement.equations for name in equation.names}
+        named = {name for equation in self.statement.equations for name in equation.vector_names}
         for name, given in self.statement.vectors.items():
             idle = name not in named and name not in self.vectors.used
             if idle or (given.near_deg is not None and name not in self.chosen):
                 line = self.scene.where.get(("vectors", name))
                 raise SceneError(Phrase("vector_idle" if idle else "near_idle", name=name), self.scene.file, line)
         for name in self.statement.values:
-            if needed := self.vectors.needs(name):
+            if needed := self.vectors.results_awaited(name):
                 line = self.scene.where.get(("values", name))
                 raise SceneError(Phrase("value_waits", name=name, needed=needed[0]), self.scene.file, line)
 
-    def _plans(self) -> Plans:
+    def _assemble_plans(self) -> Plans:
         d = self.draft
-        nothing = standing(self.statement.drive, self.scene.where)
-        names = [n for n in self.statement.vectors if self.vectors.spanned(n)]
-        return still_plans(
+        nothing = mechanism_of_drive_alone(self.statement.drive, self.scene.where)
+        names = [n for n in self.statement.vectors if self.vectors.is_drawn(n)]
+        return plans_of_still_draft(
             d,
             nothing,
             Loads(),
-            vectors={n: self.vectors.span(n) for n in names},
+            vectors={n: self.vectors.end_marks(n) for n in names},
             values={n: self.vectors.values[n] for n in self.statement.values},
         )
 
-    def _try(self, plans: Plans) -> None:
+    def _refuse_undrawable(self, plans: Plans) -> None:
         """Refuse an equation that cannot be drawn, in millimetres of its paper."""
-        self._certain(plans)
+        self._refuse_uncertain_vectors(plans)
         try:
-            drawing = run(plans.program, {**plans.given, **scales(plans, self.scene.mu)})
+            drawing = draw_program(plans.program, {**plans.given, **plan_scales(plans, self.scene.mu)})
         except PlanFailure as failure:
-            raise self._failure(failure) from None
-        for equation, why in self.closings.faults(drawing):
+            raise self._failure_in_vector_terms(failure) from None
+        for equation, why in self.closings.unclosed_equations(drawing):
             raise self.error(equation, why)
 
-    def _certain(self, plans: Plans) -> None:
+    def _refuse_uncertain_vectors(self, plans: Plans) -> None:
         """Refuse a division by zero, and a direction of a zero vector, as far as the drawing goes."""
-        given = {**plans.given, **unit_scales(plans)}
-        drawing, _ = reached(plans.program, given)
-        for key, name, by in uncertain(self.vectors, drawing, given):
+        given = {**plans.given, **unit_scales_of_plans(plans)}
+        drawing, _ = draw_until_failure(plans.program, given)
+        for key, name, by in uncertain_vectors(self.vectors, drawing, given):
             line = self.scene.where.get(("vectors", name), self.scene.where.get(("values", name)))
             raise SceneError(Phrase(key, name=name, by=by), self.scene.file, line)
 
-    def _failure(self, failure: PlanFailure) -> SceneError:
+    def _failure_in_vector_terms(self, failure: PlanFailure) -> SceneError:
         """Why an equation cannot be drawn, in terms of vectors."""
         equation = self.solved.get(str(failure.numbers.get("makes")), self.statement.equations[0])
         key = f"vectors_{failure.reason}"
-        if key not in table("en"):
+        if key not in sentence_table("en"):
             return self.error(equation, Phrase("about", what=equation.text, why=failure.phrase))
         return self.error(equation, Phrase(key, **{**failure.numbers, "text": equation.text}))

@@ -6,12 +6,12 @@ from itertools import pairwise, permutations
 from planes.drafting.equations import Term
 from planes.drafting.steps import Image, Similar
 from planes.plans.statements.stated_vectors import StatedVectors
-from planes.scene.vector_equations import Side, SideTerm, ends, span
+from planes.scene.vector_equations import Side, SideTerm, rate_vector_end_marks, term_end_marks
 from planes.scene.vectors import Similarity
-from planes.words.names import POLE, at, end_of, label_of, plan_of
+from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_of, vector_end_label
 
 Chain = tuple[Term, ...]
-MOST_LYING = 5  # vectors that are tried in every order
+MOST_REORDERED_VECTORS = 5  # vectors that are tried in every order
 
 
 class Chains:
@@ -23,30 +23,30 @@ class Chains:
         self.plan = ""
         self.stated: dict[str, SideTerm] = {}
 
-    def of(self, plan: str, one: Side, two: Side, total: str | None) -> tuple[str, tuple[Chain, Chain]]:
+    def plan_and_chains(self, plan: str, one: Side, two: Side, total: str | None) -> tuple[str, tuple[Chain, Chain]]:
         """The plan and both chains of an equation; in a closed polygon one open vector is drawn from the far end.
         Vectors that already lie end to end on a plan are read there."""
-        lying = self._lying(one + two)
+        lying = self._known_vectors_end_to_end(one + two)
         self.plan, self.stated = plan_of(lying[0]) if lying else plan, {}
-        self.labels.setdefault(self.plan, {POLE})
-        self.draft.pole(self.plan)
+        self.labels.setdefault(self.plan, {POLE_LABEL})
+        self.draft.draw_pole(self.plan)
         if lying:
-            one, two = (tuple(sorted(side, key=self._place(lying))) for side in (one, two))
-        start = label_of(lying[0]) if lying else self._start(one, two)
-        return self.plan, self._sides(one, two, total, start)
+            one, two = (tuple(sorted(side, key=self._order_of_lying_vectors(lying))) for side in (one, two))
+        start = label_of(lying[0]) if lying else self._start_mark(one, two)
+        return self.plan, self._both_chains(one, two, total, start)
 
-    def _lying(self, terms: Side) -> list[str]:
+    def _known_vectors_end_to_end(self, terms: Side) -> list[str]:
         """The start of the known vectors, if they lie end to end on one plan; else None."""
-        known = [t for t in terms if not self.open(t)]
+        known = [t for t in terms if not self.has_unknown_part(t)]
         spans = [self.vectors.states[t.name].span for t in known]
-        if not 1 <= len(known) <= MOST_LYING or not all(spans) or any(t.times != 1 for t in known):
+        if not 1 <= len(known) <= MOST_REORDERED_VECTORS or not all(spans) or any(t.times != 1 for t in known):
             return []
         for way in permutations(s for s in spans if s):
             if all(a[1] == b[0] for a, b in pairwise(way)):
                 return [start for start, _ in way]
         return []
 
-    def _place(self, lying: list[str]) -> Callable[[SideTerm], int]:
+    def _order_of_lying_vectors(self, lying: list[str]) -> Callable[[SideTerm], int]:
         """The place of a vector among those; the others come after them."""
 
         def place(term: SideTerm) -> int:
@@ -55,112 +55,119 @@ class Chains:
 
         return place
 
-    def _sides(self, one: Side, two: Side, total: str | None, start: str) -> tuple[Chain, Chain]:
+    def _both_chains(self, one: Side, two: Side, total: str | None, start: str) -> tuple[Chain, Chain]:
         if one and two:
-            first, second = (one, two) if not any(map(self.open, one)) else (two, one)
-            first_chain = self.chain(first, start, self._target(first, second, total))
-            other = self.chain(second, start, first_chain[-1].end)
+            first, second = (one, two) if not any(map(self.has_unknown_part, one)) else (two, one)
+            first_chain = self.chain_of_side(first, start, self._end_mark(first, second, total))
+            other = self.chain_of_side(second, start, first_chain[-1].end)
             return (first_chain, other) if first is one else (other, first_chain)
-        terms = tuple(sorted(one or two, key=self.open))
+        terms = tuple(sorted(one or two, key=self.has_unknown_part))
         if total:
-            return self.chain(terms, start, self._target(terms, (), total)), ()
-        if len(terms) < 2 or not self.open(terms[-2]):
-            return self.chain(terms, start, start), ()
-        forth = self.chain(terms[:-1], start, self.fresh(end_of(terms[-2].name)))
-        (back,) = self.chain((SideTerm(terms[-1].name, -terms[-1].times),), start, forth[-1].end)
+            return self.chain_of_side(terms, start, self._end_mark(terms, (), total)), ()
+        if len(terms) < 2 or not self.has_unknown_part(terms[-2]):
+            return self.chain_of_side(terms, start, start), ()
+        forth = self.chain_of_side(terms[:-1], start, self.unused_label(vector_end_label(terms[-2].name)))
+        (back,) = self.chain_of_side((SideTerm(terms[-1].name, -terms[-1].times),), start, forth[-1].end)
         return forth, (back,)
 
-    def open(self, term: SideTerm) -> bool:
+    def has_unknown_part(self, term: SideTerm) -> bool:
         """Whether some part of a vector is still unknown."""
-        return None in self.vectors.parts(term.name)
+        return None in self.vectors.length_and_direction_names(term.name)
 
-    def _start(self, one: Side, two: Side) -> str:
+    def _start_mark(self, one: Side, two: Side) -> str:
         """The start mark of the sides: that of a vector drawn before, or by the names, else the pole."""
         for side in (s for s in (one, two) if s):
             first = side[0]
             span = self.vectors.states[first.name].span
-            if span and span[0].startswith(at(self.plan, "")) and first.times == 1:
+            if span and span[0].startswith(full_mark_name(self.plan, "")) and first.times == 1:
                 return label_of(span[0])
-            named = ends(first.name)
+            named = rate_vector_end_marks(first.name)
             if named and first.times == 1 and named[0] in self.labels[self.plan]:
                 return named[0]
-        return POLE
+        return POLE_LABEL
 
-    def _target(self, first: Side, second: Side, total: str | None) -> str:
+    def _end_mark(self, first: Side, second: Side, total: str | None) -> str:
         """The end mark of both sides: by the name of their sum."""
         alone = next((s[0].name for s in (second, first) if len(s) == 1 and s[0].times == 1), None)
-        named = ends(total or alone or first[-1].name)
+        named = rate_vector_end_marks(total or alone or first[-1].name)
         if named and named[1] not in self.labels[self.plan]:
-            return self.fresh(named[1])
-        return self.fresh(end_of(sorted(first, key=self.open)[-1].name))
+            return self.unused_label(named[1])
+        return self.unused_label(vector_end_label(sorted(first, key=self.has_unknown_part)[-1].name))
 
-    def chain(self, side: Side, start: str, target: str) -> Chain:
+    def chain_of_side(self, side: Side, start: str, target: str) -> Chain:
         """The terms of a side, known ones first, from a mark to the target, or to the end of a vector drawn before."""
         terms, mark = list[Term](), start
-        ordered = sorted(side, key=self.open)
+        ordered = sorted(side, key=self.has_unknown_part)
         for i, stated in enumerate(ordered):
-            if self.vectors.given(stated.name).like:  # drawn from the end of the others
+            if self.vectors.given_data(stated.name).like:  # drawn from the end of the others
                 for before in terms:
-                    self.draft.lay(self.plan, before)
-            terms.append(self.term(stated, mark, target if i == len(ordered) - 1 else ""))
+                    self.draft.lay_off_known_vector(self.plan, before)
+            terms.append(self.term_from_mark(stated, mark, target if i == len(ordered) - 1 else ""))
             mark = terms[-1].end
             self.stated[terms[-1].name] = stated
         return tuple(terms)
 
-    def term(self, stated: SideTerm, mark: str, target: str) -> Term:
+    def term_from_mark(self, stated: SideTerm, mark: str, target: str) -> Term:
         """A vector from a mark on: drawn before, divided or made similar there, laid off, or unknown."""
         v, name, sign = self.vectors, stated.name, 1 if stated.times > 0 else -1
-        state, like = v.states[name], v.given(name).like
+        state, like = v.states[name], v.given_data(name).like
         span = state.span or ("", "")
-        here = at(self.plan, mark)
+        here = full_mark_name(self.plan, mark)
         if abs(stated.times) == 1 and here == span[0 if sign > 0 else 1]:
             return Term(name, mark, label_of(span[1 if sign > 0 else 0]), drawn=True, sign=sign)
-        end = target or self._label(stated, mark)
+        end = target or self._end_label(stated, mark)
         if here == span[0]:
-            self._similar(end, *span, complex(stated.times), f"ratio_{stated.text}")
-            return Term(stated.text, mark, end, drawn=True)
-        if like and not state.span and self._alike(stated, like, mark, end):
+            self._draw_similar_vector(end, *span, complex(stated.times), f"ratio_{stated.term_text}")
+            return Term(stated.term_text, mark, end, drawn=True)
+        if like and not state.span and self._draws_by_similarity(stated, like, mark, end):
             return Term(name, mark, end, drawn=True)
-        open_ = self.open(stated)
-        length = state.length if open_ else v.length(name)
-        direction = state.direction if open_ else v.direction(name)
+        open_ = self.has_unknown_part(stated)
+        length = state.length if open_ else v.length_name(name)
+        direction = state.direction if open_ else v.direction_name(name)
         if length and abs(stated.times) != 1:
-            length = self.draft.product(f"{stated.text}", abs(stated.times), **{length: 1})
+            length = self.draft.add_product(f"{stated.term_text}", abs(stated.times), **{length: 1})
         return Term(
-            stated.text, mark, end, length, direction, self._action(direction), sign=sign, means=v.mark_of(name)
+            stated.term_text,
+            mark,
+            end,
+            length,
+            direction,
+            self._line_of_action_text(direction),
+            sign=sign,
+            means=v.end_mark_meaning(name),
         )
 
-    def _action(self, direction: str | None) -> str:
+    def _line_of_action_text(self, direction: str | None) -> str:
         """The line of action as written beneath; for a given angle the direction itself."""
         means = self.draft.steps[direction].means if direction else None
-        return (means.action or direction or "") if means else direction or ""
+        return (means.written_action or direction or "") if means else direction or ""
 
-    def _alike(self, stated: SideTerm, like: Similarity, mark: str, end: str) -> bool:
+    def _draws_by_similarity(self, stated: SideTerm, like: Similarity, mark: str, end: str) -> bool:
         """Whether a vector is drawn by similarity from a mark; otherwise its length and direction are found."""
         v, name = self.vectors, stated.name
         v.used |= {like.of, *(like.shape or ())}
-        drawn = stated.times == 1 and all(map(v.spanned, (like.of, *(like.shape or ()))))
-        ends = v.span(like.of) if drawn else ("", "")
+        drawn = stated.times == 1 and all(map(v.is_drawn, (like.of, *(like.shape or ()))))
+        ends = v.end_marks(like.of) if drawn else ("", "")
         if drawn and like.shape:
-            one, two = map(v.span, like.shape)
+            one, two = map(v.end_marks, like.shape)
             v.leaned |= dict.fromkeys(like.shape, name)
-            self.draft.step(Image(at(self.plan, end), at(self.plan, mark), one, two, ends))
+            self.draft.add_step(Image(full_mark_name(self.plan, end), full_mark_name(self.plan, mark), one, two, ends))
             return True
-        if drawn and ends[0] == at(self.plan, mark):
-            self._similar(end, *ends, like.ratio, f"ratio_{name}")
+        if drawn and ends[0] == full_mark_name(self.plan, mark):
+            self._draw_similar_vector(end, *ends, like.ratio, f"ratio_{name}")
             return True
-        v.transfer(name, like)
+        v.transfer_by_similarity(name, like)
         return False
 
-    def _similar(self, end: str, start: str, stop: str, ratio: complex, name: str) -> None:
-        self.draft.step(Similar(at(self.plan, end), start, stop, self.draft.give(name, ratio)))
+    def _draw_similar_vector(self, end: str, start: str, stop: str, ratio: complex, name: str) -> None:
+        self.draft.add_step(Similar(full_mark_name(self.plan, end), start, stop, self.draft.add_given(name, ratio)))
 
-    def _label(self, stated: SideTerm, mark: str) -> str:
+    def _end_label(self, stated: SideTerm, mark: str) -> str:
         """The end mark of a vector: by its name, else a mark of the vector's name."""
-        marks = span(stated)
-        return self.fresh(marks[1] if marks and marks[0] == mark else end_of(stated.name))
+        marks = term_end_marks(stated)
+        return self.unused_label(marks[1] if marks and marks[0] == mark else vector_end_label(stated.name))
 
-    def fresh(self, label: str) -> str:
+    def unused_label(self, label: str) -> str:
         """The label, with a prime while another mark has it."""
         taken = self.labels[self.plan]
         while label in taken:

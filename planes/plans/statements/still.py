@@ -9,14 +9,14 @@ from planes.plans.assur.groups import Pair
 from planes.plans.assur.structure import Structure
 from planes.plans.force.loads import Loads
 from planes.plans.passive_motion import LinkValues
-from planes.plans.proving import closed
-from planes.plans.record import STILL, Plans
+from planes.plans.proving import closing_proofs
+from planes.plans.record import STILL_DRIVE_GIVEN, Plans
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import FRAME, Mechanism
 from planes.words.frozen import replace
 
 
-def still_plans(
+def plans_of_still_draft(
     d: Draft,
     mechanism: Mechanism,
     acting: Loads,
@@ -25,12 +25,12 @@ def still_plans(
     figure: StaticsFigure | None = None,
 ) -> Plans:
     """All that was drafted, with the end marks of its vectors and the names of its values."""
-    program = Program(tuple(d.steps.values()), tuple(closed(d)))
+    program = Program(tuple(d.steps.values()), tuple(closing_proofs(d)))
     return Plans(
         mechanism=mechanism,
         structure=Structure(0, 0, Pair("R", FRAME, FRAME), (), FRAME),
         program=program,
-        given={**d.given, STILL: 0.0},
+        given={**d.given, STILL_DRIVE_GIVEN: 0.0},
         equations=tuple(d.equations),
         moments=tuple(d.moments),
         segments=tuple(dict.fromkeys(d.segments)),

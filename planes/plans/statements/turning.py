@@ -2,21 +2,23 @@
 
 from planes.drafting.draft import Draft
 from planes.drafting.steps.laws import Follow
-from planes.scene.expressions import names_in
+from planes.scene.expressions import names_in_expression
 from planes.scene.mechanism import FRAME, Drive, Link, LoadLaw, Mechanism, Where
 from planes.words.names import Meaning
 
-STANDING = Drive(FRAME, "s", 0.0)
+STANDING_DRIVE = Drive(FRAME, "s", 0.0)
 """Takes the place of a drive where nothing depends on one."""
 
 
-def follow(draft: Draft, drive: Drive | None, name: str, law: LoadLaw, means: Meaning) -> str:
+def value_name_of_law(draft: Draft, drive: Drive | None, name: str, law: LoadLaw, means: Meaning) -> str:
     """The name of a value that is computed anew in every position of the drive."""
     assert drive
-    place = draft.give(drive.given, drive.position)
-    return draft.step(Follow(name, law, tuple((n, place) for n in dict.fromkeys(names_in(law.text))), means=means))
+    place = draft.add_given(drive.coordinate_name, drive.position)
+    return draft.add_step(
+        Follow(name, law, tuple((n, place) for n in dict.fromkeys(names_in_expression(law.text))), means=means)
+    )
 
 
-def standing(drive: Drive | None, where: Where) -> Mechanism:
+def mechanism_of_drive_alone(drive: Drive | None, where: Where) -> Mechanism:
     """No mechanism: only laws of the scene's drive."""
-    return Mechanism(Link(FRAME, {}), {}, drive or STANDING, where=where)
+    return Mechanism(Link(FRAME, {}), {}, drive or STANDING_DRIVE, where=where)

@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 
 from planes.drafting.equations import Equation, Term
 from planes.plans.force.loads import Force
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.structures.free_body import FreeBody
 from planes.scene.structures import Support
-from planes.words.names import POLE, at, end_of
+from planes.words.names import POLE_LABEL, full_mark_name, vector_end_label
 
 
 @dataclass
@@ -20,33 +20,39 @@ class Arch:
     last: FreeBody
     crown: Support
 
-    def draw(self) -> dict[str, tuple[str, str]]:
+    def draw_arch_plan(self) -> dict[str, tuple[str, str]]:
         """The plan; returns the end marks of every reaction, that of the crown on the last body."""
         one, two = self.first, self.last
         d, plan = one.draft, one.plan
-        (a, across), (b, other) = (self.springing(x) for x in (one, two))
+        (a, across), (b, other) = (self.springing_and_cross_component(x) for x in (one, two))
         both = replace(one, forces=[across, *one.forces, *two.forces, other], chain=())
-        both.lay()
+        both.lay_off_loads()
         start, parted, end = both.chain[0].end, both.chain[len(one.forces)].end, both.chain[-1].start
-        x = end_of(f"{b.name}^n")
-        last = Term(f"{b.name}^n", both.reached, x, None, self.ray(b), f"∥{b.point}{self.crown.point}")
-        back = Term(f"{a.name}^n", POLE, x, None, self.ray(a), f"∥{a.point}{self.crown.point}", sign=-1)
-        d.meet(plan, both.chain, last, back)
-        d.show(plan, x, start, a.name)
-        d.show(plan, end, x, b.name)
+        x = vector_end_label(f"{b.name}^n")
+        last = Term(f"{b.name}^n", both.reached, x, None, self.line_of_both_hinges(b), f"∥{b.point}{self.crown.point}")
+        back = Term(
+            f"{a.name}^n", POLE_LABEL, x, None, self.line_of_both_hinges(a), f"∥{a.point}{self.crown.point}", sign=-1
+        )
+        d.lay_off_until_meeting(plan, both.chain, last, back)
+        d.name_segment(plan, x, start, a.name)
+        d.name_segment(plan, end, x, b.name)
         own = tuple(t for t in both.chain if t.name in {f.name for f in two.forces})
         crown_reaction = Term(b.name, end, x, drawn=True)
-        d.conclude(Equation(plan, ((*own, crown_reaction, Term(self.crown.name, x, parted)), ())))
+        d.measure_equation_results(Equation(plan, ((*own, crown_reaction, Term(self.crown.name, x, parted)), ())))
         return {a.name: (x, start), b.name: (end, x), self.crown.name: (x, parted)}
 
-    def ray(self, s: Support) -> str:
+    def line_of_both_hinges(self, s: Support) -> str:
         """The line of a body's two hinges."""
-        return self.first.draft.ray(SCHEME, s.point, self.crown.point)
+        return self.first.draft.direction_between_marks(SCHEME_PLAN, s.point, self.crown.point)
 
-    def springing(self, body: FreeBody) -> tuple[Support, Force]:
+    def springing_and_cross_component(self, body: FreeBody) -> tuple[Support, Force]:
         """A body's hinge on the ground, and the component of its reaction across the line of both hinges."""
-        s = next(s for s in body.supports if s.held == 2 and s.point != self.crown.point)
-        name, along, spot = f"{s.name}^t", body.draft.square(self.ray(s)), body.spot(s)
-        crown = at(SCHEME, self.crown.point)
-        body.moments(crown, name, body.arm(name, spot, along, crown))
+        s = next(s for s in body.supports if s.unknown_count == 2 and s.point != self.crown.point)
+        name, along, spot = (
+            f"{s.name}^t",
+            body.draft.draw_perpendicular(self.line_of_both_hinges(s)),
+            body.place_of_support(s),
+        )
+        crown = full_mark_name(SCHEME_PLAN, self.crown.point)
+        body.unknown_by_moments(crown, name, body.arm_about_mark(name, spot, along, crown))
         return s, Force(name, body.name, name, along, spot, "tangential")

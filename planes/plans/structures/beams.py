@@ -5,15 +5,15 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from planes.plans.force.loads import Force
-from planes.plans.position.bodies import SCHEME
+from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.structures.free_body import FreeBody, Meeting
-from planes.plans.structures.strings import O, StringPolygon
+from planes.plans.structures.strings import STRING_POLE_LETTER, StringPolygon
 from planes.scene.structures import Framework
-from planes.words.names import POLE, Meaning, at
+from planes.words.names import POLE_LABEL, Meaning, full_mark_name
 
 Moment = tuple[str, str]
 Shear = tuple[str, str, str]
-SQUARE = 1e-9  # the cosine of the angle between a beam and its loads
+MOST_SQUARE_LOAD_COSINE = 1e-9  # the cosine of the angle between a beam and its loads
 
 
 @dataclass
@@ -25,92 +25,123 @@ class StraightBeam:
     places: dict[str, complex]  # lengths of its loads, m
 
     @property
-    def axis(self) -> complex:
+    def axis_vector(self) -> complex:
         """The vector from the hinge to the point of the other support."""
-        anchor, (line,) = self.body.anchor, self.body.lines
+        anchor, (line,) = self.body.hinge_or_clamp, self.body.supports_with_known_lines
         assert anchor
         return self.framework.points[line.point] - self.framework.points[anchor.point]
 
-    def along(self, z: complex) -> float:
+    def relative_distance_along(self, z: complex) -> float:
         """The distance of a place along the beam from the hinge, relative to the span."""
-        anchor = self.body.anchor
+        anchor = self.body.hinge_or_clamp
         assert anchor
-        return ((z - self.framework.points[anchor.point]) / self.axis).real
+        return ((z - self.framework.points[anchor.point]) / self.axis_vector).real
 
-    def load_along(self, load: tuple[Force, complex]) -> float:
+    def load_distance_along(self, load: tuple[Force, complex]) -> float:
         """The distance of a load along the beam."""
-        return self.along(self.places[load[0].name])
+        return self.relative_distance_along(self.places[load[0].name])
 
-    def straight(self, ways: list[complex]) -> bool:
+    def is_straight_beam(self, ways: list[complex]) -> bool:
         """Whether it is a beam: its points on one line, and all forces, by their ``ways``, across it."""
-        anchor, points = self.body.anchor, self.framework.points
+        anchor, points = self.body.hinge_or_clamp, self.framework.points
         assert anchor
         own = [points[p] - points[anchor.point] for p in self.framework.bodies[self.body.name]]
-        level = all(abs((z / self.axis).imag) <= SQUARE for z in own)
-        return level and all(abs((w / self.axis).real) <= SQUARE * abs(w / self.axis) for w in ways)
+        level = all(abs((z / self.axis_vector).imag) <= MOST_SQUARE_LOAD_COSINE for z in own)
+        return level and all(
+            abs((w / self.axis_vector).real) <= MOST_SQUARE_LOAD_COSINE * abs(w / self.axis_vector) for w in ways
+        )
 
-    def measure(self, polygon: StringPolygon, closing: str, x: str) -> tuple[list[Moment], list[Shear]]:
+    def measure_moments_and_shears(
+        self, polygon: StringPolygon, closing: str, x: str
+    ) -> tuple[list[Moment], list[Shear]]:
         """Bending moments by points, and shear forces by pairs of points."""
-        b, d, anchor = self.body, self.body.draft, self.body.anchor
+        b, d, anchor = self.body, self.body.draft, self.body.hinge_or_clamp
         assert anchor
-        axis = d.ray(SCHEME, anchor.point, b.lines[0].point)
-        knots, ends = polygon.knots, [POLE, *(t.end for t in b.chain)]
+        axis = d.direction_between_marks(SCHEME_PLAN, anchor.point, b.supports_with_known_lines[0].point)
+        knots, ends = polygon.knots, [POLE_LABEL, *(t.end for t in b.chain)]
         bases = [
-            (POLE, polygon.rays[0], knots[0]),
+            (POLE_LABEL, polygon.rays[0], knots[0]),
             (x, closing, knots[0]),
             (ends[len(b.forces)], polygon.rays[-1], knots[-1]),
         ]
         own = self.framework.bodies[b.name]
-        stops = sorted(own, key=lambda p: self.along(self.framework.points[p]))
-        moments = [(p, self.moment(p, polygon, bases, axis)) for p in stops if not self.within(p)]
+        stops = sorted(own, key=lambda p: self.relative_distance_along(self.framework.points[p]))
+        moments = [
+            (p, self.bending_moment_at_point(p, polygon, bases, axis))
+            for p in stops
+            if not self.is_inside_distributed_load(p)
+        ]
         shears = list[Shear]()
         for one, other in pairwise(stops):
-            if not self.spread(one, other):
-                middle = self.middle(one, other)
-                base, end = bases[self.part(middle)][0], ends[self.passed(middle)]
+            if not self.has_distributed_load_between(one, other):
+                middle = self.middle_distance_along(one, other)
+                base, end = bases[self.beam_part_at(middle)][0], ends[self.loads_before_place(middle)]
                 name = f"Q_{one}{other}"
-                shears.append((one, other, d.measure(name, at(b.plan, base), at(b.plan, end), d.square(axis))))
+                shears.append(
+                    (
+                        one,
+                        other,
+                        d.measure_segment(
+                            name, full_mark_name(b.plan, base), full_mark_name(b.plan, end), d.draw_perpendicular(axis)
+                        ),
+                    )
+                )
         return moments, shears
 
-    def moment(self, point: str, polygon: StringPolygon, bases: list[Shear], axis: str) -> str:
+    def bending_moment_at_point(self, point: str, polygon: StringPolygon, bases: list[Shear], axis: str) -> str:
         """The bending moment at a point: the pole distance times the ordinate between base and string."""
-        b, d, where = self.body, self.body.draft, self.along(self.framework.points[point])
-        pole, across = d.measure("N_H", at(b.plan, O), at(b.plan, POLE), axis), d.square(axis)
-        _, ray, knot = bases[self.part(where)]
-        passed, spot = self.passed(where), at(SCHEME, point)
+        b, d, where = self.body, self.body.draft, self.relative_distance_along(self.framework.points[point])
+        pole, across = (
+            d.measure_segment(
+                "N_H", full_mark_name(b.plan, STRING_POLE_LETTER), full_mark_name(b.plan, POLE_LABEL), axis
+            ),
+            d.draw_perpendicular(axis),
+        )
+        _, ray, knot = bases[self.beam_part_at(where)]
+        passed, spot = self.loads_before_place(where), full_mark_name(SCHEME_PLAN, point)
         marks = []
         for k, through, line in (("·", knot, ray), ("··", polygon.knots[passed], polygon.rays[passed])):
-            mark = b.fresh(f"{point}{k}")
-            marks.append(d.step(Meeting(mark, spot, across, through, line, means=Meaning("foot"))))
-        height = d.measure(f"y_{point}", marks[0], marks[1], across)
-        sign = 1.0 if (self.axis.real, self.axis.imag) > (0.0, 0.0) else -1.0
-        return d.product(f"M_{point}", sign, **{pole: 1, height: 1})
+            mark = b.unused_mark(f"{point}{k}")
+            marks.append(d.add_step(Meeting(mark, spot, across, through, line, means=Meaning("foot"))))
+        height = d.measure_segment(f"y_{point}", marks[0], marks[1], across)
+        sign = 1.0 if (self.axis_vector.real, self.axis_vector.imag) > (0.0, 0.0) else -1.0
+        return d.add_product(f"M_{point}", sign, **{pole: 1, height: 1})
 
-    def part(self, where: float) -> int:
+    def beam_part_at(self, where: float) -> int:
         """The part of the beam: before both supports, between them, or after them."""
-        return 0 if where < -SQUARE else 1 if where <= 1.0 + SQUARE else 2
+        return 0 if where < -MOST_SQUARE_LOAD_COSINE else 1 if where <= 1.0 + MOST_SQUARE_LOAD_COSINE else 2
 
-    def passed(self, where: float) -> int:
+    def loads_before_place(self, where: float) -> int:
         """The number of loads before a place."""
-        return sum(self.along(self.places[f.name]) < where - SQUARE for f in self.body.forces)
+        return sum(
+            self.relative_distance_along(self.places[f.name]) < where - MOST_SQUARE_LOAD_COSINE
+            for f in self.body.forces
+        )
 
-    def within(self, point: str) -> bool:
+    def is_inside_distributed_load(self, point: str) -> bool:
         """Whether a point lies inside a distributed load, whose resultant gives no moment there."""
-        return any(self.covers(load.spread, point) for load in self.framework.loads if load.spread)
+        return any(self.is_between_points(load.spread, point) for load in self.framework.loads if load.spread)
 
-    def covers(self, spread: tuple[str, str], point: str) -> bool:
+    def is_between_points(self, spread: tuple[str, str], point: str) -> bool:
         """Whether a point is between two others."""
-        one, place, other = (self.along(self.framework.points[p]) for p in (spread[0], point, spread[1]))
-        return min(one, other) + SQUARE < place < max(one, other) - SQUARE
+        one, place, other = (
+            self.relative_distance_along(self.framework.points[p]) for p in (spread[0], point, spread[1])
+        )
+        return min(one, other) + MOST_SQUARE_LOAD_COSINE < place < max(one, other) - MOST_SQUARE_LOAD_COSINE
 
-    def middle(self, one: str, other: str) -> float:
+    def middle_distance_along(self, one: str, other: str) -> float:
         """The distance of the middle of two points along the beam."""
-        return (self.along(self.framework.points[one]) + self.along(self.framework.points[other])) / 2
+        return (
+            self.relative_distance_along(self.framework.points[one])
+            + self.relative_distance_along(self.framework.points[other])
+        ) / 2
 
-    def spread(self, one: str, other: str) -> bool:
+    def has_distributed_load_between(self, one: str, other: str) -> bool:
         """Whether a distributed load lies between two points."""
-        middle = self.middle(one, other)
+        middle = self.middle_distance_along(one, other)
         ends = [
-            sorted(self.along(self.framework.points[p]) for p in x.spread) for x in self.framework.loads if x.spread
+            sorted(self.relative_distance_along(self.framework.points[p]) for p in x.spread)
+            for x in self.framework.loads
+            if x.spread
         ]
         return any(low < middle < high for low, high in ends)

@@ -10,14 +10,14 @@ from planes.drafting.draft import Draft
 from planes.drafting.equations import Equation, MomentTerms, Term
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Product
-from planes.geometry.plane import sine
+from planes.geometry.plane import sine_between
 from planes.plans.force.loads import Force
-from planes.plans.position.bodies import SCHEME, on_scheme
+from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.regions import Regions, Side
 from planes.scene.structures import Framework
-from planes.words.names import CREMONA, Meaning, at
+from planes.words.names import CREMONA_PLAN, Meaning, full_mark_name
 
-ALIKE = 1e-6  # the sine of the angle below which members are parallel
+PARALLEL_MEMBERS_SINE = 1e-6  # the sine of the angle below which members are parallel
 
 
 @dataclass
@@ -32,123 +32,150 @@ class CremonaPlan:
     joints: dict[str, str] = field(default_factory=dict)  # mark -> its joint
     cuts: dict[str, tuple[str, ...]] = field(default_factory=dict)  # members found by a cut -> all members cut
 
-    def draw(self) -> list[str]:
+    def draw_cremona_plan(self) -> list[str]:
         """The whole plan; returns the members it cannot reach."""
-        self.outside()
+        self.lay_off_external_forces()
         left = dict.fromkeys(r for r in self.regions.right.values() if r not in self.drawn)
         while left:
-            region = next((r for r in left if self.crossed(r)), None) or next((r for r in left if self.cut(r)), None)
+            region = next((r for r in left if self.draw_region_by_crossing(r)), None) or next(
+                (r for r in left if self.draw_region_by_cut(r)), None
+            )
             if region is None:
                 break
             self.drawn.append(region)
             left.pop(region)
         if not left:
-            self.close()
-        return ["".join(m) for m in self.framework.members if {*self.sides(m)} & left.keys()]
+            self.close_remaining_polygons()
+        return ["".join(m) for m in self.framework.members if {*self.regions_beside_member(m)} & left.keys()]
 
-    def outside(self) -> None:
+    def lay_off_external_forces(self) -> None:
         """The external forces head to tail, clockwise around the truss; the last one closes the polygon."""
-        self.draft.pole(CREMONA)
+        self.draft.draw_pole(CREMONA_PLAN)
         for f in self.regions.ordered:
             force, (start, end) = self.outer[f.name], (self.regions.before[f.name], self.regions.after[f.name])
             if f is not self.regions.ordered[-1]:
-                self.draft.lay(CREMONA, Term(f.name, start, end, force.size, force.along, means=force.means))
-            self.draft.show(CREMONA, start, end, f.name)
+                self.draft.lay_off_known_vector(
+                    CREMONA_PLAN, Term(f.name, start, end, force.size, force.along, means=force.meaning_of_mark)
+                )
+            self.draft.name_segment(CREMONA_PLAN, start, end, f.name)
             self.drawn.append(start)
         ordered = [(f.name, self.regions.before[f.name], self.regions.after[f.name]) for f in self.regions.ordered]
-        self.state(Term(*one, drawn=True) for one in ordered)
+        self.record_closed_polygon(Term(*one, drawn=True) for one in ordered)
 
-    def state(self, terms: Iterable[Term]) -> None:
+    def record_closed_polygon(self, terms: Iterable[Term]) -> None:
         """Record a closed polygon: the last of its forces closes it."""
         *chain, last = terms
-        self.draft.equations.append(Equation(CREMONA, ((*chain, replace(last, drawn=False)), ())))
+        self.draft.equations.append(Equation(CREMONA_PLAN, ((*chain, replace(last, drawn=False)), ())))
 
-    def sides(self, member: Side) -> tuple[str, str]:
+    def regions_beside_member(self, member: Side) -> tuple[str, str]:
         """The regions on the left and on the right of a member, seen from its first joint."""
         a, b = member
         return self.regions.right[b, a], self.regions.right[a, b]
 
-    def around(self, region: str) -> Iterator[tuple[Side, str]]:
+    def drawn_neighbour_regions(self, region: str) -> Iterator[tuple[Side, str]]:
         """The members of a region with drawn regions on their other side, and those regions."""
         for member in self.framework.members:
-            left, right = self.sides(member)
+            left, right = self.regions_beside_member(member)
             other = right if left == region else left
             if region in (left, right) and other in self.drawn and other != region:
                 yield member, other
 
-    def crossed(self, region: str) -> bool:
+    def draw_region_by_crossing(self, region: str) -> bool:
         """Draw a region where lines along two of its members meet, those of one joint before others."""
-        pairs = [p for p in combinations(self.around(region), 2) if self.turned(p[0][0], p[1][0]) > ALIKE]
+        pairs = [
+            p
+            for p in combinations(self.drawn_neighbour_regions(region), 2)
+            if self.sine_between_members(p[0][0], p[1][0]) > PARALLEL_MEMBERS_SINE
+        ]
         pairs.sort(key=lambda p: not {*p[0][0]} & {*p[1][0]})
         for (one, start), (two, other) in pairs[:1]:
             joint = next(iter({*one} & {*two}), "")
-            self.joints[at(CREMONA, region)] = joint
-            if joint and self.balanced(joint, region):
+            self.joints[full_mark_name(CREMONA_PLAN, region)] = joint
+            if joint and self.draw_region_by_joint(joint, region):
                 continue
-            along, across = (self.draft.ray(SCHEME, *m) for m in (one, two))
-            self.draft.step(Cross(at(CREMONA, region), at(CREMONA, start), along, at(CREMONA, other), across))
+            along, across = (self.draft.direction_between_marks(SCHEME_PLAN, *m) for m in (one, two))
+            self.draft.add_step(
+                Cross(
+                    full_mark_name(CREMONA_PLAN, region),
+                    full_mark_name(CREMONA_PLAN, start),
+                    along,
+                    full_mark_name(CREMONA_PLAN, other),
+                    across,
+                )
+            )
         return bool(pairs)
 
-    def balanced(self, joint: str, region: str) -> bool:
+    def draw_region_by_joint(self, joint: str, region: str) -> bool:
         """The polygon of a joint by which a region is drawn, if that region is its only unknown."""
-        terms = self.regions.around_joint(joint)
+        terms = self.regions.forces_around_joint(joint)
         if {x for _, *ends in terms for x in ends} - {*self.drawn, region}:
             return False
         first = next(k for k, (_, start, _) in enumerate(terms) if start == region)
-        *chain, last = [self.term(*one, open_=region in one[1:]) for one in (*terms[first + 1 :], *terms[: first + 1])]
+        *chain, last = [
+            self.force_term_between_regions(*one, open_=region in one[1:])
+            for one in (*terms[first + 1 :], *terms[: first + 1])
+        ]
         back = replace(last, start=last.end, end=last.start, sign=-last.sign)
-        self.draft.meet(CREMONA, chain[:-1], chain[-1], back)
+        self.draft.lay_off_until_meeting(CREMONA_PLAN, chain[:-1], chain[-1], back)
         return True
 
-    def term(self, name: str, start: str, end: str, open_: bool) -> Term:
+    def force_term_between_regions(self, name: str, start: str, end: str, open_: bool) -> Term:
         """A force around a joint from region to region: drawn before, or a member with a known line."""
         member = next((m for m in self.framework.members if f"S_{m[0]}{m[1]}" == name), None)
-        sign = 1 if member is None or self.sides(member) == (start, end) else -1
+        sign = 1 if member is None or self.regions_beside_member(member) == (start, end) else -1
         if member is None or not open_:
             return Term(name, start, end, drawn=True, sign=sign)
-        along = self.draft.ray(SCHEME, *member)
+        along = self.draft.direction_between_marks(SCHEME_PLAN, *member)
         return Term(name, start, end, None, along, f"∥{member[0]}{member[1]}", sign=sign)
 
-    def close(self) -> None:
+    def close_remaining_polygons(self) -> None:
         """Close the polygons of members without a drawn joint; each is closed by one of them."""
-        drawn = {t.name for e in self.draft.equations if e.plan == CREMONA for t in e.terms}
+        drawn = {t.name for e in self.draft.equations if e.plan == CREMONA_PLAN for t in e.all_terms}
         for a, b in self.framework.members:
             name = f"S_{a}{b}"
             if name not in drawn:
-                terms = self.regions.around_joint(a)
+                terms = self.regions.forces_around_joint(a)
                 k = next(k for k, one in enumerate(terms) if one[0] == name)
-                chain = [self.term(*one, open_=False) for one in (*terms[k + 1 :], *terms[: k + 1])]
-                self.state(chain)
+                chain = [
+                    self.force_term_between_regions(*one, open_=False) for one in (*terms[k + 1 :], *terms[: k + 1])
+                ]
+                self.record_closed_polygon(chain)
                 drawn |= {t.name for t in chain}
 
-    def turned(self, one: Side, two: Side) -> float:
+    def sine_between_members(self, one: Side, two: Side) -> float:
         """The sine of the angle between two members."""
-        return sine(self.regions.way(*one), self.regions.way(*two))
+        return sine_between(self.regions.vector_between_joints(*one), self.regions.vector_between_joints(*two))
 
-    def measure(self) -> dict[str, str]:
+    def measure_member_forces(self) -> dict[str, str]:
         """Every member's force by its name, tension positive."""
         forces = {}
         for a, b in self.framework.members:
-            name, (left, right) = f"S_{a}{b}", self.sides((a, b))
-            self.draft.show(CREMONA, left, right, name)
-            along = self.draft.ray(SCHEME, a, b)
-            forces[name] = self.draft.measure(name, at(CREMONA, left), at(CREMONA, right), along)
+            name, (left, right) = f"S_{a}{b}", self.regions_beside_member((a, b))
+            self.draft.name_segment(CREMONA_PLAN, left, right, name)
+            along = self.draft.direction_between_marks(SCHEME_PLAN, a, b)
+            forces[name] = self.draft.measure_segment(
+                name, full_mark_name(CREMONA_PLAN, left), full_mark_name(CREMONA_PLAN, right), along
+            )
         return forces
 
     # cuts
 
-    def cut(self, region: str) -> bool:
+    def draw_region_by_cut(self, region: str) -> bool:
         """Draw a region from a known one along a member whose force comes from moments about a cut through three."""
-        for member, other in self.around(region):
+        for member, other in self.drawn_neighbour_regions(region):
             for two in combinations([m for m in self.framework.members if m != member], 2):
-                part = self.part(member, two)
-                if part and self.turned(*two) > ALIKE and (about := self.meeting(member, two)):
-                    self.reckon(region, member, other, about, part)
+                part = self.joints_on_one_side_of_cut(member, two)
+                if (
+                    part
+                    and self.sine_between_members(*two) > PARALLEL_MEMBERS_SINE
+                    and (about := self.meeting(member, two))
+                ):
+                    self.lay_off_member_force_by_moments(region, member, other, about, part)
                     self.cuts["".join(member)] = tuple("".join(m) for m in (member, *two))
                     return True
         return False
 
-    def part(self, member: Side, two: tuple[Side, ...]) -> set[str]:
+    def joints_on_one_side_of_cut(self, member: Side, two: tuple[Side, ...]) -> set[str]:
         """The joints on the side of the member's first one, if the truss falls apart without these members; else
         empty."""
         left, reached = [m for m in self.framework.members if m not in (member, *two)], {member[0]}
@@ -159,28 +186,30 @@ class CremonaPlan:
     def meeting(self, member: Side, two: tuple[Side, Side]) -> str:
         """The intersection of the lines of two cut members, if it is off the line of the first."""
         (a, b), (c, d) = two
-        u, v = self.regions.way(a, b), self.regions.way(c, d)
-        shift = self.regions.way(a, c)
+        u, v = self.regions.vector_between_joints(a, b), self.regions.vector_between_joints(c, d)
+        shift = self.regions.vector_between_joints(a, c)
         place = self.framework.points[a] + u * (shift * v.conjugate()).imag / (u * v.conjugate()).imag
-        lever, way = place - self.framework.points[member[0]], self.regions.way(*member)
-        if abs((lever * way.conjugate()).imag) <= ALIKE * abs(way) ** 2:
+        lever, way = place - self.framework.points[member[0]], self.regions.vector_between_joints(*member)
+        if abs((lever * way.conjugate()).imag) <= PARALLEL_MEMBERS_SINE * abs(way) ** 2:
             return ""
         if shared := {*two[0]} & {*two[1]}:
-            return on_scheme(shared.pop())
-        (along, across), label = (self.draft.ray(SCHEME, *m) for m in two), "R"
-        while on_scheme(label) in self.draft.steps:
+            return scheme_mark(shared.pop())
+        (along, across), label = (self.draft.direction_between_marks(SCHEME_PLAN, *m) for m in two), "R"
+        while scheme_mark(label) in self.draft.steps:
             label += "′"
-        return self.draft.step(Cross(on_scheme(label), on_scheme(a), along, on_scheme(c), across))
+        return self.draft.add_step(Cross(scheme_mark(label), scheme_mark(a), along, scheme_mark(c), across))
 
-    def reckon(self, region: str, member: Side, other: str, about: str, part: set[str]) -> None:
+    def lay_off_member_force_by_moments(
+        self, region: str, member: Side, other: str, about: str, part: set[str]
+    ) -> None:
         """The force of a member from the moments of a part of the truss, and the region at its end."""
         d, name = self.draft, f"S_{member[0]}{member[1]}"
-        along = d.ray(SCHEME, *member)
-        lever, terms = d.arm(name, on_scheme(member[0]), along, about), MomentTerms()
-        for f in (f for f in self.regions.forces if f.joint in part and on_scheme(f.joint) != about):
+        along = d.direction_between_marks(SCHEME_PLAN, *member)
+        lever, terms = d.draw_arm(name, scheme_mark(member[0]), along, about), MomentTerms()
+        for f in (f for f in self.regions.forces if f.joint in part and scheme_mark(f.joint) != about):
             force = self.outer[f.name]
-            arm = d.arm(f.name, force.point, force.along, about)
+            arm = d.draw_arm(f.name, force.point, force.along, about)
             terms.append((f.name, arm, Product(-1.0, ((force.size, 1), (arm, 1), (lever, -1)))))
-        value = d.balance(f"N_{member[0]}{member[1]}", about, tuple(sorted(part)), terms, lever)
-        way = along if self.sides(member)[1] == region else d.reversed(along)
-        d.lay_off(CREMONA, region, at(CREMONA, other), way, value, Meaning("load", name))
+        value = d.solve_moment_equation(f"N_{member[0]}{member[1]}", about, tuple(sorted(part)), terms, lever)
+        way = along if self.regions_beside_member(member)[1] == region else d.draw_reversed_direction(along)
+        d.lay_off(CREMONA_PLAN, region, full_mark_name(CREMONA_PLAN, other), way, value, Meaning("load", name))

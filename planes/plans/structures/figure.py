@@ -47,28 +47,28 @@ class StaticsFigure:
     letters: Mapping[str, complex] = field(default_factory=dict)  # of regions (Bow), by places on the scheme, m
 
     @classmethod
-    def of(cls, f: Framework) -> "StaticsFigure":
+    def undrawn_figure(cls, f: Framework) -> "StaticsFigure":
         """The figure of a framework, with nothing drawn yet."""
         members = tuple((f"S_{a}{b}", a, b) for a, b in f.members)
         spread = tuple(load for load in f.loads if load.spread)
         numbered = frozenset(f.bodies if len(f.bodies) > 1 else ())
         return cls(f.supports, f.points, spread, members, numbered, f.pole)
 
-    def stroke(self, plan: str, kind: LineKind, name: str, start: str, end: str) -> None:
+    def add_line(self, plan: str, kind: LineKind, name: str, start: str, end: str) -> None:
         """Add a line, unless it has no length."""
         if start != end:
             self.strokes.append(FigureLine(plan, kind, name, start, end))
 
 
-def as_mechanism(f: Framework, drive: Drive) -> Mechanism:
+def framework_as_mechanism(f: Framework, drive: Drive) -> Mechanism:
     """The bodies, rods and hinges as links, for the drawing of the scheme."""
     hinged = [s.point for s in f.supports if s.kind == "hinge"]
     frame = Link(FRAME, MappingProxyType({p: f.points[p] for p in dict.fromkeys((*hinged, *sorted(f.fixed)))}))
-    links = {name: Link(name, MappingProxyType(dict(points))) for name, points in _links(f)}
+    links = {name: Link(name, MappingProxyType(dict(points))) for name, points in _framework_links(f)}
     return Mechanism(frame, MappingProxyType(links), drive)
 
 
-def _links(f: Framework) -> Iterator[tuple[str, dict[str, complex]]]:
+def _framework_links(f: Framework) -> Iterator[tuple[str, dict[str, complex]]]:
     if f.members:
         yield from (("".join(ends), {p: f.points[p] for p in ends}) for ends in f.members)
     else:
@@ -77,11 +77,14 @@ def _links(f: Framework) -> Iterator[tuple[str, dict[str, complex]]]:
 
 
 Strain = Literal["tension", "compression", "idle"]
-NOTHING = 1e-9  # of the largest force: below this it is zero
+ZERO_FORCE_RATIO = 1e-9  # of the largest force: below this it is zero
 
 
-def strains(figure: StaticsFigure | None, drawing: Drawing) -> dict[str, Strain]:
+def member_strains(figure: StaticsFigure | None, drawing: Drawing) -> dict[str, Strain]:
     """The state of every drawn member, tension, compression or zero, by the name of its force."""
     forces = {n: float(drawing[n]) for n, _, _ in figure.members if n in drawing} if figure else {}
     most = max(map(abs, forces.values()), default=0.0)
-    return {n: "idle" if abs(v) <= NOTHING * most else "tension" if v > 0 else "compression" for n, v in forces.items()}
+    return {
+        n: "idle" if abs(v) <= ZERO_FORCE_RATIO * most else "tension" if v > 0 else "compression"
+        for n, v in forces.items()
+    }

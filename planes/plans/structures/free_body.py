@@ -12,11 +12,11 @@ from planes.drafting.equations import Equation, Term
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Product
 from planes.plans.force.loads import Couple, Force
-from planes.plans.position.bodies import SCHEME, on_scheme
+from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import Support
 from planes.words.frozen import frozen
-from planes.words.names import POLE, Meaning, at, end_of, label_of
+from planes.words.names import POLE_LABEL, Meaning, full_mark_name, label_of, vector_end_label
 
 Chain = tuple[Term, ...]
 
@@ -43,147 +43,163 @@ class FreeBody:
     chain: Chain = ()
 
     @property
-    def lines(self) -> list[Support]:
+    def supports_with_known_lines(self) -> list[Support]:
         """The supports with reactions of known line."""
-        return [s for s in self.supports if s.held == 1]
+        return [s for s in self.supports if s.unknown_count == 1]
 
     @property
-    def anchor(self) -> Support | None:
+    def hinge_or_clamp(self) -> Support | None:
         """The hinge or the clamp."""
-        return next((s for s in self.supports if s.held > 1), None)
+        return next((s for s in self.supports if s.unknown_count > 1), None)
 
-    def lay(self) -> str:
+    def lay_off_loads(self) -> str:
         """Lay off all loads one after another; returns the label at the end of the last."""
-        self.draft.pole(self.plan)
+        self.draft.draw_pole(self.plan)
         self.chain = ()
         for f in self.forces:
-            self.append(f)
+            self.append_force(f)
         return self.reached
 
-    def append(self, force: Force) -> None:
+    def append_force(self, force: Force) -> None:
         """Lay off one more known force."""
-        f, end = force, end_of(force.name)
-        self.chain += (Term(f.name, self.reached, end, f.size, f.along, self.action(f.along), means=f.means),)
-        self.draft.lay(self.plan, self.chain[-1])
+        f, end = force, vector_end_label(force.name)
+        self.chain += (
+            Term(
+                f.name, self.reached, end, f.size, f.along, self.line_of_action_text(f.along), means=f.meaning_of_mark
+            ),
+        )
+        self.draft.lay_off_known_vector(self.plan, self.chain[-1])
 
     @property
     def reached(self) -> str:
         """The label at the present end of the polygon."""
-        return self.chain[-1].end if self.chain else POLE
+        return self.chain[-1].end if self.chain else POLE_LABEL
 
-    def action(self, along: str) -> str:
+    def line_of_action_text(self, along: str) -> str:
         """A line of action as written."""
         means = self.draft.steps[along].means
-        return means.action if means else ""
+        return means.written_action if means else ""
 
-    def along(self, s: Support) -> str:
+    def reaction_line(self, s: Support) -> str:
         """The line of a reaction: the normal of a roller, a rod outwards from the body."""
         if s.to:
-            return self.draft.ray(SCHEME, s.point, s.to)
-        return self.draft.aim(f"∠{s.name}", s.normal_deg, Meaning("given", s.name))
+            return self.draft.direction_between_marks(SCHEME_PLAN, s.point, s.to)
+        return self.draft.draw_direction_at_angle(f"∠{s.name}", s.normal_deg, Meaning("given", s.name))
 
-    def spot(self, s: Support) -> str:
+    def place_of_support(self, s: Support) -> str:
         """The place where a support holds the body."""
-        return on_scheme(s.point)
+        return scheme_mark(s.point)
 
-    def seek(self, s: Support, start: str, end: str, along: str | None = None) -> Term:
+    def unknown_reaction_term(self, s: Support, start: str, end: str, along: str | None = None) -> Term:
         """A reaction with its line, or with no known data."""
-        along = along or self.along(s)
-        return Term(s.name, start, end, None, along, self.action(along))
+        along = along or self.reaction_line(s)
+        return Term(s.name, start, end, None, along, self.line_of_action_text(along))
 
-    def meet(self, one: Support, other: Support, along: str) -> None:
+    def cross_two_reactions(self, one: Support, other: Support, along: str) -> None:
         """From the end of the polygon the ``one`` reaction, then along its line the ``other`` back to the pole."""
-        x, start = end_of(one.name), self.reached
-        back = replace(self.seek(other, POLE, x, along), sign=-1)
-        self.draft.meet(self.plan, self.chain, self.seek(one, start, x), back)
-        self.found |= {one.name: (start, x), other.name: (x, POLE)}
+        x, start = vector_end_label(one.name), self.reached
+        back = replace(self.unknown_reaction_term(other, POLE_LABEL, x, along), sign=-1)
+        self.draft.lay_off_until_meeting(self.plan, self.chain, self.unknown_reaction_term(one, start, x), back)
+        self.found |= {one.name: (start, x), other.name: (x, POLE_LABEL)}
 
-    def close(self, s: Support) -> None:
+    def close_with_last_reaction(self, s: Support) -> None:
         """The last reaction closes the polygon: its length and direction are measured."""
-        self.draft.close(self.plan, self.chain, s.name, self.reached)
-        self.found[s.name] = (self.reached, POLE)
+        self.draft.draw_closing_vector(self.plan, self.chain, s.name, self.reached)
+        self.found[s.name] = (self.reached, POLE_LABEL)
 
     # moment equations
 
-    def moments(self, about: str, unknown: str, arm: str = "") -> None:
+    def unknown_by_moments(self, about: str, unknown: str, arm: str = "") -> None:
         """The moments of all loads about a mark give one unknown: a force with its ``arm``, a couple without."""
         tail = ((arm, -1),) if arm else ()
-        levers = [(f, self.arm(f.name, f.point, f.along, about)) for f in self.forces if f.point != about]
+        levers = [(f, self.arm_about_mark(f.name, f.point, f.along, about)) for f in self.forces if f.point != about]
         terms = [(f.name, own, Product(-1.0, ((f.size, 1), (own, 1), *tail))) for f, own in levers]
         terms += [(c.name, "", Product(-1.0 * c.sign, ((c.value, 1), *tail))) for c in self.couples]
-        self.draft.balance(unknown, about, (self.name,), terms, arm)
+        self.draft.solve_moment_equation(unknown, about, (self.name,), terms, arm)
 
-    def arm(self, name: str, point: str, along: str, about: str) -> str:
+    def arm_about_mark(self, name: str, point: str, along: str, about: str) -> str:
         """The arm of a force about a mark, drawn and measured on the scheme."""
-        return self.draft.arm(name, point, along, about, self.name)
+        return self.draft.draw_arm(name, point, along, about, self.name)
 
-    def by_moments(self) -> None:
+    def solve_reactions_by_moments(self) -> None:
         """A clamp's couple, or the reaction of a support with a line, by moments; the rest closes the polygon."""
-        self.lay()
-        anchor, lines = self.anchor, self.lines
+        self.lay_off_loads()
+        anchor, lines = self.hinge_or_clamp, self.supports_with_known_lines
         if anchor is None:
             one, two, three = lines
-            self.reckon(one, self.crossing(two, three))
-            self.meet(two, three, self.along(three))
+            self.reaction_by_moments(one, self.crossing_of_reaction_lines(two, three))
+            self.cross_two_reactions(two, three, self.reaction_line(three))
             return
         if anchor.kind == "clamp":
-            self.moments(self.spot(anchor), f"M_{anchor.point}")
+            self.unknown_by_moments(self.place_of_support(anchor), f"M_{anchor.point}")
         else:
-            self.reckon(lines[0], self.spot(anchor))
-        self.close(anchor)
+            self.reaction_by_moments(lines[0], self.place_of_support(anchor))
+        self.close_with_last_reaction(anchor)
 
-    def reckon(self, s: Support, about: str) -> None:
+    def reaction_by_moments(self, s: Support, about: str) -> None:
         """A reaction by the moments about a mark, laid off."""
-        along = self.along(s)
-        self.moments(about, s.name, self.arm(s.name, self.spot(s), along, about))
+        along = self.reaction_line(s)
+        self.unknown_by_moments(about, s.name, self.arm_about_mark(s.name, self.place_of_support(s), along, about))
         start = self.reached
-        self.append(Force(s.name, self.name, s.name, along, self.spot(s), "load"))
+        self.append_force(Force(s.name, self.name, s.name, along, self.place_of_support(s), "load"))
         self.found[s.name] = (start, self.reached)
 
-    def crossing(self, one: Support, other: Support) -> str:
+    def crossing_of_reaction_lines(self, one: Support, other: Support) -> str:
         """The intersection of the lines of two reactions on the scheme."""
-        return self.cross("K", self.spot(one), self.along(one), self.spot(other), self.along(other))
+        return self.crossing_of_lines(
+            "K",
+            self.place_of_support(one),
+            self.reaction_line(one),
+            self.place_of_support(other),
+            self.reaction_line(other),
+        )
 
-    def fresh(self, label: str) -> str:
+    def unused_mark(self, label: str) -> str:
         """An unused mark of the scheme."""
-        while on_scheme(label) in self.draft.steps:
+        while scheme_mark(label) in self.draft.steps:
             label += "′"
-        return on_scheme(label)
+        return scheme_mark(label)
 
-    def cross(self, label: str, start: str, along: str, other: str, across: str) -> str:
+    def crossing_of_lines(self, label: str, start: str, along: str, other: str, across: str) -> str:
         """A point of the scheme where two lines meet, both extended to it."""
-        mark = self.draft.step(Meeting(self.fresh(label), start, along, other, across))
-        self.figure.stroke(SCHEME, "action", "", start, mark)
-        self.figure.stroke(SCHEME, "action", "", other, mark)
+        mark = self.draft.add_step(Meeting(self.unused_mark(label), start, along, other, across))
+        self.figure.add_line(SCHEME_PLAN, "action", "", start, mark)
+        self.figure.add_line(SCHEME_PLAN, "action", "", other, mark)
         self.figure.knots.append(mark)
         return mark
 
     # by lines of action
 
-    def three_forces(self, point: str, along: str) -> None:
+    def solve_by_three_forces(self, point: str, along: str) -> None:
         """A load with a line, a support with a line, a hinge: the reaction of the hinge passes through the
         intersection."""
-        anchor, (line,) = self.anchor, self.lines
+        anchor, (line,) = self.hinge_or_clamp, self.supports_with_known_lines
         assert anchor
-        mark = self.cross("K", point, along, self.spot(line), self.along(line))
-        way = self.draft.ray(SCHEME, anchor.point, label_of(mark))
-        self.figure.stroke(SCHEME, "action", "", self.spot(anchor), mark)
-        self.meet(line, anchor, way)
-        self.figure.said |= {mark: "meeting", at(self.plan, end_of(line.name)): "three_forces"}
+        mark = self.crossing_of_lines("K", point, along, self.place_of_support(line), self.reaction_line(line))
+        way = self.draft.direction_between_marks(SCHEME_PLAN, anchor.point, label_of(mark))
+        self.figure.add_line(SCHEME_PLAN, "action", "", self.place_of_support(anchor), mark)
+        self.cross_two_reactions(line, anchor, way)
+        self.figure.said |= {mark: "meeting", full_mark_name(self.plan, vector_end_label(line.name)): "three_forces"}
 
-    def culmann(self, point: str, along: str, order: tuple[Support, Support, Support]) -> None:
+    def solve_by_culmann(self, point: str, along: str, order: tuple[Support, Support, Support]) -> None:
         """A load with a line and three supports with lines: the load meets one of them, the others meet, and the line
         through both intersections divides the polygon."""
         one, two, three = order
-        k = self.cross("K", point, along, self.spot(one), self.along(one))
-        m = self.cross("L", self.spot(two), self.along(two), self.spot(three), self.along(three))
-        way = self.draft.ray(SCHEME, label_of(k), label_of(m))
-        self.figure.stroke(SCHEME, "culmann", "", k, m)
-        x, end = end_of(one.name), end_of(two.name)
+        k = self.crossing_of_lines("K", point, along, self.place_of_support(one), self.reaction_line(one))
+        m = self.crossing_of_lines(
+            "L",
+            self.place_of_support(two),
+            self.reaction_line(two),
+            self.place_of_support(three),
+            self.reaction_line(three),
+        )
+        way = self.draft.direction_between_marks(SCHEME_PLAN, label_of(k), label_of(m))
+        self.figure.add_line(SCHEME_PLAN, "culmann", "", k, m)
+        x, end = vector_end_label(one.name), vector_end_label(two.name)
         both = f"R_{''.join(dict.fromkeys(two.point + three.point))}"
-        back = Term(both, POLE, x, None, way, self.action(way), sign=-1)
-        self.draft.meet(self.plan, self.chain, self.seek(one, self.reached, x), back)
-        parts = self.seek(two, x, end), self.seek(three, end, POLE)
-        self.draft.draw(Equation(self.plan, ((Term(both, x, POLE, drawn=True),), parts)))
-        self.figure.said |= {k: "meeting", m: "meeting", at(self.plan, x): "culmann"}
-        self.found |= {one.name: (self.reached, x), two.name: (x, end), three.name: (end, POLE)}
+        back = Term(both, POLE_LABEL, x, None, way, self.line_of_action_text(way), sign=-1)
+        self.draft.lay_off_until_meeting(self.plan, self.chain, self.unknown_reaction_term(one, self.reached, x), back)
+        parts = self.unknown_reaction_term(two, x, end), self.unknown_reaction_term(three, end, POLE_LABEL)
+        self.draft.draw_equation(Equation(self.plan, ((Term(both, x, POLE_LABEL, drawn=True),), parts)))
+        self.figure.said |= {k: "meeting", m: "meeting", full_mark_name(self.plan, x): "culmann"}
+        self.found |= {one.name: (self.reached, x), two.name: (x, end), three.name: (end, POLE_LABEL)}

@@ -10,16 +10,16 @@ from planes.drafting.steps.laws import Follow
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans.force.loads import Couple, Force
-from planes.plans.position.bodies import SCHEME, BodyPoint
-from planes.plans.statements.turning import follow
+from planes.plans.position.bodies import SCHEME_PLAN, BodyPoint
+from planes.plans.statements.turning import value_name_of_law
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene import Scene
-from planes.scene.expressions import names_in
+from planes.scene.expressions import names_in_expression
 from planes.scene.mechanism import LoadLaw
 from planes.scene.structures import Framework, StaticLoad
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import Meaning, at, label_of
+from planes.words.names import Meaning, full_mark_name, label_of
 
 
 class StatedLoads:
@@ -27,7 +27,7 @@ class StatedLoads:
 
     def __init__(self, scene: Scene, framework: Framework) -> None:
         self.scene, self.framework = scene, framework
-        self.draft, self.figure = Draft(), StaticsFigure.of(framework)
+        self.draft, self.figure = Draft(), StaticsFigure.undrawn_figure(framework)
         self.forces: dict[str, list[Force]] = {name: [] for name in framework.bodies}
         self.couples: dict[str, list[Couple]] = {name: [] for name in framework.bodies}
         self.left = list(framework.bodies)
@@ -52,18 +52,18 @@ class StatedLoads:
                 Phrase("point_loose", what=Phrase("support_of", name=loose), name=loose), "supports", loose
             )
 
-    def place(self) -> None:
+    def state_points_and_loads(self) -> None:
         """Points of the scheme, and loads at them."""
         d, f = self.draft, self.framework
-        d.pole(SCHEME)
+        d.draw_pole(SCHEME_PLAN)
         for name, z in f.points.items():
-            d.put(SCHEME, name, z)
+            d.draw_given_mark(SCHEME_PLAN, name, z)
         for load in f.loads:
             if load.direction_deg is None:
-                value = self.number(f"|{load.name}|", load.size, Meaning("couple", load.name, link=load.body))
+                value = self.name_of_number(f"|{load.name}|", load.size, Meaning("couple", load.name, link=load.body))
                 self.couples[load.body].append(Couple(load.name, load.body, value))
             else:
-                self.force(load, load.direction_deg)
+                self.state_force(load, load.direction_deg)
 
     @property
     def turning(self) -> bool:
@@ -71,28 +71,34 @@ class StatedLoads:
         numbers = (x for load in self.framework.loads for x in (load.size, load.direction_deg))
         return any(isinstance(x, LoadLaw) for x in numbers)
 
-    def number(self, name: str, value: float | LoadLaw, means: Meaning) -> str:
+    def name_of_number(self, name: str, value: float | LoadLaw, means: Meaning) -> str:
         """A given number, or the value of a law."""
         if isinstance(value, LoadLaw):
-            return follow(self.draft, self.scene.drive, name, value, means)
-        return self.draft.give(name, value, means)
+            return value_name_of_law(self.draft, self.scene.drive, name, value, means)
+        return self.draft.add_given(name, value, means)
 
-    def now(self, value: float | LoadLaw) -> float:
+    def number_at_file_position(self, value: float | LoadLaw) -> float:
         """A number at the drive's position in the file."""
         if not isinstance(value, LoadLaw):
             return value
         assert self.scene.drive
-        law = Follow("", value, tuple((n, "x") for n in names_in(value.text)))
+        law = Follow("", value, tuple((n, "x") for n in names_in_expression(value.text)))
         return float(law.draw({"x": self.scene.drive.position}, Tool(Arithmetic())))
 
-    def force(self, load: StaticLoad, angle: float | LoadLaw) -> None:
+    def state_force(self, load: StaticLoad, angle: float | LoadLaw) -> None:
         """A force at its point, or at a new one: the centre of the load whose resultant it is."""
         d = self.draft
-        size = self.number(f"|{load.name}|", load.size, Meaning("load", load.name, link=load.body))
-        turned = self.number(f"angle_∠{load.name}", angle, Meaning("angle", load.name))
-        along = d.step(Aim(f"∠{load.name}", turned, means=Meaning("given", load.name)))
-        mark = at(SCHEME, load.point) if load.point else d.put(SCHEME, f"_{load.name}", load.place, Meaning("moved"))
+        size = self.name_of_number(f"|{load.name}|", load.size, Meaning("load", load.name, link=load.body))
+        turned = self.name_of_number(f"angle_∠{load.name}", angle, Meaning("angle", load.name))
+        along = d.add_step(Aim(f"∠{load.name}", turned, means=Meaning("given", load.name)))
+        mark = (
+            full_mark_name(SCHEME_PLAN, load.point)
+            if load.point
+            else d.draw_given_mark(SCHEME_PLAN, f"_{load.name}", load.place, Meaning("moved"))
+        )
         spot = BodyPoint(label_of(mark), load.point)
         self.forces[load.body].append(Force(load.name, load.body, size, along, mark, "load", spot))
-        now = self.now(load.size) or float(isinstance(load.size, LoadLaw))  # zero now, it has a direction all the same
-        self.sizes[load.name] = now * cmath.rect(1.0, math.radians(self.now(angle)))
+        now = self.number_at_file_position(load.size) or float(
+            isinstance(load.size, LoadLaw)
+        )  # zero now, it has a direction all the same
+        self.sizes[load.name] = now * cmath.rect(1.0, math.radians(self.number_at_file_position(angle)))

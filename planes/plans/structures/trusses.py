@@ -11,20 +11,20 @@ from planes.words import Phrase
 from planes.words.errors import SceneError
 from planes.words.names import label_of
 
-NOTHING = 1e-9  # of the largest force: below this it is zero
+ZERO_FORCE_RATIO = 1e-9  # of the largest force: below this it is zero
 Refusal = Callable[..., SceneError]
 
 
 def check_truss(f: Framework, error: Refusal) -> None:
     """Check that a truss has as many members and reactions as its joints have equations: 2j = m + r."""
     joints = {p for m in f.members for p in m}
-    m, r = len(f.members), sum(s.held for s in f.supports)
+    m, r = len(f.members), sum(s.unknown_count for s in f.supports)
     details = {"joints": len(joints), "members": m, "held": r, "count": abs(2 * len(joints) - m - r)}
     if loose := [p for p in f.points if p not in joints and p not in f.fixed]:
         raise error(Phrase("joint_loose", names=tuple(loose)), "points")
     if 2 * len(joints) != m + r:
         raise error(Phrase("truss_loose" if m + r < 2 * len(joints) else "truss_redundant", **details), "members")
-    if two := apart(f.points, f.members):
+    if two := members_crossing_without_joint(f.points, f.members):
         raise error(Phrase("members_cross", one=two[0], two=two[1]), "members")
 
 
@@ -37,25 +37,27 @@ def truss_plan(
     if not forces:
         raise error(Phrase("truss_idle"), "loads")
     regions = Regions(f, forces)
-    if joint := regions.find():
+    if joint := regions.letter_regions():
         raise error(Phrase("joint_inside", name=joint), "members")
     plan = CremonaPlan(draft, f, regions, outer)
-    if left := plan.draw():
+    if left := plan.draw_cremona_plan():
         raise error(Phrase("members_unreached", names=tuple(left)), "members")
     return plan
 
 
-def apart(places: Mapping[str, complex], members: tuple[tuple[str, str], ...]) -> tuple[str, str] | None:
+def members_crossing_without_joint(
+    places: Mapping[str, complex], members: tuple[tuple[str, str], ...]
+) -> tuple[str, str] | None:
     """The names of two members that cross without a joint; None where there are none."""
     lines = [("".join(m), places[m[0]], places[m[1]], {*m}) for m in members]
     for k, (one, a, b, ends) in enumerate(lines):
         for other, c, d, more in lines[k + 1 :]:
-            if not ends & more and _crossing(a, b, c, d):
+            if not ends & more and _segments_cross(a, b, c, d):
                 return one, other
     return None
 
 
-def _crossing(a: complex, b: complex, c: complex, d: complex) -> bool:
+def _segments_cross(a: complex, b: complex, c: complex, d: complex) -> bool:
     """Whether two segments cross between their ends."""
     sides = [((q - p) * (z - p).conjugate()).imag for p, q, z in ((a, b, c), (a, b, d), (c, d, a), (c, d, b))]
     return sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0

@@ -11,16 +11,20 @@ from typing import TypeVar
 import numpy
 
 from planes.check.fiducials import SHEET_MM
-from planes.check.vision.image.opencv import sampled
+from planes.check.vision.image.opencv import sample_greys
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
 PX_PER_MM = 8.0  # of a rectified picture
-LEFT_MM, OTHER_MM = 20.0, 5.0  # from the sheet's edges to the frame
-REACH_MM, ACROSS_MM, ALONG_MM = 6.0, 0.125, 2.0  # search distance of a side from its position, and sampling steps
-BENT_MM = 0.3  # of a side: less is not worth correcting
-SEEN = 0.6  # minimum visible share of a side
-CONTRAST = 8.0  # minimum contrast of a line, in grey levels
-MOST_BENT = 0.25  # of a lens, at a picture's corner
+FRAME_LEFT_MM, FRAME_OTHER_SIDES_MM = 20.0, 5.0  # from the sheet's edges to the frame
+SIDE_SEARCH_MM, ACROSS_SAMPLE_STEP_MM, ALONG_SAMPLE_STEP_MM = (
+    6.0,
+    0.125,
+    2.0,
+)  # search distance of a side from its position, and sampling steps
+LEAST_BEND_MM = 0.3  # of a side: less is not worth correcting
+LEAST_VISIBLE_SIDE_SHARE = 0.6  # minimum visible share of a side
+LEAST_LINE_CONTRAST = 8.0  # minimum contrast of a line, in grey levels
+MOST_LENS_DISTORTION = 0.25  # of a lens, at a picture's corner
 
 Place = TypeVar("Place", complex, Complexes)
 
@@ -38,19 +42,19 @@ class Bend:
     sides: Array | None = None  # outward displacement of the left, right, lower, upper side, px, at even steps
 
     @classmethod
-    def about(cls, shape: tuple[int, ...], lens: float = 0.0) -> "Bend":
+    def lens_centred_on(cls, shape: tuple[int, ...], lens: float = 0.0) -> "Bend":
         """A lens alone, centred on a picture of this shape (rows, columns)."""
         height, width = shape[:2]
         middle = complex(width, height) / 2
         return cls(middle, abs(middle), (lens, 0.0), numpy.eye(3), (width, height))
 
-    def straight(self, z: Place) -> Place:
+    def remove_lens_distortion(self, z: Place) -> Place:
         """Pixels of the picture without lens distortion."""
         d = z - self.middle
         r2 = (abs(d) / self.half) ** 2
         return self.middle + d * (1 + self.lens[0] * r2 + self.lens[1] * r2 * r2)
 
-    def seen(self, z: Place) -> Place:
+    def apply_lens_distortion(self, z: Place) -> Place:
         """The point where the lens images ``z``."""
         d, out = z - self.middle, z - self.middle
         for _ in range(12):
@@ -58,7 +62,7 @@ class Bend:
             out = d / (1 + self.lens[0] * r2 + self.lens[1] * r2 * r2)
         return self.middle + out
 
-    def paper(self, z: Place) -> Place:
+    def paper_displacement(self, z: Place) -> Place:
         """The displacement of a point of the rectified picture by the paper."""
         if self.sides is None:
             return 0 * z
@@ -69,17 +73,19 @@ class Bend:
         moved: Place = (1 - u) * left + u * right + 1j * ((1 - v) * upper + v * lower)
         return moved
 
-    def flat(self, z: Place) -> Place:
+    def to_rectified(self, z: Place) -> Place:
         """The point of the rectified picture for a pixel of the original."""
-        place = through(self.view, self.straight(z * self.shrink))
-        return place - self.paper(place)
+        place = apply_homography(self.view, self.remove_lens_distortion(z * self.shrink))
+        return place - self.paper_displacement(place)
 
-    def source(self, z: Place) -> Place:
+    def to_original(self, z: Place) -> Place:
         """The pixel of the original for a point of the rectified picture."""
-        return self.seen(through(numpy.asarray(numpy.linalg.inv(self.view), float), z + self.paper(z)))
+        return self.apply_lens_distortion(
+            apply_homography(numpy.asarray(numpy.linalg.inv(self.view), float), z + self.paper_displacement(z))
+        )
 
 
-def through(view: Array, z: Place) -> Place:
+def apply_homography(view: Array, z: Place) -> Place:
     """Points mapped by a homography."""
     w = view[2, 0] * z.real + view[2, 1] * z.imag + view[2, 2]
     x = view[0, 0] * z.real + view[0, 1] * z.imag + view[0, 2]
@@ -87,21 +93,21 @@ def through(view: Array, z: Place) -> Place:
     return place
 
 
-def bend_of(grey: Greys, view: Array) -> Bend | None:
+def measure_distortion(grey: Greys, view: Array) -> Bend | None:
     """The distortion of a picture seen by ``view`` (from its pixels to those of the sheet); None if negligible."""
     size = SHEET_MM[0] * PX_PER_MM, SHEET_MM[1] * PX_PER_MM
-    bend = replace(Bend.about(grey.shape), view=view, size_px=size)
-    seen = _sides(grey, bend)
+    bend = replace(Bend.lens_centred_on(grey.shape), view=view, size_px=size)
+    seen = _visible_frame_sides(grey, bend)
     if seen:
-        bend.lens = _lens(bend, [z for z, _ in seen])
+        bend.lens = _fit_lens(bend, [z for z, _ in seen])
     return bend if seen else None
 
 
-def add_paper(bend: Bend, grey: Greys) -> None:
+def add_paper_distortion(bend: Bend, grey: Greys) -> None:
     """Adds to a lens the remaining distortion by the paper."""
-    seen = _sides(grey, bend)
+    seen = _visible_frame_sides(grey, bend)
     steps, rows = numpy.linspace(0, 1, 41), []
-    for (_, off), (a, b) in zip(seen, _ends(), strict=True) if seen else ():
+    for (_, off), (a, b) in zip(seen, _frame_side_ends(), strict=True) if seen else ():
         upright = abs((b - a).real) < 1
         along = numpy.linspace(a, b, len(off))
         share = 1 - along.imag / SHEET_MM[1] if upright else along.real / SHEET_MM[0]
@@ -110,41 +116,44 @@ def add_paper(bend: Bend, grey: Greys) -> None:
     bend.sides = numpy.array(rows) if rows else None
 
 
-def _ends() -> list[tuple[complex, complex]]:
+def _frame_side_ends() -> list[tuple[complex, complex]]:
     """The frame's sides, mm, y up: left, right, upper, lower."""
     w, h = SHEET_MM
-    low, high = complex(LEFT_MM, OTHER_MM), complex(w - OTHER_MM, h - OTHER_MM)
+    low, high = (
+        complex(FRAME_LEFT_MM, FRAME_OTHER_SIDES_MM),
+        complex(w - FRAME_OTHER_SIDES_MM, h - FRAME_OTHER_SIDES_MM),
+    )
     upper, lower = complex(low.real, high.imag), complex(high.real, low.imag)
     return [(low, upper), (lower, high), (upper, high), (low, lower)]
 
 
-def _sides(grey: Greys, bend: Bend) -> list[tuple[Complexes, Array]]:
+def _visible_frame_sides(grey: Greys, bend: Bend) -> list[tuple[Complexes, Array]]:
     """The frame's sides as seen: pixels, and their displacements (mm, in x or down).
 
     None if some are not visible or if they are straight.
     """
 
     def px(z: Complexes) -> Complexes:
-        return bend.source((z.conjugate() + 1j * SHEET_MM[1]) * PX_PER_MM)
+        return bend.to_original((z.conjugate() + 1j * SHEET_MM[1]) * PX_PER_MM)
 
     out = []
-    for a, b in _ends():
-        places = a + (b - a) * numpy.linspace(0.03, 0.97, int(abs(b - a) / ALONG_MM))
+    for a, b in _frame_side_ends():
+        places = a + (b - a) * numpy.linspace(0.03, 0.97, int(abs(b - a) / ALONG_SAMPLE_STEP_MM))
         across = 1.0 if abs((b - a).real) < 1 else -1j
-        t = numpy.arange(-REACH_MM, REACH_MM + 1e-9, ACROSS_MM)
-        off, good = _line(sampled(grey, px(places[:, None] + across * t)))
-        if good.mean() < SEEN:
+        t = numpy.arange(-SIDE_SEARCH_MM, SIDE_SEARCH_MM + 1e-9, ACROSS_SAMPLE_STEP_MM)
+        off, good = _trace_dark_line(sample_greys(grey, px(places[:, None] + across * t)))
+        if good.mean() < LEAST_VISIBLE_SIDE_SHARE:
             return []
         smooth = numpy.polynomial.Polynomial.fit(places[good].real + places[good].imag, off[good], 5)
         off = smooth(places.real + places.imag)
         out.append((px(places + across * off), off))
-    return out if max(float(abs(off).max()) for _, off in out) >= BENT_MM else []
+    return out if max(float(abs(off).max()) for _, off in out) >= LEAST_BEND_MM else []
 
 
-def _line(rows: Array) -> tuple[Array, Booleans]:
+def _trace_dark_line(rows: Array) -> tuple[Array, Booleans]:
     """The position, mm, of a thin dark line across each row, continuous from row to row, and the rows that show it."""
     wide = rows.shape[1]
-    rim = int(0.75 / ACROSS_MM)
+    rim = int(0.75 / ACROSS_SAMPLE_STEP_MM)
     padded = numpy.pad(rows, ((0, 0), (rim, rim)), mode="edge")
     paper = numpy.minimum(padded[:, :wide], padded[:, 2 * rim :])
     dark = numpy.clip(paper - rows, 0, 120)
@@ -163,11 +172,11 @@ def _line(rows: Array) -> tuple[Array, Booleans]:
     near = numpy.clip(at[:, None] + numpy.arange(-3, 4), 0, wide - 1)
     mass = numpy.take_along_axis(dark, near, axis=1)
     middle = (mass * near).sum(axis=1) / numpy.maximum(mass.sum(axis=1), 1e-6)
-    good = numpy.take_along_axis(dark, at[:, None], axis=1)[:, 0] > CONTRAST
-    return middle * ACROSS_MM - REACH_MM, good
+    good = numpy.take_along_axis(dark, at[:, None], axis=1)[:, 0] > LEAST_LINE_CONTRAST
+    return middle * ACROSS_SAMPLE_STEP_MM - SIDE_SEARCH_MM, good
 
 
-def _lens(bend: Bend, sides: list[Complexes]) -> tuple[float, float]:
+def _fit_lens(bend: Bend, sides: list[Complexes]) -> tuple[float, float]:
     """The lens that straightens the frame's sides (Gauss-Newton).
 
     Equal bends of opposite sides are excluded: they are due to the paper.
@@ -177,17 +186,17 @@ def _lens(bend: Bend, sides: list[Complexes]) -> tuple[float, float]:
         bend.lens = float(k[0]), float(k[1])
         bows = []
         for side in sides:
-            z = bend.straight(side)
+            z = bend.remove_lens_distortion(side)
             z = z - z.mean()
             u = numpy.exp(0.5j * numpy.angle((z * z).sum()))
             u = u if ((z[-1] - z[0]) * u.conjugate()).real > 0 else -u
             bows.append((z * u.conjugate()).imag)
         left, right, upper, lower = bows
-        return numpy.concatenate([left - right, upper - lower, 2.0 * k / MOST_BENT])
+        return numpy.concatenate([left - right, upper - lower, 2.0 * k / MOST_LENS_DISTORTION])
 
     k = numpy.zeros(2)
     for _ in range(8):
         left = crooked(k)
         slope = numpy.stack([(crooked(k + d) - left) / 1e-4 for d in 1e-4 * numpy.eye(2)], axis=1)
-        k = numpy.clip(k - numpy.linalg.lstsq(slope, left, rcond=None)[0], -MOST_BENT, MOST_BENT)
+        k = numpy.clip(k - numpy.linalg.lstsq(slope, left, rcond=None)[0], -MOST_LENS_DISTORTION, MOST_LENS_DISTORTION)
     return float(k[0]), float(k[1])

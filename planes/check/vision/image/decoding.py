@@ -13,33 +13,47 @@ from typing import TYPE_CHECKING
 
 import numpy
 
-from planes.check.reading.opened import LARGEST, MB, contents, hash_of, hushed
+from planes.check.reading.opened import LARGEST_FILE_BYTES, MB, hash_of_content, read_bounded_bytes, silenced_output
 from planes.check.vision.image.no_paper import shows_paper, shows_text_only
 from planes.check.vision.image.opencv import cv
-from planes.check.vision.image.picture import blanks_on, sheet_alone
+from planes.check.vision.image.picture import find_blanks, isolate_sheet
 from planes.geometry.arrays import Array, Booleans, Greys
 from planes.words import Phrase
-from planes.words.errors import PlanesError, guarded
+from planes.words.errors import PlanesError, reporting_library_errors
 from planes.words.frozen import frozen, replace
 
 if TYPE_CHECKING:
     from PIL import Image
 
 MOST_BYTES = 360 * MB  # of a file and of decoding it: 64 million pixels, half of that where they are held twice
-MOST_PAGE = 34_000_000
-LEAST_PX = 40
-ROWS = 256
-PAGE_DPI, LEAST_DPI = 200, 100  # of a rendered page; a file with a lower value gives no paper size
-EXIF, EXPOSURE, FILM, SIZES = 0x8769, 0x829A, 0xA405, (0xA002, 0xA003)  # tags of camera data
-LENSES, CUT = (18.0, 80.0), 0.02  # mm of lenses for photographing sheets; tolerance of an uncropped shape
-MOST_MM = 900.0  # a resolution that implies larger paper is ignored
-PDF_IMAGES, PDF_DEPTH = 1000, 5
-PNG, PNG_END, PDF, TIFF = b"\x89PNG", b"IEND", b"%PDF-", (b"II*\0", b"MM\0*")
-COLOURED = 14  # minimum difference of two colours beyond the usual one, on coloured paper
-COLOURED_SHARE = 0.03  # of all pixels
-FAINT, DARK = 0.08, 0.4  # minimum darkness of a grid relative to paper, and of a drawing
-LOOK_PX, PARTS = 1000, 8
-EVERYWHERE, SOMEWHERE = 0.8, 0.4  # shares of the parts of a picture that contain a grid, and that may contain a drawing
+MOST_PAGE_PX = 34_000_000
+SMALLEST_SIDE_PX = 40
+ROWS_AT_ONCE = 256
+PAGE_DPI, LEAST_FILE_DPI = 200, 100  # of a rendered page; a file with a lower value gives no paper size
+EXIF_TAG, EXPOSURE_TAG, FILM_FOCAL_LENGTH_TAG, PICTURE_SIZE_TAGS = (
+    0x8769,
+    0x829A,
+    0xA405,
+    (0xA002, 0xA003),
+)  # tags of camera data
+FOCAL_LENGTH_RANGE_MM, CROPPING_TOLERANCE = (
+    (18.0, 80.0),
+    0.02,
+)  # mm of lenses for photographing sheets; tolerance of an uncropped shape
+LARGEST_PAPER_MM = 900.0  # a resolution that implies larger paper is ignored
+MOST_PDF_IMAGES, MOST_PDF_DEPTH = 1000, 5
+PNG_START, PNG_END, PDF_START, TIFF_STARTS = b"\x89PNG", b"IEND", b"%PDF-", (b"II*\0", b"MM\0*")
+LEAST_COLOUR_DIFFERENCE = 14  # minimum difference of two colours beyond the usual one, on coloured paper
+LEAST_COLOURED_SHARE = 0.03  # of all pixels
+LEAST_GRID_DARKNESS, LEAST_DRAWING_DARKNESS = (
+    0.08,
+    0.4,
+)  # minimum darkness of a grid relative to paper, and of a drawing
+CENTRAL_PART_PX, PARTS_PER_SIDE = 1000, 8
+LEAST_GRID_SHARE, MOST_DRAWING_SHARE = (
+    0.8,
+    0.4,
+)  # shares of the parts of a picture that contain a grid, and that may contain a drawing
 
 
 @frozen
@@ -51,9 +65,9 @@ class DecodedPicture:
     focal: float | None = None
 
     @property
-    def look(self) -> str:
+    def pixel_hash(self) -> str:
         """The hash of its content."""
-        return hash_of(self.grey.tobytes())
+        return hash_of_content(self.grey.tobytes())
 
 
 def load(path: str | Path, page: int | None = None) -> DecodedPicture:
@@ -62,60 +76,60 @@ def load(path: str | Path, page: int | None = None) -> DecodedPicture:
     :class:`PlanesError` if it is no picture, is too large, or shows no paper.
     """
     cv()  # or a message that it is missing
-    data = contents(path, LARGEST)
+    data = read_bounded_bytes(path, LARGEST_FILE_BYTES)
     if not data:
         raise PlanesError(Phrase("check_empty", file=str(path)))
-    paged = data.startswith((PDF, *TIFF))
-    with guarded("check_picture", path), hushed():
-        decode, number = _page if data[:5] == PDF else _decoded, page if page and paged else 0
+    paged = data.startswith((PDF_START, *TIFF_STARTS))
+    with reporting_library_errors("check_picture", path), silenced_output():
+        decode, number = _render_pdf_page if data[:5] == PDF_START else _decode_picture, page if page and paged else 0
         picture = decode(data, str(path), number)
     if picture is None:
         raise PlanesError(Phrase("check_picture", file=str(path)))
     height, width = picture.grey.shape
-    if min(height, width) < LEAST_PX:
+    if min(height, width) < SMALLEST_SIDE_PX:
         raise PlanesError(Phrase("check_small_picture", file=str(path), size=f"{width} × {height}"))
     if not shows_paper(picture.grey):
         raise PlanesError(Phrase("check_no_paper", file=str(path)))
     if shows_text_only(picture.grey):
         raise PlanesError(Phrase("check_text_only", file=str(path)))
-    return picture if page is None or paged else _blank_of(picture, page, str(path))
+    return picture if page is None or paged else _single_blank(picture, page, str(path))
 
 
-def _blank_of(picture: DecodedPicture, number: int, file: str) -> DecodedPicture:
+def _single_blank(picture: DecodedPicture, number: int, file: str) -> DecodedPicture:
     """One of several blanks on a picture; the picture if there is one blank or none."""
-    seen = blanks_on(picture.grey)
-    _has(number, max(seen.parts, 1), file)
-    if seen.in_part and number == len(seen.sheets):
-        raise PlanesError(Phrase("check_blank_in_part", count=seen.in_part))
-    return replace(picture, grey=sheet_alone(picture.grey, seen.sheets[number])) if seen.parts > 1 else picture
+    seen = find_blanks(picture.grey)
+    _reject_missing_page(number, max(seen.sheet_count, 1), file)
+    if seen.partial_sheet_mark_count and number == len(seen.sheets):
+        raise PlanesError(Phrase("check_blank_in_part", count=seen.partial_sheet_mark_count))
+    return replace(picture, grey=isolate_sheet(picture.grey, seen.sheets[number])) if seen.sheet_count > 1 else picture
 
 
-def _alone(head: Image.Image) -> bytes:
+def _page_as_file(head: Image.Image) -> bytes:
     """A page of a TIFF as a separate file."""
     page = io.BytesIO()
     head.save(page, "TIFF", dpi=head.info.get("dpi", (1, 1)))
     return page.getvalue()
 
 
-def _decoded(data: bytes, file: str, page: int = 0) -> DecodedPicture | None:
+def _decode_picture(data: bytes, file: str, page: int = 0) -> DecodedPicture | None:
     """The pixels in grey, on white paper where transparent; None if the file is no complete picture."""
-    see_through, head = _looked_into(data, file, page)
-    data = _alone(head) if page else data
+    see_through, head = _check_header(data, file, page)
+    data = _page_as_file(head) if page else data
     cv2, bits = cv(), numpy.frombuffer(data, numpy.uint8)
-    if data[:4] == PNG and PNG_END not in data[-64:]:
+    if data[:4] == PNG_START and PNG_END not in data[-64:]:
         return None  # it was truncated
     log_level = cv2.utils.logging.getLogLevel()
     cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     try:
         pixels: Greys | None = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
         solid = pixels is None or pixels.ndim < 3 or pixels.shape[2] != 4
-        grey = in_one_shade(cv2, bits) if pixels is None or solid else _on_paper(cv2, pixels)
+        grey = decode_one_channel(cv2, bits) if pixels is None or solid else _on_white_paper(cv2, pixels)
     finally:
         cv2.utils.logging.setLogLevel(log_level)
-    return None if grey is None else DecodedPicture(grey, _scale_of(head), _focal_of(head))
+    return None if grey is None else DecodedPicture(grey, _px_per_mm_of_file(head), _focal_length_of_file(head))
 
 
-def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
+def _check_header(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
     """Whether a picture may be transparent, by its header alone, and its image object.
 
     It is rejected if decoding would take too much memory, or if it lacks the page.
@@ -124,13 +138,13 @@ def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
 
     from PIL import Image
 
-    with warnings.catch_warnings(), guarded("check_picture", file):
+    with warnings.catch_warnings(), reporting_library_errors("check_picture", file):
         warnings.simplefilter("ignore")
         try:
             head = Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "BMP", "TIFF", "WEBP"))
         except Image.DecompressionBombError:
             raise PlanesError(Phrase("check_large_picture", file=file, size="> 10⁸")) from None
-        _has(page, getattr(head, "n_frames", 1) if head.format == "TIFF" else 1, file)
+        _reject_missing_page(page, getattr(head, "n_frames", 1) if head.format == "TIFF" else 1, file)
         head.seek(page)
     see_through = head.format in ("PNG", "WEBP") and ("A" in head.mode or "transparency" in head.info)
     tiles = getattr(head, "tag_v2", {})
@@ -141,114 +155,128 @@ def _looked_into(data: bytes, file: str, page: int) -> tuple[bool, Image.Image]:
     return bool(see_through), head
 
 
-def _scale_of(head: Image.Image) -> float | None:
+def _px_per_mm_of_file(head: Image.Image) -> float | None:
     """The pixels per mm in a file; none from a camera (with an exposure), which does not know the paper."""
     across, down = (float(dpi) for dpi in head.info.get("dpi", (0, 0)))
-    true = across > LEAST_DPI and abs(across - down) < 1 and max(head.size) * 25.4 / across < MOST_MM
-    return across / 25.4 if true and EXPOSURE not in head.getexif().get_ifd(EXIF) else None
+    true = across > LEAST_FILE_DPI and abs(across - down) < 1 and max(head.size) * 25.4 / across < LARGEST_PAPER_MM
+    return across / 25.4 if true and EXPOSURE_TAG not in head.getexif().get_ifd(EXIF_TAG) else None
 
 
-def _focal_of(head: Image.Image) -> float | None:
+def _focal_length_of_file(head: Image.Image) -> float | None:
     """The focal length, in the picture's longer sides, from the equivalent for 36 × 24 mm film of equal diagonal.
 
     None for a cropped picture.
     """
-    exif, (long, short) = head.getexif().get_ifd(EXIF), sorted(head.size, reverse=True)
+    exif, (long, short) = head.getexif().get_ifd(EXIF_TAG), sorted(head.size, reverse=True)
     try:
-        film, size_told = float(exif.get(FILM, 0)), [int(exif.get(tag, long)) for tag in SIZES]
+        film, size_told = (
+            float(exif.get(FILM_FOCAL_LENGTH_TAG, 0)),
+            [int(exif.get(tag, long)) for tag in PICTURE_SIZE_TAGS],
+        )
     except (TypeError, ValueError, ArithmeticError):  # invalid camera data
         return None
-    if not LENSES[0] <= film <= LENSES[1] or abs(max(size_told) / max(min(size_told), 1) * short / long - 1) > CUT:
+    if (
+        not FOCAL_LENGTH_RANGE_MM[0] <= film <= FOCAL_LENGTH_RANGE_MM[1]
+        or abs(max(size_told) / max(min(size_told), 1) * short / long - 1) > CROPPING_TOLERANCE
+    ):
         return None
     return film / math.hypot(36, 24) * math.hypot(long, short) / long
 
 
-def _on_paper(cv2: ModuleType, pixels: Greys) -> Greys:
+def _on_white_paper(cv2: ModuleType, pixels: Greys) -> Greys:
     """A transparent picture on white paper in grey, some rows at a time."""
     most, out = numpy.iinfo(pixels.dtype).max, numpy.empty(pixels.shape[:2], numpy.uint8)
-    for top in range(0, len(pixels), ROWS):
-        rows = pixels[top : top + ROWS]
+    for top in range(0, len(pixels), ROWS_AT_ONCE):
+        rows = pixels[top : top + ROWS_AT_ONCE]
         cover = rows[..., 3].astype(numpy.float32) / most
         grey = cv2.cvtColor(rows[..., :3], cv2.COLOR_BGR2GRAY).astype(numpy.float32) * (255 / most)
-        out[top : top + ROWS] = (255 - cover * (255 - grey)).round()
+        out[top : top + ROWS_AT_ONCE] = (255 - cover * (255 - grey)).round()
     return out
 
 
-def _has(page: int, count: int, file: str) -> None:
+def _reject_missing_page(page: int, count: int, file: str) -> None:
     """Rejects a page that a file does not have."""
     if not 0 <= page < count:
         raise PlanesError(Phrase("check_no_page", file=file, page=page + 1, count=count))
 
 
-def _page(data: bytes, file: str, number: int = 0) -> DecodedPicture:
+def _render_pdf_page(data: bytes, file: str, number: int = 0) -> DecodedPicture:
     """A page of a PDF at 200 pixels per inch (fewer for a very large one), in one channel."""
     import pypdfium2
 
     document = pypdfium2.PdfDocument(data)
-    _has(number, len(document), file)
+    _reject_missing_page(number, len(document), file)
     page = document[number]
-    images = page.get_objects(filter=[pypdfium2.raw.FPDF_PAGEOBJ_IMAGE], max_depth=PDF_DEPTH)
+    images = page.get_objects(filter=[pypdfium2.raw.FPDF_PAGEOBJ_IMAGE], max_depth=MOST_PDF_DEPTH)
     for count, image in enumerate(images):
         width, height = image.get_px_size()
-        if width * height * 5 > MOST_BYTES or count > PDF_IMAGES:
+        if width * height * 5 > MOST_BYTES or count > MOST_PDF_IMAGES:
             raise PlanesError(Phrase("check_large_picture", file=file, size=f"{width} × {height}"))
     w, h = page.get_size()
-    scale = min(PAGE_DPI / 72, (MOST_PAGE / max(w * h, 1.0)) ** 0.5, 30_000 / max(w, h, 1.0))
-    if min(w, h) * scale < LEAST_PX:
+    scale = min(PAGE_DPI / 72, (MOST_PAGE_PX / max(w * h, 1.0)) ** 0.5, 30_000 / max(w, h, 1.0))
+    if min(w, h) * scale < SMALLEST_SIDE_PX:
         raise PlanesError(Phrase("check_small_picture", file=file, size=f"{w * scale:.0f} × {h * scale:.0f}"))
-    grey = plainest(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3]))
+    grey = channel_without_grid(cv(), numpy.ascontiguousarray(page.render(scale=scale).to_numpy()[..., :3]))
     return DecodedPicture(grey, scale * 72 / 25.4)
 
 
-def in_one_shade(cv2: ModuleType, data: Greys) -> Greys | None:
+def decode_one_channel(cv2: ModuleType, data: Greys) -> Greys | None:
     """The picture encoded as ``data`` in grey, or in the colour without the grid; None if it is no picture."""
-    if not _coloured(cv2.imdecode(data, cv2.IMREAD_REDUCED_COLOR_2)):
+    if not _is_partly_coloured(cv2.imdecode(data, cv2.IMREAD_REDUCED_COLOR_2)):
         grey: Greys | None = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
         return grey
-    return plainest(cv2, cv2.imdecode(data, cv2.IMREAD_COLOR))
+    return channel_without_grid(cv2, cv2.imdecode(data, cv2.IMREAD_COLOR))
 
 
-def _coloured(picture: Greys | None) -> bool:
+def _is_partly_coloured(picture: Greys | None) -> bool:
     """Whether part of a picture differs in colour from most of it."""
     if picture is None:
         return False
     some = picture[:: max(1, picture.shape[0] // 400)].astype(numpy.int16)
     apart = (some[..., 0] - some[..., 1], some[..., 2] - some[..., 1])
     far = numpy.maximum(*(abs(d - numpy.median(d)) for d in apart))
-    return bool((far > COLOURED).mean() > COLOURED_SHARE)
+    return bool((far > LEAST_COLOUR_DIFFERENCE).mean() > LEAST_COLOURED_SHARE)
 
 
-def plainest(cv2: ModuleType, picture: Greys) -> Greys:
+def channel_without_grid(cv2: ModuleType, picture: Greys) -> Greys:
     """Grey, or the one of three colours in which a grid over the whole picture fades most and nothing else does."""
-    middle = _middle(picture)
-    inked = _ink(cv2, cv2.cvtColor(middle, cv2.COLOR_BGR2GRAY))
+    middle = _central_part(picture)
+    inked = _darkness_over_paper(cv2, cv2.cvtColor(middle, cv2.COLOR_BGR2GRAY))
     best, most = None, 0.0
     for k in range(3):
-        ink = _ink(cv2, cv2.extractChannel(middle, k))
-        faded = (inked > FAINT) & (ink < 0.5 * inked)
-        lost = _spread((inked > DARK) & (ink < DARK / 2))
-        if _spread(faded) > EVERYWHERE and not 0 < lost < SOMEWHERE and float((inked - ink)[faded].sum()) > most:
+        ink = _darkness_over_paper(cv2, cv2.extractChannel(middle, k))
+        faded = (inked > LEAST_GRID_DARKNESS) & (ink < 0.5 * inked)
+        lost = _share_of_parts_with((inked > LEAST_DRAWING_DARKNESS) & (ink < LEAST_DRAWING_DARKNESS / 2))
+        if (
+            _share_of_parts_with(faded) > LEAST_GRID_SHARE
+            and not 0 < lost < MOST_DRAWING_SHARE
+            and float((inked - ink)[faded].sum()) > most
+        ):
             best, most = k, float((inked - ink)[faded].sum())
     grey: Greys = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY) if best is None else cv2.extractChannel(picture, best)
     return grey
 
 
-def _middle(picture: Greys) -> Greys:
+def _central_part(picture: Greys) -> Greys:
     """The central part of a picture."""
     h, w = picture.shape[:2]
-    high, wide = min(h, LOOK_PX) // 2, min(w, LOOK_PX) // 2
+    high, wide = min(h, CENTRAL_PART_PX) // 2, min(w, CENTRAL_PART_PX) // 2
     return picture[h // 2 - high : h // 2 + high, w // 2 - wide : w // 2 + wide]
 
 
-def _ink(cv2: ModuleType, part: Greys) -> Array:
+def _darkness_over_paper(cv2: ModuleType, part: Greys) -> Array:
     """The darkness of a picture relative to paper, without its grain."""
     light = cv2.GaussianBlur(cv2.dilate(part, numpy.ones((25, 25), numpy.uint8)), (0, 0), 12).astype(numpy.float32)
     dark: Array = 1 - cv2.GaussianBlur(part, (0, 0), 1.0) / numpy.maximum(light, 1)
     return dark
 
 
-def _spread(places: Booleans) -> float:
+def _share_of_parts_with(places: Booleans) -> float:
     """The share of a picture's parts with such pixels, beyond chance."""
-    h, w = (n // PARTS for n in places.shape)
-    parts = places[: h * PARTS, : w * PARTS].reshape(PARTS, h, PARTS, w).mean(axis=(1, 3))
+    h, w = (n // PARTS_PER_SIDE for n in places.shape)
+    parts = (
+        places[: h * PARTS_PER_SIDE, : w * PARTS_PER_SIDE]
+        .reshape(PARTS_PER_SIDE, h, PARTS_PER_SIDE, w)
+        .mean(axis=(1, 3))
+    )
     return float((parts > 0.003).mean())

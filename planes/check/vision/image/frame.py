@@ -10,20 +10,23 @@ from collections.abc import Iterator, Sequence
 import numpy
 from numpy.linalg import det, norm
 
-from planes.check.vision.image.bend import LEFT_MM, OTHER_MM, PX_PER_MM
-from planes.check.vision.image.opencv import cv, pairs, sampled, smaller
-from planes.check.vision.image.picture import LARGEST_PX, Flat
+from planes.check.vision.image.bend import FRAME_LEFT_MM, FRAME_OTHER_SIDES_MM, PX_PER_MM
+from planes.check.vision.image.opencv import cv, pairs, reduce_to_longest_side, sample_greys
+from planes.check.vision.image.picture import LARGEST_SIDE_PX, Flat
 from planes.geometry.arrays import Array, Complexes, Greys
-from planes.geometry.plane import lines
+from planes.geometry.plane import intersect_lines
 
-SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # landscape
-LEAST_SHARE = 0.2  # minimum share of the picture inside a frame
-NEAR_RATIO = (0.004, 0.15)  # relative difference of frame shapes, straight or oblique, for formats to be tried
-LOOK_PX = 2000
+PAPER_SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # landscape
+LEAST_FRAME_SHARE = 0.2  # minimum share of the picture inside a frame
+FRAME_RATIO_TOLERANCES = (
+    0.004,
+    0.15,
+)  # relative difference of frame shapes, straight or oblique, for formats to be tried
+REDUCED_SIDE_PX = 2000
 Line = tuple[complex, complex]  # a point and a direction
 
 
-def by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
+def rectify_by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
     """The sheet rectified by its frame, for every possible format (only ``paper`` if named), the likeliest first.
 
     Nothing if there is no frame.
@@ -31,18 +34,26 @@ def by_frame(grey: Greys, paper: str | None = None) -> Iterator[Flat]:
     corners = frame_corners(grey)
     if corners is None:
         return
-    ratio, askew = shape_of(corners, grey.shape)
-    sizes = [(name, w, h) for name, (a, b) in SIZES_MM.items() for w, h in ((a, b), (b, a))]
-    fits = [(float(abs(math.log(ratio * (h - 2 * OTHER_MM) / (w - LEFT_MM - OTHER_MM)))), n, w, h) for n, w, h in sizes]
-    named, likely = [f for f in fits if f[1] == paper], [f for f in fits if f[0] < NEAR_RATIO[askew]]
+    ratio, askew = aspect_ratio_and_obliqueness(corners, grey.shape)
+    sizes = [(name, w, h) for name, (a, b) in PAPER_SIZES_MM.items() for w, h in ((a, b), (b, a))]
+    fits = [
+        (
+            float(abs(math.log(ratio * (h - 2 * FRAME_OTHER_SIDES_MM) / (w - FRAME_LEFT_MM - FRAME_OTHER_SIDES_MM)))),
+            n,
+            w,
+            h,
+        )
+        for n, w, h in sizes
+    ]
+    named, likely = [f for f in fits if f[1] == paper], [f for f in fits if f[0] < FRAME_RATIO_TOLERANCES[askew]]
     for _, _, w, h in sorted(named)[:1] if paper is not None else sorted(likely):
-        yield _straight(grey, corners, (w, h))
+        yield _sheet_from_above(grey, corners, (w, h))
 
 
 def frame_corners(grey: Greys) -> Array | None:
     """Corners of the frame in pixels: lower left, lower right, upper right, upper left; None if there is none."""
     cv2 = cv()
-    small, factor = smaller(grey, LOOK_PX)
+    small, factor = reduce_to_longest_side(grey, REDUCED_SIDE_PX)
     dark = cv2.adaptiveThreshold(small, 255, cv2.ADAPTIVE_THRESH_MEAN_C, cv2.THRESH_BINARY_INV, 31, 7)
     dark = cv2.morphologyEx(dark, cv2.MORPH_CLOSE, None)
     contours, _ = cv2.findContours(dark, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
@@ -50,52 +61,52 @@ def frame_corners(grey: Greys) -> Array | None:
     for contour in contours:
         hull = cv2.convexHull(contour)
         area = cv2.contourArea(hull)
-        if area > LEAST_SHARE * small.size and cv2.contourArea(contour) > 0.9 * area:
+        if area > LEAST_FRAME_SHARE * small.size and cv2.contourArea(contour) > 0.9 * area:
             quad = cv2.approxPolyDP(hull, 0.02 * cv2.arcLength(hull, True), True)
             if len(quad) == 4:
                 quads.append((area, quad.reshape(4, 2).astype(float)))
     quads.sort(key=lambda q: q[0])
-    refined = (_refined(grey, ordered((quad + 0.5) / factor - 0.5), 3.0 / factor) for _, quad in quads)
+    refined = (_refined_corners(grey, ordered_corners((quad + 0.5) / factor - 0.5), 3.0 / factor) for _, quad in quads)
     return next((c for c in refined if c is not None), None)  # the innermost dark line: the paper's edge is none
 
 
-def ordered(quad: Array) -> Array:
+def ordered_corners(quad: Array) -> Array:
     """Lower left first, counter-clockwise as seen, for a picture that is nearly upright."""
     x, y = (quad - quad.mean(axis=0)).T
     quad = quad[numpy.argsort(numpy.arctan2(-y, x))]
     return numpy.roll(quad, -int(numpy.argmin(quad[:, 0] - quad[:, 1])), axis=0)
 
 
-def _refined(grey: Greys, quad: Array, reach: float) -> Array | None:
+def _refined_corners(grey: Greys, quad: Array, reach: float) -> Array | None:
     """Corners at the intersections of the frame's line centres; None if a side is no line with paper on both sides."""
     sides, t, ends = [], numpy.arange(-2 * reach, 2 * reach + 0.1, 0.5), quad @ [1, 1j]
     for a, b in zip(ends, numpy.roll(ends, -1), strict=True):
         across = 1j * (b - a) / abs(b - a)
         places = a + numpy.linspace(0.03, 0.97, 200) * (b - a)
-        seen = 255.0 - sampled(grey, places[:, None] + across * t)
+        seen = 255.0 - sample_greys(grey, places[:, None] + across * t)
         base = numpy.maximum(seen[:, :4].mean(axis=1), seen[:, -4:].mean(axis=1))[:, None]
         line = numpy.maximum(seen - base - 0.35 * (seen.max(axis=1)[:, None] - base), 0)
         good = (seen.max(axis=1) - base[:, 0]) > 15
         if good.mean() < 0.5:
             return None
         middle = (line * t).sum(axis=1) / numpy.maximum(line.sum(axis=1), 1e-6)
-        sides.append(line_along((places + middle * across)[good]))
-    return meetings(sides)
+        sides.append(fit_line((places + middle * across)[good]))
+    return side_intersections(sides)
 
 
-def line_along(places: Complexes) -> Line:
+def fit_line(places: Complexes) -> Line:
     """The line along most of some points: one of the points, and its direction."""
     vx, vy, x, y = cv().fitLine(pairs(places).astype(numpy.float32), cv().DIST_HUBER, 0, 0.01, 0.001).ravel().tolist()
     return complex(x, y), complex(vx, vy)
 
 
-def meetings(sides: Sequence[Line]) -> Array:
+def side_intersections(sides: Sequence[Line]) -> Array:
     """The intersections of each side of a figure with the one before it."""
     before = zip([sides[-1], *sides[:-1]], sides, strict=True)
-    return pairs(numpy.array([lines(*one, *two)[0] for one, two in before]))
+    return pairs(numpy.array([intersect_lines(*one, *two)[0] for one, two in before]))
 
 
-def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
+def aspect_ratio_and_obliqueness(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
     """Width over height of a rectangle, and whether it is seen obliquely by a camera aimed at the picture's centre.
 
     The focal length follows from the two vanishing points; where the view is nearly straight, the sides are compared.
@@ -116,13 +127,13 @@ def shape_of(corners: Array, size_px: tuple[int, int]) -> tuple[float, bool]:
     return math.sqrt(across / up), True
 
 
-def _straight(grey: Greys, corners: Array, size_mm: tuple[float, float]) -> Flat:
+def _sheet_from_above(grey: Greys, corners: Array, size_mm: tuple[float, float]) -> Flat:
     """The sheet from above."""
     cv2 = cv()
     w, h = size_mm
-    scale = min(PX_PER_MM, LARGEST_PX / max(w, h))
-    right, top = w - OTHER_MM, h - OTHER_MM
-    true = [(LEFT_MM, OTHER_MM), (right, OTHER_MM), (right, top), (LEFT_MM, top)]
+    scale = min(PX_PER_MM, LARGEST_SIDE_PX / max(w, h))
+    right, top = w - FRAME_OTHER_SIDES_MM, h - FRAME_OTHER_SIDES_MM
+    true = [(FRAME_LEFT_MM, FRAME_OTHER_SIDES_MM), (right, FRAME_OTHER_SIDES_MM), (right, top), (FRAME_LEFT_MM, top)]
     goal = numpy.array([(x * scale, (h - y) * scale) for x, y in true], numpy.float32)
     warp = cv2.getPerspectiveTransform(corners.astype(numpy.float32), goal)
     size = round(w * scale), round(h * scale)

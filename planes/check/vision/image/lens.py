@@ -4,13 +4,13 @@ import math
 
 import numpy
 
-from planes.check.vision.image.bend import Place, through
+from planes.check.vision.image.bend import Place, apply_homography
 from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
 
-FOCAL = 0.73  # focal length of a phone camera, in longer sides of its picture
+PHONE_FOCAL_LENGTH = 0.73  # focal length of a phone camera, in longer sides of its picture
 MOST_TILT_DEG = 40.0
-HELD = math.tan(math.radians(6.0))  # σ of the tilt of phones
+PHONE_TILT_SIGMA = math.tan(math.radians(6.0))  # σ of the tilt of phones
 
 
 @frozen
@@ -21,15 +21,15 @@ class CameraTilt:
     """
 
     slopes: complex = 0j
-    loose: tuple[complex, complex] = (complex(HELD), complex(0, HELD))
+    loose: tuple[complex, complex] = (complex(PHONE_TILT_SIGMA), complex(0, PHONE_TILT_SIGMA))
     turn: float = 0.0
 
     @property
-    def sure(self) -> float:
+    def tilt_significance(self) -> float:
         """Its significance as an oblique view, in σ."""
         return math.hypot(*((self.slopes * way.conjugate()).real / abs(way) ** 2 for way in self.loose))
 
-    def more(self, shares: Array) -> complex:
+    def slopes_for_sigmas(self, shares: Array) -> complex:
         """Slopes for multiples of σ along both axes."""
         return complex(shares[0] * self.loose[0] + shares[1] * self.loose[1])
 
@@ -39,7 +39,7 @@ class CameraTilt:
         return CameraTilt(self.slopes.conjugate(), (first.conjugate(), second.conjugate()), -self.turn)
 
 
-UNTOLD = CameraTilt()
+UNKNOWN_TILT = CameraTilt()
 
 
 @frozen
@@ -53,22 +53,22 @@ class Lens:
     far: float
     mark: complex
     turned: bool = False
-    held: CameraTilt = UNTOLD
+    held: CameraTilt = UNKNOWN_TILT
 
-    def leaning(self, z: Place, tilt: complex) -> Place:
+    def positions_under_tilt(self, z: Place, tilt: complex) -> Place:
         """The positions of points of the sheet under an additional camera tilt (slopes to the right and up).
 
         The scale is set again by the same mark.
         """
-        view = level(self.middle, self.far, tilt)
+        view = levelled_view(self.middle, self.far, tilt)
         if view is None:
             return z
-        pole, mark = through(view, 0j), through(view, self.mark)
+        pole, mark = apply_homography(view, 0j), apply_homography(view, self.mark)
         way = self.mark / (mark - pole)
-        return (through(view, z) - pole) * (way if self.turned else abs(way))
+        return (apply_homography(view, z) - pole) * (way if self.turned else abs(way))
 
 
-def level(middle: complex, far: float, tilt: complex) -> Array | None:
+def levelled_view(middle: complex, far: float, tilt: complex) -> Array | None:
     """The view from straight above of a plane seen by a tilted camera (the slope of its depth along both axes).
 
     Its middle is fixed. None if no camera is held like that.

@@ -6,55 +6,72 @@ and with thin dark strokes filled up, its light changes only slowly.
 
 import numpy
 
-from planes.check.vision.image.opencv import cv, pieces, smaller
+from planes.check.vision.image.opencv import connected_components, cv, reduce_to_longest_side
 from planes.geometry.arrays import Booleans, Greys, Indices
 
-LOOK_PX, SQUARE_PX = 1000, 20
-UNEVEN = 11.0  # σ of the grey levels of a small square
-LIGHT, DARKER, INK = 90, 12, 0.2  # percentile of its light; darkness of ink below it; maximum share of ink on paper
-STRAIGHT = 0.6  # share of a square's variance in its rows and columns, if ruled
-SHARE = 0.6  # of all small squares
-FILLED_PX, SOFT_PX = 13, 2.0  # the widest stroke that is filled up; σ of smoothing the grain
-STEEP, MOSTLY = 1.5, 0.9  # maximum grey gradient per pixel, and share of pixels below it, in an even small square
-EVEN, TOGETHER = 0.5, 0.15  # shares of all small squares: even ones on paper, and connected ones
-LETTER_PX, LETTERS = (5, 30), 800  # range of letter heights, in the reduced picture; more letters are a page of text
-LINE_PX = 45  # a drawing has a longer line (14 mm of A4); touching letters rarely do
-PRINT = 0.35  # darkness of letters relative to the darkest of a picture
+REDUCED_SIDE_PX, SQUARE_PX = 1000, 20
+UNEVEN_GREY_SIGMA = 11.0  # σ of the grey levels of a small square
+PAPER_LIGHT_PERCENTILE, INK_GREY_DIFFERENCE, MOST_INK_SHARE = (
+    90,
+    12,
+    0.2,
+)  # percentile of its light; darkness of ink below it; maximum share of ink on paper
+RULED_VARIANCE_SHARE = 0.6  # share of a square's variance in its rows and columns, if ruled
+MOST_ROUGH_SHARE = 0.6  # of all small squares
+WIDEST_FILLED_STROKE_PX, SMOOTHING_SIGMA_PX = 13, 2.0  # the widest stroke that is filled up; σ of smoothing the grain
+MOST_GREY_GRADIENT, LEAST_FLAT_PIXEL_SHARE = (
+    1.5,
+    0.9,
+)  # maximum grey gradient per pixel, and share of pixels below it, in an even small square
+LEAST_EVEN_SHARE, LEAST_CONNECTED_SHARE = (
+    0.5,
+    0.15,
+)  # shares of all small squares: even ones on paper, and connected ones
+LETTER_HEIGHT_RANGE_PX, MOST_LETTERS_ON_DRAWING = (
+    (5, 30),
+    800,
+)  # range of letter heights, in the reduced picture; more letters are a page of text
+SHORTEST_DRAWN_LINE_PX = 45  # a drawing has a longer line (14 mm of A4); touching letters rarely do
+LETTER_DARKNESS_SHARE = 0.35  # darkness of letters relative to the darkest of a picture
 
 
 def shows_paper(grey: Greys) -> bool:
     """Whether enough of a picture is even for it to contain paper."""
-    small = smaller(grey, LOOK_PX)[0]
+    small = reduce_to_longest_side(grey, REDUCED_SIDE_PX)[0]
     h, w = (n // SQUARE_PX for n in small.shape)
     if not h * w:
         return True
     small = small[: h * SQUARE_PX, : w * SQUARE_PX]
-    _, parts = pieces(_slow(small), neighbours=4)
-    even = max(parts[1:, 4].sum() / EVEN, parts[1:, 4].max(initial=0) / TOGETHER)
-    return bool(even >= h * w) and float(_rough(small).mean()) < SHARE
+    _, parts = connected_components(_evenly_lit_squares(small), neighbours=4)
+    even = max(parts[1:, 4].sum() / LEAST_EVEN_SHARE, parts[1:, 4].max(initial=0) / LEAST_CONNECTED_SHARE)
+    return bool(even >= h * w) and float(_rough_squares(small).mean()) < MOST_ROUGH_SHARE
 
 
-def _slow(small: Greys) -> Booleans:
+def _evenly_lit_squares(small: Greys) -> Booleans:
     """Small squares with slowly changing light, thin dark strokes filled up."""
     cv2 = cv()
-    filled = cv2.morphologyEx(small, cv2.MORPH_CLOSE, numpy.ones((FILLED_PX, FILLED_PX), numpy.uint8))
-    light = cv2.GaussianBlur(filled, (0, 0), SOFT_PX)
+    filled = cv2.morphologyEx(
+        small, cv2.MORPH_CLOSE, numpy.ones((WIDEST_FILLED_STROKE_PX, WIDEST_FILLED_STROKE_PX), numpy.uint8)
+    )
+    light = cv2.GaussianBlur(filled, (0, 0), SMOOTHING_SIGMA_PX)
     across, down = (cv2.Sobel(light, cv2.CV_32F, *way, scale=1 / 8) for way in ((1, 0), (0, 1)))
-    slow: Booleans = _squares(cv2.magnitude(across, down) < STEEP).mean(axis=(1, 3)) >= MOSTLY
+    slow: Booleans = (
+        _cut_into_squares(cv2.magnitude(across, down) < MOST_GREY_GRADIENT).mean(axis=(1, 3)) >= LEAST_FLAT_PIXEL_SHARE
+    )
     return slow
 
 
-def _rough(small: Greys) -> Booleans:
+def _rough_squares(small: Greys) -> Booleans:
     """Small squares with a large dark part that is not in lines."""
-    cut = _squares(small).astype(numpy.float32)
-    light = numpy.percentile(cut, LIGHT, axis=(1, 3), keepdims=True)
-    ink, spread = (cut < light - DARKER).mean(axis=(1, 3)), cut.var(axis=(1, 3))
+    cut = _cut_into_squares(small).astype(numpy.float32)
+    light = numpy.percentile(cut, PAPER_LIGHT_PERCENTILE, axis=(1, 3), keepdims=True)
+    ink, spread = (cut < light - INK_GREY_DIFFERENCE).mean(axis=(1, 3)), cut.var(axis=(1, 3))
     ruled = cut.mean(axis=1).var(axis=2) + cut.mean(axis=3).var(axis=1)
-    rough: Booleans = (spread > UNEVEN**2) & (ink > INK) & (ruled < STRAIGHT * spread)
+    rough: Booleans = (spread > UNEVEN_GREY_SIGMA**2) & (ink > MOST_INK_SHARE) & (ruled < RULED_VARIANCE_SHARE * spread)
     return rough
 
 
-def _squares(small: Greys | Booleans) -> Greys | Booleans:
+def _cut_into_squares(small: Greys | Booleans) -> Greys | Booleans:
     """A picture as small squares: row of squares, row within, column of squares, column within."""
     h, w = (n // SQUARE_PX for n in small.shape)
     return small.reshape(h, SQUARE_PX, w, SQUARE_PX)
@@ -62,16 +79,24 @@ def _squares(small: Greys | Booleans) -> Greys | Booleans:
 
 def shows_text_only(grey: Greys) -> bool:
     """Whether letters cover a picture without a single line, however faint, that may belong to a drawing."""
-    cv2, small = cv(), smaller(grey, LOOK_PX)[0]
+    cv2, small = cv(), reduce_to_longest_side(grey, REDUCED_SIDE_PX)[0]
     paper = cv2.dilate(cv2.blur(small, (3, 3)), numpy.ones((SQUARE_PX, SQUARE_PX), numpy.uint8))
     dark = cv2.subtract(cv2.blur(paper, (SQUARE_PX, SQUARE_PX)), small)
-    letters, drawn = (_parts(dark, least) for least in (PRINT * float(numpy.percentile(dark, 99.5)), DARKER))
-    low, high = LETTER_PX
-    many = int(((letters[:, 1] >= low) & (letters[:, 1] <= high) & (letters[:, 2] > low)).sum()) > LETTERS
+    letters, drawn = (
+        _dark_components(dark, least)
+        for least in (LETTER_DARKNESS_SHARE * float(numpy.percentile(dark, 99.5)), INK_GREY_DIFFERENCE)
+    )
+    low, high = LETTER_HEIGHT_RANGE_PX
+    many = (
+        int(((letters[:, 1] >= low) & (letters[:, 1] <= high) & (letters[:, 2] > low)).sum()) > MOST_LETTERS_ON_DRAWING
+    )
     words = (drawn[:, 1] >= low) & (drawn[:, 1] <= high)  # seen this faintly, letters of a word touch
-    return many and max(int(letters[:, :2].max()), int((drawn[:, :2].max(axis=1) * ~words).max())) <= LINE_PX
+    return (
+        many
+        and max(int(letters[:, :2].max()), int((drawn[:, :2].max(axis=1) * ~words).max())) <= SHORTEST_DRAWN_LINE_PX
+    )
 
 
-def _parts(dark: Greys, least: float) -> Indices:
+def _dark_components(dark: Greys, least: float) -> Indices:
     """Connected components of this darkness: width, height and number of pixels."""
-    return pieces(dark > least)[1][1:, 2:5]
+    return connected_components(dark > least)[1][1:, 2:5]

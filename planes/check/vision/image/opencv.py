@@ -19,15 +19,15 @@ def cv() -> ModuleType:
     return cv2
 
 
-def shrunk(picture: Any, factor: float) -> Any:  # of any number type
+def resize_by_factor(picture: Any, factor: float) -> Any:  # of any number type
     """A picture resized by a factor, each pixel the mean of those it replaces."""
     return cv().resize(picture, None, fx=factor, fy=factor, interpolation=cv().INTER_AREA)
 
 
-def smaller(grey: Greys, longest: float) -> tuple[Greys, float]:
+def reduce_to_longest_side(grey: Greys, longest: float) -> tuple[Greys, float]:
     """The picture with its longer side limited, and the factor of reduction."""
     factor = min(1.0, longest / max(grey.shape))
-    return shrunk(grey, factor) if factor < 1 else grey, factor
+    return resize_by_factor(grey, factor) if factor < 1 else grey, factor
 
 
 def pairs(z: Complexes) -> Array:
@@ -35,14 +35,14 @@ def pairs(z: Complexes) -> Array:
     return numpy.stack([z.real, z.imag], axis=1)
 
 
-def sampled(grey: Greys, places: Complexes) -> Array:
+def sample_greys(grey: Greys, places: Complexes) -> Array:
     """Grey levels between pixels; beyond a picture's border, those of the border."""
     maps = (numpy.ascontiguousarray(part, numpy.float32) for part in (places.real, places.imag))
     greys: Array = cv().remap(grey, *maps, cv().INTER_LINEAR, borderMode=cv().BORDER_REPLICATE).astype(float)
     return greys
 
 
-def pieces(places: Any, neighbours: int = 8) -> tuple[Indices, Indices]:
+def connected_components(places: Any, neighbours: int = 8) -> tuple[Indices, Indices]:
     """Connected components, across corners, too, unless only four ``neighbours`` count.
 
     Each pixel has the number of its component (0: none), and each component its left, top, width, height and area.

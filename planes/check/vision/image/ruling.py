@@ -10,19 +10,29 @@ import math
 
 import numpy
 
-from planes.check.vision.image.opencv import cv, shrunk
+from planes.check.vision.image.opencv import cv, resize_by_factor
 from planes.geometry.arrays import Array, Complexes, Greys
 from planes.words.frozen import frozen
 
-PERIOD_PX = 16.0  # of a ruling, in the reduced picture
-WINDOW_PX, STEP_PX = 96, 64
-AROUND_PX = 21  # neighbourhood for the paper's light
-DARK, LIGHT = 12.0, 6.0  # grey levels, maximum darkness of a ruling and lightness of paper
-SLANT = 0.36  # maximum slant of a line: of a sheet that is rotated and seen obliquely
-NARROW, WIDE, RATES = 0.72, 1.38, 25  # range of periods relative to the expected one; number of steps
-NEAR = 0.13  # maximum deviation of a window's rate from that of the others
-CLEAR = 5.0  # minimum strength of a wave relative to the usual one of its window
-LEAST, EVERYWHERE = 16, 0.35  # clear windows, and their share of all: tables and hatchings do not cover a sheet
+RULING_PERIOD_PX = 16.0  # of a ruling, in the reduced picture
+WINDOW_PX, WINDOW_STEP_PX = 96, 64
+PAPER_LIGHT_WINDOW_PX = 21  # neighbourhood for the paper's light
+MOST_RULING_DARKNESS, MOST_PAPER_LIGHTNESS = (
+    12.0,
+    6.0,
+)  # grey levels, maximum darkness of a ruling and lightness of paper
+MOST_LINE_SLANT = 0.36  # maximum slant of a line: of a sheet that is rotated and seen obliquely
+LEAST_RATE_RATIO, MOST_RATE_RATIO, RATE_STEP_COUNT = (
+    0.72,
+    1.38,
+    25,
+)  # range of periods relative to the expected one; number of steps
+MOST_RATE_DEVIATION = 0.13  # maximum deviation of a window's rate from that of the others
+LEAST_WAVE_STRENGTH = 5.0  # minimum strength of a wave relative to the usual one of its window
+LEAST_CLEAR_WINDOWS, LEAST_CLEAR_SHARE = (
+    16,
+    0.35,
+)  # clear windows, and their share of all: tables and hatchings do not cover a sheet
 
 
 @frozen
@@ -34,17 +44,23 @@ class Wave:
     clear: Array
 
 
-def waves_of(grey: Greys, period_px: float) -> tuple[Wave | None, Wave | None]:
+def count_ruling_lines(grey: Greys, period_px: float) -> tuple[Wave | None, Wave | None]:
     """The lines down a picture near this period, counted to the right, and those across, counted downwards.
 
     None if there are none.
     """
-    factor = min(1.0, PERIOD_PX / period_px)
-    seen = (shrunk(grey, factor) if factor < 1 else grey).astype(numpy.float32)
-    dark = numpy.clip(cv().blur(seen, (AROUND_PX, AROUND_PX)) - seen, -LIGHT, DARK)
+    factor = min(1.0, RULING_PERIOD_PX / period_px)
+    seen = (resize_by_factor(grey, factor) if factor < 1 else grey).astype(numpy.float32)
+    dark = numpy.clip(
+        cv().blur(seen, (PAPER_LIGHT_WINDOW_PX, PAPER_LIGHT_WINDOW_PX)) - seen,
+        -MOST_PAPER_LIGHTNESS,
+        MOST_RULING_DARKNESS,
+    )
     h, w = dark.shape
-    at = [(y, x) for y in range(0, h - WINDOW_PX + 1, STEP_PX) for x in range(0, w - WINDOW_PX + 1, STEP_PX)]
-    if len(at) < LEAST:
+    at = [
+        (y, x) for y in range(0, h - WINDOW_PX + 1, WINDOW_STEP_PX) for x in range(0, w - WINDOW_PX + 1, WINDOW_STEP_PX)
+    ]
+    if len(at) < LEAST_CLEAR_WINDOWS:
         return None, None
     cuts = numpy.array([dark[y : y + WINDOW_PX, x : x + WINDOW_PX] for y, x in at])
     rim = numpy.hanning(WINDOW_PX + 2)[1:-1].astype(numpy.float32)
@@ -52,48 +68,48 @@ def waves_of(grey: Greys, period_px: float) -> tuple[Wave | None, Wave | None]:
     middles = numpy.array([complex(x, y) + (WINDOW_PX - 1) / 2 * (1 + 1j) for y, x in at])
     places = (middles + (0.5 + 0.5j)) / factor - (0.5 + 0.5j)
     mirrored = middles.imag + 1j * middles.real
-    counts = (_counts(cuts, middles), _counts(cuts.transpose(0, 2, 1), mirrored))
+    counts = (_line_counts(cuts, middles), _line_counts(cuts.transpose(0, 2, 1), mirrored))
     across, down = (Wave(places, *count) if count else None for count in counts)
     return across, down
 
 
-def _counts(dark: Array, middles: Complexes) -> tuple[Array, Array] | None:
+def _line_counts(dark: Array, middles: Complexes) -> tuple[Array, Array] | None:
     """The line counts of windows to the right, and which are clear."""
-    rates, clear, _ = _strongest(dark, None)
-    rates, clear, phases = _strongest(dark, _evenly(middles, rates, clear))
-    if (clear > CLEAR).sum() < max(LEAST, EVERYWHERE * len(clear)):
+    rates, clear, _ = _strongest_waves(dark, None)
+    rates, clear, phases = _strongest_waves(dark, _smooth_rates(middles, rates, clear))
+    if (clear > LEAST_WAVE_STRENGTH).sum() < max(LEAST_CLEAR_WINDOWS, LEAST_CLEAR_SHARE * len(clear)):
         return None
-    return _followed(middles, rates, clear, phases), clear
+    return _unwrapped_phases(middles, rates, clear, phases), clear
 
 
-def _strongest(dark: Array, near: Complexes | None) -> tuple[Complexes, Array, Array]:
+def _strongest_waves(dark: Array, near: Complexes | None) -> tuple[Complexes, Array, Array]:
     """The strongest wave in each window, near the rate ``near`` if given.
 
     It has lines per pixel (to the right and down, as a complex number), strength relative to the usual one, and phase
     in the middle, in lines.
     """
     t = numpy.arange(WINDOW_PX) - (WINDOW_PX - 1) / 2
-    across = numpy.linspace(NARROW, WIDE, RATES) / PERIOD_PX
-    aslant = numpy.linspace(-SLANT, SLANT, RATES) / PERIOD_PX
+    across = numpy.linspace(LEAST_RATE_RATIO, MOST_RATE_RATIO, RATE_STEP_COUNT) / RULING_PERIOD_PX
+    aslant = numpy.linspace(-MOST_LINE_SLANT, MOST_LINE_SLANT, RATE_STEP_COUNT) / RULING_PERIOD_PX
     ex, ey = (numpy.exp(-2j * math.pi * t[:, None] * f).astype(numpy.complex64) for f in (across, aslant))
     power = numpy.abs(ey.T @ (dark @ ex))
     usual = numpy.median(power, axis=(1, 2)) + 1e-6
     if near is not None:
         off = abs(across[None, None, :] + 1j * aslant[None, :, None] - near[:, None, None])
-        power = numpy.where(off < NEAR / PERIOD_PX, power, 0.0)
+        power = numpy.where(off < MOST_RATE_DEVIATION / RULING_PERIOD_PX, power, 0.0)
     n, best = numpy.arange(len(dark)), power.reshape(len(dark), -1).argmax(axis=1)
-    i, j = best // RATES, best % RATES
-    fx = across[j] + _between(power, i, j, (0, 1)) * (across[1] - across[0])
-    fy = aslant[i] + _between(power, i, j, (1, 0)) * (aslant[1] - aslant[0])
+    i, j = best // RATE_STEP_COUNT, best % RATE_STEP_COUNT
+    fx = across[j] + _peak_offset_in_steps(power, i, j, (0, 1)) * (across[1] - across[0])
+    fy = aslant[i] + _peak_offset_in_steps(power, i, j, (1, 0)) * (aslant[1] - aslant[0])
     wx, wy = (numpy.exp(-2j * math.pi * f[:, None] * t).astype(numpy.complex64) for f in (fx, fy))
     phase = numpy.angle(numpy.einsum("ny,nyx,nx->n", wy, dark, wx, optimize=True)) / (2 * math.pi)
     return fx + 1j * fy, power[n, i, j] / usual, phase
 
 
-def _between(power: Array, i: Array, j: Array, step: tuple[int, int]) -> Array:
+def _peak_offset_in_steps(power: Array, i: Array, j: Array, step: tuple[int, int]) -> Array:
     """The position of each window's peak between its neighbours, in steps: the vertex of a parabola."""
     di, dj = step
-    n, last = numpy.arange(len(power)), RATES - 1
+    n, last = numpy.arange(len(power)), RATE_STEP_COUNT - 1
     i, j = numpy.clip(i, di, last - di), numpy.clip(j, dj, last - dj)
     a, b, c = power[n, i - di, j - dj], power[n, i, j], power[n, i + di, j + dj]
     bend = numpy.minimum(a - 2 * b + c, -1e-9)
@@ -101,15 +117,15 @@ def _between(power: Array, i: Array, j: Array, step: tuple[int, int]) -> Array:
     return top
 
 
-def _evenly(middles: Complexes, rates: Complexes, clear: Array) -> Complexes:
+def _smooth_rates(middles: Complexes, rates: Complexes, clear: Array) -> Complexes:
     """The rate at each window, varying smoothly over the picture, fitted to most of the clear ones."""
     base = numpy.stack([numpy.ones(len(middles)), middles.real / 1000, middles.imag / 1000], axis=1)
-    weight = numpy.clip(clear - CLEAR, 0.01, 10)
+    weight = numpy.clip(clear - LEAST_WAVE_STRENGTH, 0.01, 10)
     order = numpy.argsort(rates.real)
     share = numpy.cumsum(weight[order])
     fit = numpy.array([rates[order][numpy.searchsorted(share, share[-1] / 2)], 0, 0])
     for k in range(12):
-        wide = (0.25 if k < 3 else 0.08) / PERIOD_PX
+        wide = (0.25 if k < 3 else 0.08) / RULING_PERIOD_PX
         w = weight / (1 + (abs(rates - base @ fit) / wide) ** 2) ** 2
         kept = base[:, : 1 if k < 2 else 3]
         part = numpy.linalg.lstsq(kept * w[:, None] ** 0.5, rates * w**0.5, rcond=None)[0]
@@ -118,7 +134,7 @@ def _evenly(middles: Complexes, rates: Complexes, clear: Array) -> Complexes:
     return out
 
 
-def _followed(middles: Complexes, rates: Complexes, clear: Array, phases: Array) -> Array:
+def _unwrapped_phases(middles: Complexes, rates: Complexes, clear: Array, phases: Array) -> Array:
     """Unwrapped phases, from the clearest window outwards, clear ones first."""
     out, queue = numpy.full(len(middles), math.nan), [(0.0, int(clear.argmax()), -1)]
     while queue:
@@ -128,6 +144,6 @@ def _followed(middles: Complexes, rates: Complexes, clear: Array, phases: Array)
         way, rate = middles[j] - middles[i], (rates[i] + rates[j]) / 2
         likely = 0.0 if i < 0 else out[i] + rate.real * way.real + rate.imag * way.imag
         out[j] = likely + (phases[j] - likely + 0.5) % 1 - 0.5
-        for k in numpy.flatnonzero((abs(middles - middles[j]) < 1.5 * STEP_PX) & numpy.isnan(out)):
+        for k in numpy.flatnonzero((abs(middles - middles[j]) < 1.5 * WINDOW_STEP_PX) & numpy.isnan(out)):
             heapq.heappush(queue, (-float(clear[k]), int(k), j))
     return out

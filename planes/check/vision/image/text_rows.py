@@ -8,19 +8,25 @@ import math
 
 import numpy
 
-from planes.check.vision.image.opencv import cv, pieces, shrunk, smaller
+from planes.check.vision.image.opencv import connected_components, cv, reduce_to_longest_side, resize_by_factor
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
 from planes.words.frozen import frozen
 
-LOOK_PX, LIGHT_PX = 2000, 41  # longer side of the reduced picture; window of the paper's light
-DARKER, PRINT = 14, 0.3  # darkness of ink relative to paper in grey levels, and relative to the darkest
-LETTER_PX, SPECKS = (9, 70), 12  # range of letter heights; minimum of pixels
-NEXT, ALIKE = 3.0, 2.2  # maximum distance of the next letter, in letters, and ratio of heights
-LONG = 2.2  # in heights, a longer piece along a row is a dash, no letter
-ASLANT = 0.3  # maximum slant of a row from most others
-FEW, MOST = 7, 1500  # minimum number of letters of a row; maximum number on a page
-OFF = 0.12  # of a letter's height: a foot farther from the line is not on it
-STEEP = math.radians(40)  # a stroke farther from upright is no evidence
+REDUCED_SIDE_PX, PAPER_LIGHT_WINDOW_PX = 2000, 41  # longer side of the reduced picture; window of the paper's light
+LEAST_INK_GREY_DIFFERENCE, LEAST_INK_DARKNESS_SHARE = (
+    14,
+    0.3,
+)  # darkness of ink relative to paper in grey levels, and relative to the darkest
+LETTER_HEIGHT_RANGE_PX, LEAST_LETTER_PIXELS = (9, 70), 12  # range of letter heights; minimum of pixels
+MOST_LETTER_GAP_RATIO, MOST_HEIGHT_RATIO = (
+    3.0,
+    2.2,
+)  # maximum distance of the next letter, in letters, and ratio of heights
+LONGEST_LETTER_RATIO = 2.2  # in heights, a longer piece along a row is a dash, no letter
+MOST_ROW_SLANT = 0.3  # maximum slant of a row from most others
+LEAST_LETTERS_IN_ROW, MOST_LETTERS_ON_PAGE = 7, 1500  # minimum number of letters of a row; maximum number on a page
+BASELINE_TOLERANCE_RATIO = 0.12  # of a letter's height: a foot farther from the line is not on it
+MOST_STROKE_SLANT_RAD = math.radians(40)  # a stroke farther from upright is no evidence
 
 
 @frozen
@@ -49,7 +55,7 @@ class LetterRows:
     way: float  # direction of most rows, radians
 
     @property
-    def row_of(self) -> Indices:
+    def row_numbers(self) -> Indices:
         """The row number of each letter; -1 for those in none."""
         out = numpy.full(len(self.places), -1)
         for k, row in enumerate(self.rows):
@@ -57,13 +63,13 @@ class LetterRows:
         return out
 
 
-def text_on(grey: Greys) -> LetterRows | None:
+def find_text_rows(grey: Greys) -> LetterRows | None:
     """The rows of letters on a picture; None if there are none."""
-    small, factor = smaller(grey, LOOK_PX)
-    labels, boxes = _letters(small)
-    if len(boxes) < FEW:
+    small, factor = reduce_to_longest_side(grey, REDUCED_SIDE_PX)
+    labels, boxes = _letter_components(small)
+    if len(boxes) < LEAST_LETTERS_IN_ROW:
         return None
-    way = _way(boxes)
+    way = _row_direction(boxes)
     if way is None:
         return None
     rows_of_ink, columns = numpy.nonzero(labels)
@@ -74,47 +80,52 @@ def text_on(grey: Greys) -> LetterRows | None:
     s, t = z.real[order], z.imag[order]
     low, high = (f.reduceat(t, starts) for f in (numpy.minimum, numpy.maximum))
     left, right = (f.reduceat(s, starts) for f in (numpy.minimum, numpy.maximum))
-    rows = _rows(left, right, low, high, way)
+    rows = _chain_rows(left, right, low, high, way)
     if not rows:
         return None
     kept = numpy.unique(numpy.concatenate([row.letters for row in rows]))
     new = numpy.full(len(boxes), -1)
     new[kept] = numpy.arange(len(kept))
-    letter_of_edge, angles, weights = _edges(small, labels, new, way)
+    letter_of_edge, angles, weights = _stroke_edges(small, labels, new, way)
     middles = ((left + right) / 2 + 1j * (low + high) / 2) * numpy.exp(1j * way)
     there = (middles[kept] + 0.5 + 0.5j) / factor - 0.5 - 0.5j
     text_rows = [TextRow((r.place + 0.5 + 0.5j) / factor - 0.5 - 0.5j, r.angle, r.error, new[r.letters]) for r in rows]
     return LetterRows(there, (high - low + 1)[kept], letter_of_edge, angles, weights, text_rows, way)
 
 
-def _letters(small: Greys) -> tuple[Indices, Indices]:
+def _letter_components(small: Greys) -> tuple[Indices, Indices]:
     """The pieces of ink as large as letters: the number at each pixel (from 1, 0: none), and their boxes."""
     cv2 = cv()
-    wide = LIGHT_PX // 4 | 1
-    light = cv2.blur(cv2.dilate(shrunk(small, 0.25), numpy.ones((wide, wide), numpy.uint8)), (wide, wide))
+    wide = PAPER_LIGHT_WINDOW_PX // 4 | 1
+    light = cv2.blur(cv2.dilate(resize_by_factor(small, 0.25), numpy.ones((wide, wide), numpy.uint8)), (wide, wide))
     dark = cv2.subtract(cv2.resize(light, small.shape[::-1]), cv2.GaussianBlur(small, (3, 3), 0))
-    least = max(DARKER, PRINT * float(numpy.percentile(dark[::4, ::4], 99.7)))
-    labels, parts = pieces(dark > least)
+    least = max(LEAST_INK_GREY_DIFFERENCE, LEAST_INK_DARKNESS_SHARE * float(numpy.percentile(dark[::4, ::4], 99.7)))
+    labels, parts = connected_components(dark > least)
     w, h, area = parts[:, 2], parts[:, 3], parts[:, 4]
     tall = numpy.maximum(w, h)
-    good = (tall >= LETTER_PX[0]) & (tall <= LETTER_PX[1]) & (area >= SPECKS) & (numpy.minimum(w, h) > 1)
+    good = (
+        (tall >= LETTER_HEIGHT_RANGE_PX[0])
+        & (tall <= LETTER_HEIGHT_RANGE_PX[1])
+        & (area >= LEAST_LETTER_PIXELS)
+        & (numpy.minimum(w, h) > 1)
+    )
     good[0] = False
-    good[numpy.flatnonzero(good)[MOST:]] = False
+    good[numpy.flatnonzero(good)[MOST_LETTERS_ON_PAGE:]] = False
     return (good.cumsum() * good)[labels], parts[good]
 
 
-def _way(boxes: Indices) -> float | None:
+def _row_direction(boxes: Indices) -> float | None:
     """The direction from most letters to their neighbours, in radians; None if there is none."""
     z = boxes[:, 0] + boxes[:, 2] / 2 + 1j * (boxes[:, 1] + boxes[:, 3] / 2)
     tall = numpy.maximum(boxes[:, 2], boxes[:, 3]).astype(float)
     apart = z - z[:, None]
     near = abs(apart) + 1e9 * (abs(apart) < 1)
-    near[(tall > ALIKE * tall[:, None]) | (tall[:, None] > ALIKE * tall)] = 1e9
+    near[(tall > MOST_HEIGHT_RATIO * tall[:, None]) | (tall[:, None] > MOST_HEIGHT_RATIO * tall)] = 1e9
     two = numpy.argsort(near, axis=1)[:, :2]
     rows = numpy.arange(len(z))[:, None]
     good = near[rows, two] < 1.8 * tall[:, None]
     ways = numpy.angle(apart[rows, two])[good]
-    if len(ways) < FEW:
+    if len(ways) < LEAST_LETTERS_IN_ROW:
         return None
     doubled = numpy.exp(2j * ways)
     steps = numpy.linspace(0, math.pi, 90, endpoint=False)
@@ -126,18 +137,18 @@ def _way(boxes: Indices) -> float | None:
     return way
 
 
-def _rows(left: Array, right: Array, low: Array, high: Array, way: float) -> list[TextRow]:
+def _chain_rows(left: Array, right: Array, low: Array, high: Array, way: float) -> list[TextRow]:
     """Letters chained from neighbour to neighbour, and their baselines."""
     tall, t = high - low + 1, (low + high) / 2
     usual = numpy.maximum(tall, numpy.median(tall))
     gap = left - right[:, None]
     down = t - t[:, None]
     s = (left + right) / 2
-    fits = (s > s[:, None]) & (gap > -0.5 * usual[:, None]) & (gap < NEXT * usual[:, None])
-    fits &= abs(down) < 0.55 * usual[:, None] + ASLANT * numpy.maximum(gap, 0)
-    letter = right - left < LONG * tall
+    fits = (s > s[:, None]) & (gap > -0.5 * usual[:, None]) & (gap < MOST_LETTER_GAP_RATIO * usual[:, None])
+    fits &= abs(down) < 0.55 * usual[:, None] + MOST_ROW_SLANT * numpy.maximum(gap, 0)
+    letter = right - left < LONGEST_LETTER_RATIO * tall
     fits &= letter & letter[:, None]
-    fits &= (tall < ALIKE * tall[:, None]) & (tall[:, None] < ALIKE * tall)
+    fits &= (tall < MOST_HEIGHT_RATIO * tall[:, None]) & (tall[:, None] < MOST_HEIGHT_RATIO * tall)
     cost = numpy.where(fits, numpy.maximum(gap, 0) + 2 * abs(down), numpy.inf)
     after, before = cost.argmin(axis=1), cost.argmin(axis=0)
     n = numpy.arange(len(s))
@@ -148,12 +159,12 @@ def _rows(left: Array, right: Array, low: Array, high: Array, way: float) -> lis
         chain = [int(k)]
         while linked[chain[-1]]:
             chain.append(int(after[chain[-1]]))
-        if len(chain) >= FEW and (row := _fitted(numpy.array(chain), s, high, tall, way)):
+        if len(chain) >= LEAST_LETTERS_IN_ROW and (row := _fit_baseline(numpy.array(chain), s, high, tall, way)):
             rows.append(row)
     return rows
 
 
-def _fitted(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> TextRow | None:
+def _fit_baseline(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> TextRow | None:
     """The baseline of most letters of a chain; None if too few fit."""
     x, y, height = s[chain], feet[chain], float(numpy.median(tall[chain]))
     i, j = numpy.triu_indices(len(x), 1)
@@ -163,13 +174,13 @@ def _fitted(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> T
     if len(i) > 400:
         slopes, i = slopes[:: len(i) // 400], i[:: len(i) // 400]
     rest = y - slopes[:, None] * (x - x[i][:, None]) - y[i][:, None]
-    best = int((abs(rest) < OFF * height).sum(axis=1).argmax())
-    near = abs(rest[best]) < OFF * height
-    if near.sum() < max(FEW - 2, 0.4 * len(x)):
+    best = int((abs(rest) < BASELINE_TOLERANCE_RATIO * height).sum(axis=1).argmax())
+    near = abs(rest[best]) < BASELINE_TOLERANCE_RATIO * height
+    if near.sum() < max(LEAST_LETTERS_IN_ROW - 2, 0.4 * len(x)):
         return None
     for _ in range(3):
         line = numpy.polynomial.polynomial.polyfit(x[near], y[near], 1)
-        near = abs(y - line[0] - line[1] * x) < OFF * height
+        near = abs(y - line[0] - line[1] * x) < BASELINE_TOLERANCE_RATIO * height
     off = math.hypot(float((y - line[0] - line[1] * x)[near].std()), 0.3)
     middle = float(x[near].mean())
     error = off / math.sqrt(float(((x[near] - middle) ** 2).sum()))
@@ -177,7 +188,7 @@ def _fitted(chain: Indices, s: Array, feet: Array, tall: Array, way: float) -> T
     return TextRow(complex(place), way + math.atan(line[1]), error, chain)
 
 
-def _edges(small: Greys, labels: Indices, new: Indices, way: float) -> tuple[Indices, Array, Array]:
+def _stroke_edges(small: Greys, labels: Indices, new: Indices, way: float) -> tuple[Indices, Array, Array]:
     """Edges of nearly upright letter strokes: their letters, directions and sharpness."""
     cv2 = cv()
     soft = cv2.GaussianBlur(small, (0, 0), 1.0)
@@ -187,5 +198,5 @@ def _edges(small: Greys, labels: Indices, new: Indices, way: float) -> tuple[Ind
     letter_of_edge = new[wide[there].astype(int) - 1]
     gradient = dx[there] + 1j * dy[there]
     upright = (numpy.angle(gradient * numpy.exp(-1j * way)) + math.pi / 2) % math.pi - math.pi / 2
-    good: Booleans = (letter_of_edge >= 0) & (abs(upright) < STEEP)
+    good: Booleans = (letter_of_edge >= 0) & (abs(upright) < MOST_STROKE_SLANT_RAD)
     return letter_of_edge[good], upright[good] + way + math.pi / 2, abs(gradient[good]) ** 2
