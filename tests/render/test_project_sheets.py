@@ -14,6 +14,7 @@ import shapely
 from planes.diagrams.turn import unwind_angles
 from planes.documents.cycle import finite_or_none
 from planes.documents.drawn import draw_sheet
+from planes.documents.sheets import project_over_turn
 from planes.plans.assur.analysis import analyse_structure
 from planes.scene import load
 from planes.solving import plans_for_requested_results, solve
@@ -24,6 +25,7 @@ from render.labels.footprints import overprinted_labels
 from render.paper.marks import Arrow, Line, Shape, Text
 from render.paper.style import BASE_LINE_LENGTH_MM
 from render.paper.typeset import plain_text
+from render.sheet.composer import Composer
 from render.views.curve_pieces import continuous_runs
 from render.views.dimensions import Size, draw_dimensions, stroke_dimension
 from render.views.many import ManyPositions, Numbered, PlacedMechanism
@@ -277,3 +279,15 @@ def test_a_slider_that_hardly_moves_has_the_first_and_last_number():
     numbered = [Numbered(str(k), here, k == 0) for k in range(13)]
     many = ManyPositions(plans, numbered, [here, here], drawn.scales["mu_position"])
     assert [x.text for x in many.position_labels() if " of " in x.name] == ["0–12"]
+
+
+@pytest.mark.parametrize("name", ["six-link", "shaper"])
+def test_a_diagram_rises_where_the_speed_is_positive(name):
+    """Positions are numbered as the driver passes them: the six-link's crank turns clockwise."""
+    scene = load(ALL[name])
+    plans, _ = plans_for_requested_results(scene, shown=True)
+    place, rate, _ = project_over_turn(scene, plans, Composer(scene, "en", plans), True).curves
+    shift, speed = np.diff(np.array(place.values, float)), np.array(rate.values, float)
+    speed = (speed[:-1] + speed[1:]) / 2
+    clear = (abs(shift) > 0.02 * np.nanmax(abs(shift))) & (abs(speed) > 0.02 * np.nanmax(abs(speed)))
+    assert clear.sum() > 50 and (np.sign(shift[clear]) == np.sign(speed[clear])).all()
