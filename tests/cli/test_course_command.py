@@ -326,8 +326,8 @@ def test_a_cluster_makes_the_same_bytes(whole: Path, tmp_path: Path, cluster: st
 @pytest.mark.slow
 def test_a_cluster_that_fails_is_a_sentence(cluster: str) -> None:
     program = (
-        "import sys\nfrom planes.course.workers import crowd\nfrom planes.words.errors import PlanesError\n"
-        "try:\n with crowd(scheduler=sys.argv[1]) as each: list(each(int, ['x']))\n"
+        "import sys\nfrom planes.course.workers import start_workers\nfrom planes.words.errors import PlanesError\n"
+        "try:\n with start_workers(scheduler=sys.argv[1]) as each: list(each(int, ['x']))\n"
         "except PlanesError as error: print(error)"
     )
     done = subprocess.run([sys.executable, "-c", program, cluster], capture_output=True, text=True, check=False)
