@@ -109,7 +109,7 @@ def test_a_long_table_of_curves_goes_through_the_compiled_loop(scene: str, tmp_p
     run, fill = compiled.CompiledLoop.__call__, compiled.CompiledLoop.fill_rows
     monkeypatch.setattr(batch_cycle, "LEAST_POSITIONS_TO_COMPILE", 700)
     monkeypatch.setattr(compiled.CompiledLoop, "__call__", lambda loop, *rows: loops.append(1) or run(loop, *rows))
-    monkeypatch.setattr(compiled.CompiledLoop, "fill", lambda loop, *rows: loops.append(1) or fill(loop, *rows))
+    monkeypatch.setattr(compiled.CompiledLoop, "fill_rows", lambda loop, *rows: loops.append(1) or fill(loop, *rows))
     found = []
     for plain, file in (([], tmp_path / "loop.npz"), (["--plain"], tmp_path / "arrays.npz")):
         argv = ["cycle", scene, "--phi", "-90:270:0.5", "--show", "v_C,u_31", "-o", str(file), *plain]
