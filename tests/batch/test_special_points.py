@@ -69,7 +69,7 @@ def test_no_position_of_the_turn_is_looked_at_by_itself(sample: str, monkeypatch
 
     stated, count = plans(sample), 20_000
     cycle = Cycle(stated, [n for n, q in quantities_by_name(stated).items() if q.group in MOTION_GROUPS])
-    monkeypatch.setattr(Claims, "bounds", counted)
+    monkeypatch.setattr(Claims, "error_bounds_of_columns", counted)
     blocks = list(cycle.blocks(Span(0.0, 360.0 / count, count), fast=True))
     assert not looked
     assert all((b.codes == 0).all() and np.isfinite(b.table).all() for b in blocks)
