@@ -149,7 +149,9 @@ def case(family: str, rng: random.Random, count: int) -> tuple[str, list[float]]
 def truth(c: Cycle, value: float) -> Any:
     """The columns at many digits; None without a mechanism."""
     try:
-        with patch.object(tracks, "STEPS_BEFORE_ROUNDING", DIGITS):  # where two assemblies meet, Newton's iteration converges slowly
+        with patch.object(
+            tracks, "STEPS_BEFORE_ROUNDING", DIGITS
+        ):  # where two assemblies meet, Newton's iteration converges slowly
             drawing = draw_program(c.program, {**c.given, c.plans.drive_given_name: value}, Digits(DIGITS))
     except PlanFailure:
         return None
