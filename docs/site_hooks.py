@@ -106,7 +106,7 @@ def gallery(folder: str) -> list[tuple[str, Path]]:
 
 def first_view(scene: Scene) -> str:
     """The view by which a scene is known: its scheme, or the first plan of stated vectors."""
-    return "position" if scene.mechanism else plan_view_name(scene_plans(scene).drawn[0])
+    return "position" if scene.mechanism else plan_view_name(scene_plans(scene).plan_names[0])
 
 
 def figure(caption: str, body: str, lang: str) -> str:

@@ -38,7 +38,7 @@ class OtherLeads:
     def fill_claimed_bounds(self, claimed: Array, values: Array, at: Indices) -> Array:
         """The ± of positions, with those of other cycles filled in."""
         for where, other in self._positions_by_cycle(
-            self.cycle.codes(values, at) if self.special_points_by_code else None
+            self.cycle.failure_codes(values, at) if self.special_points_by_code else None
         ):
             claimed[:, where] = other.claimed(values[where], at[where])
         return claimed

@@ -8,7 +8,7 @@ from planes.lesson.scheme import special_points
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.frozen import replace
-from planes.words.names import POLE_LABEL, name_without_plan, plan_of
+from planes.words.names import POLE_LABEL, name_index, letter_of, name_without_plan, plan_of
 
 MOST_STILL_OFFSET_MM = 1e-4
 """Tolerance of a mark at its pole: a page's drive is known to a millionth of a degree."""
@@ -21,8 +21,8 @@ def with_zero_vector_sentences(frames: Iterable[Frame], plans: Plans) -> list[Fr
     }
     special = special_points(plans)
     for s in plans.segments:
-        if s.start == POLE_LABEL and s.name[:2] in ("v_", "a_") and s.name[2:] in special:
-            named[s.ends[1]] = s.name[2:]
+        if s.start == POLE_LABEL and letter_of(s.name) in ("v", "a") and name_index(s.name) in special:
+            named[s.ends[1]] = name_index(s.name)
     return [
         replace(f, still=zero_vector_sentence(f.makes[0], named, special)) if f.makes and f.makes[0] in named else f
         for f in frames

@@ -40,7 +40,7 @@ def test_names_are_taken_apart_where_they_are_made() -> None:
 @pytest.mark.slow
 def test_no_key_of_a_word_is_taken_for_a_name() -> None:
     """A key of the tables of words is read whole; what keys share is asked of the tables themselves (``under``)."""
-    takers = ("index_of", "letter_of", "parts_of", "component_of")
+    takers = ("name_index", "letter_of", "split_value_name", "component_axis")
     calls = ((module, node) for module in MODULES for node in ast.walk(tree(MODULES[module])))
     given = {
         f"{module}:{node.lineno}"

@@ -240,7 +240,7 @@ def test_the_same_bytes_whatever_python_makes_its_sets_of():
     program = (
         "import sys\nfrom tests.helpers.sheets import sheet\n"
         "found = sheet('kind-1-rrr')\nfor suffix in ('.dxf', '.svg', '.pdf'):\n"
-        "    sys.stdout.buffer.write(found.rendered(suffix))\n"
+        "    sys.stdout.buffer.write(found.file_contents(suffix))\n"
     )
     run = [sys.executable, "-c", program]
     seeds = ({**os.environ, "PYTHONPATH": str(ROOT), "PYTHONHASHSEED": seed} for seed in "12")

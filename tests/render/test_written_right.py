@@ -137,7 +137,7 @@ def test_a_refusal_blames_one_view_only_where_it_does_not_fit_alone() -> None:
 
 
 @pytest.mark.few(0)
-@pytest.mark.parametrize(("view", "numbers"), [("positions", "8, 9, 10, 11, 12, 9′"), ("velocity-plan", "")])
+@pytest.mark.parametrize(("view", "numbers"), [("positions", "0, 1, 2, 3, 4, 2′"), ("velocity-plan", "")])
 def test_positions_that_are_left_out_are_told(view: str, numbers: str, tmp_path: Path, capsys: Any) -> None:
     arguments = ["--view", view, "--lang", "en", "-o", str(tmp_path / "x.svg")]
     assert main(["sheet", str(SAMPLES["six-link"]), *arguments]) == 0

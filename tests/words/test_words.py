@@ -193,7 +193,7 @@ def test_no_key_is_left_over():
         f"{n.args[0].value}.*"
         for own in nodes().values()
         for n in own
-        if isinstance(n, ast.Call) and getattr(n.func, "id", "") == "under"
+        if isinstance(n, ast.Call) and getattr(n.func, "id", "") == "sentences_with_prefix"
     }
     known = re.compile("|".join({*made, *begun, "usage_.*"}))
     said |= {line.rpartition(" = ")[2] for text in said for line in text.splitlines()}  # keys in a table of text
