@@ -40,7 +40,7 @@ class OtherLeads:
         for where, other in self._positions_by_cycle(
             self.cycle.failure_codes(values, at) if self.special_points_by_code else None
         ):
-            claimed[:, where] = other.claimed(values[where], at[where])
+            claimed[:, where] = other.decimal_error_bounds(values[where], at[where])
         return claimed
 
     def _positions_by_cycle(self, codes: Indices | None) -> Iterator[tuple[Indices, Cycle]]:
