@@ -263,16 +263,13 @@ class Scorer:
         """The score of the lines of each row, drawn or not, and the share of the needed ones found."""
         return score_line_coverage(self.plan, self.ink, self.pole, a, b, about, gain)
 
-    def head_scores(self, a: Complexes, b: Complexes, settling: bool = False) -> Array:
-        """The score of the heads at the ends of the lines of each row, each head once; a line that need not be drawn
-        does not miss its own. While marks are ``settling``, each is drawn to the head at its own needed lines."""
+    def head_scores(self, a: Complexes, b: Complexes) -> Array:
+        """The score of the heads at the ends of the needed lines of each row."""
         if self.plan.kind == "position":
             return numpy.zeros(len(a))
-        there = lines_to_look_for(a, b)
-        felt = numpy.where(there, self.ink.head_evidence(numpy.where(there, a, 0j), numpy.where(there, b, 0j)), 0.0)
-        felt = numpy.where(self.plan.needed, felt, 0.0 if settling else numpy.maximum(felt, 0.0))
-        felt = felt if settling else numpy.where(_has_neighbours_head(a, b, felt), 0.0, felt)
-        said: Array = w.HEAD_EVIDENCE_WEIGHT * felt.sum(axis=1)
+        there = lines_to_look_for(a, b) & self.plan.needed  # of coincident lines one head counts
+        felt = self.ink.head_evidence(numpy.where(there, a, 0j), numpy.where(there, b, 0j))
+        said: Array = w.HEAD_EVIDENCE_WEIGHT * numpy.where(there, felt, 0.0).sum(axis=1)
         return said
 
     def point_symbol_scores(self, drawn: Complexes) -> Array:
@@ -355,7 +352,7 @@ class Scorer:
             a, b = self._lines_on_sheet(h, drawn)
             scores = (
                 self.line_coverage_scores(a, b, about)[0]
-                + self.head_scores(a, b, settling=True)
+                + self.head_scores(a, b)
                 + self.point_symbol_scores(drawn)
                 - self.drawing_error_cost(tried)
             )
@@ -400,12 +397,3 @@ class Scorer:
         z = z[numpy.isfinite(z) & (abs(z - self.pole) < max(w.DRAWING_AREA_RADIUS_MM, self.ink.reach_mm))]
         rim = w.DRAWING_AREA_MARGIN_MM * (1 + 1j)
         return Box(complex(z.real.min(), z.imag.min()) - rim, complex(z.real.max(), z.imag.max()) + rim)
-
-
-def _has_neighbours_head(a: Complexes, b: Complexes, felt: Array) -> Booleans:
-    """Lines of each row whose heads are also at the end of another in the same direction, which shows it more."""
-    way = (b - a) / numpy.maximum(abs(b - a), 1e-9)
-    near = abs(b[:, :, None] - b[:, None, :]) < w.SHARED_HEAD_DISTANCE_MM
-    near &= (way[:, :, None] * way[:, None, :].conj()).real > w.SHARED_HEAD_COSINE
-    more = felt[:, None, :] - felt[:, :, None]
-    return numpy.asarray((near & ((more > 0) | numpy.tril(more == 0, -1))).any(axis=2))

@@ -13,10 +13,6 @@ MOST_INK_BESIDE_SCHEME_MM = (
     100.0  # of it, beside a scheme: single views have 15, sheets with twelve positions 1400 to 1900
 )
 HEAD_EVIDENCE_WEIGHT = 1.2  # per unit of evidence for a head at the end of a line
-SHARED_HEAD_DISTANCE_MM, SHARED_HEAD_COSINE = (
-    2.5,
-    0.95,
-)  # half of a head's length: ends nearer than this share it; cosine of their directions
 HEADLESS_VECTOR_COST = (
     4.7  # of a vector that shows no head, where more show theirs: so do 7 of 1453 with one, 140 of 241 without
 )
