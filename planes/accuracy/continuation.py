@@ -13,9 +13,8 @@ Equations = Callable[[Array], Array]
 DERIVATIVE_STEP = 1e-6  # step for numerical derivatives
 MOST_SETTLED_STEP = 1e-11  # largest last step of Newton's method
 MOST_NEWTON_STEPS = 12  # steps, at most
-LEAST_INDEPENDENCE_RATIO = (
-    1e-7  # derivatives closer to dependent than this give no direction: there may be solutions, but no single curve
-)
+# derivatives closer to dependent than this give no direction: there may be solutions, but no single curve
+LEAST_INDEPENDENCE_RATIO = 1e-7
 LEAST_TURN_COSINE = 0.97  # cosine of the largest turn in a step
 SHORTEST_STEP_RATIO = 2.0**-12  # of the step: where a curve needs a shorter one, it ends
 MOST_STEPS_EACH_SIDE = 4000  # steps to one side

@@ -26,11 +26,10 @@ from planes.geometry.tracks import CLOSURE_DEGREE_BOUND, Tie, closure_residual
 from planes.plans import Plans
 from planes.words.names import mu_name
 
-GRID_DRIVE_POSITIONS, GRID_LENGTHS, GRID_ANGLES = (
-    181,
-    121,
-    96,
-)  # of the grid: positions of the drive, lengths, angles of a link
+# of the grid: positions of the drive, lengths, angles of a link
+GRID_DRIVE_POSITIONS = 181
+GRID_LENGTHS = 121
+GRID_ANGLES = 96
 CHAIN_GRID_COARSENING = 2  # steps with assemblies followed over it
 CURVE_STEP = 0.05  # step along a curve: radians, fractions of the mechanism's reach, and of a length's logarithm
 UNIT_CIRCLE_TOLERANCE = 1e-5  # distance of a root from the unit circle; rounding moves a double one by less

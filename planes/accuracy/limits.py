@@ -25,10 +25,9 @@ FIFTY_DIGITS = Digits(50)
 EDGE_HALVINGS, MOST_NARROWING_ROUNDS = 170, 180
 LIMIT_CLOSENESS_FACTOR = 1000  # times: this much closer to a predicted limit than the positions around it
 BLUNT_OPENNESS = 0.3  # openness below which a closer look pays
-ROUGH_OPENNESS, MISSING_PLACE_OPENNESS = (
-    1e-4,
-    1e-18,
-)  # openness that a closer look must reach, and the openness of a missing place
+# openness that a closer look must reach, and the openness of a missing place
+ROUGH_OPENNESS = 1e-4
+MISSING_PLACE_OPENNESS = 1e-18
 FAR_AWAY_REACHES = 1e4  # reaches: a point this far away goes to infinity
 LIMIT_NEIGHBOUR_OFFSET = 1e-7
 HALF_OPEN_SPEED_RATIO = 10.0  # times the drive's speed at the mechanism's reach: half open

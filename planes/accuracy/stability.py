@@ -17,19 +17,17 @@ from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.words.frozen import frozen, replace
 
-DISTANCE_DECADES, POINTS_PER_DECADE, POSITIONS_PER_POINT = (
-    14,
-    2,
-    8,
-)  # points of a curve per decade, and positions, the worst of which gives the point
+# points of a curve per decade, and positions, the worst of which gives the point
+DISTANCE_DECADES = 14
+POINTS_PER_DECADE = 2
+POSITIONS_PER_POINT = 8
 DISTANCE_BINS = range(1 * POINTS_PER_DECADE, DISTANCE_DECADES * POINTS_PER_DECADE + 1)  # distances 0.1 … 1e-14
 PATH_START_INDICES = frozenset(
     range(0, POSITIONS_PER_POINT * len(DISTANCE_BINS), len(DISTANCE_BINS))
 )  # start of a path
-CROWD_DRIVE_STEP_DEG, CROWD_LENGTH_STEP_RATIO = (
-    0.37,
-    0.007,
-)  # from one member of a crowd to the next: the held drive (degrees), or a length (relative)
+# from one member of a crowd to the next: the held drive (degrees), or a length (relative)
+CROWD_DRIVE_STEP_DEG = 0.37
+CROWD_LENGTH_STEP_RATIO = 0.007
 MOST_CROWD_LIMIT_DIFFERENCE = 0.3  # largest difference between the limits of a crowd
 
 

@@ -7,10 +7,9 @@ from planes.geometry.arrays import Array, Indices
 from planes.plans import Plans
 from planes.words.frozen import frozen
 
-LENGTH_RANGE_FACTOR, WIDEST_LENGTH_RANGE_FACTOR = (
-    2.0,
-    6.0,
-)  # range of factors for the length, and where there is no turning
+# range of factors for the length, and where there is no turning
+LENGTH_RANGE_FACTOR = 2.0
+WIDEST_LENGTH_RANGE_FACTOR = 6.0
 
 
 @frozen

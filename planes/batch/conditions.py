@@ -9,9 +9,8 @@ from planes.drafting.proofs import Facts, Proof
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.plane import squared_length
 
-SUSPECTED_GAP_RATIO = (
-    1e-12  # relative to the largest value on a plan: a larger gap leads to a drawing, and each proof is checked
-)
+# relative to the largest value on a plan: a larger gap leads to a drawing, and each proof is checked
+SUSPECTED_GAP_RATIO = 1e-12
 
 
 def places_carrying_nonfinite(tape: Tape, numbers: Iterable[Real]) -> set[int]:

@@ -33,15 +33,13 @@ def corner_mark_cells(index: int) -> list[list[bool]]:
 
 
 SHEET_MM = (297.0, 210.0)  # A4 landscape
-LEFT_MARGIN_MM, OTHER_MARGIN_MM, POLE_STEP_MM = (
-    46.0,
-    13.0,
-    5.0,
-)  # margins without any plan; step by which the pole is moved
-CODE_SIDE_MM, CODE_GAP_MM = (
-    30.0,
-    4.0,
-)  # side of the square code that identifies the sheet; its distance from the corner mark
+# margins without any plan; step by which the pole is moved
+LEFT_MARGIN_MM = 46.0
+OTHER_MARGIN_MM = 13.0
+POLE_STEP_MM = 5.0
+# side of the square code that identifies the sheet; its distance from the corner mark
+CODE_SIDE_MM = 30.0
+CODE_GAP_MM = 4.0
 MOST_POLE_STEPS = 12  # maximum number of steps of the pole away from printed marks
 PRINTED_BORDER_MM = 2.0  # border around printed marks in which no drawing is detected
 

@@ -30,7 +30,8 @@ VECTOR_SUFFIXES = (".svg", ".dxf", ".pdf")
 PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".pdf")
 TABLE_SUFFIXES = (".csv", ".json", ".txt", ".tsv")
 MOST_LINES_SHOWN = 2000  # maximum number of lines of a drawing in its report
-MOST_PAGES, MOST_PAGES_WITH_MARKS = 300, 9  # pages of a file; pages of a picture file whose marks are saved
+MOST_PAGES = 300  # pages of a file
+MOST_PAGES_WITH_MARKS = 9  # pages of a picture file whose marks are saved
 NO_DRAWING_SUFFIXES = (".html", ".htm", ".yaml", ".yml", ".md", ".py", ".db", ".ini", ".lnk", ".tmp", ".part", ".url")
 """Suffixes of files that may lie next to the submitted drawings."""
 EXERCISE_SUFFIX = ".practice"

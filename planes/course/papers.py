@@ -29,7 +29,8 @@ from planes.words.units import Convention, mu_text, number_text, unit_of_paramet
 
 _NAME_PATTERN = re.compile(r"[^\W\d]\w*(?:\^(?!\d)\w+)?(?!\w*\()")
 ZERO_SEGMENT_MM = 1e-6  # a segment shorter than this is zero
-GIVEN_NUMBERS_PER_LINE, LONGEST_NARROW_CELL = 4, 26  # numbers per line; longest name in such a line
+GIVEN_NUMBERS_PER_LINE = 4  # numbers per line
+LONGEST_NARROW_CELL = 26  # longest name in such a line
 _WORK_KEYS = ("structure", "position", "velocity", "acceleration", "force", "lever")
 
 

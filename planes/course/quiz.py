@@ -125,9 +125,8 @@ def answer_deviation(name: str, errors: Json) -> float:
     return math.hypot(*(x or 0.0 for x in (sigmas if isinstance(sigmas, list) else [sigmas])))
 
 
-MOST_TOLERANCE_SHARE = (
-    0.5  # of a value: with this tolerance both half and double the value would pass, so the question is useless
-)
+# of a value: with this tolerance both half and double the value would pass, so the question is useless
+MOST_TOLERANCE_SHARE = 0.5
 
 
 def too_uncertain_results(quizzes: Iterable[Quiz]) -> dict[str, list[str]]:

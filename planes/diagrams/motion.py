@@ -118,9 +118,8 @@ def _driver_distance(one: float, two: float, g: Grid) -> float:
     return abs((one - two + FULL_TURN_DEG / 2) % FULL_TURN_DEG - FULL_TURN_DEG / 2) if g.closed else abs(one - two)
 
 
-DEAD_POINT_OFFSET = (
-    1e-6  # degrees (or metres) to either side of a dead point, where quantities may jump with the sense of motion
-)
+# degrees (or metres) to either side of a dead point, where quantities may jump with the sense of motion
+DEAD_POINT_OFFSET = 1e-6
 DIAGRAM_STEPS = 720
 STATION_COUNT = 12
 

@@ -16,13 +16,10 @@ from planes.plans.curves import FULL_TURN_DEG, Curve
 
 NODES_EACH_SIDE = 5  # nodes on each side
 NEWTON_STEPS = 8  # of Newton's method, from the middle
-MOST_PLACE_DIFFERENCES = (
-    1e-9,
-    1e-7,
-)  # of the grid's step: largest difference of the two places, by the derivative, and by the value
-MOST_CURVATURE_DIFFERENCE_RATIO = (
-    1e-3  # largest difference of curvature between the two: an outlier changes it by a thirtieth
-)
+# of the grid's step: largest difference of the two places, by the derivative, and by the value
+MOST_PLACE_DIFFERENCES = (1e-9, 1e-7)
+# largest difference of curvature between the two: an outlier changes it by a thirtieth
+MOST_CURVATURE_DIFFERENCE_RATIO = 1e-3
 SAME_NODE_DISTANCE_RATIO = 1e-10  # of the grid's step: closer to a node than this, it is that node
 
 

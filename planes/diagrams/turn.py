@@ -30,10 +30,9 @@ from planes.words.names import letter_of
 from planes.words.units import UNITS_OF_PLACE_AND_RATES
 
 LEAST_FLIP_DEG = 90.0  # degrees: a link cannot turn this far between neighbouring nodes
-LIMIT_NARROWING_ROUNDS, NARROWING_PARTS = (
-    11,
-    (8, 4, 2, 1),
-)  # rounds of narrowing down a limit, each into so many of 16 parts
+# rounds of narrowing down a limit, each into so many of 16 parts
+LIMIT_NARROWING_ROUNDS = 11
+NARROWING_PARTS = (8, 4, 2, 1)
 CANCELLATION_ROUNDING_RATIO = 1e-13  # of numbers that cancel: the rest that counts as zero
 
 

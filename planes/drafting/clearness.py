@@ -20,19 +20,13 @@ BLUNT_SHARPNESS, LEAST_CLEAR_SHARPNESS = 0.1, 0.01
 """A sharpness of ``BLUNT`` or more costs no digits; the product of all must be at least ``CLEAR`` of that. The error of
 an acceleration is about 5e-15 over the third power of a sharpness: where lines of one group meet at 1e-3, less than
 1e-5."""
-ZERO_FORCE_RATIO = (
-    4e-15  # of the largest on a plan: below this, rounding may turn zero into a value or a value into zero
-)
+# of the largest on a plan: below this, rounding may turn zero into a value or a value into zero
+ZERO_FORCE_RATIO = 4e-15
 LEAST_CERTAIN_SPEED_RATIO = 1e-12  # of the largest speed: below this, rounding may reverse the sense of a slower motion
-MOST_LENGTH_RATIO = (
-    1e6  # ratio of the longest length to the shortest: above it digits are lost although no line is blunt
-)
-_PLANS_REPEATING_SCHEME_LINES = (
-    "velocity",
-    "motion",
-    "acceleration",
-    "lever",
-)  # plans with the same lines as the scheme
+# ratio of the longest length to the shortest: above it digits are lost although no line is blunt
+MOST_LENGTH_RATIO = 1e6
+# plans with the same lines as the scheme
+_PLANS_REPEATING_SCHEME_LINES = ("velocity", "motion", "acceleration", "lever")
 
 
 def is_clear_drawing(program: Program, things: Things, tool: Tool, sides: Iterable[tuple[str, str]] = ()) -> Truth:

@@ -12,10 +12,9 @@ from planes.geometry.sextic import Counted
 from planes.geometry.tracks import Pose, Tie, carrier_links, newton_step
 from planes.words.frozen import frozen, replace
 
-FIRST_START_COUNT, MOST_SEARCH_ROUNDS = (
-    2048,
-    5,
-)  # start places; doubled, up to so many rounds, while any pose was found too seldom
+# start places; doubled, up to so many rounds, while any pose was found too seldom
+FIRST_START_COUNT = 2048
+MOST_SEARCH_ROUNDS = 5
 NEWTON_STEPS = 60
 LEAST_HITS_PER_POSE = 3
 SAME_POSE_DISTANCE = 1e-6  # of the size: two poses closer than this are one

@@ -16,10 +16,8 @@ from planes.words import Phrase
 from planes.words.names import name_without_plan, split_value_name
 
 ZERO_TERM_SHARE = 1e-9  # of the largest term: below this it is zero
-UNSIGNED_ARM_LETTERS = (
-    "h",
-    "H",
-)  # always written without a sign; other magnitudes are in bars where a value has a sign
+# always written without a sign; other magnitudes are in bars where a value has a sign
+UNSIGNED_ARM_LETTERS = ("h", "H")
 
 
 def moment_words(m: Moments, step: Calculate, cycle: Drawing) -> tuple[str, Names, tuple[str, ...]]:

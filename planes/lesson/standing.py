@@ -8,7 +8,7 @@ from planes.lesson.scheme import special_points
 from planes.plans import Plans
 from planes.words import Lang, say
 from planes.words.frozen import replace
-from planes.words.names import POLE_LABEL, name_index, letter_of, name_without_plan, plan_of
+from planes.words.names import POLE_LABEL, letter_of, name_index, name_without_plan, plan_of
 
 MOST_STILL_OFFSET_MM = 1e-4
 """Tolerance of a mark at its pole: a page's drive is known to a millionth of a degree."""

@@ -21,10 +21,9 @@ from planes.words.errors import PlanesError, SceneError
 from planes.words.names import full_mark_name
 
 Stated = TypeVar("Stated", bound=Any)  # the plans of a mechanism
-DRIVER_SHIFT_DEG, DRIVER_SHIFT_RATIO = (
-    20.0,
-    0.1,
-)  # how far the driver is moved either way, relative to the mechanism's size if it slides
+# how far the driver is moved either way, relative to the mechanism's size if it slides
+DRIVER_SHIFT_DEG = 20.0
+DRIVER_SHIFT_RATIO = 0.1
 DRIVER_POSITIONS_EACH_SIDE = 21  # driver positions on either side where the distances are checked
 LEAST_ASSEMBLED_POSITIONS = 5  # of them, those at which the mechanism must assemble
 DISTANCE_TOLERANCE_RATIO = 1e-9  # relative to the mechanism's size

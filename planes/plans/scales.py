@@ -22,10 +22,9 @@ PLAN_SIZE_RATIO_BY_JOINED = dict(
     zip(PLAN_SIZE_RATIO_BY_FORMAT, [*PLAN_SIZE_RATIO_BY_FORMAT.values(), 2.8][1:], strict=True)
 )
 """For several formats side by side, as A3x4: their height is that of the next larger format."""
-USUAL_GROUP_COUNT, MORE_GROUPS_SIZE_RATIO = (
-    2,
-    1.2,
-)  # plans are larger by this for more groups: room for labels, on larger sheets
+# plans are larger by this for more groups: room for labels, on larger sheets
+USUAL_GROUP_COUNT = 2
+MORE_GROUPS_SIZE_RATIO = 1.2
 ROUNDING_FORCE_RATIO = 1e-12  # of mass times acceleration: a force that is only rounding
 ZERO_VECTOR_MM = 0.05  # a vector shorter than this has no length on paper
 LEAST_FORCE_PLAN_MM = 50.0  # a force plan that would be smaller than this at the common μ gets a second one

@@ -163,15 +163,8 @@ def _circular_definition_phrase(path: list[str], name: str) -> Phrase:
     return Phrase("circle_of_one", name=name) if len(loop) == 2 else Phrase("circle", names=tuple(words))
 
 
-_LOAD_NUMBER_KEYS = (
-    "force",
-    "moment",
-    "direction",
-    "angle",
-    "working",
-    "idle",
-    "over",
-)  # numbers of a load, other than tables
+# numbers of a load, other than tables
+_LOAD_NUMBER_KEYS = ("force", "moment", "direction", "angle", "working", "idle", "over")
 _DRIVE_RATE_NUMBER_KEYS = ("omega", "epsilon", "velocity", "acceleration")
 Uses = Mapping[str, list[str]]
 

@@ -12,9 +12,8 @@ from planes.words import Phrase, Told
 from planes.words.errors import ExpressionError, SceneError, list_valid_choices, quoted_excerpt
 
 LARGEST_SCENE_NUMBER = 1e50  # the largest number of a scene: products of several stay far from overflow
-MOST_ANGLE_TURNS = (
-    1_000_000  # the largest angle: beyond it a double has too few digits for the position within the turn
-)
+# the largest angle: beyond it a double has too few digits for the position within the turn
+MOST_ANGLE_TURNS = 1_000_000
 MAX_NAME_LENGTH = 40
 _NAME_PATTERN = re.compile(r"[\w'′″-]*\w[\w'′″-]*")
 

@@ -30,12 +30,8 @@ _RARE_PROBLEM_KEYS = {
 _GLUED_KEY_PATTERN = re.compile(r"\s*(?:- )?\{?\s*([\w-]+):[^\s:/]")  # a key whose colon is not followed by a space
 
 _COLON_PROBLEM_KEYS = ("colon_missing", "colon_second")
-_PROBLEMS_TOLD_AT_START = (
-    "colon_missing",
-    "list_open",
-    "table_open",
-    "quote_open",
-)  # the line where it began tells more
+# the line where it began tells more
+_PROBLEMS_TOLD_AT_START = ("colon_missing", "list_open", "table_open", "quote_open")
 
 
 def explain_yaml_error(error: Exception, text: str) -> tuple[Phrase, int | None]:

@@ -9,13 +9,11 @@ from planes.plans import Plans
 from planes.plans.scales import drawn_in_si
 from planes.words.errors import PlanFailure
 
-SEARCH_STEPS_EACH_SIDE = (
-    1440  # steps to either side, an eighth of a degree each; a sliding driver covers four of its longest lengths
-)
-MOST_STEP_DIVISIONS, PARTS_PER_DIVISION = (
-    12,
-    16,
-)  # how often, and into how many parts, a step with a possible narrow range is divided
+# steps to either side, an eighth of a degree each; a sliding driver covers four of its longest lengths
+SEARCH_STEPS_EACH_SIDE = 1440
+# how often, and into how many parts, a step with a possible narrow range is divided
+MOST_STEP_DIVISIONS = 12
+PARTS_PER_DIVISION = 16
 EDGE_HALVINGS = 60
 SMALLEST_POSITIVE_NUMBER = 5e-324  # more than nothing
 ISOLATED_FAILURE_STEP_SHARE = 0.08  # of a step: the distance moved from an isolated failure, where both sides work

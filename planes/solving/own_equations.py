@@ -20,12 +20,8 @@ from planes.words.records import Json
 from planes.words.units import UNIT_OF_PLAN, number_text
 
 CLOSED_GAP_RATIO = 1e-9  # of the largest vector: the gap below which an equation holds
-COMPONENT_LETTERS = (
-    "n",
-    "t",
-    "k",
-    "r",
-)  # of velocity and acceleration equations: these vectors are most often forgotten
+# of velocity and acceleration equations: these vectors are most often forgotten
+COMPONENT_LETTERS = ("n", "t", "k", "r")
 
 
 @frozen

@@ -12,10 +12,9 @@ from planes.words import Phrase
 from planes.words.errors import SceneError
 
 RAW_DEFLATE_WINDOW_BITS = -15  # deflate without a header
-LEAST_MODULE_MM, CODE_RIM_MODULES = (
-    0.33,
-    4,
-)  # mm of a module that a telephone can read from paper; modules of white around a code
+# mm of a module that a telephone can read from paper; modules of white around a code
+LEAST_MODULE_MM = 0.33
+CODE_RIM_MODULES = 4
 Cells = list[list[bool]]
 
 

@@ -25,7 +25,8 @@ from planes.words.units import mu_text
 TRIAL_STEP_SHARE = 1e-3  # relative: trial change of a number
 MOST_NEWTON_ROUNDS, CONVERGENCE_SHARE = 8, 1e-9
 SAME_AS_WRITTEN_SHARE = 1e-4  # relative: closer than this two numbers are the same as written
-HAND_SET_DIGITS, ALL_DIGITS = 5, 17  # digits written for a number set by hand; all that a number has
+HAND_SET_DIGITS = 5  # digits written for a number set by hand
+ALL_DIGITS = 17  # all that a number has
 NUMBER_PATTERN = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(\s*[^\d\s].*)?")
 OPTIONAL_NUMBER_PATHS = (("drive", "epsilon"), ("drive", "acceleration"))  # where they are zero
 PARAMETER_PATTERN = re.compile(r"(?!pi\b)\b[^\W\d]")

@@ -17,9 +17,8 @@ from planes.words.records import Json
 
 EMPTY_SCENE_TEXT = "planes: 1\ntitle: {title}\nframe:\n  points: {{}}\nlinks: {{}}\ngravity: 9.81\n"
 LOAD_TARGET_KEYS = (("link",), ("point",))  # what a load acts on
-SAME_SKETCH_DISTANCE_M = (
-    1e-3  # all points of a sketch together: closer than this to where a text has them, the text is right
-)
+# all points of a sketch together: closer than this to where a text has them, the text is right
+SAME_SKETCH_DISTANCE_M = 1e-3
 MOST_OPEN_ASSEMBLIES = 12  # groups of a sketch for which an assembly is requested
 
 

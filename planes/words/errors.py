@@ -11,13 +11,11 @@ from planes.words import Lang, Phrase, Told, sentence_table
 from planes.words.frozen import frozen
 from planes.words.names import with_latin_letters
 
-MOST_QUOTED_LETTERS, MOST_OFFERED_NAMES = (
-    60,
-    40,
-)  # letters of what is quoted of a file; letters of a name that is offered, and how many
-LEAST_SPELLING_SIMILARITY = (
-    0.65  # how like two words of other lengths are, of 1, one of which is a misspelling of the other
-)
+# letters of what is quoted of a file; letters of a name that is offered, and how many
+MOST_QUOTED_LETTERS = 60
+MOST_OFFERED_NAMES = 40
+# how like two words of other lengths are, of 1, one of which is a misspelling of the other
+LEAST_SPELLING_SIMILARITY = 0.65
 _GREEK_LETTER_NAMES = "alpha beta gamma delta epsilon theta lambda mu rho tau phi psi omega"
 _GREEK_SPELLINGS = dict(zip("αβγδεθλμρτφψω", _GREEK_LETTER_NAMES.split(), strict=True))
 _SYNONYM_PAIRS = """

@@ -20,15 +20,8 @@ Size = Literal["length", "offset", "place", "angle", "rate", "circle"]
 Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
 Quantity = Literal[Mark, Loading, Size, Line]
 
-HELPER_MARK_KINDS = (
-    "guide",
-    "moved",
-    "foot",
-    "trial",
-    "special",
-    "false",
-    "centre",
-)  # drawn but never a question to the student
+# drawn but never a question to the student
+HELPER_MARK_KINDS = ("guide", "moved", "foot", "trial", "special", "false", "centre")
 _PRIME_TRANSLATION = str.maketrans(dict.fromkeys("’‘′ʹ`´", "'"))
 _LOOK_ALIKE_TRANSLATION = str.maketrans("АВЕКМНОРСТХУЈІаеорсхуі", "ABEKMHOPCTXYJIaeopcxyi")
 

@@ -24,16 +24,14 @@ if TYPE_CHECKING:
     from ezdxf.entities import Hatch
     from ezdxf.layouts import BaseLayout
 
-BLACK_INDEX, GREY_INDEX = (
-    7,
-    251,
-)  # colours of the AutoCAD index; 7 is black on white paper, 251 is as dark as construction lines
+# colours of the AutoCAD index; 7 is black on white paper, 251 is as dark as construction lines
+BLACK_INDEX = 7
+GREY_INDEX = 251
 MOST_SLIM_RATIO = 0.4  # width over height of a character that would be distorted in a font if fitted to its ink
 NARROWED_WIDTH_FACTOR = 0.85  # width factor of letters that are not fitted: other fonts are wider than our lettering
 OBLIQUE_DEG = 15.0  # from upright: lettering at 75°
-LETTERING_STYLE_NAME = (
-    "lc_opengost-br"  # LibreCAD takes the name of a style for its font, and has this one of ГОСТ 2.304
-)
+# LibreCAD takes the name of a style for its font, and has this one of ГОСТ 2.304
+LETTERING_STYLE_NAME = "lc_opengost-br"
 LINE_TYPE_OF_STYLE = {
     "axis": "DASHDOT2",
     "phantom": "DIVIDE2",

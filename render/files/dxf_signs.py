@@ -123,9 +123,8 @@ def _is_same_line(one: Line, other: Line) -> bool:
 # dimensions
 
 DIMENSION_STYLE_NAME = "GOST"  # the style of dimensions
-_LINEAR_DIMENSION_FLAGS = (
-    32 + 128
-)  # measured along its line, with its picture in a separate block, and its text in place
+# measured along its line, with its picture in a separate block, and its text in place
+_LINEAR_DIMENSION_FLAGS = 32 + 128
 
 
 def insert_dimensions(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:

@@ -32,13 +32,10 @@ from render.paper.style import NEXT_LARGER_LETTER_MM
 AMBIGUITY_COST = 8.0  # cost of being nearer to another label's point than to its own
 CLOSENESS_COST = 3.0  # cost of being beside another label, farther away than necessary
 MOST_MOVES = 1000  # how often labels of one board are asked to make room for others
-FAR_PLACE_COUNTS = (
-    160,
-    1000,
-)  # of a label that needs a leader line: the nearest free ones; more where those are not enough
-LEFT_OUT_COST = (
-    150.0  # cost of leaving out a label whose text is elsewhere too: less than an overlap, more than all else
-)
+# of a label that needs a leader line: the nearest free ones; more where those are not enough
+FAR_PLACE_COUNTS = (160, 1000)
+# cost of leaving out a label whose text is elsewhere too: less than an overlap, more than all else
+LEFT_OUT_COST = 150.0
 _MOST_REPAIR_SWEEPS = 8
 INTERACTION_RANGE_MM = max(
     CLOSE_NEIGHBOUR_MM, LABEL_GAP_RATIOS[0] * max(NEXT_LARGER_LETTER_MM.values())

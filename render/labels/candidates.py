@@ -22,7 +22,7 @@ Size = tuple[float, float]  # width and height
 NEAR_DISTANCES_MM = (0.9, 1.8, 3.2, 4.6)
 """Distances in mm from a point or segment to its label's box."""
 
-FAR_DISTANCES_MM = (6.0, 8.0, 10.0, 13.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)
+FAR_DISTANCES_MM = (4.5, 6.0, 8.0, 10.0, 13.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)
 """Distances in mm of labels with a leader line."""
 
 LEAST_INK_DISTANCE_MM = 0.5  # least distance of a label from ink

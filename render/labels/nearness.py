@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.words.frozen import frozen
 
-BOXES_PER_RUN, STRIP_WIDTH_MM = 24, 8.0  # boxes per run; width of the strips in which they are taken
+BOXES_PER_RUN = 24  # boxes per run
+STRIP_WIDTH_MM = 8.0  # width of the strips in which they are taken
 BOXES_PER_BATCH = 4000  # boxes processed together
 ROUNDING_MM = 1e-9  # a distance equal to the limit does not count as near
 Shapes = NDArray[np.object_]

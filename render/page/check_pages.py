@@ -178,11 +178,10 @@ def _wrong_places_html(places: Sequence[Json], page: str, naming: Naming, kind: 
     return f'<div class="places">{said}{shown}</div>' if places else ""
 
 
-WINDOW_GAP_RATIO, RING_RADIUS_RATIO, HEAD_LENGTH_RATIO = (
-    0.04,
-    0.06,
-    0.06,
-)  # of a window: the gap to the next, the area about the wrong place, an arrowhead
+# of a window: the gap to the next, the area about the wrong place, an arrowhead
+WINDOW_GAP_RATIO = 0.04
+RING_RADIUS_RATIO = 0.06
+HEAD_LENGTH_RATIO = 0.06
 
 
 def wrong_place_html(place: Json, name: str, caption: str = "") -> str:

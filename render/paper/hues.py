@@ -28,10 +28,9 @@ _COLOUR_OF_LETTER |= dict.fromkeys(("G", "P"), LOAD_COLOUR) | {
     "tension S": VELOCITY_COLOUR,
     "compression S": ACCELERATION_COLOUR,
 }
-BAR_NAME_SUFFIX, DETAIL_NAME_SUFFIX = (
-    " bar",
-    " in part",
-)  # ends of the names of bars over letters, and of vectors in a detail
+# ends of the names of bars over letters, and of vectors in a detail
+BAR_NAME_SUFFIX = " bar"
+DETAIL_NAME_SUFFIX = " in part"
 
 
 def colour_vectors(marks: Iterable[Mark]) -> tuple[Mark, ...]:

@@ -10,25 +10,21 @@ from render.sheet.check_sheet import EDGE_MARGIN_MM, LEFT_MARGIN_MM, SMALL_LETTE
 from render.sheet.frame import frame_line
 
 RULER_LENGTH_MM, RULER_LEFT_MM = 100, 11.0  # its distance from the left edge
-PLAN_NAME_LETTER_MM, LINE_LETTER_MM, LEAST_LETTER_MM = (
-    5.0,
-    3.5,
-    2.5,
-)  # letters: the plan's name, the other lines, the smallest
-TEXT_LEFT_MM, FIRST_LINE_FROM_TOP_MM, LINE_SPACING_MM = (
-    38.0,
-    14.0,
-    7.5,
-)  # left edge of the lines; the first from the upper edge; line spacing
-DATA_LAST_LINE_MM, DATA_LINE_SPACING_MM, DATA_RIGHT_MARGIN_MM = (
-    7.2,
-    4.2,
-    24.0,
-)  # the data: their last line, the spacing, the right edge
-LINE_WIDTH_MM, NAME_LINE_ENDS_MM = (
-    200.0,
-    (162.0, 236.0),
-)  # width of a line beside the code; both ends of the line for a name
+# letters: the plan's name, the other lines, the smallest
+PLAN_NAME_LETTER_MM = 5.0
+LINE_LETTER_MM = 3.5
+LEAST_LETTER_MM = 2.5
+# left edge of the lines; the first from the upper edge; line spacing
+TEXT_LEFT_MM = 38.0
+FIRST_LINE_FROM_TOP_MM = 14.0
+LINE_SPACING_MM = 7.5
+# the data: their last line, the spacing, the right edge
+DATA_LAST_LINE_MM = 7.2
+DATA_LINE_SPACING_MM = 4.2
+DATA_RIGHT_MARGIN_MM = 24.0
+# width of a line beside the code; both ends of the line for a name
+LINE_WIDTH_MM = 200.0
+NAME_LINE_ENDS_MM = (162.0, 236.0)
 Square = tuple[complex, Sequence[Sequence[bool]], float]  # its centre, black cells from the top row, its side in mm
 
 

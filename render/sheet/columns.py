@@ -24,10 +24,9 @@ MOST_FILLED_SHARE = 0.8  # no field can hold more in columns
 STEP_BREAK_COST = 0.1  # cost of ending a column within a step, as the square of a column's white space
 MOVED_TABLE_COST = 0.05  # cost of a table one place away from its place in reading order
 TABLE_INVERSION_COST = 0.1  # cost of a table before one that is read earlier
-OVERFULL_COLUMN_COST, MOST_TRIED_EXCESS = (
-    100.0,
-    0.3,
-)  # cost of an overfull column; largest excess, of its height, that is tried at all
+# cost of an overfull column; largest excess, of its height, that is tried at all
+OVERFULL_COLUMN_COST = 100.0
+MOST_TRIED_EXCESS = 0.3
 
 
 @frozen

@@ -47,16 +47,14 @@ EXTENDED_FORMATS = {
 
 _LETTER_HEIGHTS_MM = (10.0, 7.0, 5.0, 3.5, 2.5, 1.8)  # ГОСТ 2.304; lettering of type B is no lower
 _TEXT_SIDE_GAP_MM = 0.9  # from the side of a cell to a text at its left edge
-_CELL_CLEARANCE_RATIO = (
-    0.5  # least distance of a text from the sides of its cell, over the cell's intended letter height
-)
+# least distance of a text from the sides of its cell, over the cell's intended letter height
+_CELL_CLEARANCE_RATIO = 0.5
 _LINE_SPACING_RATIO = 1.6  # line spacing over the letter height
 _LEAST_NARROWING = 0.9  # relative: a word is narrowed this far before it gets smaller letters
 _WORD_BREAK_PATTERN = re.compile(r"[ \n]+(?!\d)")  # no line begins with a number
-_MOST_UNDIVIDED_LETTERS, _NO_BREAK_SPACE = (
-    18,
-    "\N{NO-BREAK SPACE}",
-)  # letters of a name that is not divided; the space in it
+# letters of a name that is not divided; the space in it
+_MOST_UNDIVIDED_LETTERS = 18
+_NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"
 _LEAST_HEIGHT_RATIO = 0.7  # of the height of letters in one cell, which differ by a step at most
 SENTENCE_SEPARATOR = ".\n"  # between sentences of a cell; each begins a new line if there is room
 _LEAST_SIDE_GAP_MM = 0.6  # the least distance of a narrowed text from the sides of its cell

@@ -15,10 +15,9 @@ Indices = NDArray[numpy.intp]
 VIEW_GAP_MM = 7.0  # least distance between views, and from the frame
 LEAST_RIGHT_GAP_MM = 3.5  # distance of the widest views from the right edge of the frame
 MODULE_WIDTH_MM = 185.0  # the width of the title block, with a column of tables over it
-UNITS_PER_MODULE, MOST_MODULES_PER_COLUMN = (
-    12,
-    2,
-)  # units per module, modules in the widest column, unless a view is wider
+# units per module, modules in the widest column, unless a view is wider
+UNITS_PER_MODULE = 12
+MOST_MODULES_PER_COLUMN = 2
 
 
 @frozen

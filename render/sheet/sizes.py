@@ -8,10 +8,9 @@ from planes.words.frozen import frozen
 MU_STEP_RATIOS = (1.12, 1.25, 1.42, 1.6, 1.8, 2.0, 2.24, 2.5)  # μ of the standard series are no farther apart
 MOST_PLAN_SIZE_RATIO = 0.55  # of the shorter side of the field: the largest size of an enlarged plan
 SAME_MU_RATIO = 1.01  # plans whose sizes differ by less share one μ
-LOADED_VIEW_KEY, SINGLE_LINKS_VIEW_KEY = (
-    "loaded",
-    "apart",
-)  # views: the scheme with loads; single links, which together are no figure
+# views: the scheme with loads; single links, which together are no figure
+LOADED_VIEW_KEY = "loaded"
+SINGLE_LINKS_VIEW_KEY = "apart"
 
 
 @frozen

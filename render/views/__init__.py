@@ -13,9 +13,8 @@ from render.paper.typeset import ink_bounds, ink_width, plain_text, wrap_text
 TITLE_LETTER_MM = 5.0  # letter height of titles
 REMARK_LETTER_MM = 2.5
 LEAST_REMARK_LETTERS = 24.0  # letters: a line of remarks beneath what is narrower
-MOST_LINE_LENGTH_RATIO = (
-    1.15  # how much longer than the others a line of remarks may be to avoid a single word on the last line
-)
+# how much longer than the others a line of remarks may be to avoid a single word on the last line
+MOST_LINE_LENGTH_RATIO = 1.15
 TITLE_GAP_MM = 4.0  # from a title to its view
 MOST_INDENTATION_MM = 35.0  # largest indentation of a view relative to its title
 

@@ -5,9 +5,8 @@ from collections.abc import Sequence
 
 from planes.words.units import standard_mu
 
-MOST_END_ORDINATE_RATIO = (
-    5.0  # ordinates are clipped at so many times their median at the ends of a range, which are dead points
-)
+# ordinates are clipped at so many times their median at the ends of a range, which are dead points
+MOST_END_ORDINATE_RATIO = 5.0
 MOST_ORDINATE_RATIO = 30.0  # and at so many elsewhere
 
 

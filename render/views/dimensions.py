@@ -23,21 +23,11 @@ COMMA_ALLOWANCE_MM = 0.6  # of a comma below the base line: extra height of a nu
 NUMBER_LETTER_MM = 3.5
 DIMENSION_OFFSET_MM = 10.0  # distance of dimensions from the drawing
 ARROWHEADS_LENGTH_MM = 8.0  # of the arrows beside the text
-DRIVER_ANGLE_RADIUS_MM, DRIVER_AXIS_LENGTH_MM = (
-    16.0,
-    21.0,
-)  # the radius of the driver's angle, and the length of the axis it is measured from
-TEXT_POSITION_RATIOS = (
-    0.5,
-    0.42,
-    0.58,
-    0.35,
-    0.65,
-    0.25,
-    0.75,
-    0.15,
-    0.85,
-)  # of a dimension's length, where its text may be
+# the radius of the driver's angle, and the length of the axis it is measured from
+DRIVER_ANGLE_RADIUS_MM = 16.0
+DRIVER_AXIS_LENGTH_MM = 21.0
+# of a dimension's length, where its text may be
+TEXT_POSITION_RATIOS = (0.5, 0.42, 0.58, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85)
 MOST_PERPENDICULAR_COSINE = 1e-6
 
 

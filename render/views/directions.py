@@ -20,11 +20,10 @@ from render.views.formulas import ROUNDING_NOISE_MM
 from render.views.plotted import direction_deg
 from render.views.senses import marks_with_labels
 
-ROD_LENGTH_LETTERS, VECTOR_LENGTH_LETTERS, SENSE_RADIUS_LETTERS = (
-    3.7,
-    2.3,
-    1.6,
-)  # in letter heights: its rod, its vectors, the radius of its curved arrow
+# in letter heights: its rod, its vectors, the radius of its curved arrow
+ROD_LENGTH_LETTERS = 3.7
+VECTOR_LENGTH_LETTERS = 2.3
+SENSE_RADIUS_LETTERS = 1.6
 SENSE_SWEEP_DEG, SENSE_START_GAP_DEG = 65.0, 15.0  # angle of a curved arrow, and its gap from the rod
 FIGURES_PER_ROW = 5  # distance of figures
 FIGURE_LETTER_MM = 3.5

@@ -11,11 +11,10 @@ from render.paper.ink import hatch_strokes
 from render.paper.marks import Hatch, Line
 from render.views.plotted import polygon_corners
 
-LEAST_HATCHED_RADIUS_MM, HATCH_SPACING_MM, HATCH_SIDE_GAP_MM = (
-    6.0,
-    3.5,
-    1.0,
-)  # triangles: least radius, stroke spacing, distance to sides
+# triangles: least radius, stroke spacing, distance to sides
+LEAST_HATCHED_RADIUS_MM = 6.0
+HATCH_SPACING_MM = 3.5
+HATCH_SIDE_GAP_MM = 1.0
 MOST_PARALLEL_DEG = 12.0  # angle to a side within which strokes look parallel to it
 
 

@@ -22,10 +22,9 @@ from render.views.scheme import Scheme
 from render.views.strings import STRING_LETTER_MM, string_and_ray_lines
 
 REGION_LETTER_MM = 5.0  # letters of regions
-DISTRIBUTED_LOAD_HEIGHT_MM, DISTRIBUTED_ARROW_GAP_MM = (
-    9.0,
-    9.0,
-)  # height of a distributed load, and distance of its arrows
+# height of a distributed load, and distance of its arrows
+DISTRIBUTED_LOAD_HEIGHT_MM = 9.0
+DISTRIBUTED_ARROW_GAP_MM = 9.0
 
 
 class BodyScheme(Scheme):

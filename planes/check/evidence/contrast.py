@@ -18,51 +18,43 @@ from planes.geometry.arrays import Array, Booleans, Greys, Indices
 PX_PER_MM = 3.0  # of the reduced picture for line detection
 STEPS_PER_GREY_LEVEL = 64  # integer steps per grey level: half the memory and time of floats
 LINE_ANGLE_COUNT = 12
-LINE_FILTER_LENGTH_MM, LINE_FILTER_WIDTH_SIGMA_MM, PAPER_OFFSET_MM = (
-    3.0,
-    0.2,
-    0.85,
-)  # of a detected line: length, σ of width, offset of the paper
-PAPER_TILE_MM, PAPER_TILE_QUANTILE, LINE_OVER_PAPER_RATIO = (
-    20.0,
-    0.93,
-    1.6,
-)  # paper: most tiles have less over this share; factor for a line
-CLEAR_LINE_RESPONSE, FIRM_LINE_RESPONSE, FAINTEST_LINE_RESPONSE = (
-    0.4,
-    0.28,
-    0.06,
-)  # relative to a usual line: clear, not faint, and the minimum anywhere
+# of a detected line: length, σ of width, offset of the paper
+LINE_FILTER_LENGTH_MM = 3.0
+LINE_FILTER_WIDTH_SIGMA_MM = 0.2
+PAPER_OFFSET_MM = 0.85
+# paper: most tiles have less over this share; factor for a line
+PAPER_TILE_MM = 20.0
+PAPER_TILE_QUANTILE = 0.93
+LINE_OVER_PAPER_RATIO = 1.6
+# relative to a usual line: clear, not faint, and the minimum anywhere
+CLEAR_LINE_RESPONSE = 0.4
+FIRM_LINE_RESPONSE = 0.28
+FAINTEST_LINE_RESPONSE = 0.06
 STRONGEST_ANGLE_SHARE = 0.9  # relative to the response at the best angle
-STROKE_OVER_DARKER_SIDE, STROKE_OVER_SURROUNDINGS, STROKE_SURROUNDINGS_MM = (
-    0.5,
-    0.5,
-    1.5,
-)  # stroke: more ink than on its darker side; than around
-SHORTEST_CLEAR_STROKE_MM, SHORTEST_USUAL_LINE_MM = 5.0, 7.5  # of clear strokes; of lines that determine the usual one
-LEAST_USUAL_LINE_SAMPLES, USUAL_LINE_QUANTILE, FIRM_PENCIL_RESPONSE = (
-    60,
-    0.7,
-    65.0 * STEPS_PER_GREY_LEVEL,
-)  # samples that determine it, quantile above erased lines; a firm pencil
-LONGEST_FAINT_PART_MM, LEAST_STROKE_GAP_SHARE = (
-    7.0,
-    0.5,
-)  # a longer faint line was erased; distance between the strokes that it connects
-LINE_CONTINUATION_MM, LINE_INK_SIDE_MM = (
-    1.0,
-    0.5,
-)  # continuation of a followed line under other ink; width of its ink to the side
-PENCIL_PEAK_RATIO, THIN_LINE_PEAK_RATIO, MEDIAN_PEAK_FACTOR = (
-    1.35,
-    2.5,
-    0.85,
-)  # ratio of a line's middle to its response: of a pencil line, of a
+# stroke: more ink than on its darker side; than around
+STROKE_OVER_DARKER_SIDE = 0.5
+STROKE_OVER_SURROUNDINGS = 0.5
+STROKE_SURROUNDINGS_MM = 1.5
+SHORTEST_CLEAR_STROKE_MM = 5.0  # of clear strokes
+SHORTEST_USUAL_LINE_MM = 7.5  # of lines that determine the usual one
+# samples that determine it, quantile above erased lines; a firm pencil
+LEAST_USUAL_LINE_SAMPLES = 60
+USUAL_LINE_QUANTILE = 0.7
+FIRM_PENCIL_RESPONSE = 65.0 * STEPS_PER_GREY_LEVEL
+# a longer faint line was erased; distance between the strokes that it connects
+LONGEST_FAINT_PART_MM = 7.0
+LEAST_STROKE_GAP_SHARE = 0.5
+# continuation of a followed line under other ink; width of its ink to the side
+LINE_CONTINUATION_MM = 1.0
+LINE_INK_SIDE_MM = 0.5
+# ratio of a line's middle to its response: of a pencil line, of a
+PENCIL_PEAK_RATIO = 1.35
+THIN_LINE_PEAK_RATIO = 2.5
+MEDIAN_PEAK_FACTOR = 0.85
 # thin one; factor on their median
-MOST_LINE_NORMALISATION, OTHER_INK_THRESHOLD = (
-    1.3,
-    0.7,
-)  # relative to a usual line: maximum normalisation of a line; threshold of other ink
+# relative to a usual line: maximum normalisation of a line; threshold of other ink
+MOST_LINE_NORMALISATION = 1.3
+OTHER_INK_THRESHOLD = 0.7
 FILLED_GAP_MM = 1.2  # along a line, over which gaps of the paper's grain are filled
 LINE_INK_THRESHOLD = 0.4  # relative darkness of ink that surely belongs to a followed line
 

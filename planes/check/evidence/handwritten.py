@@ -30,45 +30,39 @@ SHAPES_OF_LETTER = {
 }
 SHAPES_OF_LETTER |= {"s": "5", "c": "G", "'": "|_*"}
 """For each letter, the shapes it may have besides its own."""
-GRAIN_SMOOTHING_MM, DARKEST_INK_WINDOW_MM = (
-    0.12,
-    1.5,
-)  # smoothing of the paper's grain; neighbourhood of the darkest ink
+# smoothing of the paper's grain; neighbourhood of the darkest ink
+GRAIN_SMOOTHING_MM = 0.12
+DARKEST_INK_WINDOW_MM = 1.5
 INK_THRESHOLD, LEAST_INK_THRESHOLD = 0.45, 0.3  # ink threshold relative to the darkest ink around, and to that of lines
 SMALLEST_PIECE_MM, LARGEST_PIECE_MM = 0.5, 7.5  # of a piece of a letter
-WIDE_PIECE_MM, WIDEST_LETTER_MM = 2.2, 5.0  # a wider piece may be two letters; no letter is wider
-MOST_LETTER_GAP_MM, MOST_WORD_HEIGHT_MM = (
-    2.0,
-    6.5,
-)  # maximum distance between letters of a word; maximum height of a word
-NAME_SEARCH_DISTANCE_MM, ERASED_LINE_SIDE_MM = (
-    15.0,
-    0.35,
-)  # search distance of names from lines; width of a line's ink to the side
+WIDE_PIECE_MM = 2.2  # a wider piece may be two letters
+WIDEST_LETTER_MM = 5.0  # no letter is wider
+# maximum distance between letters of a word; maximum height of a word
+MOST_LETTER_GAP_MM = 2.0
+MOST_WORD_HEIGHT_MM = 6.5
+# search distance of names from lines; width of a line's ink to the side
+NAME_SEARCH_DISTANCE_MM = 15.0
+ERASED_LINE_SIDE_MM = 0.35
 HEAD_HALF_WIDTH_RATIO = 0.3  # half width of a head, relative to its length
-MOST_PIECES_PER_LETTER, MOST_PIECES_PER_WORD, MOST_PIECES_ON_SHEET = (
-    3,
-    16,
-    400,
-)  # maximum number of pieces: of a letter, of a word, in all
-STRAY_PIECE_LOG_PROB, MISSING_LETTER_LOG_PROB, EXTRA_PIECE_LOG_PROB = (
-    math.log(0.06),
-    math.log(0.04),
-    math.log(0.7),
-)  # a stray piece, a missing letter, one more piece
-LEAST_SHAPE_LOG_PROB, OTHER_WORD_LOG_ODDS = (
-    math.log(1e-3),
-    0.7,
-)  # minimum probability of a shape; odds that a word is none of the names
+# maximum number of pieces: of a letter, of a word, in all
+MOST_PIECES_PER_LETTER = 3
+MOST_PIECES_PER_WORD = 16
+MOST_PIECES_ON_SHEET = 400
+# a stray piece, a missing letter, one more piece
+STRAY_PIECE_LOG_PROB = math.log(0.06)
+MISSING_LETTER_LOG_PROB = math.log(0.04)
+EXTRA_PIECE_LOG_PROB = math.log(0.7)
+# minimum probability of a shape; odds that a word is none of the names
+LEAST_SHAPE_LOG_PROB = math.log(1e-3)
+OTHER_WORD_LOG_ODDS = 0.7
 NAME_ASSIGNMENT_ROUNDS = 8  # iterations that assign words to names
 MOST_NAME_CERTAINTY = 0.85  # maximum probability of reading a name correctly
 LOG_PROB_TEMPERATURE = 1.2  # divisor of logarithms, for calibration: readings at 90 % are right in 90 %
 MOST_NAME_TO_POINT_MM = 7.0  # maximum distance of a name from its point
-NAME_TO_VECTOR_MM, NAME_DISTANCE_SOFTNESS_MM, DISTANT_NAME_PROBABILITY = (
-    3.5,
-    2.0,
-    0.08,
-)  # of a name from its vector; softness; probability of a name elsewhere
+# of a name from its vector; softness; probability of a name elsewhere
+NAME_TO_VECTOR_MM = 3.5
+NAME_DISTANCE_SOFTNESS_MM = 2.0
+DISTANT_NAME_PROBABILITY = 0.08
 
 
 @frozen

@@ -18,7 +18,8 @@ INK_GREY_LIMIT = PAPER_GREY_LIMIT - INK_DARKNESS * (PAPER_GREY_LIMIT - PENCIL_GR
 DARKEST_INK_RADIUS_MM = 0.35  # search radius of the darkest ink around a point
 EVEN_PAPER_GREY_LEVEL = 250  # grey level of paper in even light
 TITLE_HEIGHT_MM = MARK_INSETS_MM[1] + MARK_SIDE_MM / 2 + 2  # a blank's title is between its upper marks
-PRINTED_GREY_RATIO, CODE_BLACK_SHARE = 0.6, 0.2  # relative to paper, printed; black share of a code
+PRINTED_GREY_RATIO = 0.6  # relative to paper, printed
+CODE_BLACK_SHARE = 0.2  # black share of a code
 FRAME_WIDTHS_MM = (21.5, 8.5)  # width of a sheet's frame: at the left, and at the other edges
 
 

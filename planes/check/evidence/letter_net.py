@@ -12,11 +12,10 @@ from planes.check.vision.image.opencv import cv
 from planes.geometry.arrays import Array, Greys
 
 LETTER_SHAPES = "0123456789FRGPNФABDEHKTMabdefghknqrtπ_|*"  # Cyrillic and Latin letters of one shape are one; * is none
-LETTER_PICTURE_SIDE_PX, LETTER_PICTURE_MARGIN_PX, FEATURE_CELLS_PER_SIDE = (
-    24,
-    2,
-    6,
-)  # of a letter's picture as input, and the averaging cells
+# of a letter's picture as input, and the averaging cells
+LETTER_PICTURE_SIDE_PX = 24
+LETTER_PICTURE_MARGIN_PX = 2
+FEATURE_CELLS_PER_SIDE = 6
 
 
 @cache

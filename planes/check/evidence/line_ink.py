@@ -14,26 +14,22 @@ from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 from planes.words.naming import Names
 
 PAPER_MARGIN_MM = 30.0  # of paper around the lines
-TURNED_LINE_RESPONSES = (
-    (math.cos(0.25), 1.0),
-    (math.cos(0.45), 0.5),
-)  # response to a line turned by this angle (its cosine)
+# response to a line turned by this angle (its cosine)
+TURNED_LINE_RESPONSES = ((math.cos(0.25), 1.0), (math.cos(0.45), 0.5))
 LINE_OFFSETS_MM = 1 / 3, 1 / 2, 5 / 6  # offset of felt lines: exactly there, and within one or two pixels
-MOST_LINE_PAIRS_AT_ONCE, MOST_PIECES = (
-    1_000_000,
-    20_000,
-)  # pairs of lines; pieces: seven metres of lines at one pixel each
-LEAST_CROWDED_PLACES, CROWDED_PLACES_PER_MM2 = (
-    60,
-    0.03,
-)  # line ends and crossings a mm apart; with more of them per mm², any would match a mark
+# pairs of lines; pieces: seven metres of lines at one pixel each
+MOST_LINE_PAIRS_AT_ONCE = 1_000_000
+MOST_PIECES = 20_000
+# line ends and crossings a mm apart; with more of them per mm², any would match a mark
+LEAST_CROWDED_PLACES = 60
+CROWDED_PLACES_PER_MM2 = 0.03
 HEADLESS_LINE_FACTOR = 0.5  # factor of a line without a head as a vector, where vectors have heads
 HEAD_EVIDENCE_RANGE = -2.5, 2.5  # evidence against a missing head, and for one present
-MOST_HEAD_TO_END_MM, LEAST_HEAD_COSINE = (
-    1.2,
-    0.97,
-)  # maximum distance of a head from the end of its line; cosine of its direction
-MOST_LINES_FOR_CROSSINGS, LEAST_CROSSING_SINE = 60, 0.1  # maximum number of lines for crossings; sine of their angle
+# maximum distance of a head from the end of its line; cosine of its direction
+MOST_HEAD_TO_END_MM = 1.2
+LEAST_HEAD_COSINE = 0.97
+MOST_LINES_FOR_CROSSINGS = 60  # maximum number of lines for crossings
+LEAST_CROSSING_SINE = 0.1  # sine of their angle
 MOST_STRAY_VECTOR_MM = 12.0  # limit for a vector outside the plan: there may be others beside it
 EXPLAINED_VECTOR_SHARE = 0.9  # share of a vector explained for it to count as a whole
 SHORTEST_LINE_WITH_HEAD_MM = 1.5  # of a line whose head is no evidence

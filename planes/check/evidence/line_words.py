@@ -14,16 +14,14 @@ from planes.words.naming import Names
 
 NEARER_NAME_MARGIN_MM = 1.5  # margin by which a text is nearer to its own mark than to any other
 TEXT_CERTAINTY = 0.98  # certainty of reading a text
-LEADER_START_MM, LEADER_UNDER_INDEX_HEIGHTS, LEADER_CLEARANCE_MM = (
-    2.5,
-    0.3,
-    1.0,
-)  # start of a leader: from its text, or under its index; its end
+# start of a leader: from its text, or under its index; its end
+LEADER_START_MM = 2.5
+LEADER_UNDER_INDEX_HEIGHTS = 0.3
+LEADER_CLEARANCE_MM = 1.0
 SAME_POSITION_MM = 0.1
-MOST_TEXT_COST, FAR_TEXT_DISTANCE_MM = (
-    9.0,
-    9.0,
-)  # maximum cost of a text; of 436 on right sheets nine in ten stood within 6 mm
+# maximum cost of a text; of 436 on right sheets nine in ten stood within 6 mm
+MOST_TEXT_COST = 9.0
+FAR_TEXT_DISTANCE_MM = 9.0
 
 
 @frozen

@@ -21,49 +21,43 @@ from planes.geometry.arrays import Array, Booleans, Complexes, Indices
 
 PX_PER_MM = 3.0  # of the reduced picture for ink detection
 LINE_DIRECTIONS = 16  # directions of detection over half a turn
-FILTER_SIGMA_ALONG_PX, FILTER_SIGMA_ACROSS_PX, FILTER_RADIUS_PX = (
-    2.6,
-    1.0,
-    7,
-)  # of the filter: σ along, σ across, radius
-FULL_LINE_RESPONSE, NO_LINE_RESPONSE = (
-    0.60,
-    0.15,
-)  # responses, relative to a clear line, for a line fully there, and not at all
-CLEAR_RESPONSE_QUANTILE, STRONG_RESPONSE_QUANTILE, LEAST_STRONG_RESPONSE = (
-    0.6,
-    0.99,
-    0.02,
-)  # quantiles of the strong responses, from clear lines; the minimum
-LEAST_RIDGE_RESPONSE, LEAST_INK_DARKNESS = 0.45, 0.25  # share of it that makes a ridge; of full darkness, ink
+# of the filter: σ along, σ across, radius
+FILTER_SIGMA_ALONG_PX = 2.6
+FILTER_SIGMA_ACROSS_PX = 1.0
+FILTER_RADIUS_PX = 7
+# responses, relative to a clear line, for a line fully there, and not at all
+FULL_LINE_RESPONSE = 0.60
+NO_LINE_RESPONSE = 0.15
+# quantiles of the strong responses, from clear lines; the minimum
+CLEAR_RESPONSE_QUANTILE = 0.6
+STRONG_RESPONSE_QUANTILE = 0.99
+LEAST_STRONG_RESPONSE = 0.02
+LEAST_RIDGE_RESPONSE = 0.45  # share of it that makes a ridge
+LEAST_INK_DARKNESS = 0.25  # of full darkness, ink
 LARGEST_LETTER_MM = 9.0  # smaller pieces of ink are letters: they explain nothing and need no explanation
 CLEAR_LINE_DARKNESS = 180.0  # darkness of a clear line relative to paper, of 255
 LINE_INK_OFFSET_MM, LINE_INK_SINE = 0.8, 0.3  # offset and sine of the angle within which ink belongs to a line
 LINE_ANGLE_TOLERANCE_RAD = 0.004  # angular tolerance of a drawn line, radians
-EXTENSION_BEFORE_START_MM, EXTENSION_BEYOND_END_MM, EXTENSION_INK_WEIGHT = (
-    10.0,
-    22.0,
-    0.55,
-)  # extension of construction lines; weight of it as unexplained ink
+# extension of construction lines; weight of it as unexplained ink
+EXTENSION_BEFORE_START_MM = 10.0
+EXTENSION_BEYOND_END_MM = 22.0
+EXTENSION_INK_WEIGHT = 0.55
 POLE_CROSS_RADIUS_MM = 3.2  # around the pole's printed cross, ink needs no explanation
-HEAD_ZONE_MM, BEHIND_HEAD_ZONE_MM = (
-    (1.6, 4.0),
-    (5.5, 7.5),
-)  # from a line's end, where a head is wider than its line; behind it
+# from a line's end, where a head is wider than its line; behind it
+HEAD_ZONE_MM = (1.6, 4.0)
+BEHIND_HEAD_ZONE_MM = (5.5, 7.5)
 HEAD_SAMPLE_OFFSETS_MM, STEP_MM = (-0.85, -0.6, 0.6, 0.85), 0.4  # where beside a line its head is felt
 SHORTEST_LINE_WITH_HEAD_MM = 9.0  # of a line whose head is felt
-LEAST_HEAD_DARKNESS, HEAD_EVIDENCE_FACTOR, HEAD_EVIDENCE_RANGE = (
-    0.12,
-    6.0,
-    (-1.2, 1.8),
-)  # darkness beside a headless line; factor to evidence
+# darkness beside a headless line; factor to evidence
+LEAST_HEAD_DARKNESS = 0.12
+HEAD_EVIDENCE_FACTOR = 6.0
+HEAD_EVIDENCE_RANGE = (-1.2, 1.8)
 DRAWN_LINE_WIDTH_MM, USUAL_HEAD_LENGTH_MM = 0.8, 4.0  # of a drawn line, as opposed to a letter
 WING_OFFSETS_MM, NARROW_WING_OFFSETS_MM = (0.55, 0.7, 0.85, 1.0), (0.35, 0.45)  # off a line, and near it
-OTHER_LINE_HALF_WIDTH_MM, OTHER_HEAD_LENGTH_MM, OTHER_HEAD_HALF_WIDTH_MM = (
-    0.6,
-    5.0,
-    1.5,
-)  # of another line's ink, and of its head
+# of another line's ink, and of its head
+OTHER_LINE_HALF_WIDTH_MM = 0.6
+OTHER_HEAD_LENGTH_MM = 5.0
+OTHER_HEAD_HALF_WIDTH_MM = 1.5
 # Beside an end without a head: the most darkness, that over the line behind it, also near the line, and by how much the
 # other end is darker. Points that tell, for both ends and for one. Of 419 heads none on a sheet called right is so.
 (
@@ -74,17 +68,16 @@ OTHER_LINE_HALF_WIDTH_MM, OTHER_HEAD_LENGTH_MM, OTHER_HEAD_HALF_WIDTH_MM = (
     LEAST_WING_POINTS_TWO_ENDS,
     LEAST_WING_POINTS_ONE_END,
 ) = 0.14, 0.08, 0.1, 0.12, 16, 44
-PALEST_VECTOR_DARKNESS = (
-    0.67  # darkness of the palest vectors, relative to the others of a drawing: one of 363 is paler
-)
-GAP_STEP_MM, MISSING_LINE_SHARE = 0.5, 0.25  # step along a line; share below which a line is missing
+# darkness of the palest vectors, relative to the others of a drawing: one of 363 is paler
+PALEST_VECTOR_DARKNESS = 0.67
+GAP_STEP_MM = 0.5  # step along a line
+MISSING_LINE_SHARE = 0.25  # share below which a line is missing
 SHORTEST_EXPLAINING_LINE_MM = 1.0  # of a line that explains ink
-PAPER_LINE_ANGLES, PAPER_LINE_SINE, LEAST_PAPER_LINE_SHARE, SHORTEST_PAPER_LINE_MM = (
-    720,
-    0.2,
-    0.6,
-    120.0,
-)  # of lines that belong to the paper: see below
+# of lines that belong to the paper: see below
+PAPER_LINE_ANGLES = 720
+PAPER_LINE_SINE = 0.2
+LEAST_PAPER_LINE_SHARE = 0.6
+SHORTEST_PAPER_LINE_MM = 120.0
 
 
 class Box(NamedTuple):

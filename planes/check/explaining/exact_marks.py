@@ -15,12 +15,12 @@ from planes.geometry.arrays import Booleans, Complexes
 from planes.geometry.plane import direction_between, intersect_lines
 from planes.words.names import POLE_LABEL
 
-MARK_SEARCH_RADIUS_MM, COINCIDENT_ENDS_MM = 1.2, 0.15  # from the settled mark; between ends that coincide
-MOST_LINE_TURN_RAD, LINE_END_WOBBLE_MM, MOST_LINE_OFFSET_MM = (
-    0.04,
-    0.5,
-    0.8,
-)  # of a line drawn to a mark: radians, mm at its end, mm aside
+MARK_SEARCH_RADIUS_MM = 1.2  # from the settled mark
+COINCIDENT_ENDS_MM = 0.15  # between ends that coincide
+# of a line drawn to a mark: radians, mm at its end, mm aside
+MOST_LINE_TURN_RAD = 0.04
+LINE_END_WOBBLE_MM = 0.5
+MOST_LINE_OFFSET_MM = 0.8
 DISTANCE_PER_EXTRA_LINE_MM = 0.4  # extra distance allowed to an end for each additional line that ends there
 CIRCLE_VOTES = 3  # a circle counts for this many lines
 LEAST_CROSSING_SINE = 0.1  # sine of the angle between crossing lines

@@ -20,14 +20,12 @@ from planes.words.frozen import frozen
 from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_kind
 
 LAST_SIDE_END = "end"  # end of a force polygon's last side: at the pole, if the polygon closes
-HINGE_SYMBOL_RADIUS_MM, SUPPORT_SYMBOL_RADIUS_MM = (
-    3.0,
-    9.5,
-)  # around a point of a scheme, and a support or slider, ink belongs to symbols
-HIDDEN_LINE_END_MM, GUIDE_OVERRUN_MM = (
-    0.8,
-    30.0,
-)  # part of a link's line under symbols at its ends; overrun of guides beyond sliders
+# around a point of a scheme, and a support or slider, ink belongs to symbols
+HINGE_SYMBOL_RADIUS_MM = 3.0
+SUPPORT_SYMBOL_RADIUS_MM = 9.5
+# part of a link's line under symbols at its ends; overrun of guides beyond sliders
+HIDDEN_LINE_END_MM = 0.8
+GUIDE_OVERRUN_MM = 30.0
 COINCIDENT_LINES_MM = 0.6  # coincident lines are no farther apart
 Line = tuple[str, str]
 

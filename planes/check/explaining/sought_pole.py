@@ -8,7 +8,8 @@ from planes.check.explaining.hypotheses import catalogue_hypotheses
 from planes.check.explaining.plan_lines import Hypothesis, PlanLines, lines_to_look_for
 from planes.geometry.arrays import Array, Complexes
 
-POLE_GRID_MM, POLE_REFINEMENT_MM = 1.5, 1.0  # grid of candidates on ink; refinement around the best of them
+POLE_GRID_MM = 1.5  # grid of candidates on ink
+POLE_REFINEMENT_MM = 1.0  # refinement around the best of them
 POLE_REFINEMENT_STEPS_MM = numpy.arange(-POLE_REFINEMENT_MM, POLE_REFINEMENT_MM + 0.1, 0.5)
 CLEAR_PLAN_LINE_SHARE = 0.9  # share of its lines at which the right plan is clearly there
 MOST_POLES_AT_ONCE = 2000

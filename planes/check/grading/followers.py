@@ -17,9 +17,8 @@ from planes.geometry.arrays import Array
 from planes.words.errors import PlanesError
 
 JACOBIAN_STEP_MM = 0.01  # step small enough for lines to stay lines
-LEAST_FOLLOWER_SHARE = (
-    0.25  # a follower that moves by a smaller share of a mark's displacement lies within the drawing error
-)
+# a follower that moves by a smaller share of a mark's displacement lies within the drawing error
+LEAST_FOLLOWER_SHARE = 0.25
 Showing = list[tuple[str, ...]]
 
 

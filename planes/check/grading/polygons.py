@@ -20,10 +20,9 @@ from planes.words.names import POLE_LABEL, full_mark_name, label_of, mu_name, pl
 from planes.words.naming import Naming
 
 Vectors = dict[str, ReadMark]  # a person's
-COLLINEAR_TANGENT, HIDING_LENGTH_RATIO = (
-    0.05,
-    0.9,
-)  # collinear: tangent of the angle; relative length of a vector that hides another
+# collinear: tangent of the angle; relative length of a vector that hides another
+COLLINEAR_TANGENT = 0.05
+HIDING_LENGTH_RATIO = 0.9
 SHORTEST_SEEN_VECTOR_MM = 3.0  # a shorter vector may be invisible
 NO_VECTOR = ReadMark("", 0j, 0.0)
 

@@ -8,9 +8,8 @@ from planes.words.frozen import frozen
 from planes.words.names import POLE_LABEL
 
 Vector = tuple[str, str]  # the labels of its ends
-LEAST_HEADS_AT_ENDS = (
-    2  # this many heads at the ends of their vectors, and most of all heads, show that the person draws them there
-)
+# this many heads at the ends of their vectors, and most of all heads, show that the person draws them there
+LEAST_HEADS_AT_ENDS = 2
 
 
 class DrawnVector(NamedTuple):

@@ -10,9 +10,8 @@ from planes.check.grading.slips import drawing_value
 from planes.check.grading.variants import Variant
 from planes.words.names import mu_name, plan_of
 
-EARLIER_PLAN_WEIGHT = (
-    0.25  # weight of a mistake in a plan without any of the results: its own results are assumed to be right
-)
+# weight of a mistake in a plan without any of the results: its own results are assumed to be right
+EARLIER_PLAN_WEIGHT = 0.25
 
 
 def true_plan_with_errors(bench: PreparedPlan, wanted: Iterable[str], mu: float, taken: dict[str, ReadMark]) -> Hand:

@@ -15,17 +15,15 @@ from planes.geometry.plane import bounding_corners as box_of
 from planes.geometry.plane import direction_between, greatest_distance
 
 LARGEST_HEAD_MM = 8.0  # maximum size of a closed figure as a head
-LARGEST_FILLED_HEAD_MM, LARGE_HEAD_WIDTH_RATIO = (
-    24.0,
-    0.7,
-)  # the same if filled and no polygon, when this narrow between equal sides
+# the same if filled and no polygon, when this narrow between equal sides
+LARGEST_FILLED_HEAD_MM = 24.0
+LARGE_HEAD_WIDTH_RATIO = 0.7
 MOST_TIP_TO_END_MM = 0.7  # a tip is at the end of its stroke, or that end is within the head
 HEAD_TURN_WEIGHT_MM_PER_RAD = 10.0  # weight of a head's direction against the distance of its tip, mm per radian
 MOST_STROKE_HEAD_PAIRS = 1_000_000  # with more pairs of strokes and heads none is assigned
-HEADS_AT_BOTH_ENDS, MOST_SECOND_HEAD_COST_MM = (
-    2,
-    1.0,
-)  # heads at both ends make a dimension line, if the second surely belongs to it
+# heads at both ends make a dimension line, if the second surely belongs to it
+HEADS_AT_BOTH_ENDS = 2
+MOST_SECOND_HEAD_COST_MM = 1.0
 MOST_STROKES_JOINED, SAME_POINT_MM = 500, 0.02
 EQUAL_SIDES_TOLERANCE = 0.03  # maximum difference of the sides that meet in a tip, relative to their sum
 MOST_SHAFT_OFFSET_RATIO = 0.1  # distance of a shaft's end from a head's centre line, in lengths of the head
@@ -36,10 +34,9 @@ LEAST_HEAD_COSINE = 0.94  # minimum cosine of the angle between a head and its s
 EQUILATERAL_HEAD_TURNS = tuple(
     cmath.rect(1, k * math.tau / 3) for k in range(3)
 )  # possible directions of an equilateral head
-DUPLICATE_HEAD_DISTANCE_MM, DUPLICATE_HEAD_TURN = (
-    0.1,
-    0.01,
-)  # a head this close to another one in its direction is a duplicate: filled, then outlined
+# a head this close to another one in its direction is a duplicate: filled, then outlined
+DUPLICATE_HEAD_DISTANCE_MM = 0.1
+DUPLICATE_HEAD_TURN = 0.01
 MOST_SHAFT_WIDTH_MM = 1.5  # maximum width of a drawn arrow's shaft
 
 

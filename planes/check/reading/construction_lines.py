@@ -15,7 +15,8 @@ from planes.check.reading.strokes import (
 from planes.check.reading.written import Stroke, Strokes
 from planes.geometry.plane import direction_between, sine_between
 
-ON_LINE_TOLERANCE_MM, TOUCH_MM = 0.1, 0.01  # a vector is drawn on its line; a line ends on another
+ON_LINE_TOLERANCE_MM = 0.1  # a vector is drawn on its line
+TOUCH_MM = 0.01  # a line ends on another
 MOST_PARALLEL_ANGLE_RAD = 0.02  # maximum angle between parallel lines, radians
 LEAST_MEETING_SHARE = 0.5  # share of ends that meet others, for lines drawn from end to end
 MOST_STROKE_OFFSET_MM, ASLANT = 0.9, 0.06  # maximum offset and slope of a stroke along a segment
@@ -23,7 +24,8 @@ MOST_NAME_TO_END_MM = 6.0  # maximum distance of a word from the end it names
 MISREAD_SHARE = 0.05  # share of a drawing's marks that are misread
 MISREAD_SHARE_OF_MEETING = 0.0005  # the same for marks of such lines without heads
 MISREAD_SHARE_OF_OVERRUNNING = 0.9  # the same for lines that overrun each other, or three and more on top of each other
-MOST_OVERRUN_MM, LEAST_OVERRUNNING_ENDS = 20.0, 2  # maximum overrun of lines; number of ends that prove it
+MOST_OVERRUN_MM = 20.0  # maximum overrun of lines
+LEAST_OVERRUNNING_ENDS = 2  # number of ends that prove it
 
 
 def misread_mark_share(sketch: ReadDrawing) -> float:

@@ -31,23 +31,25 @@ from planes.geometry.arrays import Array
 from planes.words.names import POLE_LABEL, vector_end_label
 
 SHORTEST_VECTOR_WITH_HEAD_MM = 2.0  # a shorter vector may have no head
-NO_NAME_COST, REVERSED_NUMBERS_COST, NO_HEAD_COST = 2.0, 4.0, 1.0  # cost of having no name; numbers in reverse; no head
+NO_NAME_COST = 2.0  # cost of having no name
+REVERSED_NUMBERS_COST = 4.0  # numbers in reverse
+NO_HEAD_COST = 1.0  # no head
 MOST_STRAY_ARROW_COSTS = 2.5, 9.0  # maximum cost of an arrow outside the plan, without heads and with them
 LEAST_STRAY_ARROW_COSTS = 0.0, 4.0  # the minimum of it
 COMPUTED_FORCE_ERROR_SHARE = 0.02  # of its length, the error of a force computed from others
 OPPOSITE_NAME_SOFTNESS_MM, MIDDLE_NAME_SHARE, TIP_NAME_STEEPNESS = 0.5, 0.15, 8.0  # for names of opposite vectors
 OPPOSITE_VECTORS_GAP_RATIO = 0.2  # maximum distance between opposite vectors, relative to their length
-MEETING_ENDS_MM, GAP_ERROR_SHARE = 1.0, 0.7  # ends that meet; share of their distance that is the error of each
+MEETING_ENDS_MM = 1.0  # ends that meet
+GAP_ERROR_SHARE = 0.7  # share of their distance that is the error of each
 SHORTEST_DRAWN_VECTOR_MM = 0.7  # shorter vectors are not drawn
 COINCIDENT_VECTORS_MM = 0.3  # vectors that coincide
 HIDDEN_VECTOR_SHARE = 0.7  # share of a vector within the lines of others at which it need not be visible
 PROGRAM_ACCURACY_MM = 0.05  # accuracy of a program
 MOST_ARROWS = 120  # arrows
-SMALLEST_PLAN_SIZE, EQUAL_SIZE_RATIO, OTHER_SIZE_COST = (
-    0.2,
-    1.03,
-    3.0,
-)  # sizes of a plan of unknown scale: the smallest; ratio of equal ones
+# sizes of a plan of unknown scale: the smallest; ratio of equal ones
+SMALLEST_PLAN_SIZE = 0.2
+EQUAL_SIZE_RATIO = 1.03
+OTHER_SIZE_COST = 3.0
 IMPOSSIBLE_COST, TINY = 1e6, 1e-9
 Known = dict[str, complex]
 Rows = Mapping[str, Stroke]

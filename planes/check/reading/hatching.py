@@ -13,10 +13,9 @@ from planes.check.reading.written import Strokes
 from planes.geometry.plane import direction_between
 
 LEAST_HATCH_ROWS = 4  # minimum number of rows in hatching
-MOST_ROW_SPACING_MM, ROW_SPACING_TOLERANCE_MM = (
-    6.0,
-    0.15,
-)  # maximum distance between rows, and tolerance of their spacing
+# maximum distance between rows, and tolerance of their spacing
+MOST_ROW_SPACING_MM = 6.0
+ROW_SPACING_TOLERANCE_MM = 0.15
 PARALLEL_TOLERANCE_DEG = 0.5
 SAME_ROW_DISTANCE_MM = 0.1  # strokes closer than this are pieces of one row, cut around a letter
 FREE_END_DISTANCE_MM = 0.3  # an end is free if no other line ends this close

@@ -30,10 +30,9 @@ MOST_LINES_AROUND_PLAN = 1200  # lines of a plan with all around it: of 40 sheet
 LEAST_EXPLAINED_SHARE = 0.5  # minimum share of the lines around a plan that it explains
 LEAST_SHOWN_POINT_SHARE = 0.5  # minimum share of a scheme's points with a circle or a name
 SHORTEST_SCALE_VECTOR_MM = 4.0  # shorter vectors tell little about the scale
-SAME_SCALE_LOG_RATIO, COMMON_SCALE_LOG_RATIO = (
-    math.log(1.05),
-    math.log(1.15),
-)  # the stated scale, to the accuracy of texts; lengths with a common scale
+# the stated scale, to the accuracy of texts; lengths with a common scale
+SAME_SCALE_LOG_RATIO = math.log(1.05)
+COMMON_SCALE_LOG_RATIO = math.log(1.15)
 MOST_FAR_POLE_COST = 8.0  # maximum cost of a pole away from its name
 
 

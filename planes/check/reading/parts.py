@@ -18,10 +18,9 @@ MOST_PART_TO_CIRCLE_MM = 7.0  # a point beside its link
 MOST_STROKES_SPLIT = 4000  # a page with more strokes is not split
 SMALLEST_PART_MM = 6.0  # a smaller unnamed part is a sign or a letter
 LONGEST_LETTER_STROKE_RATIO = 1.4  # maximum length of a letter's stroke, in heights of its word
-LETTER_MARGIN_RATIO, BELOW = (
-    0.35,
-    0.35,
-)  # margin of a word's box that its letters may reach, in heights; more of it below
+# margin of a word's box that its letters may reach, in heights; more of it below
+LETTER_MARGIN_RATIO = 0.35
+BELOW = 0.35
 TOUCHING_STROKES_MM = 0.05
 MOST_INDEX_HEIGHT_RATIO = 0.95  # maximum height of an index, in heights of the letter before it
 INDEX_FOOT_RANGE = (-0.8, 1.2)  # range of the foot of an index, in heights of its letter

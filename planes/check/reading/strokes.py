@@ -20,20 +20,17 @@ Round = tuple[complex, float]  # centre and radius of a small circle, a hinge or
 LONGEST_TEXT = 200  # letters of a text
 LARGEST_POINT_RADIUS_MM = 3.0  # a larger circle is no sign of a point
 SHORTEST_STROKE_MM = 0.8  # shorter strokes are ticks, dots and pieces of letters
-SNAPPED_ENDS_MM, ENDS_JOINED_BY_EYE_MM, FARTHEST_JOINED_ENDS_MM = (
-    0.1,
-    0.6,
-    2.0,
-)  # closer ends coincide: joined by a program, by eye, badly
+# closer ends coincide: joined by a program, by eye, badly
+SNAPPED_ENDS_MM = 0.1
+ENDS_JOINED_BY_EYE_MM = 0.6
+FARTHEST_JOINED_ENDS_MM = 2.0
 MOST_STROKES_FOR_CROSSINGS = 400  # with more strokes, crossings are not searched
-MOST_STROKES, MOST_SHORT_STROKES = (
-    12_000,
-    120_000,
-)  # strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
-LEAST_HEADED_SHARE, LEAST_HEADED_STROKES = (
-    0.25,
-    2,
-)  # minimum share and number of lines with heads at which heads distinguish the vectors
+# strokes of a drawing, and pieces of letters: a plan has a few dozen strokes
+MOST_STROKES = 12_000
+MOST_SHORT_STROKES = 120_000
+# minimum share and number of lines with heads at which heads distinguish the vectors
+LEAST_HEADED_SHARE = 0.25
+LEAST_HEADED_STROKES = 2
 MOST_STRAIGHT_TURN_RAD = 0.005  # radians, maximum turn at a vertex of a polyline that continues straight on
 
 

@@ -6,10 +6,9 @@ from planes.check.grading.prepared_plan import PreparedPlan
 from planes.check.grading.readable import unreadable_reason
 from planes.words.errors import PlanesError
 
-OPEN_POLYGON_COST, NAMED_MISTAKE_CREDIT = (
-    2.0,
-    0.5,
-)  # cost of an open force polygon, and of a known mistake as its cause, in marks
+# cost of an open force polygon, and of a known mistake as its cause, in marks
+OPEN_POLYGON_COST = 2.0
+NAMED_MISTAKE_CREDIT = 0.5
 
 
 def _grading_or_none(bench: PreparedPlan, paper: ReadPaper) -> Grading | None:

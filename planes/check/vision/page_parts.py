@@ -16,19 +16,15 @@ from planes.words.names import plan_kind
 from planes.words.units import standard_mu, standard_scale
 
 MOST_PARTS_EXAMINED = 8  # parts examined, at one scale each
-SMALLEST_PART_MM, PART_MARGIN_MM = 6.0, 3.0  # of a part; margin of paper around it
+SMALLEST_PART_MM = 6.0  # of a part
+PART_MARGIN_MM = 3.0  # margin of paper around it
 PX_PER_MM = 2.0  # of the reduced picture in which parts are found
 A3_MM2 = 125_000.0  # a larger page is surveyed as if of this size: its parts are examined closely
 A2_MM2 = 250_000.0  # a larger part is no plan
 LEAST_INK_LEVEL = 40  # of 255, in its pixels
 SIZE_SOFTNESS_MM = 6.0  # softness of a size comparison
-PLAN_SIZE_RATIOS = (
-    0.7,
-    0.8,
-    0.9,
-    1.0,
-    1.05,
-)  # relative sizes of a plan in its part: lines extend further, schemes have supports
+# relative sizes of a plan in its part: lines extend further, schemes have supports
+PLAN_SIZE_RATIOS = (0.7, 0.8, 0.9, 1.0, 1.05)
 
 
 @frozen

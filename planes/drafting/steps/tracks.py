@@ -16,9 +16,8 @@ from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.tracks import Pose, Tie, TieKind, link_origins, newton_step
 from planes.words.frozen import frozen
 
-STEPS_BEFORE_ROUNDING = (
-    5  # steps from the guess, a tenth off where lengths were changed, until only the rounding error is left
-)
+# steps from the guess, a tenth off where lengths were changed, until only the rounding error is left
+STEPS_BEFORE_ROUNDING = 5
 MOST_SETTLED_MOVE_RATIO = 1e-9  # of the link's size: largest move in the last step
 
 

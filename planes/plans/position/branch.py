@@ -23,9 +23,8 @@ MOST_STEP_CORRECTION = 0.02  # the largest correction of a step, of the link's s
 FAR_AWAY_LINK_SIZES = 30.0  # sizes of the link: beyond that it has run away
 STEP_FRACTIONS = (1.0, 0.5, 0.25, 0.1)
 SERIES_TERM_COUNTS = (32, 64, 128, 256)
-UNTESTED_RANGE_EDGE = (
-    1e-7  # of the range, at its ends, where a series is not tested: two assemblies are too close there
-)
+# of the range, at its ends, where a series is not tested: two assemblies are too close there
+UNTESTED_RANGE_EDGE = 1e-7
 
 Ties = Callable[[float], list[Tie]]  # the leads at a position of the drive
 

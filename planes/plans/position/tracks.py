@@ -28,12 +28,10 @@ if TYPE_CHECKING:
 
 LEAD_PAIR_ORDERS = ((0, 1), (1, 2), (2, 0))
 AnyChoice = AssemblyChoice | TrackChoice
-MOST_NEAREST_DISTANCE_RATIO = (
-    0.8  # of the distance from a scene's ``near`` to the second nearest assembly: the nearest must be this close
-)
-MOST_CLEAR_DISTANCE_RATIO = (
-    0.95  # the same for two places that nobody would confuse: up to about the middle between them
-)
+# of the distance from a scene's ``near`` to the second nearest assembly: the nearest must be this close
+MOST_NEAREST_DISTANCE_RATIO = 0.8
+# the same for two places that nobody would confuse: up to about the middle between them
+MOST_CLEAR_DISTANCE_RATIO = 0.95
 
 
 class Tracks:

@@ -16,11 +16,10 @@ from planes.geometry.arrays import Array, Booleans, Complexes, Greys
 
 PX_PER_MM = 8.0  # of a rectified picture
 FRAME_LEFT_MM, FRAME_OTHER_SIDES_MM = 20.0, 5.0  # from the sheet's edges to the frame
-SIDE_SEARCH_MM, ACROSS_SAMPLE_STEP_MM, ALONG_SAMPLE_STEP_MM = (
-    6.0,
-    0.125,
-    2.0,
-)  # search distance of a side from its position, and sampling steps
+# search distance of a side from its position, and sampling steps
+SIDE_SEARCH_MM = 6.0
+ACROSS_SAMPLE_STEP_MM = 0.125
+ALONG_SAMPLE_STEP_MM = 2.0
 LEAST_BEND_MM = 0.3  # of a side: less is not worth correcting
 LEAST_VISIBLE_SIDE_SHARE = 0.6  # minimum visible share of a side
 LEAST_LINE_CONTRAST = 8.0  # minimum contrast of a line, in grey levels

@@ -29,31 +29,28 @@ MOST_BYTES = 360 * MB  # of a file and of decoding it: 64 million pixels, half o
 MOST_PAGE_PX = 34_000_000
 SMALLEST_SIDE_PX = 40
 ROWS_AT_ONCE = 256
-PAGE_DPI, LEAST_FILE_DPI = 200, 100  # of a rendered page; a file with a lower value gives no paper size
-EXIF_TAG, EXPOSURE_TAG, FILM_FOCAL_LENGTH_TAG, PICTURE_SIZE_TAGS = (
-    0x8769,
-    0x829A,
-    0xA405,
-    (0xA002, 0xA003),
-)  # tags of camera data
-FOCAL_LENGTH_RANGE_MM, CROPPING_TOLERANCE = (
-    (18.0, 80.0),
-    0.02,
-)  # mm of lenses for photographing sheets; tolerance of an uncropped shape
+PAGE_DPI = 200  # of a rendered page
+LEAST_FILE_DPI = 100  # a file with a lower value gives no paper size
+# tags of camera data
+EXIF_TAG = 0x8769
+EXPOSURE_TAG = 0x829A
+FILM_FOCAL_LENGTH_TAG = 0xA405
+PICTURE_SIZE_TAGS = (0xA002, 0xA003)
+# mm of lenses for photographing sheets; tolerance of an uncropped shape
+FOCAL_LENGTH_RANGE_MM = (18.0, 80.0)
+CROPPING_TOLERANCE = 0.02
 LARGEST_PAPER_MM = 900.0  # a resolution that implies larger paper is ignored
 MOST_PDF_IMAGES, MOST_PDF_DEPTH = 1000, 5
 PNG_START, PNG_END, PDF_START, TIFF_STARTS = b"\x89PNG", b"IEND", b"%PDF-", (b"II*\0", b"MM\0*")
 LEAST_COLOUR_DIFFERENCE = 14  # minimum difference of two colours beyond the usual one, on coloured paper
 LEAST_COLOURED_SHARE = 0.03  # of all pixels
-LEAST_GRID_DARKNESS, LEAST_DRAWING_DARKNESS = (
-    0.08,
-    0.4,
-)  # minimum darkness of a grid relative to paper, and of a drawing
+# minimum darkness of a grid relative to paper, and of a drawing
+LEAST_GRID_DARKNESS = 0.08
+LEAST_DRAWING_DARKNESS = 0.4
 CENTRAL_PART_PX, PARTS_PER_SIDE = 1000, 8
-LEAST_GRID_SHARE, MOST_DRAWING_SHARE = (
-    0.8,
-    0.4,
-)  # shares of the parts of a picture that contain a grid, and that may contain a drawing
+# shares of the parts of a picture that contain a grid, and that may contain a drawing
+LEAST_GRID_SHARE = 0.8
+MOST_DRAWING_SHARE = 0.4
 
 
 @frozen

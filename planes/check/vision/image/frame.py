@@ -18,10 +18,8 @@ from planes.geometry.plane import intersect_lines
 
 PAPER_SIZES_MM = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}  # landscape
 LEAST_FRAME_SHARE = 0.2  # minimum share of the picture inside a frame
-FRAME_RATIO_TOLERANCES = (
-    0.004,
-    0.15,
-)  # relative difference of frame shapes, straight or oblique, for formats to be tried
+# relative difference of frame shapes, straight or oblique, for formats to be tried
+FRAME_RATIO_TOLERANCES = (0.004, 0.15)
 REDUCED_SIDE_PX = 2000
 Line = tuple[complex, complex]  # a point and a direction
 

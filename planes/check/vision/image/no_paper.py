@@ -11,26 +11,23 @@ from planes.geometry.arrays import Booleans, Greys, Indices
 
 REDUCED_SIDE_PX, SQUARE_PX = 1000, 20
 UNEVEN_GREY_SIGMA = 11.0  # σ of the grey levels of a small square
-PAPER_LIGHT_PERCENTILE, INK_GREY_DIFFERENCE, MOST_INK_SHARE = (
-    90,
-    12,
-    0.2,
-)  # percentile of its light; darkness of ink below it; maximum share of ink on paper
+# percentile of its light; darkness of ink below it; maximum share of ink on paper
+PAPER_LIGHT_PERCENTILE = 90
+INK_GREY_DIFFERENCE = 12
+MOST_INK_SHARE = 0.2
 RULED_VARIANCE_SHARE = 0.6  # share of a square's variance in its rows and columns, if ruled
 MOST_ROUGH_SHARE = 0.6  # of all small squares
-WIDEST_FILLED_STROKE_PX, SMOOTHING_SIGMA_PX = 13, 2.0  # the widest stroke that is filled up; σ of smoothing the grain
-MOST_GREY_GRADIENT, LEAST_FLAT_PIXEL_SHARE = (
-    1.5,
-    0.9,
-)  # maximum grey gradient per pixel, and share of pixels below it, in an even small square
-LEAST_EVEN_SHARE, LEAST_CONNECTED_SHARE = (
-    0.5,
-    0.15,
-)  # shares of all small squares: even ones on paper, and connected ones
-LETTER_HEIGHT_RANGE_PX, MOST_LETTERS_ON_DRAWING = (
-    (5, 30),
-    800,
-)  # range of letter heights, in the reduced picture; more letters are a page of text
+WIDEST_FILLED_STROKE_PX = 13  # the widest stroke that is filled up
+SMOOTHING_SIGMA_PX = 2.0  # σ of smoothing the grain
+# maximum grey gradient per pixel, and share of pixels below it, in an even small square
+MOST_GREY_GRADIENT = 1.5
+LEAST_FLAT_PIXEL_SHARE = 0.9
+# shares of all small squares: even ones on paper, and connected ones
+LEAST_EVEN_SHARE = 0.5
+LEAST_CONNECTED_SHARE = 0.15
+# range of letter heights, in the reduced picture; more letters are a page of text
+LETTER_HEIGHT_RANGE_PX = (5, 30)
+MOST_LETTERS_ON_DRAWING = 800
 SHORTEST_DRAWN_LINE_PX = 45  # a drawing has a longer line (14 mm of A4); touching letters rarely do
 LETTER_DARKNESS_SHARE = 0.35  # darkness of letters relative to the darkest of a picture
 

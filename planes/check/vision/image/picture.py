@@ -26,10 +26,9 @@ SHEET_PX = round(SHEET_MM[0] * PX_PER_MM), round(SHEET_MM[1] * PX_PER_MM)
 SHEET_MARGIN_MM = 5.0  # around a sheet cut out of a picture
 MOST_SHEET_PX = 34_000_000  # pixels of the largest sheet, A1
 SEARCH_SIDES_PX = (1100, 700, 2000, 3200)  # longer sides for the search: small ones are quick and hide the grain
-LEAST_MARK_OUTLINE_SHARE, LEAST_FAR_MARK_SHARE = (
-    0.07,
-    0.035,
-)  # of the longer side: a mark's outline is a sixth of its sheet's length
+# of the longer side: a mark's outline is a sixth of its sheet's length
+LEAST_MARK_OUTLINE_SHARE = 0.07
+LEAST_FAR_MARK_SHARE = 0.035
 
 
 @dataclass

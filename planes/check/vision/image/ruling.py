@@ -17,22 +17,19 @@ from planes.words.frozen import frozen
 RULING_PERIOD_PX = 16.0  # of a ruling, in the reduced picture
 WINDOW_PX, WINDOW_STEP_PX = 96, 64
 PAPER_LIGHT_WINDOW_PX = 21  # neighbourhood for the paper's light
-MOST_RULING_DARKNESS, MOST_PAPER_LIGHTNESS = (
-    12.0,
-    6.0,
-)  # grey levels, maximum darkness of a ruling and lightness of paper
+# grey levels, maximum darkness of a ruling and lightness of paper
+MOST_RULING_DARKNESS = 12.0
+MOST_PAPER_LIGHTNESS = 6.0
 MOST_LINE_SLANT = 0.36  # maximum slant of a line: of a sheet that is rotated and seen obliquely
-LEAST_RATE_RATIO, MOST_RATE_RATIO, RATE_STEP_COUNT = (
-    0.72,
-    1.38,
-    25,
-)  # range of periods relative to the expected one; number of steps
+# range of periods relative to the expected one; number of steps
+LEAST_RATE_RATIO = 0.72
+MOST_RATE_RATIO = 1.38
+RATE_STEP_COUNT = 25
 MOST_RATE_DEVIATION = 0.13  # maximum deviation of a window's rate from that of the others
 LEAST_WAVE_STRENGTH = 5.0  # minimum strength of a wave relative to the usual one of its window
-LEAST_CLEAR_WINDOWS, LEAST_CLEAR_SHARE = (
-    16,
-    0.35,
-)  # clear windows, and their share of all: tables and hatchings do not cover a sheet
+# clear windows, and their share of all: tables and hatchings do not cover a sheet
+LEAST_CLEAR_WINDOWS = 16
+LEAST_CLEAR_SHARE = 0.35
 
 
 @frozen

@@ -8,13 +8,11 @@ from planes.check.fiducials import MARK_SIDE_MM, SHEET_MM, corner_mark_centres
 from planes.geometry.arrays import Array
 from planes.words.frozen import frozen
 
-PREDICTED_MARK_TOLERANCE_MM = (
-    90.0  # tolerance of a mark predicted from another, seen obliquely; other sheets' marks are 200 mm off
-)
+# tolerance of a mark predicted from another, seen obliquely; other sheets' marks are 200 mm off
+PREDICTED_MARK_TOLERANCE_MM = 90.0
 LEAST_MARKS_PER_SHEET = 3  # marks that determine the position of a sheet
-OTHER_SHEET_AREA_RATIO = (
-    1.0  # of the area between a sheet's marks: another sheet, smaller if more distant, fits in as much
-)
+# of the area between a sheet's marks: another sheet, smaller if more distant, fits in as much
+OTHER_SHEET_AREA_RATIO = 1.0
 
 Found = tuple[int, Array]  # the number of a mark, and its corners in pixels, clockwise from the upper left
 

@@ -10,10 +10,9 @@ from planes.geometry.plane import direction_between
 
 REDUCED_SIDE_PX = 1000
 LEAST_SHEET_SHARE = 0.25  # minimum share of a picture inside a sheet
-PROFILES_PER_EDGE, PROFILE_REACH_SHARE = (
-    120,
-    0.012,
-)  # across each edge; distance of their ends (in longer sides of the picture)
+# across each edge; distance of their ends (in longer sides of the picture)
+PROFILES_PER_EDGE = 120
+PROFILE_REACH_SHARE = 0.012
 LEAST_EDGE_GREY_STEP = 15.0  # minimum grey step from the table to the paper
 LEAST_VISIBLE_EDGE_SHARE = 0.6  # of an edge
 CANNY_THRESHOLDS = (20, 50)  # Canny's thresholds: a shadow's border is softer

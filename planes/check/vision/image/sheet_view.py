@@ -21,15 +21,13 @@ from planes.geometry.arrays import Array, Complexes, Greys
 from planes.words.frozen import frozen, replace
 
 SQUARE_SIDE_MM, LINE_SPACING_MM = 5.0, 8.0
-LEAST_AGREEING_SHARE, LINE_COUNT_TOLERANCE = (
-    0.6,
-    0.12,
-)  # minimum share of clear windows that agree, to this share of the line spacing
+# minimum share of clear windows that agree, to this share of the line spacing
+LEAST_AGREEING_SHARE = 0.6
+LINE_COUNT_TOLERANCE = 0.12
 LENS_DISTORTIONS = numpy.linspace(-0.08, 0.08, 17)
-LEAST_TILT_SIGNIFICANCE, LEAST_TILT_SLOPE = (
-    4.5,
-    math.tan(math.radians(2.0)),
-)  # significance of a tilt from text, σ, and its minimum
+# significance of a tilt from text, σ, and its minimum
+LEAST_TILT_SIGNIFICANCE = 4.5
+LEAST_TILT_SLOPE = math.tan(math.radians(2.0))
 SMALL_TILT_SIGMA = math.tan(math.radians(3.0))  # σ of a tilt that text shows to be small
 A_FORMAT_RATIO, A_FORMAT_LOG_TOLERANCE, A4_MM = math.sqrt(2), 0.03, (297.0, 210.0)
 

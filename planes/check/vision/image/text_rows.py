@@ -12,19 +12,20 @@ from planes.check.vision.image.opencv import connected_components, cv, reduce_to
 from planes.geometry.arrays import Array, Booleans, Complexes, Greys, Indices
 from planes.words.frozen import frozen
 
-REDUCED_SIDE_PX, PAPER_LIGHT_WINDOW_PX = 2000, 41  # longer side of the reduced picture; window of the paper's light
-LEAST_INK_GREY_DIFFERENCE, LEAST_INK_DARKNESS_SHARE = (
-    14,
-    0.3,
-)  # darkness of ink relative to paper in grey levels, and relative to the darkest
-LETTER_HEIGHT_RANGE_PX, LEAST_LETTER_PIXELS = (9, 70), 12  # range of letter heights; minimum of pixels
-MOST_LETTER_GAP_RATIO, MOST_HEIGHT_RATIO = (
-    3.0,
-    2.2,
-)  # maximum distance of the next letter, in letters, and ratio of heights
+REDUCED_SIDE_PX = 2000  # longer side of the reduced picture
+PAPER_LIGHT_WINDOW_PX = 41  # window of the paper's light
+# darkness of ink relative to paper in grey levels, and relative to the darkest
+LEAST_INK_GREY_DIFFERENCE = 14
+LEAST_INK_DARKNESS_SHARE = 0.3
+LETTER_HEIGHT_RANGE_PX = (9, 70)  # range of letter heights
+LEAST_LETTER_PIXELS = 12  # minimum of pixels
+# maximum distance of the next letter, in letters, and ratio of heights
+MOST_LETTER_GAP_RATIO = 3.0
+MOST_HEIGHT_RATIO = 2.2
 LONGEST_LETTER_RATIO = 2.2  # in heights, a longer piece along a row is a dash, no letter
 MOST_ROW_SLANT = 0.3  # maximum slant of a row from most others
-LEAST_LETTERS_IN_ROW, MOST_LETTERS_ON_PAGE = 7, 1500  # minimum number of letters of a row; maximum number on a page
+LEAST_LETTERS_IN_ROW = 7  # minimum number of letters of a row
+MOST_LETTERS_ON_PAGE = 1500  # maximum number on a page
 BASELINE_TOLERANCE_RATIO = 0.12  # of a letter's height: a foot farther from the line is not on it
 MOST_STROKE_SLANT_RAD = math.radians(40)  # a stroke farther from upright is no evidence
 

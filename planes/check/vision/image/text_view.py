@@ -18,23 +18,20 @@ from planes.geometry.arrays import Array, Complexes, Greys, Indices
 from planes.words.frozen import frozen
 
 LEAST_LETTERS, FIT_ROUNDS = 24, 10
-SLANT_KERNEL_RAD, LOG_HEIGHT_KERNEL = (
-    math.radians(7),
-    0.07,
-)  # kernel widths of stroke slants, and of logarithms of letter heights
-PRINTED_SLANT_SIGMA_RAD, HANDWRITTEN_SLANT_SIGMA_RAD = (
-    math.radians(0.8),
-    math.radians(1.5),
-)  # σ of letter slants: maximum in print, minimum in handwriting
+# kernel widths of stroke slants, and of logarithms of letter heights
+SLANT_KERNEL_RAD = math.radians(7)
+LOG_HEIGHT_KERNEL = 0.07
+# σ of letter slants: maximum in print, minimum in handwriting
+PRINTED_SLANT_SIGMA_RAD = math.radians(0.8)
+HANDWRITTEN_SLANT_SIGMA_RAD = math.radians(1.5)
 PRINTED_ROW_SIGMA_RAD, HANDWRITTEN_ROW_SIGMA_RAD, HANDWRITTEN_BLOCK_SIGMA_RAD = (
     math.radians(v) for v in (0.12, 0.8, 1.0)
 )  # σ of rows of print, handwriting, its blocks
 ROW_SIGMA_FACTOR = 2.5  # factor on a row's σ over that of independent letters
 LEAST_SLANT_SIGMA_RAD, LEAST_LOG_HEIGHT_SIGMA = math.radians(0.8), 0.015  # minimum σ of a letter's
-SLANT_SIGMA_FACTOR, FINE_LETTER_HEIGHT_PX = (
-    1.5,
-    24.0,
-)  # factor on the σ of many slants over independent ones; for letters below this height
+# factor on the σ of many slants over independent ones; for letters below this height
+SLANT_SIGMA_FACTOR = 1.5
+FINE_LETTER_HEIGHT_PX = 24.0
 SYSTEMATIC_SLOPE_ERRORS = 0.005, 0.018  # systematic error of print, and of handwriting, as a slope
 HALF_WEIGHT_SQUARED_SIGMAS = 8.0  # squared deviation, in σ, at which a cue has half the weight
 MOST_SHEET_TURN_RAD = math.radians(30)  # of a sheet that is meant to be upright
