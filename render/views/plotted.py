@@ -80,7 +80,7 @@ def plot_position(p: Position) -> Plotted:
     """The plans of a mechanism in one position."""
     m = p.plans.mechanism
     shared = tuple(n.lower() for n in m.frame.points if any(n in link.points for link in m.links.values()))
-    leaning = tuple(r for r in p.plans.reactions.values() if r.friction and r.pair.guide)
+    leaning = tuple(r for r in p.plans.reactions.values() if r.leans)
     return Plotted(p.drawing, p.plans.segments, p.plans.equations, p.scales, shared, p.plans.figure, leaning)
 
 

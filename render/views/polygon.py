@@ -7,7 +7,6 @@ from itertools import combinations
 
 from planes.drafting.equations import Term
 from planes.geometry.plane import direction_between, perpendicular_foot
-from planes.plans.force.loads import force_pair_index
 from planes.plans.scales import ZERO_VECTOR_MM
 from planes.words import say
 from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_kind
@@ -200,9 +199,9 @@ class Polygon:
             start, end = label_of(r.start), label_of(r.end)
             if r.plan == self.plan and self.plotted.has_marks(self.plan, start, end):
                 a, b, along = self.mark(start), self.mark(end), complex(self.plotted.drawing[f"∥{r.pair.guide}"])
-                corner, index = perpendicular_foot(a, b, along), force_pair_index(r.pair.link, r.pair.other)
+                corner = perpendicular_foot(a, b, along)
                 if abs(corner - a) > detail.LEAST_READABLE_VECTOR_MM < abs(b - corner):
-                    sides |= {f"N_{index}": (a, corner), f"T_{index}": (corner, b)}
+                    sides |= {f"N_{r.index}": (a, corner), f"T_{r.index}": (corner, b)}
         return sides
 
     def is_result(self, ends: tuple[str, str], names: list[str]) -> bool:

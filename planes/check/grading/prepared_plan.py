@@ -18,7 +18,6 @@ from planes.drafting.skill import STUDENT_SKILL, Skill
 from planes.drafting.tools import Env, Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans import Plans
-from planes.plans.force.loads import force_pair_index
 from planes.plans.measuring import scene_lettering
 from planes.plans.other_leads import plans_with_sharp_leads
 from planes.plans.scales import plan_scales, plan_sizes_on_format
@@ -86,16 +85,9 @@ class PreparedPlan:
     @cached_property
     def leaning_reactions(self) -> list[tuple[str, str, complex, str]]:
         """The ends of each reaction that leans by friction, by label, with the direction of its guide and its index."""
-        own = (r for r in self.plans.reactions.values() if r.plan == self.asked.plan and r.friction and r.pair.guide)
-        return [
-            (
-                label_of(r.start),
-                label_of(r.end),
-                complex(self.right_drawing[f"∥{r.pair.guide}"]),
-                force_pair_index(r.pair.link, r.pair.other),
-            )
-            for r in own
-        ]
+        own = (r for r in self.plans.reactions.values() if r.plan == self.asked.plan and r.leans)
+        ends = ((r, label_of(r.start), label_of(r.end)) for r in own)
+        return [(start, end, complex(self.right_drawing[f"∥{r.pair.guide}"]), r.index) for r, start, end in ends]
 
     @cached_property
     def mistakes(self) -> list[Variant]:

@@ -28,6 +28,7 @@ from planes.check.reading.strokes import LEAST_HEADED_STROKES, ReadDrawing, stro
 from planes.check.reading.weighed import agreement_score, is_right_paper
 from planes.check.reading.written import Stroke
 from planes.geometry.arrays import Array
+from planes.geometry.plane import perpendicular_foot
 from planes.words.names import POLE_LABEL, vector_end_label
 
 SHORTEST_VECTOR_WITH_HEAD_MM = 2.0  # a shorter vector may have no head
@@ -111,9 +112,9 @@ class ForceArrows:
         places = dict(zip(self.plan.names, drawn[0].tolist(), strict=True))
         vectors = {n: places.get(b, 0j) - places.get(a, 0j) for n, (a, b) in self.ends.items()}
         for a, b, along, index in self.bench.leaning_reactions:
-            reaction = places.get(b, 0j) - places.get(a, 0j)
-            friction = (reaction * along.conjugate()).real * along
-            vectors |= {f"N_{index}": reaction - friction, f"T_{index}": friction}
+            start, end = places.get(a, 0j), places.get(b, 0j)
+            corner = perpendicular_foot(start, end, along)
+            vectors |= {f"N_{index}": corner - start, f"T_{index}": end - corner}
         return vectors
 
     def name_costs_of_arrows(self) -> Array:

@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 from planes.plans import Plans
 from planes.plans.columns import DriverVector
-from planes.plans.force.loads import force_pair_index
 from planes.words.units import unit_of_parameter
 
 
@@ -34,15 +33,14 @@ def derived_values(plans: Plans) -> Iterator[Derived]:
     for r in (r for r in plans.reactions.values() if r.edges):
         letter, group = ("N", "edges") if r.pair.guide else ("F", "bearings")
         for k, edge in enumerate(r.edges or (), 1):
-            yield Derived((f"{letter}_{force_pair_index(r.pair.link, r.pair.other)}^{k}",), "N", edge, group)
+            yield Derived((f"{letter}_{r.index}^{k}",), "N", edge, group)
     for r in (r for r in plans.reactions.values() if r.friction):
-        index = force_pair_index(r.pair.link, r.pair.other)
         if r.pair.kind == "R":
-            yield Derived((f"M_T{index}",), "N·m", r.friction, "friction")
+            yield Derived((f"M_T{r.index}",), "N·m", r.friction, "friction")
         else:
-            yield Derived((f"N_{index}",), "N", r.normal, "friction")
-            yield Derived((f"T_{index}",), "N", r.friction, "friction")
-        yield Derived((f"P_T{index}",), "W", r.power, "friction")
+            yield Derived((f"N_{r.index}",), "N", r.normal, "friction")
+            yield Derived((f"T_{r.index}",), "N", r.friction, "friction")
+        yield Derived((f"P_T{r.index}",), "W", r.power, "friction")
 
 
 def values_given_by_laws(plans: Plans) -> Iterator[Derived]:

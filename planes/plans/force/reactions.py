@@ -13,7 +13,7 @@ from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Choose, Lean, Product, Trial
 from planes.plans.assur.groups import Pair
 from planes.plans.force.hinges import Grip, friction_and_sliding_direction
-from planes.plans.force.loads import Acting, Couple, Force, name_of_force
+from planes.plans.force.loads import Acting, Couple, Force, force_pair_index, name_of_force
 from planes.plans.position.bodies import Bodies
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
@@ -44,6 +44,16 @@ class Reaction:
         """Both its names, each with the link it acts on."""
         one, two = self.pair.link, self.pair.other
         return {name_of_force(one, two): one, name_of_force(two, one): two}
+
+    @property
+    def index(self) -> str:
+        """The index of its names, 30 of F_30, N_30 and T_30."""
+        return force_pair_index(self.pair.link, self.pair.other)
+
+    @property
+    def leans(self) -> bool:
+        """Whether friction on a guide inclines it from the normal."""
+        return bool(self.friction and self.pair.guide)
 
 
 @dataclass
