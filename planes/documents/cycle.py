@@ -186,7 +186,7 @@ def _diagram_views(turned: DrawnTurn, panels: Sequence[Sequence[str]]) -> list[V
         return []
     curve_extremes = extremes_of_curves(make_grid(turn, runs.start, runs.end))
     ends = {curve.name: _least_and_greatest(some) for curve, some in zip(turn.curves, curve_extremes, strict=True)}
-    curves = [_measured([turned.curve(by_name[n], ends[n]) for n in names]) for names in panels]
+    curves = [with_suitable_units([turned.curve(by_name[n], ends[n]) for n in names]) for names in panels]
     stations = runs.numbered_stations().tolist()
     shown = Diagrams(
         turn.plans, stations, curves, turned.naming, SECTION_WIDTH_MM, runs.closed, to_read=True
@@ -194,14 +194,18 @@ def _diagram_views(turned: DrawnTurn, panels: Sequence[Sequence[str]]) -> list[V
     return [make_view("diagrams", "", shown)]
 
 
-def _measured(panel: Sequence[DiagramCurve]) -> list[DiagramCurve]:
-    """The curves of some axes in the multiple of their unit that suits their values."""
+def with_suitable_units(panel: Sequence[DiagramCurve]) -> list[DiagramCurve]:
+    """The curves of some axes in the multiple of their units that suits their values; as they are where one of them has
+    no such multiple, since an axis has one scale."""
     most = max((abs(v) for curve in panel for v in curve.values if v is not None), default=0.0)
-    size = suitable_unit_multiple(panel[0].unit, most)[0]
+    multiples = {curve.unit: suitable_unit_multiple(curve.unit, most) for curve in panel}
+    size, *others = {size for size, _ in multiples.values()}
+    if others:
+        return list(panel)
     return [
         replace(
             curve,
-            unit=suitable_unit_multiple(curve.unit, most)[1],
+            unit=multiples[curve.unit][1],
             values=tuple(v and v / size for v in curve.values),
             ends=tuple((place, v / size) for place, v in curve.ends),
         )

@@ -5,6 +5,7 @@ ISO 32000-1, 14.7 and 14.8: everything drawn belongs to a numbered piece of its 
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ class Tags:
         self.canvas, self.title = canvas, title
         self.root = _pdf_dictionary(Type="StructTreeRoot", K=_pdf_array())
         self.document = self._add_element("Document", self.root)
-        self.pages: list[Any] = []  # by number, the elements of the pieces of each page
+        self.pages: list[Any] = []  # the elements of the pieces of each
         self.pieces: list[Any] = []  # of the present one
         self.open: Any = None  # the element being drawn
         self.figure: Any = None  # of this page
@@ -54,16 +55,16 @@ class Tags:
         self.canvas.showPage()
         page = self.canvas._doc.Pages.pages[-1]
         page.__NoDefault__ = [*page.__NoDefault__, "StructParents"]
-        page.StructParents = len(self.pages) // 2
+        page.StructParents = len(self.pages)
         for piece in self.pieces:
             self.canvas._doc.idToObject[piece.name]["Pg"] = self.canvas._doc.Reference(page)
-        self.pages += [page.StructParents, _pdf_array(*self.pieces)]
+        self.pages.append(_pdf_array(*self.pieces))
         self.pieces, self.figure = [], None
 
     def end_document(self) -> None:
         """The document is complete."""
         catalog = self.canvas._doc.Catalog
-        self.root["ParentTree"] = _pdf_dictionary(Nums=_pdf_array(*self.pages))
+        self.root["ParentTree"] = _pdf_dictionary(Nums=_pdf_array(*chain.from_iterable(enumerate(self.pages))))
         catalog.StructTreeRoot, catalog.MarkInfo = self.root, _pdf_dictionary()
         catalog.MarkInfo["Marked"] = "true"
 

@@ -8,7 +8,7 @@ import pytest
 
 from planes import cycle
 from planes.diagrams.graphical_text import both_graphical_constructions
-from planes.documents.cycle import cycle_page
+from planes.documents.cycle import cycle_page, with_suitable_units
 from planes.documents.drawn import page_of_view
 from planes.documents.sheets import sheet_of
 from planes.scene import load
@@ -18,7 +18,7 @@ from render.paper.letters import mu_with_unit, name_with_unit, unit_text
 from render.paper.marks import Arc, Line, Text
 from render.paper.typeset import plain_text
 from render.views.curve_pieces import continuous_runs
-from render.views.diagrams import LINE_SAMPLE_LENGTH_MM
+from render.views.diagrams import LINE_SAMPLE_LENGTH_MM, DiagramCurve
 from render.views.graphical import Graphical, crop_curve, smooth_curve
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts
@@ -158,3 +158,15 @@ def test_a_unit_is_said_in_one_way_everywhere():
     told = [mu_with_unit(20.0, key, Naming("en")) for key in ("m", "m/s²", "°", "1")]
     assert told == ["20 mm/m", "20 mm/(m/s²)", "20 mm/°", "20 mm"]
     assert (name_with_unit("u", "1", "en"), name_with_unit("v", "m/s", "ru")) == ("u", "v, м/с")
+
+
+def test_curves_of_one_axis_keep_one_scale():
+    """Forces and moments have a multiple of their units; beside a speed, which has none, neither has."""
+    force, moment, speed = (
+        DiagramCurve("y", unit, (5e4, None, -2e4), ends=((0.0, 5e4),)) for unit in ("N", "N·m", "m/s")
+    )
+    one, other = with_suitable_units([force, moment])
+    assert (one.unit, other.unit) == ("kN", "kN·m")
+    assert one.values == (50.0, None, -20.0) and one.ends == ((0.0, 50.0),)
+    assert with_suitable_units([force, speed]) == [force, speed]
+    assert with_suitable_units([speed, force]) == [speed, force]
