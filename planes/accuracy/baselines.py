@@ -132,7 +132,8 @@ class Loops:
 
     def _slider_slopes(self, q: Array, pair: Pair) -> list[Array]:
         """Derivatives of the position along the guide, of that across it, and of the relative rotation."""
-        rows, back = np.zeros((2, len(q))), cmath.exp(-1j * self._position_along_guide(q, pair))
+        rows = np.zeros((2, len(q)))
+        back = cmath.exp(-1j * self._position_along_guide(q, pair))
         first = self.place_of_point(q, pair.link, self.plans.mechanism.link(pair.link).first_point)
         for link, sign in pair.signed_links:  # the guide's line moves as a rigid body
             self._fill_place_derivatives(rows, q, link, first, back, sign)
@@ -209,5 +210,6 @@ def rates_by_central_differences(
     here: Point, back: Point, on: Point, velocity: float, acceleration: float, step: float
 ) -> tuple[Point, Point]:
     """Velocities and accelerations by central differences of places a ``step`` of the drive (rad or m) apart."""
-    slope, bend = (on - back) / (2 * step), (on - 2 * here + back) / step**2
+    slope = (on - back) / (2 * step)
+    bend = (on - 2 * here + back) / step**2
     return slope * velocity, bend * velocity**2 + slope * acceleration

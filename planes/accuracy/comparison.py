@@ -39,7 +39,9 @@ class Comparison:
         variants: Sequence[Plans] | None = None,
         begins: frozenset[int] = frozenset({0}),
     ) -> None:
-        self.plans, self.variants, self.begins = plans, variants, begins
+        self.plans = plans
+        self.variants = variants
+        self.begins = begins
         moving = dict.fromkeys(p for x in plans.mechanism.links.values() for p in x.points)
         self.points = [p for p in moving if p not in plans.mechanism.frame.points]
         self.cycle = Cycle(plans, [f"{letter}_{p}" for letter in "rva" for p in self.points], known)
@@ -52,7 +54,8 @@ class Comparison:
     @cached_property
     def working_positions(self) -> Array:
         """Positions of the drive, over a turn or around a slider's position, at which all steps can be drawn."""
-        drive, near = self.plans.drive, np.linspace(-0.1, 0.1, 360)
+        drive = self.plans.drive
+        near = np.linspace(-0.1, 0.1, 360)
         values = np.arange(360.0) if drive.rotates else drive.position + near * self.plans.longest_link_length
         codes = np.hstack([b.codes for b in self.cycle.blocks(values, fast=False)])
         good = np.asarray(values[codes == 0])
@@ -94,7 +97,8 @@ class Comparison:
 
     def error(self, measured: Array, truth: Array) -> Array:
         """The largest error in each position, relative to the largest place, velocity or acceleration of all."""
-        worst, known = np.zeros(truth.shape[1]), ~np.isnan(measured).all(axis=1)
+        worst = np.zeros(truth.shape[1])
+        known = ~np.isnan(measured).all(axis=1)
         for letter in "rva":
             rows = (self.letters == letter) & known
             if rows.any():
@@ -118,7 +122,8 @@ class Comparison:
     def columns_in_single_precision(self, values: Array) -> Array:
         """The same in 24-bit floats."""
         trace = self.cycle.trace
-        order, rows = trace.tape.places_needed(list(trace.outputs)), []
+        order = trace.tape.places_needed(list(trace.outputs))
+        rows = []
         for i in range(0, len(values), BLOCK_POSITIONS):
             part = values[i : i + BLOCK_POSITIONS]
             given = given_values_by_name(
@@ -145,7 +150,9 @@ class Comparison:
 
     def columns_by_newton(self, values: Array) -> Array:
         """Closed loops by iteration; each position of a path starts from the one before."""
-        drive, q, poses = self.plans.drive, np.empty(0), list[Mapping[str, Triple]]()
+        drive = self.plans.drive
+        q = np.empty(0)
+        poses = list[Mapping[str, Triple]]()
         for k, value in enumerate(values):
             plans = self.plans_at(k)
             loops = Loops(plans)
@@ -167,7 +174,9 @@ class Comparison:
         """Columns from places, velocities and accelerations by point; NaN where one is missing."""
         row = []
         for column in self.cycle.columns:
-            letter, point, part = column.name[0], column.name[2:-2], column.name[-1]
+            letter = column.name[0]
+            point = column.name[2:-2]
+            part = column.name[-1]
             z = triples[point]["rva".index(letter)] if point in triples else complex("nan+nanj")
             row.append(z.real if part == "x" else z.imag)
         return row

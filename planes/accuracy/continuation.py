@@ -89,12 +89,14 @@ class Curves:
         """The residuals at a place, and their derivatives."""
         by = DERIVATIVE_STEP * np.eye(len(place))
         left = self.equations(place[:, None] + np.hstack([np.zeros((len(place), 1)), by, -by]))
-        ahead, behind = left[:, 1 : len(place) + 1], left[:, len(place) + 1 :]
+        ahead = left[:, 1 : len(place) + 1]
+        behind = left[:, len(place) + 1 :]
         return left[:, 0], (ahead - behind) / (2 * DERIVATIVE_STEP)
 
     def _places_on_one_side(self, start: Array, way: Array) -> Iterator[Array]:
         """Places to one side: to the end of the region or of the curve, or back to the start."""
-        place, step = start, self.room.step / 4
+        place = start
+        step = self.room.step / 4
         for gone in range(MOST_STEPS_EACH_SIDE):
             while step > self.room.step * SHORTEST_STEP_RATIO:
                 advance = self._next_place_on_curve(place, way, step)

@@ -31,13 +31,15 @@ class Spread(Margins):
 
     def __init__(self, cycle: Ready, pencil: Pencil, mus: Mapping[str, float]) -> None:
         errors = pencil.point_mm, math.radians(pencil.ray_deg), pencil.ruler_mm / math.sqrt(12.0)
-        given, takes = {**cycle.given, **mus}, [c.read_from_drawing for c in cycle.columns]
+        given = {**cycle.given, **mus}
+        takes = [c.read_from_drawing for c in cycle.columns]
         super().__init__(cycle, trace_program(cycle.program, given, takes, mus, errors))
 
     def piece_error_bounds(self, numbers: Values, count: int) -> Array:
         drawn = self.drawn
         sizes = {s.place: s.size for s in drawn.sources}
-        out, squares = np.zeros((len(drawn.outputs), count)), np.empty((len(sizes), 1))
+        out = np.zeros((len(drawn.outputs), count))
+        squares = np.empty((len(sizes), 1))
         carrying = Carrying(drawn.tape, self.order, count)
         for place, op, args in carrying.moving_operations():
             if op == "source":
@@ -84,7 +86,8 @@ class Errors:
         if drawn := position.results.get("plans"):
             out["plans"] = {}
             for plan, measured in drawn.items():  # a ruler reading also has its rounding error
-                mu, keys = position.scales[mu_name(plan)], measured["segments"]
+                mu = position.scales[mu_name(plan)]
+                keys = measured["segments"]
                 errors = {key: _measured_segment_errors(bounds[f"{plan}:{key}"], mu, self.ruler_mm) for key in keys}
                 out["plans"][plan] = {"segments": errors}
         return out

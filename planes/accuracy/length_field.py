@@ -40,22 +40,19 @@ class LengthField:
     """A mechanism over the drive and the logarithm of a length's factor."""
 
     def __init__(self, plans: Plans, name: str, times: float) -> None:
-        self.plans, self.name = plans, name
+        self.plans = plans
+        self.name = name
         self.base = {**plans.given, mu_name("position"): 1.0}
         self.slopes = growth_of_givens(plans, name)
         drive = plans.drive
         self.turns = drive.rotates
         self.unit = math.degrees(1) if self.turns else plans.longest_link_length
-        own, reach, by = (
-            drive.position / self.unit,
-            math.log(times),
-            CHAIN_GRID_COARSENING if any(map(_cuts_chain_track, self.steps_with_several_solutions)) else 1,
-        )
+        own = drive.position / self.unit
+        reach = math.log(times)
+        by = CHAIN_GRID_COARSENING if any(map(_cuts_chain_track, self.steps_with_several_solutions)) else 1
         ends = (0.0, 2 * math.pi) if self.turns else (own - 1, own + 1)
-        self.across, self.up = (
-            np.linspace(*ends, GRID_DRIVE_POSITIONS // by + 1),
-            np.linspace(-reach, reach, GRID_LENGTHS // by + 1),
-        )
+        self.across = np.linspace(*ends, GRID_DRIVE_POSITIONS // by + 1)
+        self.up = np.linspace(-reach, reach, GRID_LENGTHS // by + 1)
 
     def drive_value(self, x: Array) -> Array:
         """The drive's position."""
@@ -158,7 +155,8 @@ class LengthField:
         sheets = dict[str, Sheets]()
         for step in self.steps_with_several_solutions:
             if isinstance(step, CutTrack) and _cuts_chain_track(step):
-                size, ties = self.base[step.guess.size], partial(self.lead_ties, step, self.program_for_step(step))
+                size = self.base[step.guess.size]
+                ties = partial(self.lead_ties, step, self.program_for_step(step))
                 sheets[step.makes] = Sheets(ties, size, self.across, self.up, self.turns)
         return sheets
 
@@ -218,7 +216,9 @@ class LengthField:
 
     def _nodes_near_curve(self, grid: Array) -> Iterator[tuple[Array, float]]:
         """Nodes of the grid that may be close to a curve, and the largest distance from it."""
-        dx, dy, dt = self.across[1] - self.across[0], self.up[1] - self.up[0], 2 * math.pi / GRID_ANGLES
+        dx = self.across[1] - self.across[0]
+        dy = self.up[1] - self.up[0]
+        dt = 2 * math.pi / GRID_ANGLES
         if grid.ndim == 2:
             for j, i in np.argwhere(_cells_of_mixed_sign(grid > 0, 0, 1)):
                 yield np.array([self.across[i] + dx / 2, self.up[j] + dy / 2]), 3 * math.hypot(dx, dy)
@@ -249,9 +249,11 @@ def _cells_of_mixed_sign(ahead: Booleans, *axes: int) -> Booleans:
     """Cells of the grid with corners of different signs."""
     every = some = ahead
     for axis in axes:
-        low, high = [slice(None)] * ahead.ndim, [slice(None)] * ahead.ndim
+        low = [slice(None)] * ahead.ndim
+        high = [slice(None)] * ahead.ndim
         low[axis], high[axis] = slice(None, -1), slice(1, None)
-        every, some = every[tuple(low)] & every[tuple(high)], some[tuple(low)] | some[tuple(high)]
+        every = every[tuple(low)] & every[tuple(high)]
+        some = some[tuple(low)] | some[tuple(high)]
     return np.asarray(some & ~every)
 
 

@@ -92,7 +92,8 @@ class MovedGiven:
 
     def _openness_of_drawing(self, drawing: Drawing) -> Real:
         """The least sharpness, or the speed of the fastest point relative to the drive, if that is less."""
-        ar, drive = drawing.tool.ar, self.bench.plans.drive
+        ar = drawing.tool.ar
+        drive = self.bench.plans.drive
         least: Real = reduce(ar.minimum, drawing.crossing_sharpness.values(), 1.0)
         slow = (
             HALF_OPEN_SPEED_RATIO
@@ -153,16 +154,20 @@ def similar_limit_of_path(limit: Limit, way: MovedGiven) -> Limit | None:
 def bluntest_drive_position(bench: Comparison) -> float:
     """The drive's position with the bluntest crossings."""
     way = MovedGiven(bench, bench.plans.drive_given_name)
-    values, openness = way.values_to_search, way.openness_of_values(way.values_to_search)
+    values = way.values_to_search
+    openness = way.openness_of_values(values)
     return float(values[np.argmin(np.where(openness > 0, openness, 2.0))])
 
 
 def _limits_by_distance(way: MovedGiven) -> Iterator[Limit]:
     """Limits, the nearest first."""
-    values, openness = way.values_to_search, way.openness_of_values(way.values_to_search)
+    values = way.values_to_search
+    openness = way.openness_of_values(values)
     works = openness > 0
     edges = np.flatnonzero(works[1:] != works[:-1])
-    before, middle, after = openness[:-2], openness[1:-1], openness[2:]
+    before = openness[:-2]
+    middle = openness[1:-1]
+    after = openness[2:]
     blunt = (middle <= BLUNT_OPENNESS) & (middle <= before) & (middle <= after)
     dips = 1 + np.flatnonzero(blunt & works[:-2] & works[1:-1] & works[2:])
     spots = [(way.distance_from_scene_value(values[k]), k, k + 1) for k in edges] + [
@@ -189,14 +194,14 @@ def _narrow_down_limit(way: MovedGiven, good: float, bad: float) -> Limit:
     then the middle is tried."""
     step = abs(bad - good)
     one, two = (FIFTY_DIGITS.tool(False).given_in_tool_type(x) for x in (good, bad))
-    end, powers, (past, past_open), one_open = (
-        abs(two - one) / 2**EDGE_HALVINGS,
-        [2, 1, 0.5],
-        (two, 0),
-        way.openness_at_50_digits(one),
-    )
+    end = abs(two - one) / 2**EDGE_HALVINGS
+    powers = [2, 1, 0.5]
+    past = two
+    past_open = 0
+    one_open = way.openness_at_50_digits(one)
     while (wide := abs(two - one)) > end and (one + two) / 2 not in (one, two):
-        opening, before = one_open ** powers[0], past_open ** powers[0]
+        opening = one_open ** powers[0]
+        before = past_open ** powers[0]
         estimate = one - opening * (one - past) / (opening - before) if opening != before else one
         for place in (
             estimate + (one - estimate) / LIMIT_CLOSENESS_FACTOR,
@@ -206,7 +211,10 @@ def _narrow_down_limit(way: MovedGiven, good: float, bad: float) -> Limit:
             if not min(one, two) < place < max(one, two):
                 continue
             if is_open := way.openness_at_50_digits(place):
-                past, past_open, one, one_open = one, one_open, place, is_open
+                past = one
+                past_open = one_open
+                one = place
+                one_open = is_open
             else:
                 two = place
         if abs(two - one) > wide / 8:
@@ -228,7 +236,8 @@ def _undrawable_point_between(way: MovedGiven, low: float, high: float) -> Limit
     one, two = (FIFTY_DIGITS.tool(False).given_in_tool_type(x) for x in (low, high))
     for k in range(MOST_NARROWING_ROUNDS):
         third = (two - one) / 3
-        left, right = way.openness_at_50_digits(one + third), way.openness_at_50_digits(two - third)
+        left = way.openness_at_50_digits(one + third)
+        right = way.openness_at_50_digits(two - third)
         one, two = (one, two - third) if left < right else (one + third, two)
         if k == MOST_NARROWING_ROUNDS // 4 and min(left, right) > ROUGH_OPENNESS:
             return None

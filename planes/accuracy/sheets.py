@@ -29,7 +29,11 @@ class Sheets:
     logarithms of a length."""
 
     def __init__(self, ties: TiesAt, size: float, across: Array, up: Array, turns: bool) -> None:
-        self.ties_at, self.size, self.across, self.up, self.turns = ties, size, across, up, turns
+        self.ties_at = ties
+        self.size = size
+        self.across = across
+        self.up = up
+        self.turns = turns
         self.columns = len(across) - turns
         y, x = np.meshgrid(up, across[: self.columns], indexing="ij")
         self.spots = np.array([x.ravel(), y.ravel()])
@@ -64,7 +68,8 @@ class Sheets:
     def _assemblies_from_random_poses(self, rng: np.random.Generator) -> tuple[Indices, Array]:
         """Assemblies found from one pose at every node."""
         held = np.array([t.place for t in self.ties if t.kind != "hinge"])
-        middle, many = held.mean(axis=0), len(self.count)
+        middle = held.mean(axis=0)
+        many = len(self.count)
         reach = 1.0 + abs(held - middle).max(axis=0)
         place = middle + reach * (rng.uniform(-1, 1, many) + 1j * rng.uniform(-1, 1, many))
         poses, lasts = self._settle_poses(
@@ -102,10 +107,12 @@ class Sheets:
     def _neighbouring_assemblies(self, at: Indices, poses: Array, down: int, right: int) -> tuple[Indices, Array]:
         """The same assemblies at the neighbouring nodes, where they exist; otherwise the sheet ends."""
         row, column = np.divmod(at, self.columns)
-        row, column = row + down, column + right
+        row = row + down
+        column = column + right
         inside = (row >= 0) & (row < len(self.up))
         inside &= self.turns | ((column >= 0) & (column < self.columns))
-        at, poses = at[inside], poses[inside]
+        at = at[inside]
+        poses = poses[inside]
         next_ = (row * self.columns + column % self.columns)[inside]
         sign = np.sign(newton_step(_ties_at_some_places(self.ties, at), tuple(poses.T))[2])
         ties = _ties_at_some_places(self.ties, next_)
@@ -128,7 +135,8 @@ class Sheets:
 
     def fold_curves(self, step: float) -> list[Array]:
         """The folds, one row for each place along them."""
-        turn, angles = 2 * np.pi, self.links
+        turn = 2 * np.pi
+        angles = self.links
         low = np.array([self.across[0], self.up[0], -FARTHEST_HINGE_SIZES, -FARTHEST_HINGE_SIZES, *[0.0] * angles])
         high = np.array([self.across[-1], self.up[-1], FARTHEST_HINGE_SIZES, FARTHEST_HINGE_SIZES, *[turn] * angles])
         periods = np.array([turn * self.turns, 0.0, 0.0, 0.0, *[turn] * angles])

@@ -61,9 +61,12 @@ def _paths_towards_limit(limit: Limit) -> tuple[Comparison, Array, Array]:
         for b in DISTANCE_BINS
     ]
     values = [float(x.value + x.side * step * x.distance_unit_value) for x, step in spots]
-    variants, drive, distances = [], [], []
+    variants = []
+    drive = []
+    distances = []
     for (x, _), value in zip(spots, values, strict=True):
-        way, plans = x.way, x.way.bench.plans
+        way = x.way
+        plans = x.way.bench.plans
         variants.append(plans if way.held is None else plans_with_changed_given(plans, way.name, value))
         drive.append(value if way.held is None else way.held)
         moved = value if way.held is None else variants[-1].given[way.name]

@@ -46,7 +46,8 @@ def _turning_from_field(field: LengthField) -> Turning:
     places = [curve for step in field.steps_with_several_solutions for curve in field.turning_curves_of_step(step)]
     curves = [TurningCurve(field.drive_value(at[:, 0]), field.length_value(at[:, 1])) for at in places]
     here = field.plans.drive.position, field.plans.link_lengths[field.name]
-    values, lengths = field.drive_value(field.across), field.length_value(field.up)
+    values = field.drive_value(field.across)
+    lengths = field.length_value(field.up)
     return Turning(field.name, here, tuple(curves), values, lengths, field.assembly_counts, field.is_complete)
 
 

@@ -22,7 +22,8 @@ def plans_with_changed_given(plans: Plans, name: str, value: float) -> Plans:
 
 def _mechanism_with_changed_given(plans: Plans, name: str, value: float) -> Mechanism:
     """The mechanism with a changed given."""
-    m, link = plans.mechanism, _changed_link(plans, name, value)
+    m = plans.mechanism
+    link = _changed_link(plans, name, value)
     return replace(m, frame=link) if link.name == m.frame.name else replace(m, links={**m.links, link.name: link})
 
 
@@ -49,7 +50,8 @@ def growth_of_givens(plans: Plans, name: str) -> dict[str, Thing]:
 def alterable_given_names(plans: Plans, names: Iterable[str]) -> list[str]:
     """Those of the names that can be changed while only other lengths of links and angles of guides follow: the givens
     whose makers state their meaning."""
-    free, own = [], givens_of_scheme(plans, plans.mechanism)
+    free = []
+    own = givens_of_scheme(plans, plans.mechanism)
     means = {n: m for n, m in plans.means.items() if m.quantity in ("length", "angle")}
     for name in (n for n in names if n in means):
         value = float(plans.given[name])
@@ -71,7 +73,8 @@ def _changed_link(plans: Plans, name: str, value: float) -> Link:
         return replace(link, guides={**link.guides, means.of: replace(link.guides[means.of], angle_deg=value)})
     if means.about not in link.points:
         return link
-    start, times = link.points[means.of], value / plans.given[name]
+    start = link.points[means.of]
+    times = value / plans.given[name]
     points = {p: start + (z - start) * times for p, z in link.points.items()}
     guides = {n: replace(g, through=points.get(g.through_point or "", g.through)) for n, g in link.guides.items()}
     return replace(link, points=points, guides=guides)

@@ -37,7 +37,8 @@ class CompiledLoop(Loop):
 
     def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
         super().__init__(trace, moving, given)
-        tape, outputs = trace.tape, list(trace.outputs)
+        tape = trace.tape
+        outputs = list(trace.outputs)
         fixed = [p for p in self.still if tape.ops[p][0] != "const"]
         tested = (place for _, makes, place in trace.requires if makes)  # the others only ask for a closer look
         rough = frozenset(self.moved).difference(tape.places_needed([*outputs, *tested]))
@@ -63,7 +64,9 @@ class CompiledLoop(Loop):
         This code runs for every block, so it is short: rows of inputs, outputs and codes share one piece of memory, and
         its address is taken the short way (``array.ctypes`` takes six times as long).
         """
-        inputs, count, wide = len(rows), len(rows[0]), self.row + ROW_GAP_POSITIONS
+        inputs = len(rows)
+        count = len(rows[0])
+        wide = self.row + ROW_GAP_POSITIONS
         made = 0 if out is not None else len(self.trace.outputs)
         memory = np.empty((inputs + 1 + made) * wide + CACHE_LINE_BYTES // 8)
         begin = _memory_address(memory)
@@ -71,11 +74,13 @@ class CompiledLoop(Loop):
         block = np.ndarray((inputs + 1 + made, wide), float, memory, skip)
         for k, values in enumerate(rows):
             block[k, :count] = values
-        codes, filled = begin + 8 * wide * inputs, begin + 8 * wide * (inputs + 1)
+        codes = begin + 8 * wide * inputs
+        filled = begin + 8 * wide * (inputs + 1)
         if out is None:
             out = block[inputs + 1 :, :count]
         else:
-            filled, wide = _memory_address(out[0]), out.strides[0] >> 3
+            filled = _memory_address(out[0])
+            wide = out.strides[0] >> 3
         failed = self.run_function(begin, filled, codes, self._fixed_rows_address, count, wide)
         return out, block[inputs, :count].view(np.int64).astype(np.int16) if failed else None
 
@@ -83,7 +88,10 @@ class CompiledLoop(Loop):
         """All positions for a single input, each output straight into its row of ``out``; returns whether all of them
         hold. Other threads may run at the same time. A few positions are computed before the rest, so that no vector
         store straddles two cache lines: a quarter faster."""
-        begin, into, apart, count = _memory_address(values), _memory_address(out[0]), out.strides[0], len(values)
+        begin = _memory_address(values)
+        into = _memory_address(out[0])
+        apart = out.strides[0]
+        count = len(values)
         lined = into % 8 == apart % CACHE_LINE_BYTES == 0
         skip = min(-into % CACHE_LINE_BYTES >> 3, count) if lined else 0
         step, run = (
@@ -119,7 +127,8 @@ def _compiled_run_function(text: str, past: bool = False) -> Callable[..., int]:
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     target = llvm.Target.from_default_triple()
-    processor, features = llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
+    processor = llvm.get_host_cpu_name()
+    features = llvm.get_host_cpu_features().flatten()
     machine = target.create_target_machine(cpu=processor, features=features, opt=3)
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
     identity = (text, str(past), processor, features, target.triple, ".".join(map(str, llvm.llvm_version_info)))

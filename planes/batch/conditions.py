@@ -15,7 +15,8 @@ SUSPECTED_GAP_RATIO = 1e-12
 
 def operations_carrying_nonfinite(tape: Tape, numbers: Iterable[Real]) -> set[int]:
     """The places of all operations that carry an infinity or NaN into one of these numbers."""
-    carriers, stack = set[int](), [x.at for x in numbers if isinstance(x, Num)]
+    carriers = set[int]()
+    stack = [x.at for x in numbers if isinstance(x, Num)]
     while stack:
         place = stack.pop()
         if place not in carriers:
@@ -33,7 +34,9 @@ def prove_plans_together(
     together: dict[tuple[str, str], list[Proof]] = {}
     for proof in program.proofs:
         together.setdefault((proof.reason, proof.plan), []).append(proof)
-    holds, shown, gaps = dict[str, Truth](), Facts(things, ar), list[Real]()
+    holds = dict[str, Truth]()
+    shown = Facts(things, ar)
+    gaps = list[Real]()
     for (reason, plan), proofs in together.items():
         sizes = [shown.mark(step.makes) for step in program.mark_steps_by_plan.get(plan, ())]
         size = sum(map(squared_length, sizes or [size for proof in proofs for size in proof.term_magnitudes(shown)]))

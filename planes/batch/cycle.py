@@ -61,9 +61,11 @@ class Cycle(Ready):
         columns: Iterable[Column] | None = None,
     ) -> None:
         quantities = None if names is None else quantities_asked_for(plans, names)
-        self.plans, self.columns = plans, columns_of_quantities(plans, quantities) if columns is None else list(columns)
+        self.plans = plans
+        self.columns = columns_of_quantities(plans, quantities) if columns is None else list(columns)
         self.program = plans.program.cut_to_names([n for c in self.columns for n in c.needed_names])
-        self.mus, self.known = unit_scales_of_plans(plans), frozenset(known or ())
+        self.mus = unit_scales_of_plans(plans)
+        self.known = frozenset(known or ())
         self.given = {**plans.given, **self.mus}
         if self.known - {*self.mus, plans.drive_given_name, *plans.drive.rate_names}:
             # an overridden number is no fault of the links it belongs to
@@ -74,7 +76,8 @@ class Cycle(Ready):
         self.given |= known or {}
         self.moved = {name: np.asarray(v) for name, v in (known or {}).items() if np.ndim(v)}
         self.folded = {mu: 1.0 for mu in self.mus if mu not in (known or {})}
-        self.overrides, self.others = known, OtherLeads(self)
+        self.overrides = known
+        self.others = OtherLeads(self)
 
     @cached_property
     def trace(self) -> Trace:
@@ -209,7 +212,9 @@ class Cycle(Ready):
         straight = fast and self._only_drive_moves and not self._is_never_clear and out.strides[1] == values.itemsize
 
         def fill(part: slice) -> None:
-            some, rows, start = values[part], out[:, part], part.start
+            some = values[part]
+            rows = out[:, part]
+            start = part.start
             if straight and len(some) and self.compiled_loop_of_cycle.fill_rows(some, rows):
                 return
             for block in self.blocks(some, fast=fast, bare=bare, out=rows):

@@ -43,16 +43,22 @@ class _Running:
     """The errors of one piece of positions so far: a bound for every place reached."""
 
     def __init__(self, claims: "Claims", numbers: Values, count: int) -> None:
-        self.tape, self.found, self.count, self.claims = claims.drawn.tape, numbers, count, claims
+        self.tape = claims.drawn.tape
+        self.found = numbers
+        self.count = count
+        self.claims = claims
         self.carrying = Carrying(self.tape, claims.order, count)
-        self.largest, self.lost = np.zeros((claims.most, count)), np.zeros((claims.most, count))
-        self.usual, self.losing = np.ones(claims.most), np.zeros(claims.most, bool)
+        self.largest = np.zeros((claims.most, count))
+        self.lost = np.zeros((claims.most, count))
+        self.usual = np.ones(claims.most)
+        self.losing = np.zeros(claims.most, bool)
         self.reach: dict[int, Array] = {}  # a rough upper bound for every place, improved where it matters
         self.better: dict[int, Booleans] = {}
         self.unsure: dict[int, Array] = {}  # places of the motion tests
         if self.claims.written:  # the rounding error of a given is a single error, and is carried as one
             self.carrying.carry_errors_to(GIVEN_ERRORS_PLACE, (), (), own=True)
-            self.lost[0], self.losing[0] = 1.0, True
+            self.lost[0] = 1.0
+            self.losing[0] = True
 
     def __call__(self, wanted: frozenset[int]) -> dict[int, Array]:
         """Error bounds of the wanted places."""
@@ -70,11 +76,13 @@ class _Running:
 
     def _add_error_of_given(self, place: int) -> None:
         """The error of a given: the rounding error of its double, if known, and that of its computation."""
-        x, k = self.found[place], self.carrying.made
+        x = self.found[place]
+        k = self.carrying.made
         lost, off = self.claims.written[place]
         beside = np.where(x * 1024 == np.floor(x * 1024), 0.0, np.spacing(np.abs(x)) / 2) if off is None else off
         if own := bool(np.any(beside)):
-            self.largest[k], self.usual[k] = beside, 1 / 3
+            self.largest[k] = beside
+            self.usual[k] = 1 / 3
         if own or lost:
             self.reach[place] = abs(lost) + beside + np.zeros(self.count)
         self.carrying.carry_errors_to(place, (GIVEN_ERRORS_PLACE,) if lost else (), (lost,) if lost else (), own)
@@ -98,7 +106,8 @@ class _Running:
             self.usual[k] = (USUAL_ROUNDING_UNITS.get(op, 1.0) / LARGEST_ROUNDING_HALVES.get(op, 1.0)) ** 2 / 3
             moved.append(self.largest[k])
         if lost is not None:
-            self.lost[k], self.losing[k] = lost, True
+            self.lost[k] = lost
+            self.losing[k] = True
             moved.append(lost)
         if moved:
             self.reach[place] = np.minimum(sum(moved), UNKNOWN_ERROR) + np.zeros(self.count)
@@ -108,7 +117,8 @@ class _Running:
         self, place: int, op: str, args: tuple[int, ...], slip: Floats | None
     ) -> tuple[Array | None, Parts]:
         """The loss of the linearisation at a place, and its slopes; with better bounds where it matters."""
-        z, given = self.found[place], tuple(self.found[a] for a in args)
+        z = self.found[place]
+        given = tuple(self.found[a] for a in args)
         if args and args[0] in self.unsure:
             return self.unsure[args[0]], linearisation_remainder(op, z, given, ())[1]
         if place in self.claims.chosen:  # a direction of a zero vector that may not be quite zero
@@ -130,7 +140,8 @@ class _Running:
             length = self.claims.units[place]
             reach = self.reach.get(length, 0.0)
             blunt = (2 * reach >= np.abs(self.found[length])) & (reach > 0)
-            lost, parts = np.where(blunt, 2.0, lost), tuple(np.where(blunt, 0.0, part) for part in parts)
+            lost = np.where(blunt, 2.0, lost)
+            parts = tuple(np.where(blunt, 0.0, part) for part in parts)
         return lost, parts
 
     def _argument_reaches(self, args: tuple[int, ...]) -> tuple[Floats, ...]:
@@ -182,7 +193,9 @@ class Margins:
     """± of every column, for any positions of the drive, computed piece by piece."""
 
     def __init__(self, cycle: Ready, drawn: Trace) -> None:
-        self.cycle, self.drawn, self.order = cycle, drawn, drawn.tape.places_needed(list(drawn.outputs))
+        self.cycle = cycle
+        self.drawn = drawn
+        self.order = drawn.tape.places_needed(list(drawn.outputs))
 
     def error_bounds_of_columns(self, values: Sequence[float] | Array, at: Indices | None = None) -> Array:
         """A row for each column. The ``values`` of the drive are those of the positions numbered ``at`` (None: the
@@ -215,9 +228,11 @@ class Claims(Margins):
     def __init__(self, cycle: Ready, lost: Mapping[str, Lost] | None = None) -> None:
         drawn = trace_program(cycle.program, cycle.given, [c.read_from_drawing for c in cycle.columns], cycle.folded)
         super().__init__(cycle, drawn)
-        tape, order = drawn.tape, self.order
+        tape = drawn.tape
+        order = self.order
         self.written = {} if lost is None else _written_givens(tape, order, lost)
-        self.whole, self.turns = whole_number_places(tape, order), frozenset(drawn.turns)
+        self.whole = whole_number_places(tape, order)
+        self.turns = frozenset(drawn.turns)
         self.units, self.chosen = unit_vector_parts(tape, order)
         made = sum(tape.ops[p][0] not in UNMOVED_OPERATIONS or tape.ops[p][0] == "const" for p in order)
         self.most = made + len(self.written) + 1
@@ -241,7 +256,8 @@ class Claims(Margins):
 
     def numbers_on_faint_forces(self, table: Array, bounds: Array) -> Booleans:
         """Which numbers depend on a force without a correct digit."""
-        eaten, faint = (np.abs(table) <= bounds) & (bounds > 0), np.zeros(table.shape, bool)
+        eaten = (np.abs(table) <= bounds) & (bounds > 0)
+        faint = np.zeros(table.shape, bool)
         for side in force_ends_of_columns(self.cycle.columns):
             rows = [k for k, c in enumerate(self.cycle.columns) if (c.start, c.end) == side]
             faint[rows] = eaten[rows].all(axis=0)

@@ -66,7 +66,8 @@ class Lines:
     """Lines of code, each with its result named by a letter and a number."""
 
     def __init__(self, letter: str = "v") -> None:
-        self.letter, self.lines = letter, list[str]()
+        self.letter = letter
+        self.lines = list[str]()
 
     def __call__(self, text: str) -> str:
         name = f"%{self.letter}{len(self.lines)}"
@@ -78,7 +79,10 @@ class LoopText:
     """The loop under construction: places of the tape to names in the loop."""
 
     def __init__(self, tape: Tape, names: dict[int, str], rough: frozenset[int]) -> None:
-        self.tape, self.names, self.rough, self.lines = tape, names, rough, Lines()
+        self.tape = tape
+        self.names = names
+        self.rough = rough
+        self.lines = Lines()
 
     def value_name(self, place: int) -> str:
         """The name of a place in the loop, or the constant itself."""
@@ -121,7 +125,8 @@ def llvm_module_text(
     of ``apart``, fills rows of ``outputs``, ``stride`` numbers apart, and writes to ``codes`` the number of the first
     condition that fails (0: all hold); it returns 0 if all of these are 0. The places ``rough`` may be rounded as suits
     the machine."""
-    head, names = Lines("c"), dict[int, str]()
+    head = Lines("c")
+    names = dict[int, str]()
     for k, place in enumerate(fixed):
         pointer = head(f"getelementptr inbounds double, ptr %fixed, i64 {k}")
         loaded = head(f"load double, ptr {pointer}, align 8")

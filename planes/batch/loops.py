@@ -23,8 +23,10 @@ class Loop:
     row: int
 
     def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
-        tape, places = trace.tape, trace.places_of_givens()
-        self.trace, self.inputs = trace, tuple(name for name in moving if name in places)
+        tape = trace.tape
+        places = trace.places_of_givens()
+        self.trace = trace
+        self.inputs = tuple(name for name in moving if name in places)
         self.places = [places[name] for name in self.inputs]  # their places
         self.conditions = [place for _, _, place in trace.requires]
         moved = tape.places_moved_by(frozenset(moving))
@@ -48,14 +50,19 @@ class ArrayLoop(Loop):
         super().__init__(trace, moving, given)
         self.shelf = self._assign_result_arrays()
         self.row = max(1, MOST_HELD_NUMBERS // len({*self.shelf.values(), None}))
-        self.width, self.at, self.work = -1, dict[int, Real](), list[tuple[Callable[..., object], list[Real], Real]]()
+        self.width = -1
+        self.at = dict[int, Real]()
+        self.work = list[tuple[Callable[..., object], list[Real], Real]]()
 
     def _assign_result_arrays(self) -> dict[int, tuple[bool, int]]:
         """The array for the result at a place, by its type (boolean or number) and its index; those of numbers are used
         again."""
-        ops, free, numbers = self.trace.tape.ops, list[int](), count()
+        ops = self.trace.tape.ops
+        free = list[int]()
+        numbers = count()
         last = {a: p for p in self.moved for a in ops[p][1]}
-        kept, shelves = {*self.trace.outputs, *self.conditions, *self.places}, dict[int, tuple[bool, int]]()
+        kept = {*self.trace.outputs, *self.conditions, *self.places}
+        shelves = dict[int, tuple[bool, int]]()
         for place in self.moved:
             op, args = ops[place]
             shelves[place] = (True, place) if op in TEST_OPERATIONS else (False, free.pop() if free else next(numbers))

@@ -63,6 +63,7 @@ class OtherLeads:
         """The local number of another cycle's reason; an unknown reason counts as the special point's."""
         if not code:
             return 0
-        said, own = other.reasons[code - 1], self.cycle.reasons
+        said = other.reasons[code - 1]
+        own = self.cycle.reasons
         same = [k for k, r in enumerate(own, 1) if r.key == said.key]
         return next((k for k in same if own[k - 1] == said), (same or list(self.special_points_by_code))[0])

@@ -55,7 +55,8 @@ def export_operations(tape: Tape, wanted: Iterable[int], sources: Iterable[Sourc
     """Names of operations with their numbers of arguments, operations in order as letters (:func:`numbers_as_letters`),
     constants, givens, sources; and the new place of each old one that the wanted ones need."""
     new = {place: k for k, place in enumerate(tape.places_needed(list(wanted)))}
-    ops, values = [tape.ops[place] for place in new], [(p, v) for p, v in tape.values.items() if p in new]
+    ops = [tape.ops[place] for place in new]
+    values = [(p, v) for p, v in tape.values.items() if p in new]
     names = dict(sorted({op: len(args) for op, args in ops}.items()))
     index = {op: k for k, op in enumerate(names)}
     consts = [(p, v) for p, v in values if tape.ops[p][0] == "const"]
@@ -76,6 +77,7 @@ def numbers_as_letters(numbers: Iterable[int]) -> str:
     text = ""
     for n in numbers:
         while n > 31:
-            text, n = text + DIGIT_LETTERS[32 + n % 32], n // 32
+            text = text + DIGIT_LETTERS[32 + n % 32]
+            n = n // 32
         text += DIGIT_LETTERS[n]
     return text

@@ -35,7 +35,8 @@ def rounding_error_of(tape: Tape, place: int, numbers: Values, integers: frozens
     if op in EXACT_OPERATIONS or place in integers:
         return None
     if op == "gap":  # it has the digits of numbers twice as long; where it is zero, it may be slightly off
-        z, given = numbers[place], [numbers[a] for a in args]
+        z = numbers[place]
+        given = [numbers[a] for a in args]
         return np.where(
             z == 0,
             squared_gap_rounding_bound(*given),
@@ -49,7 +50,8 @@ def _is_always_exact(op: str, z: Array, *args: Array) -> Truth:
     """Whether a sum, product or inverse is always exact: sums with zero, differences of close numbers (Sterbenz),
     powers of two."""
     if op in ("add", "sub"):
-        a, b = np.abs(args[0]), np.abs(args[1])
+        a = np.abs(args[0])
+        b = np.abs(args[1])
         near = (2 * np.abs(z) <= np.minimum(a, b)) | (np.abs(z) == np.abs(a - b)) & (a <= 2 * b) & (b <= 2 * a)
         return (a == 0) | (b == 0) | near
     if op == "mul":
@@ -78,7 +80,9 @@ def whole_number_places(tape: Tape, order: list[int]) -> frozenset[int]:
 def unit_vector_parts(tape: Tape, order: list[int]) -> tuple[Places, Places]:
     """Components of unit vectors, x · 1/√(x² + y²), no larger than 1 for any vector, each with the place of the length;
     and the values taken from them where the length is not zero, each with that length."""
-    parts, sizes, chosen = Places(), Places(), Places()
+    parts = Places()
+    sizes = Places()
+    chosen = Places()
     for place in order:
         op, args = tape.ops[place]
         for x, over in (args, args[::-1]) if op == "mul" else ():

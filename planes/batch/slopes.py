@@ -57,7 +57,9 @@ class Carrying:
     """The rows of every place still needed: row k is the slope with respect to the k-th error."""
 
     def __init__(self, tape: Tape, order: list[int], count: int) -> None:
-        self.tape, self.order, self.count = tape, order, count
+        self.tape = tape
+        self.order = order
+        self.count = count
         self.rows: dict[int, Array] = {}
         self.made = 0
         self._last = {a: p for p in order for a in tape.ops[p][1]}
@@ -85,6 +87,7 @@ class Carrying:
         for more, part in given[1:]:
             rows[: len(more)] += slope_times_error(part, more)
         if own:
-            rows[longest:-1], rows[-1] = 0.0, 1.0
+            rows[longest:-1] = 0.0
+            rows[-1] = 1.0
             self.made += 1
         self.rows[place] = rows

@@ -49,7 +49,8 @@ class Csv(BlockWriter):
     """Comma-separated text, UTF-8: the fewest digits that reproduce every number; an empty cell for a missing one."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
-        self.file, self.reasons = path.open("wb"), [f",{reason}\n".encode() for reason in heading.reasons]
+        self.file = path.open("wb")
+        self.reasons = [f",{reason}\n".encode() for reason in heading.reasons]
         titles = [*(f"{name} [{unit}]" for name, unit in heading.columns), "failed"]
         self.file.write((",".join(titles) + "\n").encode())
 
@@ -93,7 +94,10 @@ class Npz(BlockWriter):
     """A NumPy archive: an array for each column, their units, and the reasons for the codes in "failed"."""
 
     def __init__(self, path: Path, heading: TableHead, count: int) -> None:
-        self.path, self.heading, self.count, self.at = path, heading, count, 0
+        self.path = path
+        self.heading = heading
+        self.count = count
+        self.at = 0
         self.file = TemporaryFile(dir=path.parent)  # noqa: SIM115  # columns in turn; it has no name to be left
 
     def write_block(self, block: Block) -> None:
@@ -135,7 +139,8 @@ class Parquet(BlockWriter):
             import pyarrow.parquet
         except ImportError:
             raise PlanesError(Phrase("cycle_no_parquet")) from None
-        self.arrow, self.reasons = pyarrow, np.array(heading.reasons)
+        self.arrow = pyarrow
+        self.reasons = np.array(heading.reasons)
         fields = [pyarrow.field(name, pyarrow.float64(), metadata={"unit": unit}) for name, unit in heading.columns]
         self.schema = pyarrow.schema([*fields, pyarrow.field("failed", pyarrow.string())])
         self.writer = pyarrow.parquet.ParquetWriter(path, self.schema)

@@ -36,7 +36,8 @@ class Num:
     __slots__ = ("at", "tape")
 
     def __init__(self, tape: Tape, at: int) -> None:
-        self.tape, self.at = tape, at
+        self.tape = tape
+        self.at = at
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -167,7 +168,8 @@ class Vec:
     __slots__ = ("imag", "real")
 
     def __init__(self, real: Real, imag: Real) -> None:
-        self.real, self.imag = real, imag
+        self.real = real
+        self.imag = imag
 
     def conjugate(self) -> Vec:
         """Mirrored in the x axis."""
@@ -190,13 +192,15 @@ class Vec:
         return (-self).__add__(other)
 
     def __mul__(self, other: Point) -> Vec:
-        (a, b), (x, y) = _real_and_imaginary(self), _real_and_imaginary(other)
+        a, b = _real_and_imaginary(self)
+        x, y = _real_and_imaginary(other)
         return Vec(a * x - b * y, a * y + b * x)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Point) -> Vec:
-        (a, b), (x, y) = _real_and_imaginary(self), _real_and_imaginary(other)
+        a, b = _real_and_imaginary(self)
+        x, y = _real_and_imaginary(other)
         if isinstance(y, float | int) and y == 0:
             return Vec(a / x, b / x)
         size = x * x + y * y
@@ -219,7 +223,8 @@ class Test:
     __test__ = False  # not collected by pytest
 
     def __init__(self, tape: Tape, at: int) -> None:
-        self.tape, self.at = tape, at
+        self.tape = tape
+        self.at = at
 
     def as_zero_or_one(self) -> Num:
         """1 where it is true, otherwise 0."""

@@ -41,7 +41,10 @@ class Table(Described, Mapping[str, Array | Complexes]):
     def __init__(
         self, columns: Mapping[str, Array], units: Mapping[str, str], failed: Texts, naming: Naming | None = None
     ) -> None:
-        self.columns, self.units, self.failed, self.naming = dict(columns), dict(units), failed, naming or Naming()
+        self.columns = dict(columns)
+        self.units = dict(units)
+        self.failed = failed
+        self.naming = naming or Naming()
 
     def __getitem__(self, name: str) -> Array | Complexes:
         if name in self.columns:

@@ -43,7 +43,8 @@ class Tape:
 
     def places_needed(self, wanted: list[int], stop: frozenset[int] = frozenset()) -> list[int]:
         """The places that the wanted ones need, in order, going no further back than ``stop``."""
-        places, stack = set[int](), list(wanted)
+        places = set[int]()
+        stack = list(wanted)
         while stack:
             place = stack.pop()
             if place not in places:

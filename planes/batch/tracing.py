@@ -44,7 +44,8 @@ class Recording(Arithmetic):
             return a if ok else b
         if isinstance(a, Vec | complex) or isinstance(b, Vec | complex):
             return Vec(self.where(ok, a.real, b.real), self.where(ok, a.imag, b.imag))
-        one, two = place_of_number(ok.tape, a), place_of_number(ok.tape, b)
+        one = place_of_number(ok.tape, a)
+        two = place_of_number(ok.tape, b)
         return a if one == two else record_number(ok.tape, "sel", ok, a, b)
 
     def cis_deg(self, angle: Real) -> Point:
@@ -53,10 +54,14 @@ class Recording(Arithmetic):
         tape = angle.tape
         quarter = record_number(tape, "floor", angle / 90 + 0.5)
         rest = (angle - 90.0 * quarter) * math.radians(1)
-        cos, sin = record_number(tape, "cos", rest), record_number(tape, "sin", rest)
+        cos = record_number(tape, "cos", rest)
+        sin = record_number(tape, "sin", rest)
         turns = quarter - 4.0 * record_number(tape, "floor", quarter * 0.25)
-        odd, left, below = (turns == 1) | (turns == 3), (turns == 1) | (turns == 2), turns >= 2
-        x, y = self.where(odd, sin, cos), self.where(odd, cos, sin)
+        odd = (turns == 1) | (turns == 3)
+        left = (turns == 1) | (turns == 2)
+        below = turns >= 2
+        x = self.where(odd, sin, cos)
+        y = self.where(odd, cos, sin)
         return Vec(self.where(left, -x, x), self.where(below, -y, y))
 
     def angle_deg(self, u: Point) -> Real:
@@ -191,7 +196,9 @@ def trace_program(
     ar = Recording()
     tool = TracingTool(ar, True, tape=tape, errors=errors, choosy=bool(must), doubt_mm=errors[0] if errors else 0.0)
     if fine is not None:
-        tool.slack, tool.flat, tool.still = fine, fine, 10 * fine
+        tool.slack = fine
+        tool.flat = fine
+        tool.still = 10 * fine
     things: dict[str, Point] = {n: known[n] if n in known else given_on_tape(tape, n, given[n]) for n in given}
     draw_steps(program.steps, things, tool)
     taken = [take(things, tool.ar) for take in takes]
@@ -221,7 +228,8 @@ def given_values_by_name(given: Mapping[str, Point]) -> dict[str, Floats]:
     flat = {}
     for name, value in given.items():
         if _is_place(value):
-            flat[name + ".x"], flat[name + ".y"] = value.real, value.imag
+            flat[name + ".x"] = value.real
+            flat[name + ".y"] = value.imag
         else:
             flat[name] = value
     return flat

@@ -90,7 +90,8 @@ class Ledger:
 
     def checked_path(self, name: str) -> Path:
         """The path of a file; one outside the folder, by dots or through a link, is refused."""
-        path, here = self.folder / name, os.path.realpath(self.folder)
+        path = self.folder / name
+        here = os.path.realpath(self.folder)
         plain = "\0" not in name and ".." not in Path(name).parts
         if plain and Path(os.path.realpath(path.parent)).is_relative_to(here):
             return path
@@ -146,7 +147,8 @@ class Ledger:
 
     def delete_unchanged_file(self, name: str) -> None:
         """Delete a file made earlier, unless a person has changed it."""
-        path, was = self.checked_path(name), self.entries.pop(name, Entry()).sha256
+        path = self.checked_path(name)
+        was = self.entries.pop(name, Entry()).sha256
         if path.is_file() and contents_hash(path.read_bytes()) == was:
             path.unlink()
             for folder in path.parents:

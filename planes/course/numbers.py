@@ -127,9 +127,11 @@ def main_answers(scene: Scene, key: Json) -> Answers:
         return _vector_answers(scene, scene.statement, key)
     if not key["positions"] or scene.mechanism is None:
         return answers
-    at, m = key["positions"][0], scene.mechanism
+    at = key["positions"][0]
+    m = scene.mechanism
     for name, link in m.links.items():
-        rates, slide = at.get("links", {}).get(name, {}), at.get("slides", {}).get(name)
+        rates = at.get("links", {}).get(name, {})
+        slide = at.get("slides", {}).get(name)
         if link.slides and slide and m.owner_of_guide(link.slides.guide) == FRAME:
             point = at.get("points", {}).get(link.first_point, {})
             answers |= {

@@ -137,7 +137,8 @@ def parameter_unit(name: str, lang: Lang) -> str:
 def work_sentences(scene: Scene, drawn: Position, lang: Lang, asked: Sequence[str]) -> Iterator[str]:
     """What is to be done, as far as it is ``asked`` (all, if nothing is) and the mechanism asks for it."""
     plans = {plan_kind(name) for name in drawn.plans.plan_names} | {"structure"}
-    m, drive = drawn.plans.mechanism, drawn.plans.drive
+    m = drawn.plans.mechanism
+    drive = drawn.plans.drive
     value = with_decimal_sign(drive_position_in_words(drawn.at, drive.kind, lang), lang)
     value = f"⟨{'phi' if drive.rotates else 's'}_{drive.link}⟩ = {value}"
     for key in _WORK_KEYS:
@@ -169,7 +170,8 @@ def answer_key_blocks(scene: Scene, drawn: Position, heads: Sequence[str], lang:
 
 def segment_table(drawn: Position, name: str, lang: Lang, convention: Convention) -> DocumentTable | None:
     """The segments of one plan: name, ends, millimetres, value."""
-    rows, kind = [], plan_kind(name)
+    rows = []
+    kind = plan_kind(name)
     pole = Naming(lang).mark(POLE_LABEL, kind)
     for vector, s, segment in drawn.measured_on(name):
         rows.append(

@@ -93,7 +93,8 @@ class Quiz:
 def quiz_items(scene: Scene, lang: Lang, plans: Sequence[str] = ()) -> tuple[QuizItem, ...]:
     """The main answers of a scene, of a mechanism those of some ``plans`` (all, if none is named), each with what a
     pupil's pencil makes of it."""
-    exact, drawn = solve(scene, lang=lang), solve(scene, None, PUPIL_PENCIL, lang)
+    exact = solve(scene, lang=lang)
+    drawn = solve(scene, None, PUPIL_PENCIL, lang)
     if not exact.positions or not drawn.positions:
         raise PlanesError(Phrase("quiz_not_drawn", why=(exact.failed or drawn.failed)[0]["error"]))
     add_errors_to_results(drawn, PUPIL_PENCIL)

@@ -88,7 +88,8 @@ def round_numbers_near(value: float, percent: float) -> tuple[str, ...]:
         return (f"{value:.10g}",)
     unit = math.floor(math.log10(reach / 2))
     step = next(k * 10.0**unit for k in (5, 2, 1) if k * 10.0**unit <= reach / 2 * (1 + 1e-9))
-    first, last = math.ceil((value - reach) / step - 1e-9), math.floor((value + reach) / step + 1e-9)
+    first = math.ceil((value - reach) / step - 1e-9)
+    last = math.floor((value + reach) / step + 1e-9)
     return tuple(f"{round(k * step, max(0, -unit)):.10g}" for k in range(first, last + 1))
 
 
@@ -119,7 +120,8 @@ def draw_numbers(
             fault = "apart"
         if fault is None:
             return numbers
-        apart, blunt = apart + (fault == "apart"), blunt + (fault == "blunt")
+        apart = apart + (fault == "apart")
+        blunt = blunt + (fault == "blunt")
     raise PlanesError(Phrase("course_none", count=MOST_TRIED_SETS, apart=apart, blunt=blunt, limit=least_deg))
 
 

@@ -43,7 +43,8 @@ def read_course(folder: str | Path) -> Course:
 
 
 def _read_course_table(course: Fields, folder: Path) -> Course:
-    reader, get = course.reader, {key: course.optional_node(key) for key in COURSE_KEYS}
+    reader = course.reader
+    get = {key: course.optional_node(key) for key in COURSE_KEYS}
     assignments = _read_assignments(reader, get["assignments"], folder)
     students = _read_student_list(reader, get["students"], folder)
     check_students(*students, assignments)

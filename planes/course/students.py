@@ -151,7 +151,8 @@ def _folder_names(students: tuple[Student, ...]) -> list[str]:
             base = place = f"{place}-{_folder_name(s.group)}"
         count = 2
         while place.casefold() in place_of:
-            place, count = f"{base}-{count}", count + 1
+            place = f"{base}-{count}"
+            count = count + 1
         place_of[place.casefold()] = place
     return [place for place in place_of.values() if place]
 

@@ -79,11 +79,9 @@ def as_blocks(rows: Sequence[StudentRow], title: str, lang: Lang) -> Iterator[Bl
     """Two tables for each assignment: numbers and answers."""
     yield Heading(title or say("sum_title", lang), 0)
     for name, lines in rows_by_assignment(rows).items():
-        own, names, answers = (
-            [row for row in lines if not row.fault],
-            varied_parameters(lines),
-            answer_names_and_units(lines),
-        )
+        own = [row for row in lines if not row.fault]
+        names = varied_parameters(lines)
+        answers = answer_names_and_units(lines)
         yield Heading(lines[0].title.get(lang) or name)
         heads = (say("sum_student", lang), say("sum_variant", lang))
         units = (

@@ -102,7 +102,8 @@ class Calculation:
 
 def engine_cycle_and_pressure(given: Given) -> tuple[EngineCycle, Array]:
     """The cycle: angles, ω, ε, gas force; and the absolute pressure, Pa."""
-    d, shape = given.indicator, given.shape
+    d = given.indicator
+    shape = given.shape
     turned = np.linspace(0.0, d.cycle_deg, round(d.cycle_deg / given.step_deg) + 1)
     phi_deg = d.start_deg + turned
     phi = np.radians(phi_deg)
@@ -120,7 +121,8 @@ def calculate(scene: Scene) -> Calculation:
     given = read_given_data(scene)
     shape = given.shape
     motion, pressure = engine_cycle_and_pressure(given)
-    points, plane = motion_by_coordinates(shape, motion), motion_by_instant_centre(shape, motion)
+    points = motion_by_coordinates(shape, motion)
+    plane = motion_by_instant_centre(shape, motion)
     _check_friction(scene, given, motion)
     drawn = draw_cycle_plans(scene, shape, motion)
     forces = forces_over_cycle(shape, motion, plane)
@@ -129,7 +131,9 @@ def calculate(scene: Scene) -> Calculation:
     level = balance_rotating_masses(shape, given.shaft, weights, motion, drawn) if given.shaft and weights else None
     held = bearing_reactions(shape, given.shaft, weights, level, forces) if given.shaft else None
     cut = dangerous_sections(shape, given.shaft, held) if given.shaft and held else {}
-    rod, pin, steels = given.rod, given.pin, given.materials
+    rod = given.rod
+    pin = given.pin
+    steels = given.materials
     result = Calculation(
         scene=scene,
         given=given,
@@ -164,7 +168,8 @@ def _fatigue_of_sections(given: Given, cut: dict[str, Section]) -> tuple[Fatigue
     shaft = given.shaft
     if shaft is None:
         return ()
-    steel, k = given.materials["shaft"], given.concentration
+    steel = given.materials["shaft"]
+    k = given.concentration
     rounds = {"journal_A": "journal", "crankpin": "crankpin", "journal_B": "journal"}
     return tuple(
         fatigue_of_section(cut[name], getattr(shaft, round_key), steel, k[round_key])
@@ -188,7 +193,8 @@ def _check_not_overstressed(c: Calculation) -> None:
 def _agreement_of_methods(
     given: Given, points: RodMotion, plane: RodMotion, drawn_plans: DrawnRodMotion, f: CycleForces, done: CycleWork
 ) -> Agreement:
-    w, r = given.shape.omega, given.shape.r
+    w = given.shape.omega
+    r = given.shape.r
     ways = {"points_plane": (points, plane), "points_plans": (points, drawn_plans), "plane_plans": (plane, drawn_plans)}
     velocity = {k: largest_relative_difference(a.v, b.v, w * r) for k, (a, b) in ways.items()}
     acceleration = {k: largest_relative_difference(a.a, b.a, w**2 * r) for k, (a, b) in ways.items()}

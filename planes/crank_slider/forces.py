@@ -97,7 +97,8 @@ class Replacement:
 def replacement_masses(shape: CrankSliderShape) -> Replacement:
     """Masses with the rod's total and mass centre; the three also have its moment of inertia."""
     b = shape.l - shape.c
-    at_a, at_b = shape.m2 * b / shape.l, shape.m2 * shape.c / shape.l
+    at_a = shape.m2 * b / shape.l
+    at_b = shape.m2 * shape.c / shape.l
     two = shape.m2 * shape.c * b
     if shape.c <= 1e-12 or b <= 1e-12:
         three = (at_a, shape.j2 / shape.l**2, at_b)
@@ -110,10 +111,13 @@ def replacement_masses(shape: CrankSliderShape) -> Replacement:
 def classical_forces(shape: CrankSliderShape, m: EngineCycle, way: RodMotion) -> CycleForces:
     """The usual engine formulas: the rod as two point masses, no weights; P, N = P·tan β, S = P/cos β, T, K by φ +
     β."""
-    beta, parts = rod_inclination(shape, m.phi), replacement_masses(shape)
+    beta = rod_inclination(shape, m.phi)
+    parts = replacement_masses(shape)
     p = m.gas + (shape.m3 + parts.at_b) * way.a["B"].real
-    n, s = p * np.tan(beta), p / np.cos(beta)
-    t, k = p * np.sin(m.phi + beta) / np.cos(beta), p * np.cos(m.phi + beta) / np.cos(beta)
+    n = p * np.tan(beta)
+    s = p / np.cos(beta)
+    t = p * np.sin(m.phi + beta) / np.cos(beta)
+    k = p * np.cos(m.phi + beta) / np.cos(beta)
     k = k - parts.at_a * m.omega**2 * shape.r  # the rod's rotating mass pulls the pin outwards
     t = t - parts.at_a * m.epsilon * shape.r
     zero = np.zeros_like(p)
@@ -164,7 +168,8 @@ def work_over_cycle(
     steps = np.diff(m.phi) * (rest[1:] + rest[:-1]) / 2
     curve = np.concatenate([[0.0], np.cumsum(steps)])
     excess = float(curve.max() - curve.min())
-    high, low = float(f.torque.max()), float(f.torque.min())
+    high = float(f.torque.max())
+    low = float(f.torque.min())
     seconds = cycle / shape.omega
     return CycleWork(
         mean=mean,
@@ -197,10 +202,13 @@ def equations_as_printed(
     shape: CrankSliderShape, m: EngineCycle, way: RodMotion, f: CycleForces, k: int
 ) -> PrintedEquations:
     """The text's equations at step ``k``: (22) lacks the crank's torque, (25), (26) the vertical force in B."""
-    at_c, inertia = complex(way.r["C"][k]), -shape.m2 * complex(way.a["C"][k])
-    sin, cos = np.sin(m.phi[k]), np.cos(m.phi[k])
+    at_c = complex(way.r["C"][k])
+    inertia = -shape.m2 * complex(way.a["C"][k])
+    sin = np.sin(m.phi[k])
+    cos = np.cos(m.phi[k])
     g1, g2, g3 = (mass * shape.g for mass in (shape.m1, shape.m2, shape.m3))
-    weights, p = -g1 * shape.s * cos - g2 * at_c.real, float(f.P[k])
+    weights = -g1 * shape.s * cos - g2 * at_c.real
+    p = float(f.P[k])
     moments = weights + at_c.real * inertia.imag - at_c.imag * inertia.real - shape.j2 * float(way.epsilon[k])
     t = -g2 * cos + p * sin - inertia.real * sin + inertia.imag * cos
     out = -g2 * sin + inertia.imag * sin + inertia.real * cos - p * cos

@@ -49,7 +49,8 @@ class Indicator:
 
     def pressure(self, turned_deg: Array, path: Array) -> Array:
         """Absolute pressure, Pa, ``turned_deg`` after the cycle's start, where the piston has gone ``path`` of S."""
-        turned, pressure = np.asarray(turned_deg, float), np.zeros(np.shape(turned_deg))
+        turned = np.asarray(turned_deg, float)
+        pressure = np.zeros(np.shape(turned_deg))
         for k, name in enumerate(self.names):
             inside = (turned >= 180.0 * k) & (turned <= 180.0 * (k + 1))
             at = np.asarray(path)[inside] if self.over == "path" else turned[inside]
@@ -79,7 +80,8 @@ def monotone_cubic(x: list[float], y: list[float]) -> Callable[[Array], Array]:
     def value(at: Array) -> Array:
         at = np.clip(at, xs[0], xs[-1])
         k: Indices = np.clip(np.searchsorted(xs, at, side="right") - 1, 0, len(h) - 1)
-        t, one = (at - xs[k]) / h[k], h[k]
+        t = (at - xs[k]) / h[k]
+        one = h[k]
         rise = t * t * (3.0 - 2.0 * t)
         bend = t * (1.0 - t) ** 2 * slopes[k] - t * t * (1.0 - t) * slopes[k + 1]
         values: Array = ys[k] + rise * (ys[k + 1] - ys[k]) + one * bend
@@ -93,7 +95,8 @@ def _monotone_slopes(h: Array, d: Array) -> Array:
         return np.array([d[0], d[0]])
     inner = np.zeros(len(d) - 1)
     same = d[:-1] * d[1:] > 0.0
-    w1, w2 = 2.0 * h[1:] + h[:-1], h[1:] + 2.0 * h[:-1]
+    w1 = 2.0 * h[1:] + h[:-1]
+    w2 = h[1:] + 2.0 * h[:-1]
     inner[same] = ((w1 + w2)[same]) / (w1[same] / d[:-1][same] + w2[same] / d[1:][same])
     return np.array([_end_slope(h[0], h[1], d[0], d[1]), *inner, _end_slope(h[-1], h[-2], d[-1], d[-2])])
 

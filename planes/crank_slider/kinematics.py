@@ -133,8 +133,13 @@ def rod_inclination(shape: CrankSliderShape, phi: Array) -> Array:
 def motion_by_coordinates(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     """Coordinates (1), differentiated once (2) and twice (3)."""
     r, l, k = shape.r, shape.l, shape.c / shape.l  # noqa: E741
-    sin, cos, w, e = np.sin(m.phi), np.cos(m.phi), m.omega, m.epsilon
-    x, y, across = r * cos, r * sin, 1j * (1 - k) * r
+    sin = np.sin(m.phi)
+    cos = np.cos(m.phi)
+    w = m.omega
+    e = m.epsilon
+    x = r * cos
+    y = r * sin
+    across = 1j * (1 - k) * r
     root = np.sqrt(l**2 - r**2 * sin**2)
     drop = -(r**2) * sin * cos / root  # d root / dφ
     bend = -(r**2) * (cos**2 - sin**2) / root - (r**2 * sin * cos) ** 2 / root**3
@@ -151,8 +156,14 @@ def motion_by_coordinates(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
 def motion_by_instant_centre(shape: CrankSliderShape, m: EngineCycle) -> RodMotion:
     """Instant centre and the theorem on accelerations: (5*)–(7), (9)–(13)."""
     r, l, c = shape.r, shape.l, shape.c  # noqa: E741
-    phi, beta, w, e = m.phi, rod_inclination(shape, m.phi), m.omega, m.epsilon
-    sin_phi, cos_phi, sin_beta, cos_beta = np.sin(phi), np.cos(phi), np.sin(beta), np.cos(beta)
+    phi = m.phi
+    beta = rod_inclination(shape, m.phi)
+    w = m.omega
+    e = m.epsilon
+    sin_phi = np.sin(phi)
+    cos_phi = np.cos(phi)
+    sin_beta = np.sin(beta)
+    cos_beta = np.cos(beta)
     turning = w * r * cos_phi / (l * cos_beta)  # (5*), clockwise positive
     normal, tangent = w**2 * r, e * r  # (8)
     normal_b = turning**2 * l  # (9)

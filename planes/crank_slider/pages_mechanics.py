@@ -20,7 +20,8 @@ PLAN_SIZES_MM = {"position": 110.0, "velocity": 58.0, "acceleration": 58.0, "for
 
 def write_given(w: ChapterWriter, c: Calculation) -> None:
     """The input of the calculation."""
-    g, s = c.given, c.given.shape
+    g = c.given
+    s = c.given.shape
     w.write("given", g)
     sizes = w.sizes("sizes", SimpleNamespace(given=g, s=s, p0=g.ambient / 1e6, strokes=float(len(g.indicator.names))))
     if g.speed.unevenness:
@@ -49,14 +50,16 @@ def scene_at_angle(c: Calculation, phi_deg: float) -> Scene:
     k = c.at(phi_deg)
     assert c.scene.mechanism is not None
     mechanism = with_gas_force(c.scene.mechanism, c.given.shape, float(c.motion.gas[k]))
-    omega, epsilon = float(c.motion.omega[k]), float(c.motion.epsilon[k])
+    omega = float(c.motion.omega[k])
+    epsilon = float(c.motion.epsilon[k])
     drive = replace(mechanism.drive, position=phi_deg, velocity=omega, acceleration=epsilon)
     return replace(c.scene, mechanism=replace(mechanism, drive=drive), find=None)
 
 
 def text_values_at_angle(c: Calculation, phi_deg: float, **more: object) -> SimpleNamespace:
     """Values for the text of one position: the numbers of the calculation at its step, and ``more``."""
-    k, s = c.at(phi_deg), c.given.shape
+    k = c.at(phi_deg)
+    s = c.given.shape
     records = {name: record_at_step(getattr(c, name), k) for name in ("motion", "points", "plane", "forces")}
     motion = records["motion"]
     beta = math.degrees(float(rod_inclination(s, np.radians(motion.phi_deg))))
@@ -73,12 +76,17 @@ def record_at_step(record: object, k: int) -> SimpleNamespace:
 
 def write_kinematics(w: ChapterWriter, c: Calculation) -> None:
     """Both methods, the plans, the results over a turn."""
-    s, phi = c.given.shape, worked_crank_angle_deg(c)
+    s = c.given.shape
+    phi = worked_crank_angle_deg(c)
     v = text_values_at_angle(c, phi)
-    v.k, v.twice, v.lean, v.printed_3 = s.c / s.l, 2 * phi, phi + v.beta, _mistake_3_sentence(w, c)
+    v.k = s.c / s.l
+    v.twice = 2 * phi
+    v.lean = phi + v.beta
+    v.printed_3 = _mistake_3_sentence(w, c)
     v.root = math.sqrt(s.l**2 - (s.r * math.sin(math.radians(phi))) ** 2)
     v.steady = "-" if v.eps else f"={w.tex(v.points.a.B.real)}[m/s²]"
-    v.normal, v.tangent = v.plane.omega**2 * s.l, v.plane.epsilon * s.l
+    v.normal = v.plane.omega**2 * s.l
+    v.tangent = v.plane.epsilon * s.l
     w.write("points", v)
     w.write("plane", v)
     scene, solved = draw_plans_at_angle(w, c, phi)
@@ -99,14 +107,18 @@ def _mistake_3_sentence(w: ChapterWriter, c: Calculation) -> str:
 
 
 def _write_kinematic_results(w: ChapterWriter, c: Calculation) -> None:
-    s, ways = c.given.shape, c.agreement
+    s = c.given.shape
+    ways = c.agreement
     w.write("results", c)
     compared = (ways.velocity, ways.acceleration, ways.omega, ways.epsilon)
     rows = [(w.say(k), *(w.number(part[k], 2) for part in compared)) for k in ways.velocity]
     w.table("t_agree", [w.say("c_ways"), "v", "a", "ω_{AB}", "ε_{AB}"], rows)
-    turn, unit, rate = c.turn, s.omega * s.r, s.omega**2 * s.r
+    turn = c.turn
+    unit = s.omega * s.r
+    rate = s.omega**2 * s.r
     phi = c.motion.phi_deg[turn]
-    p, q = c.points, c.plane
+    p = c.points
+    q = c.plane
     v, a = ({"A": np.abs(x["A"]), "B": x["B"].real, "C": np.abs(x["C"])} for x in (p.v, p.a))
     rates = {f"{letter}_{{{n}}}": vectors[n] for letter, vectors in (("v", v), ("a", a)) for n in "ABC"}
     columns = {"φ, °": phi, "x_{B}": p.r["B"].real, **rates, "ω_{AB}": q.omega, "ε_{AB}": q.epsilon}
@@ -136,7 +148,9 @@ def write_forces(w: ChapterWriter, c: Calculation) -> None:
 
 
 def _write_gas_pressure(w: ChapterWriter, c: Calculation) -> None:
-    g, s, mpa = c.given, c.given.shape, c.pressure / 1e6
+    g = c.given
+    s = c.given.shape
+    mpa = c.pressure / 1e6
     top = mpa.argmax()
     highest = {"p": mpa[c.at(worked_force_angle_deg(c))], "top": mpa[top], "top_deg": c.motion.phi_deg[top]}
     w.write(
@@ -151,11 +165,15 @@ def _write_gas_pressure(w: ChapterWriter, c: Calculation) -> None:
 
 
 def _write_force_equations(w: ChapterWriter, c: Calculation) -> None:
-    s, parts, ways, k = c.given.shape, c.parts, c.agreement, c.at(worked_force_angle_deg(c))
+    s = c.given.shape
+    parts = c.parts
+    ways = c.agreement
+    k = c.at(worked_force_angle_deg(c))
     v = text_values_at_angle(
         c, worked_force_angle_deg(c), wrong=equations_as_printed(s, c.motion, c.plane, c.forces, k)
     )
-    f, a_c = v.forces, complex(v.plane.a.C)
+    f = v.forces
+    a_c = complex(v.plane.a.C)
     v.at_a, v.at_c, v.at_b = parts.three
     v.negative, v.more_or_less = v.at_c < 0, w.say("s_more" if parts.error > 0 else "s_less")
     v.couple = abs(parts.error) * largest_magnitude(c.plane.epsilon)
@@ -165,7 +183,9 @@ def _write_force_equations(w: ChapterWriter, c: Calculation) -> None:
         )
         for name in "TN"
     )
-    v.inertia_b, v.inertia_c, v.couple_c = s.m3 * abs(v.plane.a.B), s.m2 * abs(a_c), s.j2 * abs(v.plane.epsilon)
+    v.inertia_b = s.m3 * abs(v.plane.a.B)
+    v.inertia_c = s.m2 * abs(a_c)
+    v.couple_c = s.j2 * abs(v.plane.epsilon)
     v.spin = r"-(J_1+m_1\,OS_1^2)\,\varepsilon" if c.given.speed.unevenness else ""
     v.arm = complex(v.plane.r.C - v.plane.r.A)
     v.moment = -s.m2 * (v.arm.real * (a_c.imag + s.g) - v.arm.imag * a_c.real) - s.j2 * v.plane.epsilon
@@ -185,9 +205,12 @@ def _maxima_difference_percent(true: float, simple: float) -> float:
 
 
 def _write_force_cycle(w: ChapterWriter, c: Calculation) -> None:
-    f, m = c.forces, c.motion
-    inertia, phi = c.given.shape.m3 * c.plane.a["B"].real, m.phi_deg
-    gas, total = f"P_{{{w.say('sub_gas')}}}", f"P_{{{w.say('sub_p')}}}"
+    f = c.forces
+    m = c.motion
+    inertia = c.given.shape.m3 * c.plane.a["B"].real
+    phi = m.phi_deg
+    gas = f"P_{{{w.say('sub_gas')}}}"
+    total = f"P_{{{w.say('sub_p')}}}"
     forces = {gas: m.gas, "m_{3}a_{B}": inertia, total: f.P, "N": f.N, "S": f.S, "T": f.T, "K": f.K}
     kn = {name: force * KILONEWTONS_PER_NEWTON for name, force in forces.items()}
     w.over_cycle("t_forces", c.steps(len(phi)), {"φ, °": phi, "p": c.pressure / 1e6, **kn, "M": f.torque})
@@ -202,14 +225,17 @@ def _write_force_cycle(w: ChapterWriter, c: Calculation) -> None:
     w.chart("f_NS", "x_phi", "y_kN", plotted_lines(phi, {n: kn[n] for n in "SN"}), ticks=60)
     w.chart("f_TK", "x_phi", "y_kN", plotted_lines(phi, {n: kn[n] for n in "TK"}), ticks=60)
     _write_polar_diagram(w, c)
-    load, frame = np.abs(f.on_pin) * KILONEWTONS_PER_NEWTON, np.abs(f.on_crank_from_frame) * KILONEWTONS_PER_NEWTON
-    i, j = frame.argmax(), load.argmax()
+    load = np.abs(f.on_pin) * KILONEWTONS_PER_NEWTON
+    frame = np.abs(f.on_crank_from_frame) * KILONEWTONS_PER_NEWTON
+    i = frame.argmax()
+    j = load.argmax()
     largest = {"force": frame[i], "force_deg": phi[i], "pin": load[j], "pin_deg": phi[j]}
     w.write("bearing", SimpleNamespace(**largest, mean=np.mean(load[:-1])))
 
 
 def _write_polar_diagram(w: ChapterWriter, c: Calculation) -> None:
-    f, phi = c.forces, c.motion.phi_deg
+    f = c.forces
+    phi = c.motion.phi_deg
     far = largest_magnitude(f.on_pin) * KILONEWTONS_PER_NEWTON
     notes = []
     kept = list[complex]()
@@ -223,11 +249,14 @@ def _write_polar_diagram(w: ChapterWriter, c: Calculation) -> None:
 
 
 def _write_torque(w: ChapterWriter, c: Calculation) -> None:
-    work, phi, cycle = c.work, c.motion.phi_deg, str(len(c.given.indicator.names))
+    work = c.work
+    phi = c.motion.phi_deg
+    cycle = str(len(c.given.indicator.names))
     v = text_values_at_angle(
         c, worked_force_angle_deg(c), uneven=c.given.speed.unevenness, cycle=cycle, takes=work.mean < 0
     )
-    v.both, v.power = work.gas + work.friction, work.power * 1e-3
+    v.both = work.gas + work.friction
+    v.power = work.power * 1e-3
     w.write("torque", v)
     torques = {"M": c.forces.torque, w.say("l_mean"): np.full_like(phi, work.mean)}
     w.chart("f_torque", "x_phi", "y_M", plotted_lines(phi, torques), ticks=60)

@@ -26,11 +26,13 @@ SOURCE_TEXT_ERRORS = {
 
 def write_balance(w: ChapterWriter, c: Calculation) -> None:
     """Rotating masses, counterweights, first-order forces."""
-    b, weights = c.balance, c.given.counterweights
+    b = c.balance
+    weights = c.given.counterweights
     if b is None or weights is None:
         return
     v = SimpleNamespace(b=b, weights=weights, s=c.given.shape, shaft=c.given.shaft, apart=b.left + b.right)
-    (v.needed_1, v.needed_2), (v.chosen_1, v.chosen_2) = b.needed, b.chosen
+    v.needed_1, v.needed_2 = b.needed
+    v.chosen_1, v.chosen_2 = b.chosen
     w.write("balance", v)
     cw = w.say("sub_cw")
     arms = {"a": "a", "b": "b", "r": "r", "R": f"R_{{{cw}}}"}
@@ -85,7 +87,9 @@ def worst_load_steps(c: Calculation) -> dict[str, int]:
 
 def shaft_sketch(c: Calculation, **shown: Mapping[Any, str]) -> ShaftSketch:
     """The crankshaft, with masses, forces or dimensions."""
-    shaft, weights, r = c.given.shaft, c.given.counterweights, c.given.shape.r
+    shaft = c.given.shaft
+    weights = c.given.counterweights
+    r = c.given.shape.r
     assert shaft
     low = weights.radius if weights else r
     return ShaftSketch(shaft.span, shaft.span - shaft.pin_from_b, shaft.webs, r, low, **shown)
@@ -93,7 +97,9 @@ def shaft_sketch(c: Calculation, **shown: Mapping[Any, str]) -> ShaftSketch:
 
 def _write_bearing_reactions(w: ChapterWriter, c: Calculation) -> None:
     """The bearing reactions, and the moments along the shaft in both cases."""
-    shaft, held, cw = c.given.shaft, c.supports, w.say("sub_cw")
+    shaft = c.given.shaft
+    held = c.supports
+    cw = w.say("sub_cw")
     assert shaft and held
     weights = {(f"weight_{k}", "down"): f"Φ_{{{k + 1}{cw}}}" for k in (0, 1)}
     webs = {(f"web_{k}", "up"): "Φ" for k in (0, 1)}
@@ -104,8 +110,11 @@ def _write_bearing_reactions(w: ChapterWriter, c: Calculation) -> None:
     at = [SimpleNamespace(name=name, phi=c.motion.phi_deg[k]) for name, k in worst_load_steps(c).items()]
     w.write("reactions", SimpleNamespace(held=held, K=at[0], T=at[1]))
     for (name, k), case in zip(worst_load_steps(c).items(), at, strict=True):
-        case.held, case.shaft, case.to_right = record_at_step(held, k), shaft, shaft.span - shaft.webs
-        case.left, case.right = held.web - held.left_weight, held.web - held.right_weight
+        case.held = record_at_step(held, k)
+        case.shaft = shaft
+        case.to_right = shaft.span - shaft.webs
+        case.left = held.web - held.left_weight
+        case.right = held.web - held.right_weight
         w.write("case", case)
         x, *moments = moment_diagrams(shaft, c.sections, k)
         curves = plotted_lines(x, dict(zip(w.words("l_Mz", "l_My", "l_Mx"), moments, strict=True)))
@@ -122,10 +131,14 @@ def _write_static_strength(w: ChapterWriter, c: Calculation) -> None:
         ]
     head = (w.say("c_section"), "M_{z}", "M_{y}", "M_{x}", "σ", "τ", f"σ_{{{w.say('sub_eq')}}}")
     w.table("t_static", head, rows)
-    worst, limits, steel = most_stressed_section(c), c.given.limits, c.given.materials["shaft"]
+    worst = most_stressed_section(c)
+    limits = c.given.limits
+    steel = c.given.materials["shaft"]
     at = int(worst.equivalent.argmax())
     v = SimpleNamespace(limits=limits, steel=steel, worst=record_at_step(worst, at), section=w.say(f"x_{worst.name}"))
-    v.phi, v.top, v.allowed = c.motion.phi_deg[at], worst.equivalent[at], steel.yields / limits.static
+    v.phi = c.motion.phi_deg[at]
+    v.top = worst.equivalent[at]
+    v.allowed = steel.yields / limits.static
     v.holds = v.top <= v.allowed
     v.sign = r"\leq" if v.holds else ">"
     w.write("dangerous", v)
@@ -143,19 +156,26 @@ def _write_fatigue(w: ChapterWriter, c: Calculation) -> None:
         rows.append((w.say(f"x_{f.section}"), *values))
     signs = ("θ, °", "σ_{a}", "σ_{m}", "τ_{a}", "τ_{m}", "n_{σ}", "n_{τ}", "n")
     w.table("t_fatigue", (w.say("c_section").partition(",")[0], *signs), rows)
-    f, (low, high) = min(c.fatigue, key=lambda one: one.n), c.given.limits.fatigue
+    f = min(c.fatigue, key=lambda one: one.n)
+    low, high = c.given.limits.fatigue
     k = c.given.concentration["crankpin" if f.section == "crankpin" else "journal"]
     v = SimpleNamespace(f=f, k=k, steel=c.given.materials["shaft"], section=w.say(f"x_{f.section}"), low=low, high=high)
-    v.mean, v.weak, v.strong, v.right = max(f.sigma_m, 0.0), f.n < low, f.n > high, low <= f.n <= high
+    v.mean = max(f.sigma_m, 0.0)
+    v.weak = f.n < low
+    v.strong = f.n > high
+    v.right = low <= f.n <= high
     v.above = "" if v.strong else ", ".join(w.say(f"x_{one.section}") for one in c.fatigue if one.n > high)
     w.write("fatigue", v)
 
 
 def _write_rod_strength(w: ChapterWriter, c: Calculation) -> None:
-    r, shank = c.rod, c.given.rod
+    r = c.rod
+    shank = c.given.rod
     assert r and shank
     v = SimpleNamespace(r=r, steel=c.given.materials["rod"], limits=c.given.limits)
-    v.area, v.modulus, v.bending = shank.area * 1e6, shank.modulus * 1e9, r.bending * 1e3
+    v.area = shank.area * 1e6
+    v.modulus = shank.modulus * 1e9
+    v.bending = r.bending * 1e3
     w.write("rod", v)
     rows = [(w.say(f"b_plane_{i}"), b.mu, b.slenderness, b.critical, r.sigma_c, b.n) for i, b in enumerate(r.planes)]
     cr, sq = w.words("sub_cr", "sub_c")
@@ -165,12 +185,18 @@ def _write_rod_strength(w: ChapterWriter, c: Calculation) -> None:
 
 
 def _write_pin_strength(w: ChapterWriter, c: Calculation) -> None:
-    p, pin, limits, mm = c.pin, c.given.pin, c.given.limits, 1e3
+    p = c.pin
+    pin = c.given.pin
+    limits = c.given.limits
+    mm = 1e3
     assert p and pin
     ratio = pin.section.bore / pin.section.d
     v = SimpleNamespace(p=p, pin=pin, limits=limits, ratio=ratio, above=1 + ratio + ratio**2, below=1 + ratio**2)
-    v.d, v.bush, v.bosses = pin.section.d * mm, pin.bush * mm, (pin.length - pin.gap) * mm
-    v.area, v.moment = pin.section.area * 1e6, p.moment * 1e3
+    v.d = pin.section.d * mm
+    v.bush = pin.bush * mm
+    v.bosses = (pin.length - pin.gap) * mm
+    v.area = pin.section.area * 1e6
+    v.moment = p.moment * 1e3
     v.holds = p.bush <= limits.bush_mpa and p.boss <= limits.boss_mpa
     w.write("pin", v)
 

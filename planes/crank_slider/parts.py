@@ -58,7 +58,8 @@ class Web:
     @property
     def torsion_modulus(self) -> float:
         """α·h·b²: a torque over this is the largest shear stress (Saint-Venant)."""
-        long, short = max(self.width, self.thickness), min(self.width, self.thickness)
+        long = max(self.width, self.thickness)
+        short = min(self.width, self.thickness)
         return torsion_factor(long / short) * long * short**2
 
 

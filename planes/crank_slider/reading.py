@@ -35,7 +35,8 @@ def read_given_data(scene: Scene) -> Given:
     """All input for the calculation of a scene."""
     shape = shape_of(scene)
     assert scene.crank_slider is not None
-    reader, what = Reader(scene.file, scene.parameters), section_in_words("crank_slider")
+    reader = Reader(scene.file, scene.parameters)
+    what = section_in_words("crank_slider")
     top = Values(reader, scene.crank_slider, what, KEYS_BY_TABLE["crank_slider"])
     indicator = read_indicator(top)
     pascals = PASCALS_BY_UNIT[indicator.unit]
@@ -63,7 +64,8 @@ def read_given_data(scene: Scene) -> Given:
 
 def _check_parts(scene: Scene, top: Values, given: Given) -> None:
     """Check that each part has all its data, and that the crank's mass is that of its shaft."""
-    shaft, shape = given.shaft, given.shape
+    shaft = given.shaft
+    shape = given.shape
     if given.counterweights and not shaft:
         raise top.error_by_key("cs_needs", "counterweights", what="shaft", other="counterweights")
     by_shaft = shaft.static_moment(shape.r) if shaft else 0.0
@@ -85,7 +87,8 @@ def _read_step_deg(top: Values) -> float:
 
 
 def _read_speed(table: Values) -> Speed:
-    unevenness, waves = table.between("unevenness", 0.0, 0.5), table.between("waves", 0.5, 20, 1.0)
+    unevenness = table.between("unevenness", 0.0, 0.5)
+    waves = table.between("waves", 0.5, 20, 1.0)
     return Speed(unevenness, waves, table.read_number("phase", 0.0))
 
 
@@ -124,7 +127,9 @@ def _read_limits(table: Values) -> Limits:
 
 
 def _read_shaft(table: Values) -> Shaft:
-    span, n, m = table.above("span"), table.above("pin_from_B"), table.above("webs")
+    span = table.above("span")
+    n = table.above("pin_from_B")
+    m = table.above("webs")
     if m >= min(n, span - n):
         raise table.error_by_key("cs_span", "webs", webs=m, left=span - n, right=n)
     web = table.inner_fields("web", KEYS_BY_TABLE["web"])
@@ -143,7 +148,8 @@ def _read_shaft(table: Values) -> Shaft:
 
 
 def _read_bored_part(table: Values) -> RoundPart:
-    outer, bore = table.above("diameter"), table.read_non_negative("bore", 0.0)
+    outer = table.above("diameter")
+    bore = table.read_non_negative("bore", 0.0)
     if bore >= outer:
         raise table.error_by_key("cs_thin", "bore", what=table.what, inner=bore, outer=outer)
     return RoundPart(outer, bore)
@@ -151,8 +157,10 @@ def _read_bored_part(table: Values) -> RoundPart:
 
 def _read_rod_shank(table: Values) -> Shank:
     """The rod's shank: an I-section, or a bar where flange and web are left out."""
-    height, width = table.above("height"), table.above("width")
-    flange, web = table.above("flange", height / 2), table.above("web", width)
+    height = table.above("height")
+    width = table.above("width")
+    flange = table.above("flange", height / 2)
+    web = table.above("web", width)
     for key, inner, outer in (("flange", 2 * flange, height), ("web", web, width)):
         if inner > outer:
             raise table.error_by_key("cs_thin", key, what=table.phrase_of_key(key), inner=inner, outer=outer)
@@ -160,7 +168,9 @@ def _read_rod_shank(table: Values) -> Shank:
 
 
 def _read_piston_pin(table: Values) -> PistonPin:
-    length, bush, gap = table.above("length"), table.above("bush"), table.above("gap")
+    length = table.above("length")
+    bush = table.above("bush")
+    gap = table.above("gap")
     if not bush <= gap < length:
         raise table.error_by_key("cs_pin_length", "gap", gap=gap, bush=bush, length=length)
     return PistonPin(_read_bored_part(table), length, bush, gap)
@@ -175,7 +185,8 @@ def _read_material(table: Values, key: str) -> Material:
         what = Phrase("about", what=table.phrase_of_key(key), why=quoted_excerpt(name))
         raise table.error_by_key("cs_no_steel", key, what=what, valid=list_valid_choices(name, STEEL_PROPERTIES))
     inner = table.inner_fields(key, KEYS_BY_TABLE["material"])
-    strength, yields = inner.above("strength_MPa"), inner.above("yield_MPa")
+    strength = inner.above("strength_MPa")
+    yields = inner.above("yield_MPa")
     if yields > strength:
         raise inner.error_by_key("cs_yield", "yield_MPa", what=inner.what, one=yields, two=strength)
     name = key if inner.optional_node("name") is None else inner.read_text("name")

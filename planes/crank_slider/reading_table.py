@@ -76,21 +76,24 @@ class Values(Fields):
 def read_indicator(top: Values) -> Indicator:
     """The diagram with all required stages, each over its whole stroke, joined to the next."""
     table = top.inner_fields("indicator", INDICATOR_KEYS)
-    over, unit = table.read_word("over", ("path", "angle")), table.read_word("unit", tuple(PASCALS_BY_UNIT))
+    over = table.read_word("over", ("path", "angle"))
+    unit = table.read_word("unit", tuple(PASCALS_BY_UNIT))
     names = FOUR_STROKE_STAGES if "intake" in table or "exhaust" in table else TWO_STROKE_STAGES
     missing = next((name for name in names if name not in table), None)
     if missing:
         raise table.error_by_key("cs_stages", stage=missing)
     stages = {name: _read_stage(table, name, over, names) for name in names}
     for one, two in zip(names, (*names[1:], names[0]), strict=True):
-        first, second = stages[one][-1][1], stages[two][0][1]
+        first = stages[one][-1][1]
+        second = stages[two][0][1]
         if abs(first - second) > 1e-6 * max(abs(first), abs(second)):
             raise table.error_by_key("cs_joint", two, one=one, two=two, first=first, second=second)
     return Indicator(over, unit, MappingProxyType(stages))
 
 
 def _read_stage(table: Values, name: str, over: str, names: tuple[str, ...]) -> Points:
-    what, variable = table.phrase_of_key(name), "s/S" if over == "path" else "φ"
+    what = table.phrase_of_key(name)
+    variable = "s/S" if over == "path" else "φ"
     items = table.reader.read_list(table.required_node(name), what)
     points = tuple(_read_point(table, item, what, variable) for item in items)
     if len(points) < 2:

@@ -65,17 +65,17 @@ def rod_strength(
 ) -> RodStrength:
     """Stresses of the shank over the cycle; compression positive."""
     beta = rod_inclination(shape, m.phi)
-    at_b, at_a = f.S, -(f.on_pin * np.exp(1j * beta)).real
+    at_b = f.S
+    at_a = -(f.on_pin * np.exp(1j * beta)).real
     large = np.where(np.abs(at_b) >= np.abs(at_a), at_b, at_a)
     moment = _largest_bending_moment(shape, way, beta)
     sigma_b = moment / shank.modulus * MEGAPASCALS_PER_PASCAL
     both = np.abs(large) / shank.area * MEGAPASCALS_PER_PASCAL + sigma_b
     push, pull, bend, worst = (x.argmax() for x in (large, -large, moment, both))
-    squeezed, pulled = max(float(large[push]), 0.0), max(float(-large[pull]), 0.0)
-    stress, limit = (
-        squeezed / shank.area * MEGAPASCALS_PER_PASCAL,
-        math.pi * math.sqrt(2 * steel.elasticity / steel.yields),
-    )
+    squeezed = max(float(large[push]), 0.0)
+    pulled = max(float(-large[pull]), 0.0)
+    stress = squeezed / shank.area * MEGAPASCALS_PER_PASCAL
+    limit = math.pi * math.sqrt(2 * steel.elasticity / steel.yields)
     freely, held = (math.sqrt(j / shank.area) for j in (shank.inertia, shank.inertia_across))
     return RodStrength(
         squeezed=squeezed,
@@ -133,11 +133,13 @@ def pin_strength(m: EngineCycle, f: CycleForces, pin: PistonPin, steel: Material
     at = force.argmax()
     q = float(force[at])
     moment = q * (pin.length + 2 * pin.gap - 1.5 * pin.bush) / 12
-    d, a = pin.section.d, pin.section.bore / pin.section.d
+    d = pin.section.d
+    a = pin.section.bore / pin.section.d
     tau = 4 / 3 * q / 2 / pin.section.area * (1 + a + a**2) / (1 + a**2) * MEGAPASCALS_PER_PASCAL
     sigma = moment / pin.section.modulus * MEGAPASCALS_PER_PASCAL
     worst = max(sigma, 2 * tau)  # not at the same point: bending at the edge, shear at the middle
-    bush, boss = q / (d * pin.bush) * MEGAPASCALS_PER_PASCAL, q / (d * (pin.length - pin.gap)) * MEGAPASCALS_PER_PASCAL
+    bush = q / (d * pin.bush) * MEGAPASCALS_PER_PASCAL
+    boss = q / (d * (pin.length - pin.gap)) * MEGAPASCALS_PER_PASCAL
     return PinStrength(
         q, float(m.phi_deg[at]), moment, sigma, tau, worst, safety_factor(steel.yields, worst), bush, boss
     )

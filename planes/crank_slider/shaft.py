@@ -64,13 +64,15 @@ def balance_rotating_masses(
     """Counterweights that balance the rotating masses, and those chosen."""
     parts = replacement_masses(shape)
     rotating = shaft.pin_mass + shaft.web_mass * shaft.web_radius / shape.r + parts.at_a  # (27)
-    a, b = shaft.left, shaft.right
+    a = shaft.left
+    b = shaft.right
     turned = rotating * shape.r
     static_sum = turned / weights.radius  # (28): m₁ + m₂
     needed = static_sum * b / (a + b), static_sum * a / (a + b)  # (29)
     chosen = weights.masses or needed
     w2 = shape.omega**2
-    force, held = turned * w2, sum(chosen) * weights.radius
+    force = turned * w2
+    held = sum(chosen) * weights.radius
     left_over = (held - turned) * w2
     moment = (chosen[1] * b - chosen[0] * a) * weights.radius * w2
     translating = shape.m3 + parts.at_b
@@ -96,8 +98,10 @@ def _shaking_force(
     crank = shaft.static_moment(shape.r)
     curve = (crank - moment) * radial - shape.m2 * drawn.a["C"][turn] - shape.m3 * drawn.a["B"][turn]
     first, second = (_harmonic_amplitudes(curve, m.phi[turn], k) for k in (1, 2))
-    w2, r = shape.omega**2, shape.r
-    rotating, moving = (masses[0] * r - moment) * w2, masses[1] * r * w2
+    w2 = shape.omega**2
+    r = shape.r
+    rotating = (masses[0] * r - moment) * w2
+    moving = masses[1] * r * w2
     expected = abs(rotating + moving), abs(rotating), moving * shape.ratio
     return Shaking(name, moment, curve, first[0], first[1], second[0], expected)
 
@@ -144,10 +148,14 @@ def bearing_reactions(
     shape: CrankSliderShape, shaft: Shaft, weights: Counterweights | None, b: Balance | None, f: CycleForces
 ) -> Supports:
     """Reactions of the bearings from the sums of forces and moments."""
-    length, n, m, w2 = shaft.span, shaft.pin_from_b, shaft.webs, shape.omega**2
+    length = shaft.span
+    n = shaft.pin_from_b
+    m = shaft.webs
+    w2 = shape.omega**2
     web = shaft.static_moment(shape.r) * w2 / 2
     left, right = (b.chosen[k] * weights.radius * w2 if b and weights else 0.0 for k in (0, 1))
-    out, t = -f.K, f.T
+    out = -f.K
+    t = f.T
     a1 = ((web - left) * (length - m) + out * n + (web - right) * m) / length
     a2 = t * n / length
     return Supports(
@@ -165,7 +173,9 @@ def bearing_reactions(
 
 def dangerous_sections(shape: CrankSliderShape, shaft: Shaft, s: Supports) -> dict[str, Section]:
     """The dangerous sections from A to B."""
-    m, r, middle = shaft.webs, shape.r, shaft.span - shaft.pin_from_b
+    m = shaft.webs
+    r = shape.r
+    middle = shaft.span - shaft.pin_from_b
     zero = np.zeros_like(s.T)
     pin_z = s.A1 * middle - (s.web - s.left_weight) * shaft.left
     made = [
@@ -193,7 +203,9 @@ def _web_section(name: str, z: Array, y: Array, torque: Array, force: Array, sha
 def moment_diagrams(shaft: Shaft, cut: Mapping[str, Section], k: int) -> tuple[Array, Array, Array, Array]:
     """The moment diagrams in position ``k`` of the cycle along the developed length of the bar: distance from A, M_z,
     M_y, M_x."""
-    m, middle, end = shaft.webs, shaft.span - shaft.pin_from_b, shaft.span
+    m = shaft.webs
+    middle = shaft.span - shaft.pin_from_b
+    end = shaft.span
     x = np.array([0.0, m, m, middle, end - m, end - m, end])
     bars = [cut[name] for name in ("journal_A", "journal_A", "crankpin", "journal_B", "journal_B")]
     z, y = (np.array([0, *bent, 0]) for bent in ([s.bending_z[k] for s in bars], [s.bending_y[k] for s in bars]))
@@ -225,16 +237,21 @@ def fatigue_of_section(section: Section, round_part: RoundPart, steel: Material,
         / round_part.modulus
         * MEGAPASCALS_PER_PASCAL
     )
-    top, low = sigma.max(axis=1), sigma.min(axis=1)
-    amplitude, mean = (top - low) / 2, (top + low) / 2
+    top = sigma.max(axis=1)
+    low = sigma.min(axis=1)
+    amplitude = (top - low) / 2
+    mean = (top + low) / 2
     worse = k.k_sigma / k.size_sigma * amplitude + steel.psi * np.maximum(mean, 0.0)
     at = worse.argmax()
     tau = section.torsion / (2 * round_part.modulus) * MEGAPASCALS_PER_PASCAL
-    tau_a, tau_m = float(tau.max() - tau.min()) / 2, abs(float(tau.max() + tau.min())) / 2
+    tau_a = float(tau.max() - tau.min()) / 2
+    tau_m = abs(float(tau.max() + tau.min())) / 2
     n_sigma = safety_factor(steel.fatigue, float(worse[at]))
     n_tau = safety_factor(steel.fatigue_torsion, k.k_tau / k.size_tau * tau_a + steel.psi_torsion * tau_m)
-    n, static = combined_safety_factor(n_sigma, n_tau), safety_factor(steel.yields, float(section.equivalent.max()))
-    sigma_a, sigma_m = float(amplitude[at]), float(mean[at])
+    n = combined_safety_factor(n_sigma, n_tau)
+    static = safety_factor(steel.yields, float(section.equivalent.max()))
+    sigma_a = float(amplitude[at])
+    sigma_m = float(mean[at])
     return Fatigue(section.name, float(at), sigma_a, sigma_m, tau_a, tau_m, n_sigma, n_tau, n, static)
 
 

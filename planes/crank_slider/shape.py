@@ -50,7 +50,9 @@ def shape_of(scene: Scene) -> CrankSliderShape:
 
 class _Recogniser:
     def __init__(self, scene: Scene, mechanism: Mechanism, structure: Structure) -> None:
-        self.scene, self.m, self.structure = scene, mechanism, structure
+        self.scene = scene
+        self.m = mechanism
+        self.structure = structure
         g = structure.class_two_groups[0] if structure.class_two_groups else None
         fits = len(structure.groups) == 1 and mechanism.drive.rotates
         if not (
@@ -63,7 +65,9 @@ class _Recogniser:
             raise self.fault("cs_not_one", "links", formula=structure.structural_formula)
         self.crank, self.rod, self.slider = (mechanism.links[n] for n in (mechanism.drive.link, g.first, g.last))
         self.guide = g.last_outer.guide
-        self.pivot, self.pin, self.hinge = structure.drive_pair.point, g.first_outer.point, g.inner.point
+        self.pivot = structure.drive_pair.point
+        self.pin = g.first_outer.point
+        self.hinge = g.inner.point
 
     def fault(self, words: str, /, *path: str, **parts: object) -> SceneError:
         """An error at a key of the file."""
@@ -75,8 +79,11 @@ class _Recogniser:
         """All data of the mechanism, checked."""
         self.check_guide()
         self.check_motion()
-        r, c = self.check_crank(), self.check_rod()
-        crank, rod, slider = self.crank, self.rod, self.slider
+        r = self.check_crank()
+        c = self.check_rod()
+        crank = self.crank
+        rod = self.rod
+        slider = self.slider
         length = abs(rod.points[self.hinge] - rod.points[self.pin])
         if length <= r:
             raise self.fault("cs_short_rod", "links", rod.name, "points", rod=length, crank=r)
@@ -111,7 +118,8 @@ class _Recogniser:
 
     def check_guide(self) -> None:
         """Horizontal, through the pivot; the slider carries the hinge on it."""
-        guide, pivot = self.m.guide(self.guide), self.m.frame.points[self.pivot]
+        guide = self.m.guide(self.guide)
+        pivot = self.m.frame.points[self.pivot]
         level = math.isclose(guide.angle_deg % 360.0, 0.0, abs_tol=1e-12)
         if not level or not math.isclose(guide.through.imag, pivot.imag, abs_tol=1e-12):
             raise self.fault("cs_guide", "frame", "guides", self.guide, name=self.guide, pivot=self.pivot)
@@ -126,7 +134,8 @@ class _Recogniser:
 
     def check_crank(self) -> float:
         """The crank's radius; its pin and mass centre lie on its x axis."""
-        points, pivot = self.crank.points, self.crank.points[self.pivot]
+        points = self.crank.points
+        pivot = points[self.pivot]
         for name in (self.pin, self.crank.mass_centre):
             way = points[name] - pivot
             if abs(way.imag) > 1e-12 or (name == self.pin and way.real <= 0.0):

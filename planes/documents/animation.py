@@ -81,7 +81,8 @@ def positions_over_turn(scene: Scene, frames: int, lang: Lang) -> tuple[list[Pos
 
 def common_scales(scene: Scene, values: Sequence[float]) -> dict[str, float | None]:
     """The μ of each kind of plan: the largest standard one with which it fits in all positions."""
-    plans, sizes = scene_plans(scene), dict[str, float]()
+    plans = scene_plans(scene)
+    sizes = dict[str, float]()
     for value in values:
         try:
             drawing = drawn_in_si(plans, plans.drive_givens_at(value)[plans.drive_given_name])
@@ -118,8 +119,10 @@ def figure_origins_and_size(
     cells: Mapping[str, Bounds], columns: int
 ) -> tuple[dict[str, complex], tuple[float, float]]:
     """The origin of each figure, with so many in a row; and the size of the whole."""
-    names, corners = list(cells), dict[str, complex]()
-    y, wide = 0.0, 0.0
+    names = list(cells)
+    corners = dict[str, complex]()
+    y = 0.0
+    wide = 0.0
     for row in (names[k : k + columns] for k in range(0, len(names), columns)):
         x = 0.0
         for name in row:

@@ -26,7 +26,8 @@ def common_course_files(course: Course, folder: Path, places: Sequence[str], lan
         yield "teacher/book.pdf", answer_book_pdf(keys)
     if not {*PLATFORMS} & {*course.documents}:
         return
-    quizzes, title = judgeable_quizzes(_read_quizzes(folder, places)), course.title.get(lang, "")
+    quizzes = judgeable_quizzes(_read_quizzes(folder, places))
+    title = course.title.get(lang, "")
     for name, write in (("moodle", moodle_xml), ("stack", stack_xml)):
         if name in course.documents and quizzes:
             yield f"teacher/{name}.xml", write(quizzes, title, lang)
@@ -49,7 +50,8 @@ def _read_quizzes(folder: Path, places: Sequence[str]) -> list[Quiz]:
 
 def answer_book_pdf(keys: Sequence[Path]) -> bytes:
     """The pages of everybody's key, in the order of the list."""
-    pages, held = pypdfium2.PdfDocument.new(), io.BytesIO()
+    pages = pypdfium2.PdfDocument.new()
+    held = io.BytesIO()
     for key in keys:
         with pypdfium2.PdfDocument(key) as one:
             pages.import_pages(one)

@@ -41,7 +41,8 @@ def draw_chart(
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     plans = plans_of(with_moving_driver(scene.mechanism), scene.file)
     turn = turning_curves_of_length(plans, length)
-    methods, way = measure_methods(plans, others), approach_nearest_limit(plans, others)
+    methods = measure_methods(plans, others)
+    way = approach_nearest_limit(plans, others)
     beneath, names = (
         (
             distance_axis_title(way.limit, lang),
@@ -89,7 +90,8 @@ def with_moving_driver(mechanism: Mechanism) -> Mechanism:
 
 def distance_axis_title(limit: Limit, lang: Lang) -> str:
     """The kind of distance to a limit, in words."""
-    way, value = limit.way, f"{round(float(limit.value), 12):.7g}".replace("-", "−")
+    way = limit.way
+    value = f"{round(float(limit.value), 12):.7g}".replace("-", "−")
     kind = way.bench.plans.drive.kind
     if way.held is None:
         return say(f"chart_distance_{kind}", lang, value=value)

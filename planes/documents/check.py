@@ -57,7 +57,8 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     """Marks of a sheet to draw a plan on, and its title; ``more`` lines follow beneath. Its code identifies the
     student, by the names in the scene if ``mark`` does not; an unknown name is written by hand."""
     bench = plan_fitting_blank(prepare(asked))
-    asked, own = bench.asked, mark or SheetMark.from_asked(bench.asked)
+    asked = bench.asked
+    own = mark or SheetMark.from_asked(bench.asked)
     mark = replace(own, mu=own.mu or bench.said_mu, pole=blank_pole(bench))
     title = asked.scene.title.get(lang, "") or asked.scene.file
     mu = with_minus_and_decimal_sign(
@@ -67,10 +68,8 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
     squares.append((code_centre(), code_cells(mark.printed_text), CODE_SIDE_MM))
     texts = [f"{plan_title(asked.plan, lang)}, μ = {mu}", title, *(more or _owner_lines(asked, mark, lang))]
     fields = [] if mark.student else [say("check_blank_name", lang), say("check_blank_group", lang)]
-    pole, size = (
-        (Naming(lang).mark(POLE_LABEL, plan_kind(asked.plan)), blank_pole(bench)),
-        say("check_print_size", lang),
-    )
+    pole = (Naming(lang).mark(POLE_LABEL, plan_kind(asked.plan)), blank_pole(bench))
+    size = say("check_print_size", lang)
     return blank_sheet.blank_sheet_marks(
         SHEET_MM, squares, pole, texts, size, fields, _given_data_lines(bench, lang)
     ), title
@@ -78,7 +77,8 @@ def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = N
 
 def _given_data_lines(bench: PreparedPlan, lang: Lang) -> list[str]:
     """The data of the plan, with numbers that must not be broken across lines."""
-    asked, plans = bench.asked, bench.plans
+    asked = bench.asked
+    plans = bench.plans
     cut = plans_cut_to_names(plans, [step.makes for step in plans.program.mark_steps_by_plan[asked.plan]])
     value = plans.drive.position if asked.value is None else asked.value
     at = solve_position(asked.scene, cut, [], value, None, lang)
@@ -122,7 +122,8 @@ def write_report(outcome: Outcome, output: str, lang: Lang) -> None:
 
 def _overlay_sheet_contents(outcome: Outcome, lang: Lang) -> check_sheet.Overlay:
     """The contents of a sheet: both plans, the table and the sentence."""
-    asked, plans = outcome.bench.asked, outcome.bench.plans
+    asked = outcome.bench.asked
+    plans = outcome.bench.plans
     kind, naming = plan_kind(asked.plan), Naming(lang, **scene_lettering(asked.scene, plans))
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(outcome)}
 
@@ -133,8 +134,10 @@ def _overlay_sheet_contents(outcome: Outcome, lang: Lang) -> check_sheet.Overlay
             else naming.mark(label, kind)
         )
 
-    first, said = outcome.first_wrong or "", outcome.sentence.told(lang)
-    name_shown, shown = name(first) if first in verdicts else naming.lettered_vector(first), shown_plans(outcome)
+    first = outcome.first_wrong or ""
+    said = outcome.sentence.told(lang)
+    name_shown = name(first) if first in verdicts else naming.lettered_vector(first)
+    shown = shown_plans(outcome)
     photo = Photo(outcome.paper.picture, outcome.paper.box) if outcome.paper.picture and outcome.paper.box else None
     laid = photo is None or max(photo.box[:2]) < -1  # without a known pole it would be in the picture's corner
     return check_sheet.Overlay(

@@ -66,7 +66,8 @@ def practice_row(
 ) -> ClassRow:
     """The row of a practice: the student's name as entered, how many answers were right at once or why it is
     refused."""
-    place, more = f"{sheet.file}: ", more or {}
+    place = f"{sheet.file}: "
+    more = more or {}
     said = {one: result.told(one).removeprefix(place) for one in {*available_languages("check"), lang}}
     whose = str(more.get("name", ""))
     return ClassRow(

@@ -109,7 +109,8 @@ class Sorter:
             task = self.handed.tasks[0]
         if task is None:
             own = saved_table_name(sheet.file) if sheet.file.suffix.lower() in TABLE_SUFFIXES else ""
-            key, suffix = "check_marks_alone" if own else "check_whose_is_it", sheet.file.suffix
+            key = "check_marks_alone" if own else "check_whose_is_it"
+            suffix = sheet.file.suffix
             raise PlanesError(Phrase(key, file=sheet.name, name=own, suffix=suffix))
         return task
 

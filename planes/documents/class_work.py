@@ -145,7 +145,8 @@ class ClassWork:
 
     def _duplicate_drawings(self) -> dict[str, list[str]]:
         """By file the other drawings of the same plan by the same student."""
-        own, same = {str(t.file) for t in self.tasks if t.student}, dict[tuple[str, str, str], list[str]]()
+        own = {str(t.file) for t in self.tasks if t.student}
+        same = dict[tuple[str, str, str], list[str]]()
         for row in self.rows:
             if row.plan and row.task in own:
                 same.setdefault(row.plan_task_and_student, []).append(row.file)
@@ -153,7 +154,8 @@ class ClassWork:
 
     def students_without_drawing(self) -> str:
         """The students without any drawing, with the assignments where there are several."""
-        came, several = {row.task for row in self.rows}, are_of_several_assignments(self.tasks)
+        came = {row.task for row in self.rows}
+        several = are_of_several_assignments(self.tasks)
         names: dict[str, list[str]] = {}
         for task in self.tasks:
             if task.student and str(task.file) not in came:
@@ -177,13 +179,15 @@ class ClassWork:
         keys, head = table_columns(self.rows, self.lang)
         table = self._row_cells([replace(r, said=r.said.removeprefix(f"{r.first}: ")) for r in ranked], keys)
         rows = list(zip(ranked, table, strict=True))
-        title, missing = f"{say('check_class', self.lang)}: {self.title}", self.students_without_drawing()
+        title = f"{say('check_class', self.lang)}: {self.title}"
+        missing = self.students_without_drawing()
         absent = Phrase("check_missing", names=missing).told(self.lang) if missing else ""
         return check_pages.class_page(title, verdict_counts, self._common_mistakes(), absent, head, rows, self.lang)
 
     def _common_mistakes(self) -> list[tuple[str, list[tuple[str, str]]]]:
         """Mistakes in more than one drawing (a duplicate counts once), with the students and their reports."""
-        common, again = dict[str, dict[object, tuple[str, str]]](), self._duplicate_drawings()
+        common = dict[str, dict[object, tuple[str, str]]]()
+        again = self._duplicate_drawings()
         for row in self.rows:
             if row.mistake:
                 one = row.plan_task_and_student if row.file in again else row.file

@@ -92,7 +92,8 @@ def make_documents(order: Order) -> MadeDocuments:
     if order.program and order.program != program_fingerprint():
         fault = Phrase("course_other_program").told(order.lang)
         return MadeDocuments({}, dict.fromkeys(order.files, fault))
-    made, desk = MadeDocuments(), Desk(order)
+    made = MadeDocuments()
+    desk = Desk(order)
     with _DRAWING_LOCK:
         for name in order.files:
             try:
@@ -173,10 +174,12 @@ class Desk:
     def blank(self) -> bytes:
         """A page for each plan."""
         plans = [p for p in self.drawn_position.plans.plan_names if plan_kind(p) in self.order.plans]
-        lang, (scene, variant, student) = self.lang, self.order.whose
+        lang = self.lang
+        scene, variant, student = self.order.whose
         asked = [(Asked(self.scene, plan), SheetMark(scene, variant, student, plan)) for plan in plans]
         pages = [blank_marks(one, lang, self.order.heads[-1], mark=mark) for one, mark in asked]
-        title, reverse = pages[0][1] if pages else "", blank_back_marks(self.scene, SHEET_MM, lang)
+        title = pages[0][1] if pages else ""
+        reverse = blank_back_marks(self.scene, SHEET_MM, lang)
         sides = [marks for marks, _ in pages for marks in (marks, reverse) if marks]
         return pdf.write_pages([(marks, SHEET_MM) for marks in sides], title, lang)
 

@@ -58,7 +58,8 @@ class Conductor:
     done: int = 0
 
     def __post_init__(self) -> None:
-        self.given, self.names = shares_of_course(self.course), folders_by_file_name(self.course)
+        self.given = shares_of_course(self.course)
+        self.names = folders_by_file_name(self.course)
         self.total = len(self.given) * (len(self.names) + 2)
 
     def make_course(self) -> Report:

@@ -36,7 +36,8 @@ def _draw_position_sheet(calculation: Calculation, path: str, phi: float | None,
     """The drawing sheet of one position, with the gas force on the piston."""
     from planes.documents.drawn import draw_sheet
 
-    low, high = float(calculation.motion.phi_deg[0]), float(calculation.motion.phi_deg[-1])
+    low = float(calculation.motion.phi_deg[0])
+    high = float(calculation.motion.phi_deg[-1])
     if phi is not None and not low <= phi <= high:
         raise PlanesError(Phrase("cs_phi", value=f"{phi:g}", low=low, high=high))
     asked = worked_force_angle_deg(calculation) if phi is None else calculation.angle(phi)

@@ -51,21 +51,25 @@ class DrawnTurn:
     """A turn read at the driver's positions of its runs, and at the numbered positions, as drawn."""
 
     def __init__(self, turn: WholeTurn, runs: Runs, naming: Naming) -> None:
-        self.turn, self.runs, self.naming = turn, runs, naming
+        self.turn = turn
+        self.runs = runs
+        self.naming = naming
         self.pieces = [(places, turn.sample_columns(places)) for places in runs.runs_between_dead_points()]
         self.stations = turn.sample_columns(runs.stations_off_dead_points())
 
     def curve(self, curve: Curve, ends: Sequence[Extreme] = ()) -> DiagramCurve:
         """A curve, with its marked values; angles are unwound in both."""
         places, values = self.joined(curve)
-        at, marked_values = [e.place for e in ends], numpy.array([e.value for e in ends])
+        at = [e.place for e in ends]
+        marked_values = numpy.array([e.value for e in ends])
         if curve.angular:
             values = unwind_angles(values)
             there = numpy.isfinite(values)
             marked_values = marked_values + FULL_TURN_DEG * numpy.round(
                 (numpy.interp(at, places[there], values[there]) - marked_values) / FULL_TURN_DEG
             )
-        name, marked = self.naming.lettered_curve(curve.name), tuple(zip(at, marked_values.tolist(), strict=True))
+        name = self.naming.lettered_curve(curve.name)
+        marked = tuple(zip(at, marked_values.tolist(), strict=True))
         place = curve.group == "place"
         return DiagramCurve(
             letter_of_scale(name), curve.unit, finite_or_none(values), name, finite_or_none(places), marked, place
@@ -165,7 +169,8 @@ def cycle_page(
     loops = [*(hodographs or ()), *(f"r_{name_index(p) if letter_of(p) == 'r' else p}" for p in paths or ())]
     turn = whole_turn_of(plans, [n for names in panels for n in names], loops, scene.file)
     runs = Runs(plans, *(diagram_range(plans)[:2] if span is None else sorted(span.first_and_last)))
-    composer, title = Composer(scene, lang, plans), scene.title.get(lang, "")
+    composer = Composer(scene, lang, plans)
+    title = scene.title.get(lang, "")
     turned = DrawnTurn(turn, runs, composer.naming)
     with using_face(face_of_scene(scene)):
         views = [*_title_lines(title), *_diagram_views(turned, panels), *_hodograph_rows(turned)]
@@ -181,7 +186,9 @@ def _title_lines(text: str) -> list[View]:
 
 def _diagram_views(turned: DrawnTurn, panels: Sequence[Sequence[str]]) -> list[View]:
     """The diagrams, one beneath another."""
-    turn, runs, by_name = turned.turn, turned.runs, {c.name: c for c in turned.turn.curves}
+    turn = turned.turn
+    runs = turned.runs
+    by_name = {c.name: c for c in turn.curves}
     if not panels:
         return []
     curve_extremes = extremes_of_curves(make_grid(turn, runs.start, runs.end))

@@ -63,7 +63,8 @@ def draw_sheet(
     view, without a frame. ``text`` "pieces" writes the indices of a DXF as separate texts, "strokes" draws its letters
     by lines.
     """
-    suffix, others = Path(output).suffix.lower(), constructed.format_suffixes()
+    suffix = Path(output).suffix.lower()
+    others = constructed.format_suffixes()
     if suffix not in (*DRAWING_SUFFIXES, *others):
         raise PlanesError(Phrase("bad_suffix", file=output, known=(*DRAWING_SUFFIXES, *others)))
     if suffix in others:

@@ -94,7 +94,8 @@ def _turn_results(
     """The results for one set of parameters. A turn is made ready in milliseconds, so the last ones are kept; while
     used, one is taken out, for another thread may ask for the same."""
     plans = scene_plans(scene)
-    drive, key = plans.drive, (id(plans), names)
+    drive = plans.drive
+    key = (id(plans), names)
     turn = _READY_TURNS.pop(key, None)
     if turn is None:
         asked = None if names is None else [name for name in names if name != drive.kind]
@@ -134,7 +135,8 @@ def check(
     missing. Raises :class:`PlanesError` where the file cannot be opened or the scene has no such plan.
     """
     scene = scene_from(scene)
-    at, known_mu = drive_positions_asked(scene, phi, s, False), None if mu is None else read_mu(mu, plan_kind(plan))
+    at = drive_positions_asked(scene, phi, s, False)
+    known_mu = None if mu is None else read_mu(mu, plan_kind(plan))
     answers = main_answer_names(scene, at, plan) if str(drawing).lower().endswith(TABLE_SUFFIXES) else ()
     asked = Asked(scene, plan, at, known_mu, answers=answers)
     known = Known(pole, marks or {}, page=None if page is None else page - 1)
@@ -157,7 +159,8 @@ def sheet(
     notebook shows the returned value. Raises :class:`PlanesError` where it cannot be drawn or written.
     """
     scene = scene_from(scene)
-    lang, at = lang or home_lang(), drive_positions_asked(scene, phi, s, False) if scene.mechanism else None
+    lang = lang or home_lang()
+    at = drive_positions_asked(scene, phi, s, False) if scene.mechanism else None
     values = None if at is None else [at]
     drawn = page_of_view(scene, view, values, lang) if view else sheet_of(scene, values, lang, number)
     if output is not None:

@@ -136,7 +136,8 @@ def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"),
     plans, wanted = plans_and_requested_results(own)
     if own.mechanism is None:
         raise SceneError(Phrase("vectors_alone"), own.file, own.where.get(("vectors",), 1))
-    drive, said = plans.drive, lang or home_lang()
+    drive = plans.drive
+    said = lang or home_lang()
     turns = drive.rotates
     reach = (0.0, 360.0, 1.0) if turns else (drive.position - 1.0, drive.position + 1.0, 0.01)
 
@@ -161,7 +162,8 @@ def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"),
             try:
                 self.position = solve_position(own, plans, wanted, self.value, None, said)
                 pages = [picture(self.position, view, said) for view in views]
-                self.svg, self.failure = "".join(page._repr_svg_() for page in pages), ""
+                self.svg = "".join(page._repr_svg_() for page in pages)
+                self.failure = ""
             except PlanesError as failure:
                 self.position, self.failure = None, failure.told(said)
 

@@ -48,7 +48,8 @@ def generate(data):
 
 def prairielearn_files(name: str, group: Sequence[Quiz], lang: Lang) -> dict[str, bytes]:
     """The files of a question folder: info.json, question.html, server.py, numbers.json and the picture."""
-    first, pool = group[0], Pool(group, lang)
+    first = group[0]
+    pool = Pool(group, lang)
     inputs = "".join(
         f'{question_html(q, lang)}<pl-number-input answers-name="{q.platform_key}" comparison="relabs" rtol="0" '
         f'atol="{{{{params.tolerance_{q.platform_key}}}}}" suffix="{q.unit}"></pl-number-input>\n'

@@ -117,13 +117,15 @@ def question_html(item: QuizItem, lang: Lang) -> str:
 def _numerical_question(one: Quiz, item: QuizItem, lang: Lang) -> Xml:
     text = question_stem(Pool([one], lang), "", "") + question_html(item, lang)
     head = _question_head(f"{one.assignment}: {item.name}", text, one.picture)
-    value, tolerance = f"{item.value:.10g}", f"{item.tolerance:.6g}"
+    value = f"{item.value:.10g}"
+    tolerance = f"{item.tolerance:.6g}"
     return filled_element("numerical", head=head, value=value, tolerance=tolerance, unitless=filled_element("unitless"))
 
 
 def _calculated_question(group: Sequence[Quiz], number: int, lang: Lang) -> Xml:
     """One answer of an assignment, with numbers drawn from those of the students."""
-    first, item = group[0], group[0].questions[number]
+    first = group[0]
+    item = first.questions[number]
     pool = Pool(group, lang)
     text = question_stem(pool, "{", "}") + question_html(item, lang)
     head = _question_head(f"{first.assignment}: {item.name}", text, first.picture)
@@ -145,14 +147,16 @@ def _calculated_question(group: Sequence[Quiz], number: int, lang: Lang) -> Xml:
 def _dataset_element(name: str, values: Sequence[float]) -> Xml:
     """The values of a wildcard, one for each student."""
     items = (filled_element("dataset item", number=number, value=f"{one:.10g}") for number, one in enumerate(values, 1))
-    least, most = f"{min(values):.10g}", f"{max(values):.10g}"
+    least = f"{min(values):.10g}"
+    most = f"{max(values):.10g}"
     return filled_element(
         "dataset", name=name, least=least, most=most, count=len(values), items=_joined_elements(items)
     )
 
 
 def _stack_question(name: str, group: Sequence[Quiz], lang: Lang) -> Xml:
-    first, pool = group[0], Pool(group, lang)
+    first = group[0]
+    pool = Pool(group, lang)
     numbers = range(1, len(first.questions) + 1)
     inputs = [
         f"{question_html(item, lang)}<p>[[input:ans{k}]] [[validation:ans{k}]]</p>"

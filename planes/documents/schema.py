@@ -127,7 +127,8 @@ class _Forms:
     def table_schema(self, name: str) -> Json:
         """A table with the keys of a reader."""
         forms: Json = _SHEET_KEY_FORMS if name == "sheet" else _TABLE_FORMS.get(name, {})
-        keys, required = _KEYS_OF_TABLES.get(name, forms), _FORMS_FILE["required"].get(name, ())
+        keys = _KEYS_OF_TABLES.get(name, forms)
+        required = _FORMS_FILE["required"].get(name, ())
         meant = "law" if name == "stroke" else name
         usual: str | Json = forms.get("*", "number")
         own = {key: self.key_schema(f"{meant}_{key}", forms.get(key, usual)) for key in keys}

@@ -57,7 +57,8 @@ class StudioServer:
     """The routes, and their common data: the token, the pages, the folders where files are made."""
 
     def __init__(self, lang: Lang, first: str = "", scenes: tuple[str, ...] = ()) -> None:
-        self.lang, self.token = lang, secrets.token_urlsafe(24)
+        self.lang = lang
+        self.token = secrets.token_urlsafe(24)
         way = {"kind": "server", "address": "", "native": True}
         self.pages = studio_files(lang, way, first)
         self.scenes = scenes

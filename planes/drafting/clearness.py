@@ -32,7 +32,9 @@ _PLANS_REPEATING_SCHEME_LINES = ("velocity", "motion", "acceleration", "lever")
 def is_clear_drawing(program: Program, things: Things, tool: Tool, sides: Iterable[tuple[str, str]] = ()) -> Truth:
     """Whether a drawing is clear, for one position, for many, or on a tape; and no force of ``sides`` (start, end)
     vanishes beside the largest of its plan."""
-    ar, scheme, forces = tool.ar, 1.0, 1.0
+    ar = tool.ar
+    scheme = 1.0
+    forces = 1.0
     for name, sharpness in _sharpness_of_marks(program, tool).items():
         plan = plan_kind(plan_of(name))
         if plan == "force" and name not in program.trial_marks:
@@ -43,8 +45,10 @@ def is_clear_drawing(program: Program, things: Things, tool: Tool, sides: Iterab
     rays = (s for s in program.steps if isinstance(s, Touch | Through) and s.makes not in program.vanishing_directions)
     for step in rays:
         if plan_kind(plan_of(step.start)) not in _PLANS_REPEATING_SCHEME_LINES:
-            one, two = things[step.start], things[step.end]
-            apart, size = squared_length(two - one), squared_length(one) + squared_length(two)
+            one = things[step.start]
+            two = things[step.end]
+            apart = squared_length(two - one)
+            size = squared_length(one) + squared_length(two)
             ok = ok & ((apart >= (BLUNT_SHARPNESS * LEAST_CLEAR_SHARPNESS) ** 2 * size) | (apart == 0))
     for sense in (s for s in program.steps if isinstance(s, Sense)):
         length, largest = sense.length_and_farthest_distance(things, ar)
@@ -61,7 +65,9 @@ def _sharpness_of_marks(program: Program, tool: Tool) -> dict[str, Real]:
 
 def _no_force_vanishes(program: Program, things: Things, tool: Tool, sides: Iterable[tuple[str, str]]) -> Truth:
     """Whether no force vanishes, or nearly so, beside others."""
-    ar, ok, largest = tool.ar, True, dict[str, Real]()
+    ar = tool.ar
+    ok = True
+    largest = dict[str, Real]()
     for start, end in sides:
         plan = plan_of(start)
         if plan not in largest:

@@ -94,7 +94,8 @@ class Draft:
         """Add a step unless it exists; a direction or value named by another one is recorded."""
         while step.makes in self.given or self.steps.setdefault(step.makes, step) != step:
             if step.kind == "mark" or step.makes.startswith(_PREFIXES_READ_BY_NAME):
-                mark, plan = name_in_words(step.makes), plan_of(step.makes)
+                mark = name_in_words(step.makes)
+                plan = plan_of(step.makes)
                 name = Phrase("mark_of_plan", mark=mark, plan=plan_phrase(plan)) if plan else mark
                 raise ProgramError(Phrase("named_twice", name=name))
             step = replace(step, makes=step.makes + (REPEATED_DIRECTION_SUFFIX if step.kind == "direction" else "′"))
@@ -260,7 +261,9 @@ class Draft:
         else:  # both open terms are in one chain: work back from its far end
             one, two = open_terms[0] or open_terms[1]
             start, other = ends if open_terms[0] else reversed(ends)
-        mark, mu, side = full_mark_name(equation.plan, one.end), mu_name(equation.plan), equation.side or ""
+        mark = full_mark_name(equation.plan, one.end)
+        mu = mu_name(equation.plan)
+        side = equation.side or ""
         if one.direction and two.direction:
             self.add_step(Cross(mark, start, one.direction, other, two.direction))
         elif one.direction and two.length:

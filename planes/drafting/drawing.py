@@ -99,7 +99,8 @@ def draw_steps(
 
     Later steps use the entries that the tool leaves in ``things``; of many drawings, failed ones are NaN.
     """
-    name, made = "", {}
+    name = ""
+    made = {}
     try:
         with tool.ar.ignoring_warnings():
             for step in steps:
@@ -127,8 +128,10 @@ def mask_unproved_drawings(drawing: Drawing, given: Things) -> None:
 
 def _check_proofs(drawing: Drawing, given: Things, proofs: Sequence[Proof]) -> None:
     """Refuse, or mask, gaps larger than drawings with a thousand times the rounding error can explain."""
-    tool, blunter = drawing.tool, None
-    apart, shown = [], Facts(drawing.things, tool.ar)
+    tool = drawing.tool
+    blunter = None
+    apart = []
+    shown = Facts(drawing.things, tool.ar)
     with tool.ar.ignoring_warnings():
         for proof in proofs:
             gap, size = proof.gap_and_comparison_size(shown)
@@ -163,7 +166,8 @@ def _gap_variation(blunter: list[Things], proof: Proof, gap: Real, size: Real, t
 
 def _mask_refused_drawings(drawing: Drawing, proof: Proof, ok: Truth) -> None:
     """Of many drawings, set those that a proof refuses to NaN."""
-    tool, before = drawing.tool, len(drawing.tool.failures)
+    tool = drawing.tool
+    before = len(tool.failures)
     tool.fail_unless(ok, proof, proof.reason)
     for step in drawing.program.steps:
         drawing.things[step.makes] = tool.mask_failed_results(drawing.things[step.makes], step, before)

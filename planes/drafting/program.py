@@ -104,7 +104,8 @@ class Program:
     ) -> tuple[Step, ...]:
         """The steps to redraw when the givens ``changed`` change, or other steps are drawn ``instead`` of some; results
         in ``fixed`` stay, whatever they depend on."""
-        dirty, steps = set(changed), []
+        dirty = set(changed)
+        steps = []
         for step in self.steps:
             if step.makes in instead or any(name in dirty for name, _ in step.input_names()):
                 steps.append(step)

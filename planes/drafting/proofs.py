@@ -25,7 +25,8 @@ class Facts:
     """The data of a drawing, as proofs read them: whatever several of them need is computed once."""
 
     def __init__(self, things: Things, ar: Arithmetic) -> None:
-        self.things, self.ar = things, ar
+        self.things = things
+        self.ar = ar
         self.known: dict[tuple[str, ...], Any] = {}
 
     def __getitem__(self, name: str) -> Thing:

@@ -192,7 +192,8 @@ def two_sum(a: N, b: N) -> tuple[N, N]:
 def two_product(a: N, b: N) -> tuple[N, N]:
     """a·b and its rounding error."""
     p = a * b
-    (a1, a2), (b1, b2) = _split_in_halves(a), _split_in_halves(b)
+    a1, a2 = _split_in_halves(a)
+    b1, b2 = _split_in_halves(b)
     return p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
 
 
@@ -208,8 +209,12 @@ def squared_circle_gap(cx: N, cy: N, dx: N, dy: N, r: N, s: N) -> N:
     It shows whether circles of radii r and s about c and d meet. The distance is never formed: once rounded, it would
     spoil a small difference. The result is 0 where rounding of the six numbers may account for it: the circles touch.
     """
-    (x, x_lost), (y, y_lost), (t, t_lost) = two_sum(dx, -cx), two_sum(dy, -cy), two_sum(r, s)
-    (xx, xx_lost), (yy, yy_lost), (tt, tt_lost) = two_product(x, x), two_product(y, y), two_product(t, t)
+    x, x_lost = two_sum(dx, -cx)
+    y, y_lost = two_sum(dy, -cy)
+    t, t_lost = two_sum(r, s)
+    xx, xx_lost = two_product(x, x)
+    yy, yy_lost = two_product(y, y)
+    tt, tt_lost = two_product(t, t)
     left, one = two_sum(tt, -xx)
     left, two = two_sum(left, -yy)
     left = left + (((one + two) + (tt_lost - xx_lost - yy_lost)) + 2 * (t * t_lost - x * x_lost - y * y_lost))

@@ -38,7 +38,8 @@ def find_parallel_ties(ties: Sequence[Tie]) -> Parallel | None:
     """Two of three ties whose lines are parallel at every angle of the link, and the third; None where there are
     none."""
     for k in range(3):
-        one, two = ties[k - 2], ties[k - 1]
+        one = ties[k - 2]
+        two = ties[k - 1]
         if one.kind == two.kind != "arc" and abs(plane.cross(one.turn, two.turn)) <= MOST_PARALLEL_SINE:
             same = math.copysign(1.0, plane.dot(one.turn, two.turn))
             return Parallel(tuple(ties), ties[k], one, replace(two, turn=one.turn, reach=same * two.reach))
@@ -65,21 +66,22 @@ class Parallel:
         parallel to both."""
         a, b = self.first_tie_coefficients
         if self.beside.kind == "arc":
-            reach, four = Laurent.from_doubles({0: self.beside.reach}), Laurent.from_doubles({0: 4})
+            reach = Laurent.from_doubles({0: self.beside.reach})
+            four = Laurent.from_doubles({0: 4})
             return reach * reach * four * a * a.conjugate() - b * b
         e, _ = tie_coefficients(self.beside, self.beside)
         return (e.conjugate() * a - e * a.conjugate()).times_i()
 
     def assemblies(self) -> Counted:
         """All poses, by growing angle from -180°."""
-        apart, limit = (
-            tie_coefficients(self.two, self.beside)[1] - self.first_tie_coefficients[1],
-            self.reach_polynomial,
-        )
-        (poly, lost), (bound, _) = half_tangent_polynomial(apart), half_tangent_polynomial(limit)
+        apart = tie_coefficients(self.two, self.beside)[1] - self.first_tie_coefficients[1]
+        limit = self.reach_polynomial
+        poly, lost = half_tangent_polynomial(apart)
+        bound, _ = half_tangent_polynomial(limit)
         if not poly or not bound:  # one line given twice, or three parallel ones
             return Counted((), 0, True)
-        (own, double), far = square_free_part(poly), _value_at_half_turn(limit)
+        own, double = square_free_part(poly)
+        far = _value_at_half_turn(limit)
         if len(greatest_common_divisor(own, bound)) > 1 or (lost and not far):
             return Counted((), 0, True)
         roots = [
@@ -93,7 +95,9 @@ class Parallel:
     def _poses_at_angle(self, axis: complex, sign: int) -> Iterator[Pose]:
         """The poses at an angle; ``sign`` is that of the limit."""
         one, two = self.first_tie_coefficients
-        a, b, base = one.value_at(axis), two.value_at(axis).real, self.beside
+        a = one.value_at(axis)
+        b = two.value_at(axis).real
+        base = self.beside
         if base.kind != "arc":
             e, f = (x.value_at(axis) for x in tie_coefficients(base, base))
             places = [(b * e - f.real * a) / (e.conjugate() * a - e * a.conjugate())]

@@ -101,7 +101,9 @@ def intersect_line_circle(
 def _folded_arm_chord(p: Point, u: Point, radius: Real, arm: Arm, ar: Arithmetic) -> tuple[Point, Real]:
     """The end of the arm, and the half chord by h = h₀ + l sin ψ, 1 - |sin ψ| = cos²ψ / (1 + |sin ψ|)."""
     hub, ray, length = arm
-    rise, sine, cosine = cross(u, hub - p), cross(u, ray), dot(u, ray)
+    rise = cross(u, hub - p)
+    sine = cross(u, ray)
+    cosine = dot(u, ray)
     above = ar.where(sine < 0, -1.0, 1.0)
     short = (radius - length - above * rise) + length * cosine * (cosine / (1 + abs(sine)))
     return hub + ray * length, ar.sqrt(short * (radius + above * (rise + length * sine)))
@@ -118,7 +120,8 @@ def intersect_circles(
     (Miscalculating Area and Angles of a Needle-like Triangle, 1986).
     """
     apart = abs(d - c)
-    far, near = apart - (r + s), abs(r - s) - apart
+    far = apart - (r + s)
+    near = abs(r - s) - apart
     quad = ar.sqrt(ar.gap(c, d, r, s) * -ar.gap(c, d, r, -s))
     square = dot(d - c, d - c)
     part = 0.5 / (square + (square == 0))

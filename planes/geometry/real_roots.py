@@ -17,7 +17,8 @@ def isolate_real_roots(poly: Line) -> list[tuple[Fraction, Fraction]] | None:
     more = [-((lead - 2 - q.bit_length()) // k) for k, q in enumerate(reversed(poly[:-1]), 1)]
     edge = 3 << max(0, *more, 0)  # no root exceeds twice the largest |a/lead|^(1/k) (M. Fujiwara)
     start = _stretch_unknown(_shift_unknown(poly, -edge), 2 * edge)
-    ranges, left = list[tuple[Fraction, Fraction]](), [(start, Fraction(-edge), Fraction(2 * edge), 0)]
+    ranges = list[tuple[Fraction, Fraction]]()
+    left = [(start, Fraction(-edge), Fraction(2 * edge), 0)]
     while left:
         here, low, wide, depth = left.pop()
         changes = _count_sign_changes(_shift_unknown_by_one(here[::-1]))
@@ -60,9 +61,11 @@ def narrow_down_root(poly: Line, low: Fraction, high: Fraction) -> Fraction:
     """The only root in an interval, narrowed down."""
 
     def above(u: Fraction) -> bool:
-        total, power = 0, 1
+        total = 0
+        power = 1
         for q in reversed(poly):
-            total, power = total * u.numerator + q * power, power * u.denominator
+            total = total * u.numerator + q * power
+            power = power * u.denominator
         return total > 0
 
     top = above(high)

@@ -27,7 +27,8 @@ def search_assemblies(ties: Sequence[Tie], size: float) -> Counted:
     over = [replace(t, local=t.local / size, place=t.place / size, reach=t.reach / size) for t in ties]
     met: list[tuple[Pose, int]] = []
     for k in range(MOST_SEARCH_ROUNDS):
-        before, met = len(met), _converged_poses(over, links, FIRST_START_COUNT << k)
+        before = len(met)
+        met = _converged_poses(over, links, FIRST_START_COUNT << k)
         if met and (min(count for _, count in met) >= LEAST_HITS_PER_POSE or (len(met) == before > 0 and k > 1)):
             break
     proven = sorted((pose for pose, _ in met if is_proved_assembly(over, pose)), key=lambda pose: pose[1].imag)
@@ -40,7 +41,8 @@ def _converged_poses(ties: Sequence[Tie], links: int, count: int) -> list[tuple[
 
     rng = np.random.default_rng(count)
     held = [complex(t.place) for t in ties if t.kind != "hinge"]
-    middle, reach = sum(held) / len(held), 1.0 + max(abs(z - held[0]) for z in held)
+    middle = sum(held) / len(held)
+    reach = 1.0 + max(abs(z - held[0]) for z in held)
     place = middle + reach * (rng.uniform(-1, 1, count) + 1j * rng.uniform(-1, 1, count))
     pose: Pose = (place, *np.exp(2j * np.pi * rng.random((links, count))))
     with np.errstate(all="ignore"):
@@ -76,7 +78,8 @@ class Quadratic:
         """The gradient at a place."""
         slopes = self.rest[:-1]
         for a, b in self.products:
-            at_a, at_b = _affine_value(a, x), _affine_value(b, x)
+            at_a = _affine_value(a, x)
+            at_b = _affine_value(b, x)
             slopes = [s + at_a * q + at_b * p for s, p, q in zip(slopes, a[:-1], b[:-1], strict=True)]
         return slopes
 
@@ -106,7 +109,8 @@ def is_proved_assembly(ties: Sequence[Tie], pose: Pose) -> bool:
     except np.linalg.LinAlgError:
         return False
     rows = [[Fraction(float(v)) for v in row] for row in inverse]
-    values, bends = [e.residual(x) for e in equations], [e.second_degree_bound for e in equations]
+    values = [e.residual(x) for e in equations]
+    bends = [e.second_degree_bound for e in equations]
     for k, row in enumerate(rows):
         step = abs(sum((p * v for p, v in zip(row, values, strict=True)), Fraction(0)))
         off = Fraction(0)
@@ -136,7 +140,10 @@ Spot = tuple[Affine, Affine]
 
 def _tie_equation(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
     """A tie, by the definition of ``Tie.wrench``."""
-    width, place, turn, reach = len(origin[0]), exact_parts(t.place), exact_parts(t.turn), Fraction(t.reach)
+    width = len(origin[0])
+    place = exact_parts(t.place)
+    turn = exact_parts(t.turn)
+    reach = Fraction(t.reach)
     fixed = _constant_form(place[0], width), _constant_form(place[1], width)
     if t.kind == "arc":
         x, y = _subtract_spots(_add_spots(origin, _rotated_spot(axis, t.local)), fixed)
@@ -145,7 +152,8 @@ def _tie_equation(t: Tie, origin: Spot, axis: Spot) -> Quadratic:
         x, y = _subtract_spots(_add_spots(origin, _rotated_spot(axis, t.local)), fixed)
         height = [turn[0] * q - turn[1] * p for p, q in zip(x, y, strict=True)]
         return Quadratic((), [*height[:-1], height[-1] - reach])
-    (x, y), (u, v) = _subtract_spots(fixed, origin), _rotated_spot(axis, t.turn)
+    x, y = _subtract_spots(fixed, origin)
+    u, v = _rotated_spot(axis, t.turn)
     local = exact_parts(t.local)
     beside = turn[0] * local[1] - turn[1] * local[0]  # direction of the guide, in the link's axes
     return Quadratic(((u, y), ([-q for q in v], x)), _constant_form(-beside - reach, width))
@@ -165,7 +173,8 @@ def _constant_form(value: Fraction, width: int) -> Affine:
 
 
 def _add_spots(one: Spot, two: Spot) -> Spot:
-    (a, b), (c, d) = one, two
+    a, b = one
+    c, d = two
     return [p + q for p, q in zip(a, c, strict=True)], [p + q for p, q in zip(b, d, strict=True)]
 
 
@@ -175,5 +184,6 @@ def _subtract_spots(one: Spot, two: Spot) -> Spot:
 
 def _rotated_spot(axis: Spot, local: complex) -> Spot:
     """A place of a link relative to its origin, turned with the link."""
-    (x, y), (c, s) = exact_parts(local), axis
+    x, y = exact_parts(local)
+    c, s = axis
     return [x * p - y * q for p, q in zip(c, s, strict=True)], [x * q + y * p for p, q in zip(c, s, strict=True)]

@@ -129,10 +129,12 @@ def _ties_arc_first(ties: Sequence[Tie]) -> tuple[Tie, Tie, Tie]:
 
 def tie_coefficients(t: Tie, base: Tie) -> tuple[Laurent, Laurent]:
     """A tie as 2 Re(ā Y) + b = 0 for Y, the base's point relative to the base's place."""
-    r, c = t.local - base.local, t.place - base.place
+    r = t.local - base.local
+    c = t.place - base.place
     if t.kind == "guide":
         iw = 1j * t.turn
-        force, arm = Laurent.from_doubles({1: iw}), Laurent.from_doubles({0: c})
+        force = Laurent.from_doubles({1: iw})
+        arm = Laurent.from_doubles({0: c})
         half = Laurent.from_doubles({0: 0.5})
         b = (
             (force.conjugate() * arm + force * arm.conjugate()) * half
@@ -143,7 +145,8 @@ def tie_coefficients(t: Tie, base: Tie) -> tuple[Laurent, Laurent]:
     if t.kind == "line":
         iu = 1j * t.turn
         arm = Laurent.from_doubles({1: r}) - Laurent.from_doubles({0: c})
-        pull, half = Laurent.from_doubles({0: iu}), Laurent.from_doubles({0: 0.5})
+        pull = Laurent.from_doubles({0: iu})
+        half = Laurent.from_doubles({0: 0.5})
         return Laurent.from_doubles({0: 0.5 * iu}), (
             pull.conjugate() * arm + pull * arm.conjugate()
         ) * half - Laurent.from_doubles({0: t.reach})
@@ -160,8 +163,10 @@ def _exact_cross_product(a: complex, b: complex) -> Laurent:
 
 def _eliminant_and_place(base: Tie, one: Tie, two: Tie) -> tuple[Laurent, Laurent, Laurent]:
     """The polynomial that vanishes at an assembly, and Y = place / divisor."""
-    (a, b), (c, d) = tie_coefficients(one, base), tie_coefficients(two, base)
-    divisor, place = a.conjugate() * c - a * c.conjugate(), d * a - b * c
+    a, b = tie_coefficients(one, base)
+    c, d = tie_coefficients(two, base)
+    divisor = a.conjugate() * c - a * c.conjugate()
+    place = d * a - b * c
     if base.kind == "arc":
         reach = Laurent.from_doubles({0: base.reach})
         eliminant = place * place.conjugate() + reach * reach * divisor * divisor

@@ -43,9 +43,11 @@ def sturm_chain(poly: Polynomial) -> list[Polynomial]:
 
 def divide_polynomials(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Polynomial]:
     """The quotient and the remainder of two polynomials."""
-    rest, quotient = list(poly), list[Fraction]()
+    rest = list(poly)
+    quotient = list[Fraction]()
     while len(rest) >= len(by):
-        factor, shift = rest[-1] / by[-1], len(rest) - len(by)
+        factor = rest[-1] / by[-1]
+        shift = len(rest) - len(by)
         quotient.append(factor)
         rest = [q - factor * by[k - shift] if k >= shift else q for k, q in enumerate(rest)][:-1]
     return quotient[::-1], rest
@@ -62,7 +64,8 @@ def isolate_sturm_roots(chain: list[Polynomial]) -> list[tuple[Fraction, Fractio
     poly = chain[0]
     bound = 1 + max((abs(q / poly[-1]) for q in poly[:-1]), default=Fraction(0))
     edge = Fraction(1 << (int(bound) + 1).bit_length())
-    ranges, left = [], [(-edge, edge, count_sign_changes(chain, -edge), count_sign_changes(chain, edge))]
+    ranges = []
+    left = [(-edge, edge, count_sign_changes(chain, -edge), count_sign_changes(chain, edge))]
     while left:
         low, high, before, after = left.pop()
         if before - after == 1:

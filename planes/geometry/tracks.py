@@ -66,7 +66,8 @@ def newton_step(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
     A link after the first has two ties and a hinge. One combination of both ties has no moment about the hinge, so it
     holds the link that carries the hinge. Thus the first link has three ties, and all hinges follow from it.
     """
-    axes, places = pose[1:], link_origins(ties, pose)
+    axes = pose[1:]
+    places = link_origins(ties, pose)
     held = [
         [t.error_and_wrench(places[k], axes[k]) for t in ties if t.link == k and t.kind != "hinge"]
         for k in range(len(axes))
@@ -79,7 +80,9 @@ def newton_step(ties: Sequence[Tie], pose: Pose) -> tuple[Pose, Real, Real]:
         pull = (n * r - q * m) / arms
         held[before[k]].append(((f * r - g * m) / arms, pull, plane.cross(places[k] - places[before[k]], pull)))
     shift, turn, det = _solve_three_ties(*held[0])
-    moved, shifts, turns = abs(shift) + abs(turn), [shift], [turn]
+    moved = abs(shift) + abs(turn)
+    shifts = [shift]
+    turns = [turn]
     for k in range(1, len(axes)):
         (f, n, m), (g, q, r) = held[k]
         last = before[k]
@@ -114,8 +117,12 @@ Wrench = tuple[Real, Point, Real]
 
 def _solve_three_ties(one: Wrench, two: Wrench, three: Wrench) -> tuple[Point, Real, Real]:
     """The displacement and rotation of a link on three ties, and their determinant."""
-    (f, n, m), (g, k, p), (h, w, q) = one, two, three
-    kw, wn, nk = plane.cross(k, w), plane.cross(w, n), plane.cross(n, k)
+    f, n, m = one
+    g, k, p = two
+    h, w, q = three
+    kw = plane.cross(k, w)
+    wn = plane.cross(w, n)
+    nk = plane.cross(n, k)
     det = m * kw + p * wn + q * nk
     safe = det + (det == 0)
     turn = -(f * kw + g * wn + h * nk) / safe
@@ -135,7 +142,8 @@ def closure_residual(ties: Sequence[Tie], axis: Point) -> Real:
     """
     base = next((t for t in ties if t.kind == "arc"), ties[0])
     (a, p), (b, q) = (_tie_coefficients(t, base, axis) for t in ties if t is not base)
-    place, divisor = 1j * (p * b - q * a), plane.cross(a, b)
+    place = 1j * (p * b - q * a)
+    divisor = plane.cross(a, b)
     if base.kind == "arc":
         return place.real * place.real + place.imag * place.imag - (base.reach * divisor) ** 2
     c, r = _tie_coefficients(base, base, axis)

@@ -64,7 +64,8 @@ def _cosine_sine_coefficients(t: Tie, unit: int) -> tuple[Plane, Plane, Plane]:
             _weighted_sum((-1, size)),
         )
     if t.kind == "line":
-        cos, sin = {(0, 0): tx * ly - ty * lx}, {(0, 0): tx * lx + ty * ly}
+        cos = {(0, 0): tx * ly - ty * lx}
+        sin = {(0, 0): tx * lx + ty * ly}
         return cos, sin, _weighted_sum((-tx, gy), (ty, gx), (reach * denominator, UNIT_POLYNOMIAL))
     return (
         _weighted_sum((-tx, gy), (ty, gx)),
@@ -95,10 +96,8 @@ def _polynomial_product(one: Plane, two: Plane) -> Plane:
 def _hinge_curve(rows: list[tuple[Plane, Plane, Plane]]) -> Plane:
     """The curve of the hinge that two ties of a link allow."""
     (a, b, c), (d, e, f) = rows
-    cos, sin = (
-        _weighted_sum((1, _polynomial_product(c, e)), (-1, _polynomial_product(f, b))),
-        _weighted_sum((1, _polynomial_product(a, f)), (-1, _polynomial_product(d, c))),
-    )
+    cos = _weighted_sum((1, _polynomial_product(c, e)), (-1, _polynomial_product(f, b)))
+    sin = _weighted_sum((1, _polynomial_product(a, f)), (-1, _polynomial_product(d, c)))
     both = _weighted_sum((1, _polynomial_product(a, e)), (-1, _polynomial_product(d, b)))
     return _weighted_sum(
         (1, _polynomial_product(cos, cos)), (1, _polynomial_product(sin, sin)), (-1, _polynomial_product(both, both))
@@ -112,7 +111,8 @@ def _total_degree(track: Plane) -> int:
 def _in_slanted_unknown(track: Plane) -> Plane:
     """The same curve in u and y."""
     along, up = SLANT_FACTORS
-    degree, slanted = _total_degree(track), Plane()
+    degree = _total_degree(track)
+    slanted = Plane()
     for (i, j), q in track.items():
         for k in range(i + 1):  # x = (u − up·y) / along
             term = q * comb(i, k) * (-up) ** (i - k) * along ** (degree - i)
@@ -134,11 +134,13 @@ def _resultant_in_u(tracks: list[Plane]) -> Line:
     values = [
         _determinant(_sylvester_matrix(*(_polynomial_in_y(track, u) for track in tracks))) for u in range(degree + 1)
     ]
-    differences, table = list[Fraction](), values
+    differences = list[Fraction]()
+    table = values
     factorial = 1
     for k in range(degree + 1):
         differences.append(Fraction(table[0], factorial))
-        table, factorial = [b - a for a, b in pairwise(table)], factorial * (k + 1)
+        table = [b - a for a, b in pairwise(table)]
+        factorial = factorial * (k + 1)
     poly: list[Fraction] = []
     for k in reversed(range(degree + 1)):  # Newton's form, expanded from the inside
         shifted = [Fraction(0), *poly]
@@ -153,14 +155,17 @@ def _resultant_in_u(tracks: list[Plane]) -> Line:
 
 
 def _sylvester_matrix(one: list[int | Fraction], two: list[int | Fraction]) -> list[list[int]]:
-    m, n = len(one) - 1, len(two) - 1
+    m = len(one) - 1
+    n = len(two) - 1
     rows = [[0] * k + one[::-1] + [0] * (n - 1 - k) for k in range(n)]
     return [[int(q) for q in row] for row in rows + [[0] * k + two[::-1] + [0] * (m - 1 - k) for k in range(m)]]
 
 
 def _determinant(rows: list[list[int]]) -> int:
     """The determinant without fractions, by E. H. Bareiss."""
-    sign, last, size = 1, 1, len(rows)
+    sign = 1
+    last = 1
+    size = len(rows)
     for k in range(size - 1):
         pivot = next((i for i in range(k, size) if rows[i][k]), None)
         if pivot is None:
@@ -178,7 +183,8 @@ def _poses_at_crossing(ties: Sequence[Tie], tracks: list[Plane], u: Fraction, un
     one, two = (_approximate_roots(_polynomial_in_y(track, u), unit) for track in tracks)
     a, b = min(product(one, two), key=lambda pair: abs(pair[0] - pair[1]))
     y = (a + b).real / 2
-    at, size = float(u / unit), max(t.coordinate_sum for t in ties)
+    at = float(u / unit)
+    size = max(t.coordinate_sum for t in ties)
     hinge = complex((at - SLANT_FACTORS[1] * y) / SLANT_FACTORS[0], y)
     pose: Pose = (hinge, *(_axis_from_hinge([t for t in ties if t.link == side], hinge) for side in (0, 1)))
     for _ in range(NEWTON_STEPS):

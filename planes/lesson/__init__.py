@@ -48,7 +48,8 @@ class Teller:
         self, plans: Plans, drawing: Drawing, cycle: Drawing | None = None, convention: Convention = "mm_per_unit"
     ) -> None:
         self.convention: Convention = convention
-        self.plans, self.drawing = plans, drawing
+        self.plans = plans
+        self.drawing = drawing
         self.cycle = cycle or drawing
         self.made = drawing.program.steps_by_result
         rates = (rate for link in plans.links.values() for rate in (link.omega, link.epsilon))
@@ -65,7 +66,8 @@ class Teller:
         self.reckoning = Reckoning(plans, self.made, convention)
         self.words = (StepWords if plans.has_mechanism else StatedWords)(plans, drawing, self.made)
         self.solved = {} if plans.has_mechanism else equations_by_last_mark(plans)
-        self.stating, self.bodies = Stating(plans), FreeBodies(plans, drawing)
+        self.stating = Stating(plans)
+        self.bodies = FreeBodies(plans, drawing)
 
     def lesson_frames(self) -> list[Frame]:
         """All frames, in drawing order."""
@@ -94,7 +96,8 @@ class Teller:
     def ordered_by_values(self, frames: list[Frame]) -> list[Frame]:
         """The frames in an order in which every number is found before it is used, and each frame that finds one comes
         just before its first use."""
-        reckoning, ordered = self.reckoning, list[Frame]()
+        reckoning = self.reckoning
+        ordered = list[Frame]()
         for f in frames:
             if steps := reckoning.steps_of_missing_values(f):
                 arms = self.plans.moments[f.moments].terms if f.moments is not None else ()
@@ -177,10 +180,8 @@ class Teller:
         """Frames for the values computed since the last mark: angular velocities and accelerations together, each
         moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
-        last, frames = (
-            next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None),
-            list[Frame](),
-        )
+        last = next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None)
+        frames = list[Frame]()
         if not self.plans.has_mechanism:
             frames += [self.measured_segments_frame("measured", before[-1].plan, (), rates)] if rates and before else []
         elif last:
@@ -223,7 +224,8 @@ class Teller:
         span = self.segment_ends(name, plan)
         if not span:
             return Row(name, "", "", "")
-        read, mu = f"‖{name}‖", mu_name(plan)
+        read = f"‖{name}‖"
+        mu = mu_name(plan)
         self.spans[read] = (*span, mu)
         return self.reckoning.measured_length_row(name, read, mu, value_slot(read))
 

@@ -47,7 +47,8 @@ class CentreFrames:
             if c not in seen:
                 yield self.centre_frame(c)
                 yield from (self.check_frame(k) for k in self.plans.checks if k.centre == c)
-        known, links = {c.links for c in self.plans.centres}, (FRAME, *self.plans.mechanism.links)
+        known = {c.links for c in self.plans.centres}
+        links = (FRAME, *self.plans.mechanism.links)
         pairs = (pair for pair in combinations(links, 2) if pair not in known)
         left = [f"⟨{instant_centre_name(*pair, self.plans.mechanism.frame_number)}⟩" for pair in pairs]
         if left:

@@ -85,7 +85,8 @@ class Choices:
 
     def link_order_options(self, plan: str) -> Json | None:
         """The links whose forces are still unknown, where some of them must wait: a group of one polygon each."""
-        driver, group_links = self.plans.structure.driver, [set(g.all_links) for g in self.plans.structure.groups]
+        driver = self.plans.structure.driver
+        group_links = [set(g.all_links) for g in self.plans.structure.groups]
         if any(
             force_plan_links(p) != (driver,) and set(force_plan_links(p)) not in group_links
             for p in self.plans.force_plans

@@ -53,7 +53,9 @@ class Layout:
     the axes of links, to which angles and coordinates refer, and the origin of the drive's coordinate."""
 
     def __init__(self, plans: Plans, lang: Lang) -> None:
-        self.plans, self.mechanism, self.lang = plans, plans.mechanism, lang
+        self.plans = plans
+        self.mechanism = plans.mechanism
+        self.lang = lang
 
     def layout_sentences(self) -> Iterator[str]:
         """All sentences."""
@@ -86,7 +88,9 @@ class Layout:
 
     def dyad(self, group: Group, order: str) -> str:
         """Which of its two positions a group of class II takes."""
-        one, two, name = group.first_outer, group.last_outer, group.inner.point
+        one = group.first_outer
+        two = group.last_outer
+        name = group.inner.point
         if order in ("left", "right"):
             return self.say(order, name=name, one=one.point, two=two.point)
         if not name:
@@ -105,7 +109,9 @@ class Layout:
 
     def link_axis_words(self, link: Link) -> str:
         """The direction of a link's x axis, if any of its data refer to its axes."""
-        drive, first, slide = self.mechanism.drive, link.points[link.first_point], link.slides
+        drive = self.mechanism.drive
+        first = link.points[link.first_point]
+        slide = link.slides
         places = {name: z - first for name, z in link.points.items()}
         aimed = [load.direction_link for load in self.mechanism.loads if self.plans.force_plans]
         turned = drive.rotates and drive.on != FRAME and link.name in (drive.link, drive.on)
@@ -125,7 +131,8 @@ class Layout:
 
     def drive_origin_words(self) -> Iterator[str]:
         """The origin of the drive's coordinate, unless it is the angle from the driver to the x axis."""
-        m, drive = self.mechanism, self.mechanism.drive
+        m = self.mechanism
+        drive = self.mechanism.drive
         name = f"⟨{drive.motion_names[0]}⟩"
         if drive.rotates:
             if drive.on != FRAME:

@@ -42,9 +42,15 @@ def lesson_data(scene: Scene, progress: Progress | None = None, centres: bool = 
     """The lesson of a scene, with its instantaneous ``centres`` if requested; ``progress`` is called while the
     catalogue of mistakes is drawn. Without its ``practice`` it is ``pending``. Errors as for :class:`Told`."""
     lesson = SceneLesson.of(scene, centres)
-    plans, drawing, knobs, frames = lesson.plans, lesson.drawing, lesson.knobs, lesson.frames
-    kit, more, under = Kit(plans, drawing), lesson.leaning or {}, lesson.teller.stating.guided_points_by_motion.values()
-    acts, vectors = points_of_application(plans), {s.name for s in plans.segments}
+    plans = lesson.plans
+    drawing = lesson.drawing
+    knobs = lesson.knobs
+    frames = lesson.frames
+    kit = Kit(plans, drawing)
+    more = lesson.leaning or {}
+    under = lesson.teller.stating.guided_points_by_motion.values()
+    acts = points_of_application(plans)
+    vectors = {s.name for s in plans.segments}
     return {
         "title": dict(scene.title),
         "moves": plans.has_mechanism,
@@ -103,7 +109,8 @@ def _frame_data(frame: Frame, kit: Kit) -> Json:
 
 def _tape_data(lesson: SceneLesson, progress: Progress | None = None, practice: bool = True) -> Json:
     """The tape, and the places on it of all that a page shows; with the practice."""
-    live, plans = Live(lesson, progress, practice), lesson.plans
+    live = Live(lesson, progress, practice)
+    plans = lesson.plans
     tape, places = live.tape_and_places(live.things)
     lettered = {n for n, m in plans.means.items() if m.quantity == "false"}
     places["slips"] = [{**slip, "place": places["slips"][str(k)]} for k, slip in enumerate(live.slips)]
@@ -153,7 +160,8 @@ def _vector_segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
         start, end = s.ends
         shown = s.plan not in ("position", "motion") and start not in rays
         if start != end and shown and end in drawing:
-            force, name = plan_kind(s.plan) not in MOTION, named.get(s.name, s.name)
+            force = plan_kind(s.plan) not in MOTION
+            name = named.get(s.name, s.name)
             from_pole = s.start == POLE_LABEL and end not in drawing.program.component_end_marks
             new: Json = {"plan": s.plan, "start": s.start, "end": s.end, "names": []}
             if force and (s.plan, *sorted((s.start, s.end))) not in terms:

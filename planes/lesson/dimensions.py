@@ -47,9 +47,11 @@ class FreeNumbers:
     """The free numbers of a scene, by name: the givens of its program, or the numbers these are computed from."""
 
     def __init__(self, plans: Plans, given: Mapping[str, Thing]) -> None:
-        self.plans, self.given = plans, given
+        self.plans = plans
+        self.given = given
         self.plain = {n: z for n, z in given.items() if n not in plans.reckoned}
-        shape, self.own = SceneDimensions(plans.mechanism, plans.passive), dict[str, float]()
+        shape = SceneDimensions(plans.mechanism, plans.passive)
+        self.own = dict[str, float]()
         reckoned = (plans.reckoned[n].of for n in plans.program.given_names if n in plans.reckoned)
         asked = dict.fromkeys(one for how in reckoned for one in dimensions_used(how))
         self.reaches = dict(
@@ -146,7 +148,10 @@ class _FreeDimensions(SceneDimensions):
 
     def __init__(self, free: FreeNumbers, things: Mapping[str, Thing], own: Mapping[str, Any], ar: Arithmetic) -> None:
         super().__init__(free.plans.mechanism, free.plans.passive)
-        self.free, self.things, self.own, self.ar = free, things, own, ar
+        self.free = free
+        self.things = things
+        self.own = own
+        self.ar = ar
 
     def place(self, spot: OwnPlace) -> Point:
         home = super().place(spot)

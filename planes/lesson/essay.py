@@ -99,7 +99,8 @@ def data_of_essay_pages(number: int) -> Json:
     data = dict(
         lesson_data(loads(RAFT_SCENE_TEXT, "raft") if name == "raft" else load(str(TEMPLATE_FOLDER / f"{name}.yaml")))
     )
-    frames, paragraphs = data["frames"], list[Json]()
+    frames = data["frames"]
+    paragraphs = list[Json]()
     for k, (view, frame, *knobs) in enumerate(map(str.split, shown), 1):
         said = {
             lang: _with_names_of_givens(text, data["values"])

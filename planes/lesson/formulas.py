@@ -66,7 +66,8 @@ def fill_slots(text: str, read: Callable[[str], float], lang: Lang) -> str:
         how, name, mu = match.groups()
         if how == "n":
             return with_decimal_sign(name, lang)
-        first, values = -1.0 if name.startswith("−") else 1.0, [*map(read, factors_of_slot(name))]
+        first = -1.0 if name.startswith("−") else 1.0
+        values = [*map(read, factors_of_slot(name))]
         if how in ("join", "lead"):  # the sign of a product; zero has none
             values = [math.copysign(1.0, v) for v in values if not abs(v) < LEAST_NONZERO_VALUE]
         size = math.prod(values, start=first)
@@ -150,5 +151,6 @@ def _sum_text(parts: list[tuple[bool, str]]) -> str:
 
 def plan_scale_text(plan: str, lang: Lang, convention: Convention = "mm_per_unit") -> str:
     """The scale of a plan as written in the language, its number in a slot; the lever has the scale of velocities."""
-    how, kind = "k" if convention == "mm_per_unit" else "i", "velocity" if plan == "lever" else plan_kind(plan)
+    how = "k" if convention == "mm_per_unit" else "i"
+    kind = "velocity" if plan == "lever" else plan_kind(plan)
     return f"{value_slot(mu_name(plan), how)} {mu_text(1.0, kind, lang, convention).partition(' ')[2]}"

@@ -64,7 +64,8 @@ Make = Callable[..., Frame]  # a frame with its words in every language
 
 def with_chapters(frames: list[Frame]) -> list[Frame]:
     """The frames, each with its plan; a separate chapter includes the frames that find its values."""
-    frames_with_chapters, here = list[Frame](), "position"
+    frames_with_chapters = list[Frame]()
+    here = "position"
     for f, after in zip_longest(frames, frames[1:]):
         own = after.chapter if f.key == "found_values" and after else f.chapter
         here = here if own or (f.moments is not None and f.plan == "position") else f.plan

@@ -38,7 +38,8 @@ class FreeBodies:
     def insert_free_bodies(self, frames: list[Frame], make: Make) -> list[Frame]:
         """The frames with each force polygon preceded by the free bodies of its links, and its pole after its
         equation."""
-        opened, waiting = list[Frame](), dict[str, Frame]()
+        opened = list[Frame]()
+        waiting = dict[str, Frame]()
         for f in frames:
             if f.key == "pole" and plan_kind(f.plan) == "force" and self.plans.has_mechanism:
                 waiting[f.plan] = f
@@ -50,11 +51,9 @@ class FreeBodies:
 
     def free_body_frames(self, plan: str, make: Make) -> Iterator[Frame]:
         """The forces on the links and the unknowns; then the reactions that are resolved."""
-        known, sought, balancing = (
-            [f["name"] for f in self.known_forces(plan)],
-            self.outer(plan),
-            self.balancing_load(plan),
-        )
+        known = [f["name"] for f in self.known_forces(plan)]
+        sought = self.outer(plan)
+        balancing = self.balancing_load(plan)
         unknown = tuple(Phrase(f"lesson_free_{r.pair.kind}", name=name) for name, r in sought.items())
         unknown += (Phrase("lesson_free_size", name=balancing),) if balancing else ()
         carried = [n for n in known if any(n in r.both_reaction_names for r in self.plans.reactions.values())]
@@ -90,7 +89,8 @@ class FreeBodies:
 
     def reactions_from_polygon(self, plan: str) -> dict[str, Reaction]:
         """The reactions found from a polygon, by their names on its links: internal ones have both names."""
-        reactions, links = (r for r in self.plans.reactions.values() if r.plan == plan), force_plan_links(plan)
+        reactions = (r for r in self.plans.reactions.values() if r.plan == plan)
+        links = force_plan_links(plan)
         return {name: r for r in reactions for name, link in r.both_reaction_names.items() if link in links}
 
     def outer(self, plan: str) -> dict[str, Reaction]:
@@ -111,7 +111,8 @@ class FreeBodies:
         about = {m.unknown: label_of(m.about) for m in self.plans.moments}
         for name, tangential in terms.items():
             letter, index, part = split_value_name(name)
-            force, normal = f"{letter}_{index}", terms.get(f"{letter}_{index}^n")
+            force = f"{letter}_{index}"
+            normal = terms.get(f"{letter}_{index}^n")
             if part == "t" and normal and normal.direction and name in about:
                 line = self.plans.means[normal.direction].line_name
                 yield Split(force, normal, tangential, line, about[name])

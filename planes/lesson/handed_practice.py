@@ -80,7 +80,9 @@ class PracticeJudge:
     """Judges the practices of one scene."""
 
     def __init__(self, lesson: SceneLesson) -> None:
-        self.told, self.items, self.home = lesson, lesson.practice.practice_items(), lesson.knobs.values_in_scene
+        self.told = lesson
+        self.items = lesson.practice.practice_items()
+        self.home = lesson.knobs.values_in_scene
         self.live = Live(lesson)
         self.things = {f"{group} {n}": z for group, own in self.live.things.items() for n, z in own.items()}
         self.marks = [f"marks {item['what']}" for item in self.items if item["kind"] == "mark"]
@@ -93,7 +95,8 @@ class PracticeJudge:
         if practice["id"] != self.told.practice.practice_id or len(practice["answers"]) != len(self.items):
             raise PlanesError(Phrase("practice_other_scene", file=file, scene=self.told.scene.file))
         given = self.numbers_of_seed(practice["seed"]) if practice["seed"] else self.home
-        right, numbers = 0, self.live.evaluate_on_tape(self.things, given)
+        right = 0
+        numbers = self.live.evaluate_on_tape(self.things, given)
         for item, answer in zip(self.items, practice["answers"], strict=True):
             right += self.is_answer_right(item, answer, numbers, given)
             scale = practice["scales"].get(item["what"]) if item["kind"] == "mu" else None
@@ -107,7 +110,8 @@ class PracticeJudge:
 
     def is_answer_right(self, item: Json, answer: object, numbers: Numbers, given: Given) -> bool:
         """Whether an answer is right, by the rule of the page."""
-        what, kind = item["what"], item["kind"]
+        what = item["what"]
+        kind = item["kind"]
         if kind == "known":
             return answer == known_data_digits(self.told.equations[what])
         if kind == "mark":
@@ -132,19 +136,19 @@ class PracticeJudge:
 
     def is_scale_acceptable(self, item: Json, scale: float, numbers: Numbers, given: Given) -> bool:
         """Whether a plan fits its place at a scale, and can be measured as well as at that of the lesson."""
-        mu, places = mu_name(item["what"]), [numbers[f"marks {m}"] for m in item["marks"]]
+        mu = mu_name(item["what"])
+        places = [numbers[f"marks {m}"] for m in item["marks"]]
         places = [z for z in places if z == z] + [0j] * (item["what"] != "position")
         across = bounding_corners(places)[1] - bounding_corners(places)[0] if places else complex(math.nan, math.nan)
         size = max(across.real, across.imag) / given[mu]
-        own, least = size * self.home[mu], JUDGING_TOLERANCES["ruler_mm"] / JUDGING_TOLERANCES["number_share"]
+        own = size * self.home[mu]
+        least = JUDGING_TOLERANCES["ruler_mm"] / JUDGING_TOLERANCES["number_share"]
         return bool(min(least, own / 2) <= size * scale <= max(item["most"], own))
 
     def numbers_at_scale(self, plan: str, scale: float, given: Given) -> dict[str, float]:
         """The numbers with a plan's scale, and with the scales tied to it."""
-        times, tied = (
-            scale / given[mu_name(plan)],
-            [k["tied"] for k in self.told.knobs.offered_numbers if k["given"] == mu_name(plan)],
-        )
+        times = scale / given[mu_name(plan)]
+        tied = [k["tied"] for k in self.told.knobs.offered_numbers if k["given"] == mu_name(plan)]
         return {**given, mu_name(plan): scale, **{n: given[n] * times for names in tied for n in names}}
 
     def mark_tolerance_mm(self, mark: str, numbers: Numbers) -> float:
@@ -164,7 +168,8 @@ class PracticeJudge:
         """The numbers for a seed; :class:`PlanesError` where there are none."""
         plans = [f"marks {p}" for p in self.told.plans.plan_names if p != "motion"]
         home = self.live.evaluate_on_tape(self.things, self.home)
-        sizes, sharp = [self.plan_size_mm(p, home) for p in plans], _least_crossing_sharpness(home)
+        sizes = [self.plan_size_mm(p, home) for p in plans]
+        sharp = _least_crossing_sharpness(home)
         for k in range(JUDGING_TOLERANCES["draws"]):
             given = self.draw_random_numbers(random_stream(seed * JUDGING_TOLERANCES["draws"] + k))
             now = self.live.evaluate_on_tape(self.things, given)
@@ -176,13 +181,15 @@ class PracticeJudge:
 
     def draw_random_numbers(self, draw: Callable[[], float]) -> dict[str, float]:
         """Numbers near the scene's own."""
-        given, drive = dict(self.home), self.told.drive
+        given = dict(self.home)
+        drive = self.told.drive
         for knob in self.told.knobs.offered_numbers:
             name = knob["given"]
             if "plan" not in knob and "stays" not in knob:
                 given[name] = float(f"{knob['at'] * (1 + JUDGING_TOLERANCES['fresh'] * (2 * draw() - 1)):.3g}")
         if not drive["held"]:
-            turn, reach = 2 * draw() - 1, drive["to"] - drive["from"]
+            turn = 2 * draw() - 1
+            reach = drive["to"] - drive["from"]
             turned = math.floor(drive["at"] + JUDGING_TOLERANCES["swing"] * turn + 0.5)
             given[drive["given"]] = (
                 turned if drive["symbol"] == "φ" else float(f"{drive['at'] + reach / 20 * turn:.3g}")

@@ -30,7 +30,8 @@ class Knobs(FreeNumbers):
     def offered_numbers(self) -> list[Json]:
         """Each with its name, its unit and its value in the scene; ``tied`` are those that change with it in
         proportion; one that ``stays`` is never drawn anew at random: guides, and points of a straight line."""
-        used, knobs = {*self.plans.program.given_names, *self.own}, list[Json]()
+        used = {*self.plans.program.given_names, *self.own}
+        knobs = list[Json]()
         for name, value in self.values_in_scene.items():
             given, _, axis = name.partition(".")
             plan = next((p for p in self.plans.plan_names if mu_name(p) == given), None)
@@ -53,7 +54,8 @@ class Knobs(FreeNumbers):
             return {}
         if direction_of_given_angle(knob["given"]):
             return {"reach": ZERO_ANGLE_RANGE_DEG}
-        letter, rates = split_value_name(knob["name"])[0], {"epsilon": "omega", "a": "v"}
+        letter = split_value_name(knob["name"])[0]
+        rates = {"epsilon": "omega", "a": "v"}
         like = ("x", "y", "l") if letter in ("x", "y") else (rates.get(letter, letter),)
         size = max((abs(k["at"]) for k in knobs if split_value_name(k.get("name", ""))[0] in like), default=0.0)
         return {"reach": size ** (2 if letter in rates else 1)} if size else {}
@@ -66,7 +68,8 @@ class Knobs(FreeNumbers):
     def perturbed_givens(self, count: int, leaning: bool = False) -> dict[str, Listed]:
         """Given numbers with many others near them: a list for each, every second one unchanged, since a structure of
         many links may not assemble with others. Guides keep their directions, unless they are ``leaning``."""
-        draw, flat = random.Random(1), {n: Listed([v] * count) for n, v in self.values_in_scene.items()}
+        draw = random.Random(1)
+        flat = {n: Listed([v] * count) for n, v in self.values_in_scene.items()}
         for knob in self.offered_numbers:
             most = TRIAL_CHANGE_SHARE * (leaning or "stays" not in knob)
             times = Listed(1 + most * draw.uniform(-1, 1) * (k % 2) for k in range(count))
@@ -99,7 +102,8 @@ class Knobs(FreeNumbers):
 
     def numbers_fixing_marks(self) -> dict[str, list[str]]:
         """For each mark of the scheme the numbers that fix it."""
-        free, drive = self.values_in_scene, self.plans.drive_given_name
+        free = self.values_in_scene
+        drive = self.plans.drive_given_name
         placed_by = {}
         for step in self.plans.program.steps:
             names = [

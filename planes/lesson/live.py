@@ -51,22 +51,26 @@ class Live:
     """
 
     def __init__(self, lesson: SceneLesson, progress: Progress | None = None, practice: bool = True) -> None:
-        free, program = lesson.knobs, lesson.plans.program
-        self.tape, self.home = Tape(), free.values_in_scene
+        free = lesson.knobs
+        program = lesson.plans.program
+        self.tape = Tape()
+        self.home = free.values_in_scene
         self.tool = self.continuing_tool()
         drawn = free.givens_on_tape(self.tape, self.tool.ar)
         draw_steps(program.steps, drawn, self.tool)
         self.drawing = Drawing(program, drawn, self.tool)
         sharp = self.drawing.crossing_sharpness.items()
         self.sharp = {n: z for n, z in sharp if n not in program.trial_marks and plan_of(n) != "motion"}
-        self.feet, numbers = arm_foot_marks(lesson.plans, self.drawing), Env()
+        self.feet = arm_foot_marks(lesson.plans, self.drawing)
+        numbers = Env()
         self.fails = [*self.failure_sentences(lesson.plans, numbers)]
         slips = [*self.mistakes_on_tape(lesson.practice, progress)] if practice else []
         off = self.evaluate_on_tape(
             {str(k): z - self.drawing[slip["at"]] for k, (slip, z) in enumerate(slips)}, self.home
         )
         visible = [slips[int(k)] for k, z in off.items() if abs(z) > LEAST_MISTAKE_OFFSET_MM]
-        self.slips, wrong = [slip for slip, _ in visible], {str(k): z for k, (_, z) in enumerate(visible)}
+        self.slips = [slip for slip, _ in visible]
+        wrong = {str(k): z for k, (_, z) in enumerate(visible)}
         made = (s.makes for s in program.steps if s.kind == "mark" and s.makes not in program.trial_marks)
         self.things: dict[str, Mapping[str, Thing]] = {
             "marks": {name: drawn[name] for name in made if plan_of(name) != "motion"} | self.feet,
@@ -94,7 +98,8 @@ class Live:
 
     def mistakes_on_tape(self, practice: Practice, progress: Progress | None) -> Iterator[tuple[Json, Thing]]:
         """Every mistake at every mark asked for, and the place on the tape where it puts the mark."""
-        plans, drawn = practice.plans, self.drawing
+        plans = practice.plans
+        drawn = self.drawing
         asked = {item["what"] for item in practice.practice_items() if item["kind"] == "mark"}
         for k, plan in enumerate(names := known_plans(plans)):
             if progress:

@@ -18,11 +18,14 @@ class Typesetter:
     """Sets lines of reckoning of one plan; ``read`` gives a value by its name."""
 
     def __init__(self, read: Read, naming: Naming, plan: str = "") -> None:
-        self.read, self.naming, self.plan = read, naming, plan
+        self.read = read
+        self.naming = naming
+        self.plan = plan
 
     def typeset_row(self, row: Row) -> tuple[str, ...]:
         """``head = letters = numbers = value unit`` in pieces, each but the first with the sign it begins with."""
-        lang, name = self.naming.lang, f"⟨{row.name}⟩"
+        lang = self.naming.lang
+        name = f"⟨{row.name}⟩"
         if not row.numbers:
             return self.split_equality(f"{name} = 0")
         between = say("mm", lang) if row.kind == "measured" else "="
@@ -89,7 +92,8 @@ def without_brackets(text: str) -> str:
 
 def split_at_signs(text: str, signs: str) -> list[str]:
     """A text at those signs that stand in no brackets: pieces and signs in turn."""
-    pieces, depth = [""], 0
+    pieces = [""]
+    depth = 0
     for part in re.split(r"( [·+−/=] |[()])", text):
         depth += (part == "(") - (part == ")")
         if len(part) == 3 and part[1] in signs and part[::2] == "  " and not depth:

@@ -93,7 +93,8 @@ class Note:
 
     def opening_blocks(self) -> Iterator[Block]:
         """Title, task and given numbers."""
-        plans, drive = self.position.plans, self.position.plans.drive
+        plans = self.position.plans
+        drive = self.position.plans.drive
         title = text_in(self.lang, self.scene.title)
         yield self.title_page_blocks(title)
         yield Heading(self.say("note_given"))
@@ -126,7 +127,8 @@ class Note:
 
     def structure_blocks(self) -> Iterator[Block]:
         """Degree of freedom, groups, formula."""
-        s, n = self.position.plans.structure, len(self.position.plans.mechanism.links)
+        s = self.position.plans.structure
+        n = len(self.position.plans.mechanism.links)
         freedom, redundant = counted_structure_numbers(s)
         told_of = self.say("note_freedom", n=n, p=len(s.pairs), W=freedom, q=redundant)
         yield from (Heading(self.say("note_structure")), Paragraph(told_of))
@@ -252,18 +254,22 @@ class Note:
 
     def balancing_comparison(self) -> Iterator[Block]:
         """The balancing load found in two ways."""
-        plans, drawing = self.position.plans, self.position.drawing
-        balancing, check = float(drawing[plans.balancing]), float(drawing[plans.zhukovsky])
+        plans = self.position.plans
+        drawing = self.position.drawing
+        balancing = float(drawing[plans.balancing])
+        check = float(drawing[plans.zhukovsky])
         percent = 100 * relative_difference(balancing, check)
         shown = number_text(percent if percent > 1e-6 else 0.0, self.lang, 2)
-        own, other = number_text(balancing, self.lang), number_text(check, self.lang)
+        own = number_text(balancing, self.lang)
+        other = number_text(check, self.lang)
         yield Paragraph(
             self.say("note_difference", found=own, check=other, unit=unit_of_name(plans.balancing), percent=shown)
         )
 
     def result_blocks(self) -> Iterator[Block]:
         """Tables of the results, and warnings about them."""
-        p, angle = self.position, self.say("note_angle")
+        p = self.position
+        angle = self.say("note_angle")
         if self.scene.find is None and not p.plans.force_plans:
             yield Paragraph(self.say("note_no_forces"))
         yield Heading(self.say("note_results"))
@@ -310,7 +316,8 @@ class Note:
         """Magnitude and direction."""
         if measured is None:
             return "—", "—"
-        size, angle = abs(measured.vector), math.degrees(cmath.phase(measured.vector))
+        size = abs(measured.vector)
+        angle = math.degrees(cmath.phase(measured.vector))
         return (number_text(size, self.lang), number_text(round(angle, 1), self.lang)) if size > 1e-9 else ("0", "—")
 
     def number_cell(self, measured: Measured | None) -> str:

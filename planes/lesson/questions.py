@@ -44,11 +44,13 @@ class Questions(Note):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        self.s, self.m = self.position.plans.structure, self.position.plans.mechanism
+        self.s = self.position.plans.structure
+        self.m = self.position.plans.mechanism
 
     def document_blocks(self) -> list[Block]:
         """All questions, in three chapters, numbered throughout."""
-        numbers, cover = count(1), self.title_page_blocks(self.scene.title.get(self.lang, ""))
+        numbers = count(1)
+        cover = self.title_page_blocks(self.scene.title.get(self.lang, ""))
         blocks: list[Block] = [replace(cover, kind=self.say("questions"))]
         for chapter, keys in QUESTIONS_BY_CHAPTER.items():
             blocks.append(Heading(self.say(f"questions_{chapter}")))
@@ -81,7 +83,9 @@ class Questions(Note):
     @cached_property
     def scene_names(self) -> dict[str, object]:
         """The names and numbers of the scene that answers may use."""
-        s, p, n = self.s, self.position, len(self.m.links)
+        s = self.s
+        p = self.position
+        n = len(self.m.links)
         return {
             "n": n,
             "p": len(s.pairs),
@@ -167,7 +171,8 @@ class Questions(Note):
             yield Paragraph(put_decimal_signs(line, self.lang))
 
     def of_graph(self) -> Iterator[Block]:
-        plans, grid = self.position.plans, self.cycle_summary.grid
+        plans = self.position.plans
+        grid = self.cycle_summary.grid
         unit = "°" if plans.drive.rotates else self.say("m")
         over = f"{without_index_markup(self.naming.lettered_curve(plans.drive.motion_names[0]))}, {unit}"
         for name in (driven_link_curves(plans)[0], *driven_link_analogues(plans)):

@@ -18,7 +18,9 @@ class Reckoning:
     """Records which values have been shown."""
 
     def __init__(self, plans: Plans, made: Mapping[str, Step], convention: Convention) -> None:
-        self.plans, self.made, self.convention = plans, made, convention
+        self.plans = plans
+        self.made = made
+        self.convention = convention
         self.told = {*plans.given, *names_of_loads(plans.mechanism), *(m.unknown for m in plans.moments)}
 
     def record_frame_values(self, frame: Frame) -> None:
@@ -27,7 +29,8 @@ class Reckoning:
 
     def steps_of_missing_values(self, frame: Frame) -> list[Step]:
         """The steps that find the missing values of a frame, in a possible order; they count as shown from now on."""
-        own, steps = {row.name for row in frame.rows}, dict[str, Step]()
+        own = {row.name for row in frame.rows}
+        steps = dict[str, Step]()
         for name in frame.shown_values:
             if displayed_name(name) not in own:
                 self._add_steps_of_value(name, steps)
@@ -68,9 +71,11 @@ class Reckoning:
         fed = step if isinstance(step, Fed) else next(f for f in step.fed if f.makes == step.makes)
         factor = self.made[fed.factor]
         assert isinstance(factor, Calculate)
-        circle, force = factor.terms[0].factors[0][0], displayed_name(fed.size)
+        circle = factor.terms[0].factors[0][0]
+        force = displayed_name(fed.size)
         kind, size = ("couple", value_slot(fed.size)) if isinstance(step, Fed) else ("couple_settled", f"⟨{force}⟩")
-        letters, numbers = f"⟨{circle}⟩ · ⟨{force}⟩", f"{value_slot(circle)} · {size}"
+        letters = f"⟨{circle}⟩ · ⟨{force}⟩"
+        numbers = f"{value_slot(circle)} · {size}"
         return Row(step.makes, letters, numbers, value_slot(step.makes), kind, f"∣⟨{step.makes}⟩∣")
 
 

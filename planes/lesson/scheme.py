@@ -61,7 +61,8 @@ def _sliders(m: Mechanism) -> list[Json]:
     signs = []
     for x in m.links.values():
         if x.slides:
-            point, guide = x.first_point, x.slides.guide
+            point = x.first_point
+            guide = x.slides.guide
             other = next((y for y in m.links.values() if y.slides and y != x and y.first_point == point), None)
             size = "block" if other is None else "large" if m.slider_rank(x) > m.slider_rank(other) else "small"
             signs.append(

@@ -31,7 +31,8 @@ def with_zero_vector_sentences(frames: Iterable[Frame], plans: Plans) -> list[Fr
 
 def zero_vector_sentence(mark: str, named: dict[str, str], special: dict[str, str]) -> dict[str, str]:
     """The sentence, and its names."""
-    plan, point = plan_of(mark), named[mark]
+    plan = plan_of(mark)
+    point = named[mark]
     key = "special" if point in special and plan == "velocity" else plan
     names = {"said": key, "point": point, "mark": name_without_plan(mark), "vector": f"{plan[0]}_{point}"}
     return {**names, "link": special[point]} if key == "special" else names

@@ -20,7 +20,8 @@ class StatedWords(StepWords):
     """Finds the words of the steps of one drawing of stated vectors."""
 
     def words_of_step(self, step: Step) -> Words:
-        (key, reason, names), figure = self.words_by_kind(step), self.plans.figure
+        key, reason, names = self.words_by_kind(step)
+        figure = self.plans.figure
         said = figure.said.get(step.makes) if figure else None
         if not figure or said is None:
             return key, reason, names
@@ -46,11 +47,9 @@ class StatedWords(StepWords):
 
     def similar_figure_words(self, step: Similar) -> Words:
         ratio = complex(self.drawing[step.ratio])
-        turned, first, second = (
-            abs(ratio.imag) > 1e-9 * abs(ratio),
-            name_without_plan(step.start),
-            name_without_plan(step.end),
-        )
+        turned = abs(ratio.imag) > 1e-9 * abs(ratio)
+        first = name_without_plan(step.start)
+        second = name_without_plan(step.end)
         size, angle = (abs(ratio), math.degrees(phase(ratio))) if turned else (ratio.real, 0.0)
         ratio_written, angle_written = (Written(partial(number_text, value)) for value in (size, angle))
         names = {"first": first, "second": second, "ratio": ratio_written, "angle": angle_written}
@@ -66,7 +65,8 @@ class StatedWords(StepWords):
         )
 
     def direction_reason(self, term: Term, name: str, kind: str) -> Phrase:
-        said, line = super().direction_reason(term, name, kind), self.plans.means[term.direction or ""].line_name
+        said = super().direction_reason(term, name, kind)
+        line = self.plans.means[term.direction or ""].line_name
         known = kind != "force" and said.key in sentence_table("en") and not term.name.startswith(line)
         return said if known else Phrase("why_line", **said.parts)
 

@@ -27,7 +27,8 @@ class StatedNote(Note):
 
     def wanted_results(self) -> Sequence[str]:
         """The requested results, or all vectors without given data, and the values."""
-        plans, given = self.position.plans, self.given_vectors()
+        plans = self.position.plans
+        given = self.given_vectors()
         return names_to_find(self.scene) or [*(n for n in plans.vectors if n not in given), *plans.values]
 
     def given_vectors(self) -> set[str]:
@@ -46,10 +47,8 @@ class StatedNote(Note):
         head = tuple(map(self.say, ("note_vector", "value", "note_angle", "note_unit")))
         rows = [(f"⟨{f.quantity.name}⟩", *self.vector_cells(f), self.say(f.unit)) for f in vectors]
         yield from self.numbered_table("note_vectors_table", head, rows)
-        noise, head = (
-            ZERO_RESULT_RATIO * largest_equilibrium_result(self.position),
-            tuple(map(self.say, ("quantity", "value", "note_unit"))),
-        )
+        noise = ZERO_RESULT_RATIO * largest_equilibrium_result(self.position)
+        head = tuple(map(self.say, ("quantity", "value", "note_unit")))
         rounded = ((f, f.number if abs(f.number) > noise else 0.0) for f in values)
         computed = [
             (f"⟨{f.quantity.name}⟩", number_text(x, self.lang), f.unit and self.say(f.unit)) for f, x in rounded

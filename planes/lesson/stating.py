@@ -38,7 +38,8 @@ class Stating:
 
     def insert_vector_equations(self, frames: list[Frame], make: Make) -> list[Frame]:
         """The frames, each vector equation before the first frame that draws one of its vectors."""
-        frames_with_equations, stated_equations = list[Frame](), set[int]()
+        frames_with_equations = list[Frame]()
+        stated_equations = set[int]()
         for f in frames:
             new = (
                 f.equation not in stated_equations and f.plan != "position" and self.plans.has_mechanism
@@ -97,7 +98,8 @@ class Stating:
     @cached_property
     def guided_points_by_motion(self) -> dict[str, GuidedPoint]:
         """The sliders by the names of their motion relative to the guide: HL, B3B."""
-        m, sliders = self.plans.mechanism, {}
+        m = self.plans.mechanism
+        sliders = {}
         for x in m.links.values():
             if x.slides:
                 owner = m.owner_of_guide(x.slides.guide)
@@ -113,7 +115,8 @@ class Stating:
         """The hinge moved by a drive inside a group, by the names of its motion relative to the link on the frame."""
         for g in self.plans.structure.driven:
             means = (t.means for e in self.plans.equations for t in e.all_terms if t.means)
-            hinge, guide = g.inner.point, g.drive.guide if g.drive else ""
+            hinge = g.inner.point
+            guide = g.drive.guide if g.drive else ""
             given = (m.of for m in means if m.quantity == "relative")
             return {index: GuidedPoint(hinge, index.removeprefix(hinge), g.held_link, guide) for index in given}
         return {}
@@ -147,7 +150,8 @@ class Stating:
             link = self.links_by_point_pair.get(index)
             if link and letter in VECTOR_LETTERS_BY_PLAN.values():
                 name, point, about = link
-                ends, vectors = {"point": point, "about": about}, {"vector": vector, "rate": rate.makes}
+                ends = {"point": point, "about": about}
+                vectors = {"vector": vector, "rate": rate.makes}
                 sense = value_slot(rate.makes, "s")
                 frame = make("sense", plan, terms=(vector,), link=name, sense=sense, **ends, **vectors)
                 spots = {k: full_mark_name("position", places.get(p, p)) for k, p in ends.items()}

@@ -62,7 +62,8 @@ class StepWords:
                     {"action": self.action_words(step.along), "radius_mm": value_slot(step.radius, "mm", step.mu)},
                 )
             case CrossArcs():
-                radius, other = value_slot(step.radius, "mm", step.mu), value_slot(step.other_radius, "mm", step.mu)
+                radius = value_slot(step.radius, "mm", step.mu)
+                other = value_slot(step.other_radius, "mm", step.mu)
                 return "arcs", "arcs", {"radius_mm": radius, "other_mm": other}
             case Similar():
                 return self.similar_figure_words(step)
@@ -120,14 +121,16 @@ class StepWords:
 
     def similar_figure_points(self, step: Similar) -> Iterator[str]:
         """The points of the link on the scheme, in the order of a similar figure's marks."""
-        links, named = self.plans.mechanism.links.values(), self.plans.points
+        links = self.plans.mechanism.links.values()
+        named = self.plans.points
         own = next(x.points for x in links for p in x.points if step.ratio == f"ratio_{p}_{x.name}")
         for mark in (step.start, step.end, step.makes):
             yield next(p for p in own if mark in (named[p].velocity, named[p].acceleration))
 
     def crossing_reason(self, mark: str) -> Told:
         """Why the lines that cross at a mark have their directions."""
-        plan, label = plan_of(mark), label_of(mark)
+        plan = plan_of(mark)
+        label = label_of(mark)
         kind = plan_kind(plan)
         for e in (e for e in self.plans.equations if e.plan == plan and kind != "position"):
             sought = [t for t in e.all_terms if t.direction and not t.length and not t.drawn]
@@ -191,7 +194,8 @@ class StepWords:
 
     def laid_off_vector(self, step: LayOff) -> str:
         """The name of the vector a step lays off."""
-        plan, label = plan_of(step.makes), label_of(step.makes)
+        plan = plan_of(step.makes)
+        label = label_of(step.makes)
         terms = [t for e in self.plans.equations if e.plan == plan for t in e.all_terms]
         own = sorted(terms, key=lambda t: t.start != label_of(step.start))
         named = (x.name for x in (*own, *self.plans.segments_by_plan.get(plan, ())) if x.end == label)
@@ -224,7 +228,8 @@ def displayed_term_name(equation: Equation, name: str) -> str:
 
 def laid_off_direction(direction: Meaning) -> Phrase:
     """The direction in which a vector is laid off, in words."""
-    line, key = direction.line_name, f"lesson_way_{direction.quantity}"
+    line = direction.line_name
+    key = f"lesson_way_{direction.quantity}"
     return Phrase(key, line=line, vector=line, one=direction.of, other=direction.about)
 
 

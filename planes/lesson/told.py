@@ -59,7 +59,8 @@ class SceneLesson:
         """By the points of sliders, those under them, each with the frame whose equation first needs it."""
         numbered = ((k, f.equation) for k, f in enumerate(self.frames) if f.key == "equation")
         stated = [(k, self.plans.equations[n]) for k, n in numbered if n is not None]
-        marks, sliding = {}, self.teller.stating.slider_of_vector
+        marks = {}
+        sliding = self.teller.stating.slider_of_vector
         for u in self.teller.stating.guided_points_by_motion.values():
             first = (k for k, e in stated if any(s and s.other == u.other for s in map(sliding, e.all_terms)))
             marks[full_mark_name("position", u.point)] = {"name": u.other, "from": next(first, -1)}
@@ -99,7 +100,8 @@ def _draw_sample_positions(knobs: Knobs, leaning: bool = False) -> Drawing:
     """The drawing of many positions, and of numbers near those of the scene."""
     plans = knobs.plans
     drive = drive_number_and_range(plans)
-    start, reach = drive["from"], drive["to"] - drive["from"]
+    start = drive["from"]
+    reach = drive["to"] - drive["from"]
     values = Listed(start + reach * k / ZERO_TERM_TEST_POSITIONS for k in range(ZERO_TERM_TEST_POSITIONS))
     return draw_program(
         plans.program,

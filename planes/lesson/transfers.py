@@ -31,14 +31,13 @@ class TransferFunctions:
 
     def transfer_rows(self) -> Iterator[list[str]]:
         """Name, relation of segments, value and unit of each."""
-        plans, transfers = self.position.plans, self.position.of("transfers")
+        plans = self.position.plans
+        transfers = self.position.of("transfers")
         drive = vector_giving_driver_rate(plans)
         if drive is None:
             return
-        segment, times = (
-            self.segment_letters(drive.start, drive.end),
-            f"·{parameter_lettering(drive.length)}" if drive.length else "",
-        )
+        segment = self.segment_letters(drive.start, drive.end)
+        times = f"·{parameter_lettering(drive.length)}" if drive.length else ""
         for alike, ends, arm in self.turning(transfers.values()):
             yield self.transfer_row(alike, f"{ends}{times}/({segment}·{parameter_lettering(arm)})")
         noise = ZERO_VECTOR_SHARE * (abs(self.position.drawing[drive.length]) if drive.length else 1.0)
@@ -53,7 +52,8 @@ class TransferFunctions:
     def transfer_row(self, alike: list[Measured], relation: str, noise: float = 0.0) -> list[str]:
         """A row of the table, for equal quantities; one below ``noise`` is zero."""
         name = " = ".join(self.naming.lettered_curve(f.quantity.name) for f in alike)
-        unit, value = alike[0].unit, alike[0].number
+        unit = alike[0].unit
+        value = alike[0].number
         shown = read_off_text(value if abs(value) > noise else 0.0, self.naming.lang)
         return [name, relation, shown, "" if unit == "1" else say(unit, self.naming.lang)]
 

@@ -71,8 +71,10 @@ def _state_mechanism_plans(mechanism: Mechanism, structure: Structure, file: str
 
 def _plans_for_scheme(bodies: Bodies) -> Plans:
     """All plans, for a given scheme."""
-    mechanism, draft = bodies.mechanism, bodies.draft
-    velocity, acceleration = Rates(bodies, "velocity"), Rates(bodies, "acceleration")
+    mechanism = bodies.mechanism
+    draft = bodies.draft
+    velocity = Rates(bodies, "velocity")
+    acceleration = Rates(bodies, "acceleration")
     at_rest = mechanism.drive.velocity == 0
     motion = Rates(bodies, "motion") if at_rest else velocity
     for rates in (velocity, acceleration, *([motion] if at_rest else [])):
@@ -118,7 +120,8 @@ def _plans_for_scheme(bodies: Bodies) -> Plans:
 
 def _fixed_position_message(mechanism: Mechanism, law: Law, file: str) -> SceneError:
     """The message about a number valid only at the drive's position in the file."""
-    drive, key = mechanism.drive, "table" if "table" in law.path else law.path[-1]
+    drive = mechanism.drive
+    key = "table" if "table" in law.path else law.path[-1]
     what = Phrase("part", key=key, what=Phrase("section", name=law.path[0]))
     if law.path[0] == "loads":
         what = Phrase("part", key=key, what=Phrase("load", number=int(law.path[1]) + 1))

@@ -48,7 +48,8 @@ class LinkApart:
 
     def vector_end_marks(self, plans: Plans, drawing: Drawing) -> dict[str, complex] | None:
         """The end marks of its vectors, mm from the pole; None where one is not drawn."""
-        marks, place = {POLE_LABEL: 0j}, 0j
+        marks = {POLE_LABEL: 0j}
+        place = 0j
         for name in self.known:
             vector = self._vector_end_mark(name, plans, drawing)
             if vector is None:
@@ -72,7 +73,8 @@ def links_with_own_polygon(plans: Plans, plan: str) -> Iterator[LinkApart]:
     """A link for every reaction inside the group of a force plan: preferably one without another such reaction, and of
     two such links the one with fewer forces."""
     drives = plans.structure.drive_pairs
-    links, own = force_plan_links(plan), {k: r for k, r in plans.reactions.items() if r.plan == plan}
+    links = force_plan_links(plan)
+    own = {k: r for k, r in plans.reactions.items() if r.plan == plan}
     inner = {k: r for k, r in own.items() if {r.pair.link, r.pair.other} <= set(links)}
 
     def apart(r: Reaction, link: str) -> LinkApart:

@@ -18,7 +18,8 @@ class DriverVector(NamedTuple):
 
     def driver_speed(self, things: Things) -> Real:
         """The driver's speed as drawn: rad/s, or m/s where it slides."""
-        drawn, mu = things[self.end] - things[self.start], things[mu_name(plan_of(self.start))]
+        drawn = things[self.end] - things[self.start]
+        mu = things[mu_name(plan_of(self.start))]
         speed = plane.dot(things[self.along], drawn) / mu
         return speed / things[self.length] if self.length else speed
 

@@ -195,8 +195,10 @@ def _position_curves(plans: Plans) -> Iterator[Curve]:
 def _slider_position_curve(plans: Plans, link: str) -> Reading:
     """The position of a slider's first point along its guide, from the point that defines the guide."""
     m = plans.mechanism
-    guide, owner = m.guide(plans.velocity_slides[link].guide), m.owner_of_guide(plans.velocity_slides[link].guide)
-    first, way = m.links[link].first_point, np.exp(1j * math.radians(guide.angle_deg))
+    guide = m.guide(plans.velocity_slides[link].guide)
+    owner = m.owner_of_guide(plans.velocity_slides[link].guide)
+    first = m.links[link].first_point
+    way = np.exp(1j * math.radians(guide.angle_deg))
     base = m.links[owner].first_point if owner != FRAME else ""
     place, start = CycleVector("", "m", f"r_{first}"), CycleVector("", "m", f"r_{base}")
     shift = guide.through - (m.links[owner].points[base] if base else 0)
@@ -213,17 +215,23 @@ def _slider_position_curve(plans: Plans, link: str) -> Reading:
 def _rate_curves(plans: Plans, q: str = "") -> Iterator[Curve]:
     """Rates of links, sliders and points, or with "q" their analogues: the same columns of the run with a unit drive.
     The derivative of a velocity is that run's acceleration."""
-    rate, run, units = plans.drive.velocity, "", UNIT_OF_RATE_LETTER
+    rate = plans.drive.velocity
+    run = ""
+    units = UNIT_OF_RATE_LETTER
     if q:
-        rate, run, units = 1.0, UNIT_DRIVE_PREFIX, analogue_units(plans.drive.rotates)
+        rate = 1.0
+        run = UNIT_DRIVE_PREFIX
+        units = analogue_units(plans.drive.rotates)
     group: Group = "analogue" if q else "rate"
     slope = UNIT_DRIVE_PREFIX if rate else ""
     for link in turning_links(plans):
-        name, quick = transfer_ratio_name(plans, link) if q else f"omega_{link}", f"epsilon_{link}"
+        name = transfer_ratio_name(plans, link) if q else f"omega_{link}"
+        quick = f"epsilon_{link}"
         yield _scalar_curve(name, units["omega"], group, f"{run}omega_{link}", slope and slope + quick, rate)
         yield _scalar_curve(f"epsilon{q}_{link}", units["epsilon"], group, run + quick)
     for link in (n for n in plans.velocity_slides if n != plans.drive.link):
-        need, quick = f"{run}v_slide_{link}", f"a_slide_{link}"
+        need = f"{run}v_slide_{link}"
+        quick = f"a_slide_{link}"
         yield _scalar_curve(f"v{q}_slide_{link}", units["v"], group, need, slope and slope + quick, rate)
         yield _scalar_curve(f"a{q}_slide_{link}", units["a"], group, run + quick)
     for p in (p for p in plans.points if p not in plans.mechanism.frame.points):
@@ -284,13 +292,14 @@ def driven_link_analogues(plans: Plans) -> tuple[str, ...]:
 
 def driven_link_and_sliding(plans: Plans) -> tuple[str, bool]:
     """The output link of a mechanism, and whether it slides on the frame: that of the last group."""
-    m, structure = plans.mechanism, plans.structure
+    m = plans.mechanism
+    structure = plans.structure
     group = next(g for g in reversed(structure.groups) if not structure.is_driving_cylinder(g))
     for name in group.output_link_candidates:
         slides = m.links[name].slides
         if slides and m.owner_of_guide(slides.guide) == FRAME:
             return name, True
-    on_frame = [p for p in plans.structure.pairs if p.has_link(FRAME)]
+    on_frame = [p for p in structure.pairs if p.has_link(FRAME)]
     grounded = [n for n in group.output_link_candidates if any(p.has_link(n) for p in on_frame)]
     slid = {n: m.links[n].slides for n in group.output_link_candidates}  # on the driver's guide it only turns with it
     free = [n for n, slides in slid.items() if not slides or m.owner_of_guide(slides.guide) != m.drive.link]

@@ -26,7 +26,9 @@ class DrawingReader:
     """Reads one drawing."""
 
     def __init__(self, stated: Plans, drawing: Drawing, scales: Mapping[str, float]) -> None:
-        self.stated, self.drawing, self.scales = stated, drawing, scales
+        self.stated = stated
+        self.drawing = drawing
+        self.scales = scales
         self.own = {f"{letter}_{point}" for letter in "va" for point in stated.points}  # vectors of points
 
     def finite_number(self, value: float, name: str) -> float:
@@ -41,7 +43,8 @@ class DrawingReader:
 
     def read_column(self, c: Column) -> float | None:
         """One number; None for the arm of no force."""
-        things, ar = self.drawing.things, self.drawing.tool.ar
+        things = self.drawing.things
+        ar = self.drawing.tool.ar
         return (
             None
             if c.beside and c.has_no_normal_force(things, ar)
@@ -68,7 +71,8 @@ class DrawingReader:
         for plan in self.stated.plan_names:
             if plan in ("lever", "motion"):
                 continue
-            sharpness, bluntest = self.crossing_sharpness(plan), self.bluntest_sharpness(plan)
+            sharpness = self.crossing_sharpness(plan)
+            bluntest = self.bluntest_sharpness(plan)
             segments = {
                 key: self.measure_segment(s, bluntest, (errors or {}).get(f"{plan}:{key}"))
                 for key, s in self.measured_segments_of_plan(plan, names).items()
@@ -80,7 +84,8 @@ class DrawingReader:
 
     def measure_segment(self, s: Segment, bluntest: float, error_mm: float | None = None) -> Json:
         """One segment as measured with the instrument, on a plan whose bluntest crossing has this sharpness."""
-        tool, mu = self.drawing.tool, self.scales[mu_name(s.plan)]
+        tool = self.drawing.tool
+        mu = self.scales[mu_name(s.plan)]
         start, end = (self.drawing[full_mark_name(s.plan, end)] for end in (s.start, s.end))
         length = self.finite_number(tool.read_length(abs(end - start)), s.name)
         if error_mm is None:
@@ -90,7 +95,8 @@ class DrawingReader:
 
     def crossing_sharpness(self, plan: str) -> dict[str, float]:
         """Sine of the angle at which the lines of each crossed mark meet."""
-        program, sharpness = self.drawing.program, self.drawing.crossing_sharpness
+        program = self.drawing.program
+        sharpness = self.drawing.crossing_sharpness
         crossed = (s.makes for s in program.mark_steps_by_plan.get(plan, ()) if s.makes in sharpness)
         return {label_of(name): float(sharpness[name]) for name in crossed if name not in program.trial_marks}
 
@@ -117,7 +123,8 @@ def plan_title(plan: str, lang: Lang) -> str:
 
 def counted_structure_numbers(s: Structure) -> tuple[str, str]:
     """W and q with numbers filled in; p_{1} are pairs of one freedom."""
-    n, p = 1 + sum(len(g.links) for g in s.groups), len(s.pairs)
+    n = 1 + sum(len(g.links) for g in s.groups)
+    p = len(s.pairs)
     redundant = f"q = W − 6n + 5p_{{1}} = {s.W} − 6·{n} + 5·{p} = {s.q}"
     return f"W = 3n − 2p_{{1}} = 3·{n} − 2·{p} = {s.W}", redundant.replace("-", "−")
 

@@ -65,7 +65,8 @@ def plans_with_sharp_leads(plans: Stated, value: float) -> Stated:
         return plans
     first, turned = plans, set[Leads]()  # of basic links: their steps then have other names
     for step in crossings:
-        sharp, leads = step.crossing_sharpnesses(things), first.leads[step.means.of] if step.means else ()
+        sharp = step.crossing_sharpnesses(things)
+        leads = first.leads[step.means.of] if step.means else ()
         if leads not in turned and sharp[0] < LEAST_FAIR_SHARPNESS_RATIO * max(sharp):
             turned.add(leads)
             plans = plans_by_next_leads(plans, step.makes, sharp.index(max(sharp)))

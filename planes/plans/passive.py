@@ -84,7 +84,8 @@ def _mechanism_without_links(mechanism: Mechanism, gone: Sequence[Link]) -> Mech
 
 def _keeps_distance_without_link(plans: Any, link: Link) -> bool:
     """Whether the distance held by a link stays constant without it."""
-    drive, points = plans.drive, [p for p in link.points if p in plans.mechanism.point_names]
+    drive = plans.drive
+    points = [p for p in link.points if p in plans.mechanism.point_names]
     if len(points) != (1 if link.slides else 2):  # it is attached to another link left out
         return False
     program = plans.program.cut_to_names([full_mark_name("position", p) for p in points])

@@ -30,8 +30,10 @@ def passive_link_values(b: Bodies, link: Link) -> LinkValues:
     turned = direction_between_points(b.link_dimensions, OwnPlace(link.name, one), OwnPlace(link.name, two))
     ray = b.draft.direction_between_marks(SCHEME_PLAN, one, two)
     axis = b.draft.draw_turned_direction(f"x_{link.name}", ray, -turned, Meaning("own", link.name))
-    across, length = b.draft.draw_perpendicular(ray), b.given_distance(link, one, two)
-    angle_name, rates = b.draft.add_step(Protractor(f"phi_{link.name}", axis)), []
+    across = b.draft.draw_perpendicular(ray)
+    length = b.given_distance(link, one, two)
+    angle_name = b.draft.add_step(Protractor(f"phi_{link.name}", axis))
+    rates = []
     for plan in (Rates(b, "velocity"), Rates(b, "acceleration")):
         ends = plan.mark(one), plan.mark(two)
         rate = b.draft.measure_segment(f"Δ{plan.letter}{link.name}", *ends, across)

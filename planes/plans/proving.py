@@ -36,7 +36,8 @@ class _Motion:
     """The poses and rotations of the links."""
 
     def __init__(self, s: Statics, velocity: Rates, acceleration: Rates) -> None:
-        self.bodies, self.rates = s.bodies, (velocity, acceleration)
+        self.bodies = s.bodies
+        self.rates = (velocity, acceleration)
         self.beside = {SCHEME_PLAN: (), **{r.plan: tuple(r.driven) for r in self.rates}}
 
     def proof_point(self, link: str, name: str) -> Point:
@@ -60,12 +61,14 @@ class _Motion:
     def sliding_proofs(self) -> Iterator[Proof]:
         for name, link in self.bodies.mechanism.links.items():
             if link.slides:
-                guide, owner = link.slides.guide, self.bodies.mechanism.owner_of_guide(link.slides.guide)
+                guide = link.slides.guide
+                owner = self.bodies.mechanism.owner_of_guide(guide)
                 line = self.bodies.mechanism.guide(guide)
                 turn = cmath.rect(1.0, math.radians(line.angle_deg))
                 slider = replace(self.proof_point(name, link.first_point), local=line.through)
                 for plan in (SCHEME_PLAN, *RATE_PLANS):
-                    apart, beside = link.slides.offset or 0.0, self.beside[plan]
+                    apart = link.slides.offset or 0.0
+                    beside = self.beside[plan]
                     yield Slid(plan, name, slider, self.frame_motion(owner), turn, apart, beside=beside)
 
 
@@ -89,7 +92,8 @@ def _equilibrium_proofs(s: Statics) -> Iterator[Proof]:
                 sides.append(
                     (r.start, r.end, 1 if link == r.pair.link else -1, s.bodies.mark_of_pair(r.pair), r.moment)
                 )
-        pair, sign = s.bodies.structure.drive_pair, 1 if link == drive.link else -1
+        pair = s.bodies.structure.drive_pair
+        sign = 1 if link == drive.link else -1
         if drive.rotates and pair.has_link(link):
             couples.append((s.balancing, sign))
         elif pair.has_link(link):

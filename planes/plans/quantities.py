@@ -140,7 +140,8 @@ def distinct_quantities(quantities: Iterable[Quantity]) -> list[Quantity]:
 def quantities_asked_for(plans: Plans, find: Iterable[str], file: str = "") -> list[Quantity]:
     """The quantities named in ``find:``. :class:`SceneError` lists the valid names."""
     known = quantities_by_name(plans)
-    names, refusal = plans.default_naming.name_finder(known, poles=False), "find_no_quantity" if file else "no_quantity"
+    names = plans.default_naming.name_finder(known, poles=False)
+    refusal = "find_no_quantity" if file else "no_quantity"
     try:
         return [known[names.require_name(name, refusal, lambda n: known[n].json_path)] for name in find]
     except PlanesError as error:
@@ -224,7 +225,8 @@ def _balancing_quantities(plans: Plans) -> Quantities:
         for name in (f"{letter}{sign}_{drive.link}", f"{by}_{what}") if value else ():
             yield Quantity(name, (Column(name, unit, value),), f"{by}_{what}")
     if plans.beside_force:
-        (key, *ends), own = plans.beside_force, plans.balancing_force
+        key, *ends = plans.beside_force
+        own = plans.balancing_force
         yield from (Quantity(n, (Column(n, "N", own),), "balancing_force") for n in (own, "balancing_force"))
         yield Quantity(key, _vector_columns(key, "N", (ends[0], ends[1])), "reactions", key)
 

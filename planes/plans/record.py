@@ -154,7 +154,8 @@ class Plans:
 
     def moment_equations_of_plan(self, links: tuple[str, ...]) -> list[Moments]:
         """The moment equations for the plan of some links, or else those of these links alone."""
-        plan, plan_of_term = force_plan_name(*links), {t.name: e.plan for e in self.equations for t in e.all_terms}
+        plan = force_plan_name(*links)
+        plan_of_term = {t.name: e.plan for e in self.equations for t in e.all_terms}
         alone = self.moment_equations_on_links(links)
         return [m for m in self.moments if plan_of_term.get(m.unknown, plan if m in alone else "") == plan]
 

@@ -97,7 +97,8 @@ def largest_fitting_scale(plan: str, size: float, fit_mm: float) -> float:
 
 def _plan_size_si(plans: Plans, drawing: Drawing, plan: str) -> float:
     """The size of a plan in SI; zero for a force polygon with only the rounding of inertia and weight."""
-    size, m = plan_extent(drawing, plan), plans.mechanism
+    size = plan_extent(drawing, plan)
+    m = plans.mechanism
     if plan_kind(plan) == "force" and "acceleration" in plans.plan_names:
         mass = sum(link.mass or 0.0 for link in m.links.values())
         return (

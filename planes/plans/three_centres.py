@@ -64,7 +64,8 @@ class Centres:
     ) -> None:
         """Record a centre: at an existing hinge, at infinity, or where its lines cross."""
         name = self.centre_name_of_links(i, j)
-        mark, means = scheme_mark(name), Meaning("centre", i, j)
+        mark = scheme_mark(name)
+        means = Meaning("centre", i, j)
         if point:
             self.draft.add_step(Same(mark, scheme_mark(point), means=means))
         elif not along:
@@ -80,7 +81,8 @@ class Centres:
             if one.point and one.point == two.point:
                 self.record_centre(i, j, point=one.point)
                 return
-        lines, far = dict[tuple[str, ...], CentreLine](), False
+        lines = dict[tuple[str, ...], CentreLine]()
+        far = False
         for k, one, two in ways:
             if one.along and two.along:
                 far = True
@@ -128,7 +130,8 @@ class Centres:
 
     def spin_and_centre_distance(self, link: str, label: str, mark: str) -> tuple[str, str] | None:
         """ω of a turning link and the distance of a mark from its centre with the frame, where that is a mark."""
-        omega, pole = self.plans.links[link].omega, self.centre_with_frame(link)
+        omega = self.plans.links[link].omega
+        pole = self.centre_with_frame(link)
         if not omega or not pole.mark:
             return None
         ends = f"{pole.name}{label}".replace("_", "")

@@ -19,7 +19,8 @@ TRANSFER_PLAN = "velocity"
 def vector_giving_driver_rate(plans: Plans) -> DriverVector | None:
     """The vector from which the driver's rate is computed; None where the driver is at rest or its vector is not
     drawn."""
-    drive, steps = plans.drive, {s.makes: s for s in plans.program.steps}
+    drive = plans.drive
+    steps = {s.makes: s for s in plans.program.steps}
     if not drive.velocity:
         return None
     if drive.kind == "s":

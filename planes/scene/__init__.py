@@ -163,13 +163,15 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
 
 
 def _scene_from_fields(scene: Fields, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
-    reader, table = scene.reader, scene.table
+    reader = scene.reader
+    table = scene.table
     where = MappingProxyType({path: line for path, _, line in source.walk_nodes(table) if path})
     of_vectors = "vectors" in scene
     laws = law_reader_without_mechanism(scene, stated) if of_vectors or "points" in scene else None
     statics = FrameworkReader(scene, laws).read_framework() if "points" in scene else None
     mechanism = None if of_vectors or statics else _mechanism_from_fields(scene, where, stated)
-    mu, quantity = settings.read_plan_scales(reader, scene.optional_node("plans")), None
+    mu = settings.read_plan_scales(reader, scene.optional_node("plans"))
+    quantity = None
     if of_vectors:
         mu, quantity = settings.read_vector_scales(scene, mu)
     mu = {**mu, CREMONA_PLAN: mu["force"]} if statics else mu
@@ -201,12 +203,14 @@ def _scene_from_fields(scene: Fields, reading: ReadWith, stated: Mapping[str, No
 
 
 def _mechanism_from_fields(scene: Fields, where: Where, stated: Mapping[str, Node]) -> Mechanism:
-    reader, table = scene.reader, scene.table
+    reader = scene.reader
+    table = scene.table
     reader.taken = {with_latin_letters(path[-1]) for path in where if path[-2:-1] == ("points",)}
     frame = read_frame(reader, table.entries["frame"])
     links = read_links(reader, table.entries["links"], frame)
     drive = read_drive(reader, table.entries["drive"], links)
-    assembly, loads = scene.optional_node("assembly"), scene.optional_node("loads")
+    assembly = scene.optional_node("assembly")
+    loads = scene.optional_node("loads")
     friction, journals = read_friction(reader, f, frame, links) if (f := scene.optional_node("friction")) else ({}, {})
     mechanism = Mechanism(
         frame,

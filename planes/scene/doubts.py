@@ -207,7 +207,8 @@ def _link_doubts(mechanism: Mechanism, incomplete: bool) -> Doubts:
 def _assembly_place_doubts(mechanism: Mechanism) -> Doubts:
     """Points under ``assembly`` that have only one possible place: those of the driver, or of a single link without a
     slider."""
-    drive, links = mechanism.drive, mechanism.links
+    drive = mechanism.drive
+    links = mechanism.links
     driven = links[drive.link].points if (drive.kind, drive.on) == ("phi", FRAME) else ()
     for name, said in mechanism.assembly.items():
         own = [link for link in links.values() if name in link.points]

@@ -105,7 +105,9 @@ class ExpressionParser:
     """A recursive-descent parser that calculates while it reads the tokens."""
 
     def __init__(self, text: str, names: Mapping[str, Real], valid: Iterable[str]) -> None:
-        self.text, self.names, self.valid = text, names, valid
+        self.text = text
+        self.names = names
+        self.valid = valid
         self.tokens = [*split_into_tokens(text), ("end", "")]
         self.at = self.depth = 0
 

@@ -15,10 +15,13 @@ def read_friction(
     reader: Reader, node: Node, frame: Link, links: Mapping[str, Link]
 ) -> tuple[dict[str, float], dict[str, Journal]]:
     """Coefficients of straight guides by guide; pins of hinges, and circular guides, by their names."""
-    table, bodies = reader.read_table(node, "friction"), (frame, *links.values())
+    table = reader.read_table(node, "friction")
+    bodies = (frame, *links.values())
     radii = {name: guide.radius for link in bodies for name, guide in link.round_guides.items()}
-    slid, hinges = set(_guides_slid_on(links)), set(_hinge_points(bodies))
-    guides, journals = dict[str, float](), dict[str, Journal]()
+    slid = set(_guides_slid_on(links))
+    hinges = set(_hinge_points(bodies))
+    guides = dict[str, float]()
+    journals = dict[str, Journal]()
     for name, entry in table.entries.items():
         what = Phrase("friction_of", name=name[:60])
         if name in hinges and isinstance(entry, SourceTable):

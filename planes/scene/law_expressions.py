@@ -43,12 +43,14 @@ class LawParser(ExpressionParser):
         base = self.parse_atom()
         if not self.take_sign("^", "**"):
             return base
-        moves, before = self.read > before, self.read
+        moves = self.read > before
+        before = self.read
         exponent = self.parse_signed_power()
         if not moves and self.read == before:
             return super().raise_to_power(float(base), float(exponent))
-        halves = 0.0 if self.read > before else 2 * float(exponent)
-        if self.read > before or not halves.is_integer() or abs(halves) > 2 * MOST_MULTIPLIED_POWER:
+        varies = self.read > before
+        halves = 0.0 if varies else 2 * float(exponent)
+        if varies or not halves.is_integer() or abs(halves) > 2 * MOST_MULTIPLIED_POWER:
             raise self.error_quoting_expression(Phrase("law_power", most=MOST_MULTIPLIED_POWER))
         odd = halves % 2 == 1
         power = self.ar.power(self._square_root(base) if odd else base, int(abs(halves)) // (1 if odd else 2))
@@ -63,7 +65,8 @@ class LawParser(ExpressionParser):
         return x, self.ar.sqrt(1 - x * x)
 
     def value_of_function(self, name: str, function: Callable[..., float], given: list[Real]) -> Real:
-        ar, x = self.ar, given[0]
+        ar = self.ar
+        x = given[0]
         match name:
             case "sqrt":
                 return self._square_root(x)

@@ -30,7 +30,8 @@ def read_circular_guide(guide: Fields, name: str, points: dict[str, complex], ow
     for key in ("angle", "mark"):
         if key in guide:
             raise guide.error_by_key("round_has_no", key, what=guide.what, key=key)
-    entry, radius = guide.required_node("centre"), guide.required_node("radius")
+    entry = guide.required_node("centre")
+    radius = guide.required_node("radius")
     if not (long := guide.read_non_negative("radius")):
         raise reader.error_by_key("round_radius", radius, what=guide.what)
     if isinstance(entry, SourceScalar):
@@ -58,7 +59,8 @@ def link_turning_about_guide_centre(link: Link, guides: Mapping[str, RoundGuide]
     slide = link.slides
     if slide is None or slide.guide not in guides:
         return link
-    guide, back = guides[slide.guide], cmath.rect(1.0, -math.radians(slide.angle_deg or 0.0))
+    guide = guides[slide.guide]
+    back = cmath.rect(1.0, -math.radians(slide.angle_deg or 0.0))
     centre = link.points[link.first_point] + 1j * back * (guide.radius - (slide.offset or 0.0))
     points = MappingProxyType({**link.points, guide.centre: centre})
     return replace(link, points=points, slides=None, slides_round=slide)
@@ -158,7 +160,8 @@ def _read_guides(link: Fields, points: dict[str, complex]) -> dict[str, Guide | 
 
 
 def _read_guide(link: Fields, name: str, node: Node, points: dict[str, complex]) -> Guide | RoundGuide:
-    reader, what = link.reader, Phrase("guide_named", name=name)
+    reader = link.reader
+    what = Phrase("guide_named", name=name)
     guide = Fields(reader, node, what, GUIDE_KEYS)
     form = guide.require_one_key("x", "y", "through", "centre")
     if form == "centre":
@@ -205,7 +208,8 @@ def _check_lookalike_points(reader: Reader, table: SourceTable, links: Iterable[
         for point in link.points:
             first, other = seen.setdefault(with_latin_letters(point), (point, owner))
             if first != point:
-                one, two = Phrase("point", name=point, owner=owner), Phrase("point", name=first, owner=other)
+                one = Phrase("point", name=point, owner=owner)
+                two = Phrase("point", name=first, owner=other)
                 line = table.line if link.name == FRAME else line_of_path(table, (link.name, "points", point))
                 raise reader.error_by_key("points_alike", line, one=one, two=two)
 
@@ -224,7 +228,8 @@ def _guide_owners(reader: Reader, table: SourceTable, links: dict[str, Link], fr
 
 
 def _check_slide(reader: Reader, table: SourceTable, link: Link, owners: dict[str, str]) -> None:
-    guide, line = link.slides.guide if link.slides else "", line_of_path(table, (link.name, "slides"))
+    guide = link.slides.guide if link.slides else ""
+    line = line_of_path(table, (link.name, "slides"))
     if guide not in owners:
         others = [name for name, owner in owners.items() if owner != link.name]
         valid = reader.valid_names_in_words(guide, others)

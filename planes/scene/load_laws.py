@@ -97,7 +97,10 @@ class LawReader:
     """Reads numbers of loads that may be laws; ``stated`` are the parameters as written."""
 
     def __init__(self, scene: Fields, links: Mapping[str, Link], drive: Drive, stated: Mapping[str, Node]) -> None:
-        self.reader, self.links, self.drive, self.stated = scene.reader, links, drive, stated
+        self.reader = scene.reader
+        self.links = links
+        self.drive = drive
+        self.stated = stated
         self.known = coordinates_by_name(links, drive)
         given = entries_of_table(scene.required_node("drive"))
         place = given[drive.kind]
@@ -116,7 +119,8 @@ class LawReader:
         """The magnitude of a load: a number, a law, or one for each stroke."""
         if not isinstance(node, SourceTable) or not {"working", "idle"} & node.entries.keys():
             return self.read_amount_or_law(node, what)
-        load, kind = Fields(self.reader, node, what, STROKE_KEYS), Phrase("sliding_pairs")
+        load = Fields(self.reader, node, what, STROKE_KEYS)
+        kind = Phrase("sliding_pairs")
         working, idle = (
             self.read_amount_or_law(load.required_node(key), load.phrase_of_key(key)) for key in ("working", "idle")
         )
@@ -198,7 +202,8 @@ class LawReader:
 
     def _law_text(self, text: str, depth: int = 0) -> str:
         """An expression with the drive's position by its letter, and numbers for parameters."""
-        said, before = "", "sign"
+        said = ""
+        before = "sign"
         for kind, word in split_into_tokens(text):
             said += " " * ("sign" not in (kind, before)) + self._law_word(kind, word, depth)
             before = kind

@@ -103,7 +103,8 @@ def _read_carrier_of_driver(drive: Fields, kind: DriveKind, link: str, links: Li
 
 
 def _read_moving_link(fields: Fields, links: Links) -> str:
-    node, kind = fields.required_node("link"), Phrase("links_all")
+    node = fields.required_node("link")
+    kind = Phrase("links_all")
     if isinstance(node, SourceScalar) and node.text == FRAME and FRAME not in links:
         valid = fields.reader.valid_names_in_words(FRAME, links)
         raise fields.reader.error_by_key("frame_still", node, what=fields.phrase_of_key("link"), valid=valid)

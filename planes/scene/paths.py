@@ -29,5 +29,6 @@ def nodes_along_path(node: Node, path: Keys) -> Iterator[tuple[Node, int]]:
             node = node.items[int(key)]
             yield node, node.line
         elif isinstance(node, SourceTable) and key in node.entries:
-            line, node = node.lines[key], node.entries[key]
+            line = node.lines[key]
+            node = node.entries[key]
             yield node, line

@@ -138,7 +138,8 @@ class Reader:
             return self._read_pair(node, what)
         if isinstance(node, SourceTable):
             polar = Fields(self, node, what, ("r", "angle"))
-            radius, angle = polar.read_non_negative("r"), polar.number_if_given("angle") or 0.0
+            radius = polar.read_non_negative("r")
+            angle = polar.number_if_given("angle") or 0.0
             return self.written.remember_polar_place(
                 complex(radius * cos_deg(angle), radius * sin_deg(angle)), radius, angle
             )
@@ -158,7 +159,9 @@ class Fields:
     """The values under the keys of one table, each with its error messages; ``what`` is the owner of the keys."""
 
     def __init__(self, reader: Reader, node: Node, what: Told, keys: Sequence[str] | None = None) -> None:
-        self.reader, self.what, self.table = reader, what, reader.read_table(node, what, keys)
+        self.reader = reader
+        self.what = what
+        self.table = reader.read_table(node, what, keys)
 
     def __contains__(self, key: str) -> bool:
         return key in self.table.entries

@@ -97,7 +97,9 @@ def _read_scale(reader: Reader, node: Node, plan: str) -> float | None:
 
 def read_vector_scales(scene: Fields, plans: Mapping[str, float | None]) -> tuple[dict[str, float | None], str | None]:
     """μ of each plan of a scene of vectors in mm per SI unit, and the plan whose unit its ``mu`` has."""
-    node, mu, quantity = scene.optional_node("mu"), dict(plans), None
+    node = scene.optional_node("mu")
+    mu = dict(plans)
+    quantity = None
     if isinstance(node, SourceScalar) and (size := _read_scale(scene.reader, node, "vectors")) is not None:
         quantity = plan_and_convention_of_mu(node.text)[0]
         if mu[quantity] is not None:

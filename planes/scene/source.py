@@ -118,7 +118,8 @@ def decode_utf8(data: bytes, file: str) -> str:
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        line, byte = data.count(b"\n", 0, error.start) + 1, data[error.start]
+        line = data.count(b"\n", 0, error.start) + 1
+        byte = data[error.start]
         raise SceneError(Phrase("not_utf_8", byte=byte), file, line) from None
 
 
@@ -157,7 +158,8 @@ class _Builder:
     """Builds the tree from the reader's events."""
 
     def __init__(self, file: str, events: Iterator[yaml.Event]) -> None:
-        self.file, self.events = file, events
+        self.file = file
+        self.events = events
         self.line, self.end = 1, -2  # where the last event begins, and where the last scalar ends
         self.left = MAX_YAML_PARTS
 
@@ -167,7 +169,8 @@ class _Builder:
 
     def outermost_node(self) -> Node | None:
         """The outermost node of the only document."""
-        root, documents = None, 0
+        root = None
+        documents = 0
         while not isinstance(event := self._next_event(), yaml.StreamEndEvent):
             if isinstance(event, yaml.NodeEvent):
                 root = self._build_node(event, 0)
@@ -211,11 +214,13 @@ class _Builder:
     def _build_scalar(self, event: yaml.ScalarEvent) -> SourceScalar:
         text = unicodedata.normalize("NFC", event.value) if len(event.value) <= 1000 else event.value
         start, end = (mark.index if mark else 0 for mark in (event.start_mark, event.end_mark))
-        glued, self.end = start == self.end + 1, end
+        glued = start == self.end + 1
+        self.end = end
         return SourceScalar(text, self.line, event.style in (None, ""), glued)
 
     def _build_table(self, event: yaml.MappingStartEvent, depth: int) -> SourceTable:
-        table, last = SourceTable({}, self.line), None
+        table = SourceTable({}, self.line)
+        last = None
         while not isinstance(one := self._next_event(), yaml.MappingEndEvent):
             key = self._build_key(one, table)
             value = self._build_node(self._next_event(), depth + 1)

@@ -80,7 +80,8 @@ class FrameworkReader:
     """Reads a scene of statics: first the points, then all that refers to them."""
 
     def __init__(self, scene: Fields, laws: LawReader | None) -> None:
-        self.scene, self.laws = scene, laws
+        self.scene = scene
+        self.laws = laws
         self.reader = reader = scene.reader
         table = reader.read_table_of_names(scene.table.entries["points"], "points", Phrase("a_point"))
         if len(table.entries) > MOST_FRAMEWORK_POINTS:
@@ -167,7 +168,8 @@ class FrameworkReader:
             yield self.read_support(name, entry)
 
     def read_support(self, point: str, node: Node) -> Support:
-        what, reader = Phrase("support_of", name=point), self.reader
+        what = Phrase("support_of", name=point)
+        reader = self.reader
         if not isinstance(node, SourceTable):
             kind = reader.read_word(node, what, SUPPORT_KINDS)
             if kind in ("rod", "rope"):
@@ -227,7 +229,8 @@ class FrameworkReader:
 
     def read_distributed_load(self, load: Fields, bodies: Bodies, angle: float) -> StaticLoad:
         """The resultant of a distributed load: N/m, constant or from one value to another."""
-        reader, what = self.reader, load.what
+        reader = self.reader
+        what = load.what
         ends = self.read_load_point(load, "from"), self.read_load_point(load, "to")
         node = load.required_node("intensity")
         nodes = reader.read_list(node, what) if isinstance(node, Items) else [node, node]
@@ -239,7 +242,8 @@ class FrameworkReader:
         if not 0.0 < abs(size) < LARGEST_SCENE_NUMBER or first * last < 0.0:
             raise load.error_by_key("intensity_none", what=what, one=ends[0], two=ends[1])
         place = start + (end - start) * (first + 2 * last) / (3 * (first + last))
-        body, name = self.body_of_points(load, bodies, *ends), self.unused_name(f"Q_{''.join(ends)}")
+        body = self.body_of_points(load, bodies, *ends)
+        name = self.unused_name(f"Q_{''.join(ends)}")
         return StaticLoad(name, body, size, angle, place, spread=ends, intensity=(first, last))
 
     def read_string_pole(self) -> tuple[complex | None, tuple[str, ...]]:

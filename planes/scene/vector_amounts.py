@@ -33,7 +33,8 @@ class _Sum:
     """A sum of products being built; ``number`` is its value where it has only parameters."""
 
     def __init__(self, terms: Mapping[Factors, float], number: float | None) -> None:
-        self.terms, self.number = {f: c for f, c in terms.items() if c}, number
+        self.terms = {f: c for f, c in terms.items() if c}
+        self.number = number
 
     @classmethod
     def as_sum(cls, x: "_Sum | float") -> "_Sum":
@@ -51,7 +52,8 @@ class _Sum:
         return self + _Sum.as_sum(other) * -1.0
 
     def __mul__(self, other: "_Sum | float") -> "_Sum":
-        other, terms = _Sum.as_sum(other), dict[Factors, float]()
+        other = _Sum.as_sum(other)
+        terms = dict[Factors, float]()
         if len(self.terms) * len(other.terms) > MOST_AMOUNT_TERMS:
             raise OverflowError
         for f, c in self.terms.items():
@@ -82,7 +84,8 @@ class AmountParser(ExpressionParser):
 
     def divide_values(self, value: Real, by: Real) -> Real:
         """Divided by a single product; by a sum only where that is a number."""
-        value, by = _Sum.as_sum(value), _Sum.as_sum(by)
+        value = _Sum.as_sum(value)
+        by = _Sum.as_sum(by)
         if len(by.terms) > 1 and by.number is not None:
             by = _Sum.as_sum(by.number)
         if len(by.terms) > 1:
@@ -95,7 +98,8 @@ class AmountParser(ExpressionParser):
 
     def raise_to_power(self, base: Real, exponent: Real) -> Real:
         """To a small whole power, or a number to any power."""
-        base, power = _Sum.as_sum(base), _Sum.as_sum(exponent).number
+        base = _Sum.as_sum(base)
+        power = _Sum.as_sum(exponent).number
         if power is None or (base.number is None and not (power.is_integer() and 0 < power <= 9)):
             raise self.error_quoting_expression(Phrase("amount_power"))
         if not (power.is_integer() and 0 < power <= 9):

@@ -88,12 +88,16 @@ def _terms_of_side(part: str, text: str, number: Number) -> list[SideTerm]:
 
 def _split_at_signs(part: str) -> list[tuple[str, str]]:
     """The side split at the signs outside brackets."""
-    pieces, depth, piece, sign = list[tuple[str, str]](), 0, "", "+"
+    pieces = list[tuple[str, str]]()
+    depth = 0
+    piece = ""
+    sign = "+"
     for char in part:
         depth += (char == "(") - (char == ")")
         if char in "+-" and depth == 0 and not piece.rstrip().endswith("*"):
             pieces += [(sign, piece)] * bool(piece.strip() or pieces)
-            sign, piece = char, ""
+            sign = char
+            piece = ""
         else:
             piece += char
     return [*pieces, (sign, piece)] if piece.strip() or pieces else []
@@ -135,7 +139,8 @@ def term_end_marks(term: SideTerm) -> tuple[str, str] | None:
 
 def check_vector_chains(equation: VectorEquation) -> None:
     """Each vector of a side must start at the end of the one before, and all sides must join the same marks."""
-    reached, text = [], equation.text
+    reached = []
+    text = equation.text
     for side in equation.sides:
         spans = [(term.name, term_end_marks(term)) for term in side]
         if not spans or any(span is None for _, span in spans):
@@ -144,11 +149,13 @@ def check_vector_chains(equation: VectorEquation) -> None:
             assert before and after
             if before[1] != after[0]:
                 raise EquationError(Phrase("chain_order", text=text, name=name, start=after[0], reached=before[1]))
-        first, last = spans[0][1], spans[-1][1]
+        first = spans[0][1]
+        last = spans[-1][1]
         assert first and last
         reached.append((first[0], last[1]))
     for other in reached[1:]:
         if other != reached[0]:
-            (start, end), (other_start, other_end) = reached[0], other
+            start, end = reached[0]
+            other_start, other_end = other
             words = {"start": start, "end": end, "other_start": other_start, "other_end": other_end}
             raise EquationError(Phrase("chain_ends", text=text, **words))

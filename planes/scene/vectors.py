@@ -88,7 +88,8 @@ class StatementReader:
     """Reads a scene of vectors: names first, so that they may be used anywhere."""
 
     def __init__(self, scene: Fields, laws: LawReader | None) -> None:
-        self.scene, self.laws = scene.table, laws
+        self.scene = scene.table
+        self.laws = laws
         self.reader = reader = scene.reader
         self.vectors = reader.read_table(scene.table.entries["vectors"], "vectors")
         values = scene.optional_node("values")
@@ -185,10 +186,8 @@ class StatementReader:
     def read_vector_name(self, node: Node, name: str, what: Told) -> str:
         """The name of a vector of the scene."""
         if name not in self.vectors.entries:
-            valid, name_shown = (
-                list_valid_choices(name, self.vectors.entries),
-                name if len(name) <= MAX_NAME_LENGTH else quoted_excerpt(name),
-            )
+            valid = list_valid_choices(name, self.vectors.entries)
+            name_shown = name if len(name) <= MAX_NAME_LENGTH else quoted_excerpt(name)
             raise self.reader.error_by_key("no_vector", node, text=what, name=name_shown, valid=valid)
         return name
 
@@ -201,12 +200,14 @@ class StatementReader:
             vector.required_node("similar"), vector.read_text("similar"), vector.phrase_of_key("similar")
         )
         if vector.require_one_key("ratio", "as") == "ratio":
-            ratio, turn = vector.read_number("ratio"), vector.number_if_given("angle") or 0.0
+            ratio = vector.read_number("ratio")
+            turn = vector.number_if_given("angle") or 0.0
             return Similarity(
                 pattern,
                 ratio * complex(evaluate_expression(f"cos({turn!r})", {}), evaluate_expression(f"sin({turn!r})", {})),
             )
-        shape, label = vector.required_node("as"), vector.phrase_of_key("as")
+        shape = vector.required_node("as")
+        label = vector.phrase_of_key("as")
         if "angle" in vector:
             raise vector.error_by_key("both_keys", "angle", what=vector.what, one="as", two="angle")
         items = self.reader.read_list(shape, label)

@@ -159,8 +159,10 @@ class CurveColumns(dict[str, Any]):
     def __missing__(self, name: str) -> float:
         from planes.plans.curves import UNIT_DRIVE_PREFIX, columns_by_name
 
-        here, plans = self.position, self.position.plans
-        column, drawing = columns_by_name(plans)[name.removeprefix(UNIT_DRIVE_PREFIX)], here.drawing
+        here = self.position
+        plans = self.position.plans
+        column = columns_by_name(plans)[name.removeprefix(UNIT_DRIVE_PREFIX)]
+        drawing = here.drawing
         if name.startswith(UNIT_DRIVE_PREFIX):
             unit = dict(zip(plans.drive.rate_names, (1.0, 0.0), strict=True))
             given = {**plans.given, **here.scales, **plans.drive_givens_at(here.at), **unit}
@@ -281,10 +283,8 @@ def solve_position(
     )  # a pencil's errors prove nothing
     reader = DrawingReader(plans, drawing, mus)
     measured = tuple(map(reader.read_quantity, results_with_intermediates(plans, wanted)))
-    at_drive, groups = (
-        {drive_position_key(plans): value} if plans.depends_on_drive else {},
-        RESULT_GROUPS if plans.has_mechanism else (),
-    )
+    at_drive = {drive_position_key(plans): value} if plans.depends_on_drive else {}
+    groups = RESULT_GROUPS if plans.has_mechanism else ()
     results = {**at_drive, **results_json(plans, measured, groups if wanted is None else ())}
     names = None if wanted is None else {n for q in wanted for n in (q.name, q.json_path[-1])}
     errors = None

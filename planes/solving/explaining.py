@@ -20,11 +20,9 @@ _VECTOR_NAME_PATTERN = re.compile(r"(?<![\w:])[vaFI]_\w+(\^\w)?")  # no mark, wh
 def explain_steps(scene: Scene, lang: Lang = "en") -> str:
     """The kept and the dropped steps of a scene, one on a line, in the order they would be drawn."""
     plans = scene_plans(scene)
-    full, kept, naming = (
-        plans.program,
-        plans_and_requested_results(scene)[0].program,
-        Naming(lang, **scene_lettering(scene, plans)),
-    )
+    full = plans.program
+    kept = plans_and_requested_results(scene)[0].program
+    naming = Naming(lang, **scene_lettering(scene, plans))
     dropped = [s for s in full.steps if s.makes not in kept.result_names]
     lines = [say("explain_kept", lang, kept=len(kept.steps), all=len(full.steps)), *_step_lines(kept.steps, lang)]
     if dropped:

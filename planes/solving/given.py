@@ -71,7 +71,8 @@ class GivenTable:
             return []
         units = ("°", "rad/s", "rad/s²") if drive.rotates else ("m", "m/s", "m/s²")
         letters = drive.motion_names if self.plans_of_values.has_mechanism else (drive.kind,)
-        names, given = map(self.naming.lettered_vector, letters), ("", *drive.rate_names)
+        names = map(self.naming.lettered_vector, letters)
+        given = ("", *drive.rate_names)
         values = (self.position.at, drive.velocity, drive.acceleration)
         return [GivenRow(*row, of_drive=True) for row in zip(names, values, units, given, strict=False)]
 
@@ -136,7 +137,8 @@ class GivenTable:
 
     def vector_data_rows(self) -> Iterator[GivenRow]:
         """The data of vectors stated in a scene."""
-        given, drawn = self.plans_of_values.given, self.position.drawing
+        given = self.plans_of_values.given
+        drawn = self.position.drawing
         for name, (start, _) in self.plans_of_values.vectors.items():
             for key, sign, unit in ((f"|{name}|", "", UNIT_OF_PLAN[plan_kind(start)]), (f"angle_∠{name}", "∠", "°")):
                 if key in given and key in drawn and not (unit == "N" and key in self.plans_of_values.means):
@@ -220,7 +222,8 @@ class GivenTable:
 
     def load_law_rows(self) -> Iterator[tuple[str, str, str]]:
         """Loads given by laws, each with its value in this position."""
-        drawing, lang = self.position.drawing, self.naming.lang
+        drawing = self.position.drawing
+        lang = self.naming.lang
         for name, sign, key, _ in self.loads_given_by_laws():
             yield sign, number_text(float(drawing[name]), lang) if name in drawing else "—", say(key, lang)
 
@@ -239,7 +242,8 @@ class GivenTable:
         plans = self.plans_of_values
         for name, law in plans.acting.laws.items() if plans.force_plans else ():
             m = plans.means[name]
-            key, sign = {"load": "N", "couple": "N·m"}.get(m.quantity, "°"), self.naming.lettered_vector(m.of)
+            key = {"load": "N", "couple": "N·m"}.get(m.quantity, "°")
+            sign = self.naming.lettered_vector(m.of)
             yield name, f"∠{sign}" if key == "°" else sign, key, law
 
     def law_with_unit(self, law: Amount, key: str) -> str:

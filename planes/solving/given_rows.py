@@ -22,7 +22,8 @@ class GivenRow:
     def key_of_quantity(self) -> tuple[str, str]:
         """The key common to all names of one quantity: for l_{CD} and l_{DC} the letter and the points, for J_{S2} and
         J_{2} the unit and the link."""
-        spatial, index = self.unit in ("m", "°"), sorted(set(without_index_markup(self.name[1:])) - {"–"})
+        spatial = self.unit in ("m", "°")
+        index = sorted(set(without_index_markup(self.name[1:])) - {"–"})
         return self.name[0] if spatial else self.unit, "".join(x for x in index if spatial or x.isdigit())
 
 

@@ -56,7 +56,8 @@ class Nearest:
                 return nearest
         sides = [_Side(self.plans, value, side) for side in (1.0, -1.0)]
         ends = tuple(x for x in (side.first_working_position() for side in sides) if x is not None)
-        low, high = value - SEARCH_STEPS_EACH_SIDE * sides[0].step, value + SEARCH_STEPS_EACH_SIDE * sides[0].step
+        low = value - SEARCH_STEPS_EACH_SIDE * sides[0].step
+        high = value + SEARCH_STEPS_EACH_SIDE * sides[0].step
         gap = max([low, *(x for x in ends if x < value)]), min([high, *(x for x in ends if x > value)])
         self.gaps.append((*gap, ends))
         return min(ends, key=lambda x: abs(x - value), default=None)
@@ -71,7 +72,9 @@ class _Side:
     """One side of a failed position."""
 
     def __init__(self, plans: Plans, value: float, side: float) -> None:
-        self.plans, self.value, self.side = plans, value, side
+        self.plans = plans
+        self.value = value
+        self.side = side
         self.turning = plans.drive.rotates
         self.step = (180.0 if self.turning else 4 * plans.longest_link_length) / SEARCH_STEPS_EACH_SIDE
 
@@ -117,8 +120,10 @@ class _Side:
             for row in numpy.flatnonzero(works.any(axis=1)).tolist():
                 k = int(works[row].argmax())
                 edges.setdefault(row, (float(offsets[row, k]), float(offsets[row, k + 1])))
-            rows, k = numpy.arange(len(low)), missing.argmin(axis=1)
-            low, high = offsets[rows, numpy.maximum(k - 1, 0)], offsets[rows, numpy.minimum(k + 1, PARTS_PER_DIVISION)]
+            rows = numpy.arange(len(low))
+            k = missing.argmin(axis=1)
+            low = offsets[rows, numpy.maximum(k - 1, 0)]
+            high = offsets[rows, numpy.minimum(k + 1, PARTS_PER_DIVISION)]
             first = min(edges, default=len(low))
             if first == 0:
                 break

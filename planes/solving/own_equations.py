@@ -128,7 +128,8 @@ def _checked_equation(
     equation: VectorEquation, unit: str, terms: list[tuple[str, float]], known: Mapping[str, complex]
 ) -> OwnEquation:
     """An equation with known vectors only."""
-    left, most = sum(k * known[n] for n, k in terms), max(abs(k * known[n]) for n, k in terms)
+    left = sum(k * known[n] for n, k in terms)
+    most = max(abs(k * known[n]) for n, k in terms)
     if abs(left) <= CLOSED_GAP_RATIO * most:
         return OwnEquation(equation, unit)
     change = next(_closing_changes(terms, left, known, CLOSED_GAP_RATIO * most), None)
@@ -139,7 +140,8 @@ def _closing_changes(
     terms: list[tuple[str, float]], left: complex, known: Mapping[str, complex], slack: float
 ) -> Iterator[Phrase]:
     """Changes that would close an equation, the likeliest first."""
-    there, kind = dict(terms), plan_kind_of_vector(terms[0][0])
+    there = dict(terms)
+    kind = plan_kind_of_vector(terms[0][0])
     others = [n for n, z in known.items() if plan_kind_of_vector(n) == kind and n not in there and abs(z) > slack]
     others.sort(
         key=lambda n: (
@@ -164,7 +166,8 @@ def _closing_changes(
 
 def _vector_unlikeness(name: str, other: str) -> tuple[bool, int]:
     """How unlike two vectors are: an absolute and a relative one; points they do not share."""
-    one, two = split_value_name(name)[1], split_value_name(other)[1]
+    one = split_value_name(name)[1]
+    two = split_value_name(other)[1]
     return len(one) != len(two), -len({*one} & {*two})
 
 

@@ -39,7 +39,8 @@ class Readings(dict[str, T]):
 
     def __init__(self, readings: Mapping[str, T], naming: Naming, letter: str = "") -> None:
         super().__init__(readings)
-        self.naming, self.letter = naming, letter
+        self.naming = naming
+        self.letter = letter
 
     if TYPE_CHECKING:
 

@@ -48,11 +48,13 @@ def remedy_positions(solved: Solved) -> None:
 def position_at_released_scales(solved: Solved, p: Position) -> Position:
     """The position with the given μ released for each plan that is blunt and does not fit; unchanged if there is
     none."""
-    scene, lang = solved.scene, solved.lang
+    scene = solved.scene
+    lang = solved.lang
     large: dict[str, tuple[str, str, float, float]] = {}
     reader = DrawingReader(p.plans, p.drawing, p.scales)
     for plan in p.plans.plan_names:
-        stated, size = scene.mu.get(plan_kind(plan)), plan_extent(p.drawing, plan)
+        stated = scene.mu.get(plan_kind(plan))
+        size = plan_extent(p.drawing, plan)
         blunt = {label: s for label, s in reader.crossing_sharpness(plan).items() if s < BLUNT_CROSSING_SINE}
         if stated and blunt and size > MOST_PLAN_SIZE_RATIO * PLAN_FIT_MM[plan_kind(plan)]:
             angle = math.degrees(math.asin(min(blunt.values())))
@@ -88,7 +90,8 @@ def position_for_sheet(
         near = interpolate_position(solved, asked[0], "")
         if near is None:
             return scene, values, []
-        there, kind = near.results["interpolated"][1], drive.kind
+        there = near.results["interpolated"][1]
+        kind = drive.kind
         why = failed_position_sentence(failure, asked[0], kind)
         return scene, [there], [say("remedy_beside", lang, why=why, there=drive_position_in_words(there, kind, lang))]
     kinds = p.results.get("remedied", [])
@@ -107,7 +110,9 @@ def interpolate_position(solved: Solved, value: float, why: str) -> Position | N
     They are the means of the positions 5° to either side, where the motion is smooth; where it turns back at a change
     point, the extrapolation from 10° and 5° before it, in the driver's direction.
     """
-    plans, lang, drive = solved.plans, solved.lang, solved.plans.drive
+    plans = solved.plans
+    lang = solved.lang
+    drive = solved.plans.drive
     near = [value - NEAR_NEIGHBOUR_DEG, value + NEAR_NEIGHBOUR_DEG]
     if not drive.rotates or not all(can_be_drawn(plans, v) for v in near):
         return None
@@ -167,7 +172,8 @@ def _relative_difference(a: Sequence[Measured], b: Sequence[Measured]) -> float:
     rows = [(f.quantity, zip(f.quantity.columns, f.numbers, others[f.quantity.json_path], strict=True)) for f in a]
     for q, c, x, y in ((q, *row) for q, numbers in rows for row in numbers):
         if x is not None and y is not None:
-            kind, turns = q.key or f"{q.group} {c.comparison_class}", c.unit == "°"
+            kind = q.key or f"{q.group} {c.comparison_class}"
+            turns = c.unit == "°"
             gap = abs(math.remainder(x - y, 360.0)) if turns else abs(x - y)
             sizes[kind] = max(sizes.get(kind, 0.0), 180.0 if turns else abs(y))
             gaps[kind] = max(gaps.get(kind, 0.0), gap)

@@ -23,7 +23,8 @@ def structure_report_text(structure: Structure, lang: Lang = "en", frame: str = 
 def group_equilibrium_sentence(group: AnyGroup, lang: Lang) -> list[str]:
     """The sentence that a group has as many equations of equilibrium as unknown reactions, and its redundant
     constraints; empty for a group with a drive inside."""
-    n, p = len(group.all_links), len(group_pairs(group))
+    n = len(group.all_links)
+    p = len(group_pairs(group))
     return [say("note_group_determinate", lang, n=n, p=p, q=5 * p - 6 * n)] if 3 * n == 2 * p else []
 
 
@@ -58,6 +59,7 @@ def alignment_report(aligned: Aligned, lang: Lang = "en", frame: str = FRAME) ->
         ),
     ]
     for pair, sign in aligned.pairs:
-        name, links = pair.point or pair.guide, "–".join(frame if x == FRAME else x for x in (pair.other, pair.link))
+        name = pair.point or pair.guide
+        links = "–".join(frame if x == FRAME else x for x in (pair.other, pair.link))
         lines.append("  " + say("alignment_pair", lang, name=name, links=links, sign=say(f"sign_{sign}", lang)))
     return "\n".join(lines)

@@ -30,7 +30,8 @@ Row = dict[str, Measured]
 
 def solve_report_text(solved: Solved, lang: Lang = "en") -> str:
     """The whole answer of ``planes solve`` as text."""
-    s, moves = solved.plans.structure, solved.plans.has_mechanism
+    s = solved.plans.structure
+    moves = solved.plans.has_mechanism
     naming = Naming(lang, **scene_lettering(solved.scene, solved.plans))
     lines = [solved.scene.title.get(lang, "")]
     lines += [f"W = {s.W}, q = {s.q}, {s.formula_with_frame_number(naming.frame)}"] if moves else []
@@ -110,7 +111,8 @@ def _points_table(points: dict[str, Row], lang: Lang, e: Json | None) -> list[st
                 *a,
             ]
         )
-    m, o = say("m", lang), error_column_head(e)
+    m = say("m", lang)
+    o = error_column_head(e)
     rates = [f"v, {say('m/s', lang)}", "∠°", *o, f"a, {say('m/s²', lang)}", "∠°", *o]
     head = ["", f"x, {m}", f"y, {m}", *o, *rates]
     return aligned_table(say("points", lang), head, rows)
@@ -143,22 +145,26 @@ def _links_table(links: dict[str, Row], lang: Lang, e: Json | None, driver: str)
 
 
 def _slides_table(p: Position, lang: Lang, e: Json | None) -> list[str]:
-    slides, rows = p.rows("slides"), []
+    slides = p.rows("slides")
+    rows = []
     moving = (*slides.values(), *p.rows("points").values())
-    fast, quick = _largest_magnitude(moving, "v"), _largest_magnitude(moving, "a")
+    fast = _largest_magnitude(moving, "v")
+    quick = _largest_magnitude(moving, "a")
     for n, v in slides.items():
         numbers: list[str] = []
         for k, most in (("v", fast), ("a", quick)):
             numbers += [number_cell(v[k].number, most) if k in v else "", *error_cell(e, "slides", n, k)]
         turn = [_magnitude_and_direction(v.get("coriolis"), quick)[0], *error_cell(e, "slides", n, "coriolis")]
         rows.append([n, p.plans.velocity_slides[n].guide, *numbers, *turn])
-    rate, o = say("m/s²", lang), error_column_head(e)
+    rate = say("m/s²", lang)
+    o = error_column_head(e)
     head = ["", say("guide", lang), f"v, {say('m/s', lang)}", *o, f"a, {rate}", *o, f"aᵏ, {rate}", *o]
     return aligned_table(say("slides", lang), head, rows)
 
 
 def _plan_table(p: Position, name: str, lang: Lang, naming: Naming) -> list[str]:
-    plan, e = p.results["plans"][name], p.results.get("errors")
+    plan = p.results["plans"][name]
+    e = p.results.get("errors")
     most = max((abs(s["value"]) for s in plan["segments"].values()), default=0.0)
     rows = []
     for vector, ends, s in p.measured_on(name):
@@ -185,7 +191,8 @@ def _plan_table(p: Position, name: str, lang: Lang, naming: Naming) -> list[str]
 
 def _reactions_table(reactions: dict[str, Measured], lang: Lang, e: Json | None, naming: Naming) -> list[str]:
     most = max((math.hypot(r.vector.real, r.vector.imag) for r in reactions.values()), default=0.0)
-    rows, o = [], error_column_head(e)
+    rows = []
+    o = error_column_head(e)
     for name, r in reactions.items():
         force = error_cell(e, "reactions", name, *(["force"] if r.slides else []))
         more = ["", *[""] * len(o)] * 2
@@ -201,7 +208,9 @@ def _reactions_table(reactions: dict[str, Measured], lang: Lang, e: Json | None,
                 *more,
             ]
         )
-    n, reach, couple = say("N", lang), f"{say('arm', lang)}, {say('m', lang)}", f"M, {say('N·m', lang)}"
+    n = say("N", lang)
+    reach = f"{say('arm', lang)}, {say('m', lang)}"
+    couple = f"M, {say('N·m', lang)}"
     head = ["", f"x, {n}", f"y, {n}", f"|F|, {n}", "∠°", *o, reach, *o, couple, *o]
     return aligned_table(say("reactions", lang), head, rows)
 
@@ -210,9 +219,11 @@ def _derived_values_table(p: Position, lang: Lang, naming: Naming, *groups: str)
     """Transfer functions; weights and inertia; normal forces, friction and its power: each with its ±."""
     lines: list[str] = []
     for group in groups:
-        rows, e = [], p.results.get("errors")
+        rows = []
+        e = p.results.get("errors")
         for key, f in p.of(group).items():
-            c, error = f.quantity.columns[0], error_cell(e, group, key)
+            c = f.quantity.columns[0]
+            error = error_cell(e, group, key)
             name = terminal_spelling(naming.lettered_curve(key) if c.per else naming.lettered_vector(c.value))
             beside = max(abs(x.number) for x in p.of(group).values()) if c.per else 0.0
             rows.append([name, number_cell(f.number, beside), *error, "" if c.unit == "1" else say(c.unit, lang)])
@@ -223,7 +234,8 @@ def _derived_values_table(p: Position, lang: Lang, naming: Naming, *groups: str)
 def _balancing_load_lines(p: Position, lang: Lang, naming: Naming) -> list[str]:
     lines: list[str] = []
     for what, unit in (("moment", "N·m"), ("force", "N")):
-        moment, check = p.number(f"balancing_{what}"), p.number(f"zhukovsky_{what}")
+        moment = p.number(f"balancing_{what}")
+        check = p.number(f"zhukovsky_{what}")
         own, other = (error_cell(p.results.get("errors"), f"{by}_{what}") for by in ("balancing", "zhukovsky"))
         if moment is not None:
             number = " ± ".join([number_cell(moment), *own])
@@ -247,17 +259,21 @@ def relative_difference(value: float, check: float) -> float:
 
 def stated_vector_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
     """The vectors of a scene of vectors, plan by plan, and the values computed from them."""
-    lines, e = list[str](), p.results.get("errors")
+    lines = list[str]()
+    e = p.results.get("errors")
     vectors = p.of("vectors")
     for plan in p.plans.plan_names:
         own = [f for f in vectors.values() if plan_of(f.quantity.columns[0].start) == plan]
-        most, rows = max((abs(f.vector) for f in own), default=0.0), []
+        most = max((abs(f.vector) for f in own), default=0.0)
+        rows = []
         for f in own:
-            name, ends = f.quantity.name, "".join(map(label_of, f.quantity.columns[0].needed_names))
+            name = f.quantity.name
+            ends = "".join(map(label_of, f.quantity.columns[0].needed_names))
             segments = p.results.get("plans", {}).get(plan, {}).get("segments", {})
             read = segments.get(ends, {"mm": 0.0, "value": 0.0})
             mm = error_cell(e, "plans", plan, "segments", ends, "mm")
-            size, angle = number_cell(read["value"], most), magnitude_and_direction_cells(f.vector, most)[1]
+            size = number_cell(read["value"], most)
+            angle = magnitude_and_direction_cells(f.vector, most)[1]
             rows.append(
                 [
                     terminal_spelling(naming.lettered_vector(name)),
@@ -280,7 +296,8 @@ def stated_vector_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
             ],
             rows,
         )
-    rows, beside = [], largest_equilibrium_result(p)
+    rows = []
+    beside = largest_equilibrium_result(p)
     for f in p.of("values").values():
         error = error_cell(e, "values", f.quantity.name)
         rows.append(

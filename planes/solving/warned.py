@@ -17,7 +17,8 @@ def accuracy_warnings(
     reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Thing], lang: Lang
 ) -> list[str]:
     """The sentences, grouped by kind."""
-    blunt, passive = _blunt_mark_warnings(reader, lang).items(), reader.stated.structure.passive
+    blunt = _blunt_mark_warnings(reader, lang).items()
+    passive = reader.stated.structure.passive
     said = [say("passive", lang, links=", ".join(passive))] if passive else []
     if passive and reader.stated.mechanism.loaded:
         said.append(say("passive_forces", lang, links=", ".join(passive)))

@@ -45,7 +45,8 @@ FILE_CHART_STYLE = {**CHART_STYLE, "font.size": 9.0, "svg.hashsalt": "planes", "
 
 def draw_chart(shown: Chart, width_mm: float, lang: Lang) -> Picture:
     """Draw a chart."""
-    width, height = width_mm * POINTS_PER_MM, shown.height_mm * POINTS_PER_MM
+    width = width_mm * POINTS_PER_MM
+    height = shown.height_mm * POINTS_PER_MM
     with rc_context(CHART_STYLE):
         figure = Figure(figsize=(width / 72, height / 72), dpi=72, layout=TightLayoutEngine(pad=0.4))
         plot = figure.add_subplot()
@@ -75,7 +76,8 @@ def _set_up_axes(plot: Axes, axes: Chart, lang: Lang) -> None:
         plot.margins(0.08)
         plot.set_aspect("equal", adjustable="datalim")
     else:
-        low, high = min(float(min(c.x)) for c in axes.curves), max(float(max(c.x)) for c in axes.curves)
+        low = min(float(min(c.x)) for c in axes.curves)
+        high = max(float(max(c.x)) for c in axes.curves)
         plot.set_xlim(low, high)
     if axes.ticks:
         plot.xaxis.set_major_locator(MultipleLocator(axes.ticks))
@@ -97,7 +99,8 @@ def save_figure(figure: Figure, path: Path) -> None:
     kind = path.suffix.lower()
     out = io.BytesIO()
     figure.savefig(out, format=kind[1:], metadata=METADATA_OF_SUFFIX[kind])
-    data, names = out.getvalue(), dict[bytes, bytes]()
+    data = out.getvalue()
+    names = dict[bytes, bytes]()
     if kind == ".svg":
         data = GENERATED_NAME_PATTERN.sub(lambda m: names.setdefault(m[0], b"n%d" % (len(names) + 1)), data)
     files.save_bytes(data, path)

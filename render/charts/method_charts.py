@@ -96,7 +96,8 @@ def _draw_speed(plot: Axes, spots: list[Method], seconds: str, lang: Lang) -> No
     for m in methods:
         colour, marker, _ = looked[m.key]
         plot.plot([m.seconds], [m.error], marker, color=METHOD_COLOURS[colour], markersize=7, zorder=3)
-    low, high = min(m.seconds for m in methods), max(m.seconds for m in methods)
+    low = min(m.seconds for m in methods)
+    high = max(m.seconds for m in methods)
     plot.set_xlim(low / 3, high * 60)
     plot.set_ylim(min(m.error for m in spots) / 200, 10 * max(m.error for m in spots))
     _label_methods(plot, methods, lang)
@@ -128,7 +129,8 @@ def _draw_pencil_band(plot: Axes, pencils: Sequence[Method], lang: Lang) -> None
     """The error of a pencil, whatever its time: from the sheet of the largest error to that of the smallest."""
     if not pencils:
         return
-    worst, best = max(pencils, key=lambda m: m.error), min(pencils, key=lambda m: m.error)
+    worst = max(pencils, key=lambda m: m.error)
+    best = min(pencils, key=lambda m: m.error)
     plot.axhspan(best.error, worst.error, color="#dddddd", zorder=0)
     text = say("chart_pencils", lang, worst=worst.number, best=best.number)
     left = plot.get_xlim()[0]
@@ -176,7 +178,8 @@ def conclusion_of_speed(methods: Sequence[Method], lang: Lang) -> str:
 def conclusion_of_stability(way: Approach, lang: Lang) -> str:
     """The distance to the limit at which half of all digits are left, and whether the claimed error held all the
     way."""
-    mine, claim = np.asarray(way.errors["method_scalar"]), np.asarray(way.claim)
+    mine = np.asarray(way.errors["method_scalar"])
+    claim = np.asarray(way.claim)
     kept = [d for d, e in zip(way.distances, mine, strict=True) if e < HALF_DIGITS_ERROR]
     held = bool(np.all((mine <= claim) | np.isnan(mine)))
     key = "chart_says_held" if held else "chart_says_not_held"
@@ -216,7 +219,8 @@ def draw_approach(plot: Axes, way: Approach, axis: str, names: Mapping[str, str]
 
 def draw_turning(plot: Axes, turn: Turning, axis: str, lang: Lang) -> None:
     """Regions in grey with their number of assemblies, the curves between them, and the position of the scene."""
-    low, high = turn.values[0], turn.values[-1]
+    low = turn.values[0]
+    high = turn.values[-1]
     plot.set(xlim=(low, high), ylim=(turn.lengths[0], turn.lengths[-1]), yscale="log", xlabel=axis)
     plot.set_ylabel(say("chart_turning_length", lang, name=turn.name))
     plot.set_title(say("chart_turning" if turn.whole else "chart_turning_part", lang, name=turn.name), fontsize=9.5)

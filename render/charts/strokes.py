@@ -89,7 +89,8 @@ def path_pieces(
     for points, code in path.iter_segments(transform or Affine2D(), simplify=False, clip=clip, curves=True):
         at = tuple(points.tolist())
         if code == Path.CURVE3:
-            (cx, cy), (ex, ey) = at[:2], at[2:]
+            cx, cy = at[:2]
+            ex, ey = at[2:]
             at = (x + 2 / 3 * (cx - x), y + 2 / 3 * (cy - y), ex + 2 / 3 * (cx - ex), ey + 2 / 3 * (cy - ey), ex, ey)
         if code == Path.CLOSEPOLY:
             pieces.append(("Z", ()))

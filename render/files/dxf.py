@@ -72,7 +72,8 @@ def write(
         document.header["$MEASUREMENT"] = document.header["$LWDISPLAY"] = 1
         document.modelspace().reset_extents((0, 0, 0), (*size_mm, 0))
         document.modelspace().reset_limits((0, 0), size_mm)
-        document.header["$EXTMIN"], document.header["$EXTMAX"] = (0, 0, 0), (*size_mm, 0)
+        document.header["$EXTMIN"] = (0, 0, 0)
+        document.header["$EXTMAX"] = (*size_mm, 0)
         document.header["$TEXTSTYLE"] = text_style_name(Face())
         _print_setup(document, size_mm)
         document.set_modelspace_vport(1.1 * size_mm[1], (size_mm[0] / 2, size_mm[1] / 2))
@@ -160,7 +161,8 @@ def insert_form(
     block = document.blocks.new(form.drawn_as)
     insert = document.modelspace().add_blockref(form.drawn_as, (0, 0), dxfattribs={"layer": "FRAME"})
     strokes = text == "strokes"
-    entities, written = Entities(block, lettered=text), Entities(document.modelspace(), STYLE_OF_LAYER)
+    entities = Entities(block, lettered=text)
+    written = Entities(document.modelspace(), STYLE_OF_LAYER)
     filled: dict[str, list[Text]] = {}
     for mark in marks:
         if isinstance(mark, Text) and mark.name.startswith("cell ") and not strokes:

@@ -81,7 +81,9 @@ class Entities(Writer):
     """
 
     def __init__(self, space: BaseLayout, layers: Mapping[str, str] | None = None, lettered: Lettered = "text") -> None:
-        self.space, self.layers, self.lettered = space, layers or {}, lettered
+        self.space = space
+        self.layers = layers or {}
+        self.lettered = lettered
         self.written: dict[Text, str] = {}  # blocks of letters
 
     def mark_attributes(self, style: str, layer: str, dashes: Sequence[float] = ()) -> dict[str, object]:
@@ -90,7 +92,8 @@ class Entities(Writer):
 
         ``dashes`` is the pattern fitted to the mark's length; a mark too short for it is solid.
         """
-        used, own = pen_of_style(style), self.layers.get(layer)
+        used = pen_of_style(style)
+        own = self.layers.get(layer)
         looks: dict[str, object] = {"layer": layer.upper()}
         solid = not dashes
         if own is None or solid != (not pen_of_style(own).pattern) or (not solid and own != style):
@@ -121,7 +124,8 @@ class Entities(Writer):
             block._write_dashed_path(points, dashes, looks)
             self.space.add_blockref(name, (0, 0), dxfattribs={"layer": looks["layer"]})
             return
-        path, begins = shapely.LineString([(z.real, z.imag) for z in points]), 0.0
+        path = shapely.LineString([(z.real, z.imag) for z in points])
+        begins = 0.0
         for long, drawn in zip(cycle(dashes), cycle((True, False))):
             if begins >= path.length - LENGTH_TOLERANCE_MM:
                 return
@@ -162,7 +166,8 @@ class Entities(Writer):
         back = (one + other) / 2
         name, share, looks = scaled_block(ARROW_BLOCK, abs(tip - back), abs(one - other))
         if name not in self.space.doc.blocks:
-            block, corners = self.space.doc.blocks.new(name), [(0, 0), (-1, share / 2), (-1, -share / 2)]
+            block = self.space.doc.blocks.new(name)
+            corners = [(0, 0), (-1, share / 2), (-1, -share / 2)]
             block.add_solid(corners, dxfattribs={"layer": "0"})
             block.add_lwpolyline(corners, close=True, dxfattribs={"layer": "0", "lineweight": 0})
         looks |= {"layer": layer, "rotation": math.degrees(cmath.phase(tip - back))}
@@ -192,7 +197,8 @@ class Entities(Writer):
         from ezdxf.enums import TextEntityAlignment as Align
 
         turn = cmath.rect(1, math.radians(laid.turn_deg))
-        start, said = laid.origin + run.at * turn, run.text.strip()
+        start = laid.origin + run.at * turn
+        said = run.text.strip()
         entity = self.space.add_text(said, dxfattribs=text_attributes(text, run.height))
         if run.width > MOST_SLIM_RATIO * run.height * len(said) or text.narrow < 1:
             entity.set_placement(rounded_xy(start), rounded_xy(start + run.width * turn), Align.FIT)

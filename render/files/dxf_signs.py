@@ -43,7 +43,8 @@ class Sign:
 
 def insert_signs(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
     """Insert the signs recognised among the marks as blocks; returns the remaining marks."""
-    space, gone = document.modelspace(), set[int]()
+    space = document.modelspace()
+    gone = set[int]()
     for sign in recognise_signs(marks):
         name, share, scales = (
             scaled_block(SLIDER_BLOCK, *sign.size) if sign.name == SLIDER_BLOCK else (sign.name, 1.0, {})
@@ -134,7 +135,8 @@ def insert_dimensions(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
     Its text is the one with its middle beside that place; lines of that layer across a tip are its extension lines.
     """
     arrows = [m for m in marks if isinstance(m, Arrow) and m.layer == "dimension"]
-    texts, gone = [m for m in marks if isinstance(m, Text) and m.anchor == "middle"], set[int]()
+    texts = [m for m in marks if isinstance(m, Text) and m.anchor == "middle"]
+    gone = set[int]()
     lines = [m for m in marks if isinstance(m, Line) and m.layer == "dimension" and len(m.points) == 2]
     for one, other in pairwise(arrows):
         if not _arrows_point_apart(one, other) or gone & {id(one), id(other)}:
@@ -149,7 +151,8 @@ def insert_dimensions(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
 
 def _arrows_point_apart(one: Arrow, other: Arrow) -> bool:
     """Whether two arrows point in opposite directions from one place."""
-    a, b = one.end - one.start, other.end - other.start
+    a = one.end - one.start
+    b = other.end - other.start
     turned = b * a.conjugate()
     return (
         abs(one.start - other.start) < _SAME_PLACE_MM and turned.real < 0 and abs(turned.imag) < _SAME_PLACE_MM * abs(a)

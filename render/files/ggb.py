@@ -38,7 +38,8 @@ class GeogebraFile:
     """A construction being written, in the order of its steps."""
 
     def __init__(self, title: str, corner: complex) -> None:
-        x, y = -corner.real * PX_PER_MM, corner.imag * PX_PER_MM
+        x = -corner.real * PX_PER_MM
+        y = corner.imag * PX_PER_MM
         self.root = xml.fromstring(
             GEOGEBRA_XML_FRAME.format(wide=WINDOW_SIZE_PX[0], high=WINDOW_SIZE_PX[1], x=x, y=y, scale=PX_PER_MM)
         )
@@ -102,7 +103,8 @@ class GeogebraFile:
 
     def zip_bytes(self) -> bytes:
         """The file as bytes; the same construction gives the same bytes."""
-        data, out = xml.tostring(self.root, encoding="utf-8", xml_declaration=True), io.BytesIO()
+        data = xml.tostring(self.root, encoding="utf-8", xml_declaration=True)
+        out = io.BytesIO()
         with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
             archive.writestr(zipfile.ZipInfo("geogebra.xml", ZIP_TIMESTAMP), data, zipfile.ZIP_DEFLATED)
         return out.getvalue()

@@ -90,7 +90,8 @@ def _mp4_bytes(pictures: "Sequence[Image]", seconds: float) -> bytes:
 
 def _svg_bytes(pages: Sequence[str], seconds: float) -> bytes:
     """Frames as groups, of which one at a time is seen; no script."""
-    head, parts = pages[0][: pages[0].index("<g ")], []
+    head = pages[0][: pages[0].index("<g ")]
+    parts = []
     for k, page in enumerate(pages):
         body = re.sub(r' id="\w+"', "", page[page.index("<g ") : page.rindex("</svg>")])
         times = ";".join(f"{t:g}" for t in (0, k / len(pages), (k + 1) / len(pages)))

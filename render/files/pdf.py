@@ -103,7 +103,9 @@ class _Page(Writer):
     """Draws marks on a reportlab canvas with the unit of one millimetre."""
 
     def __init__(self, canvas: Canvas, words: bool, tags: Tags | None) -> None:
-        self.canvas, self.words, self.tags = canvas, words, tags
+        self.canvas = canvas
+        self.words = words
+        self.tags = tags
 
     def mark(self, mark: Mark) -> None:
         """One mark, as a text or a part of the figure."""
@@ -141,7 +143,9 @@ class _Page(Writer):
         """A circle, an arc, or a filled disc."""
         self._set_pen(pen_of_style(arc.style).width, pen_of_style(arc.style).colour, arc_dashes(arc))
         self.canvas.setFillColor(PAPER_COLOUR if arc.fill == "paper" else BLACK_COLOUR)
-        path, c, r = self.canvas.beginPath(), arc.centre, arc.radius
+        path = self.canvas.beginPath()
+        c = arc.centre
+        r = arc.radius
         if is_circle(arc):
             path.circle(c.real, c.imag, r)
         else:
@@ -163,7 +167,8 @@ class _Page(Writer):
 
     def _write_invisible_words(self, words: str, laid: LaidText, height: float) -> None:
         """The whole text, invisible, on its base line, in one piece, so that indices are read in order."""
-        size, turn = height / CAPITALS_HEIGHT_RATIO, cmath.rect(1, math.radians(laid.turn_deg))
+        size = height / CAPITALS_HEIGHT_RATIO
+        turn = cmath.rect(1, math.radians(laid.turn_deg))
         run = self.canvas.beginText()
         run.setTextRenderMode(_INVISIBLE_TEXT_MODE)
         run.setFont(register_font(FONT_NAME, dejavu_file()), size)

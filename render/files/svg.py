@@ -62,7 +62,8 @@ class _Sheet(Writer):
         if under:
             href = "data:image/jpeg;base64," + base64.b64encode(under.data).decode()
             x0, y0, x1, y1 = under.box
-            corner, size = (svg_number(x0), svg_number(self.height - y1)), (svg_number(x1 - x0), svg_number(y1 - y0))
+            corner = (svg_number(x0), svg_number(self.height - y1))
+            size = (svg_number(x1 - x0), svg_number(y1 - y0))
             self.svg.add(self.svg.image(href, corner, size, preserveAspectRatio="none"))
         for layer, held in group_by_layer(marks):
             self.group = self.svg.g(id=layer, fill="none", stroke_linejoin="round", stroke_linecap="round")
@@ -107,7 +108,8 @@ class _Sheet(Writer):
 
     def write_arrow(self, arrow: Arrow) -> None:
         """Shaft and head as a group with the name of the vector."""
-        around, self.group = self.group, self.svg.g(**({"data-name": arrow.name} if arrow.name else {}))
+        around = self.group
+        self.group = self.svg.g(**({"data-name": arrow.name} if arrow.name else {}))
         super().write_arrow(arrow)
         around.add(self.group)
         self.group = around
@@ -133,7 +135,8 @@ class _Sheet(Writer):
         )
         for run in laid.runs:
             size = svg_number(run.height / CAPITALS_HEIGHT_RATIO)
-            x, y = svg_number(run.at.real), svg_number(-run.at.imag)
+            x = svg_number(run.at.real)
+            y = svg_number(-run.at.imag)
             real.add(self.svg.tspan(run.text, x=[x], y=[y], font_size=size))
         group.add(real)
         self.group.add(group)

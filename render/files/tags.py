@@ -16,7 +16,8 @@ class Tags:
     """The elements of a document drawn on a canvas; ``title`` is that of its figures."""
 
     def __init__(self, canvas: Canvas, title: str) -> None:
-        self.canvas, self.title = canvas, title
+        self.canvas = canvas
+        self.title = title
         self.root = _pdf_dictionary(Type="StructTreeRoot", K=_pdf_array())
         self.document = self._add_element("Document", self.root)
         self.pages: list[Any] = []  # the elements of the pieces of each
@@ -59,13 +60,15 @@ class Tags:
         for piece in self.pieces:
             self.canvas._doc.idToObject[piece.name]["Pg"] = self.canvas._doc.Reference(page)
         self.pages.append(_pdf_array(*self.pieces))
-        self.pieces, self.figure = [], None
+        self.pieces = []
+        self.figure = None
 
     def end_document(self) -> None:
         """The document is complete."""
         catalog = self.canvas._doc.Catalog
         self.root["ParentTree"] = _pdf_dictionary(Nums=_pdf_array(*chain.from_iterable(enumerate(self.pages))))
-        catalog.StructTreeRoot, catalog.MarkInfo = self.root, _pdf_dictionary()
+        catalog.StructTreeRoot = self.root
+        catalog.MarkInfo = _pdf_dictionary()
         catalog.MarkInfo["Marked"] = "true"
 
 

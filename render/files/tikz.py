@@ -57,7 +57,8 @@ def latex_math(text: str) -> str:
     """A name with its indices, for math mode: letters unknown there become text."""
 
     def one(match: re.Match[str]) -> str:
-        said, other = "", ""
+        said = ""
+        other = ""
         for c in match[0]:
             known = f"\\{LATEX_GREEK[c]} " if c in LATEX_GREEK else LATEX_MATH_SIGNS.get(c, "")
             said, other = (said + _latex_math_text(other) + known, "") if known else (said, other + c)
@@ -73,7 +74,8 @@ def _latex_math_text(letters: str) -> str:
 
 def latex_text(text: str) -> str:
     """Words with names among them, μ_{v} = 50 mm/(m/s), as text with mathematics."""
-    said, end = "", 0
+    said = ""
+    end = 0
     for name in INDEXED_NAME_PATTERN.finditer(text):
         said += _escape_latex(text[end : name.start()]) + f"${latex_math(name[0])}$"
         end = name.end()

@@ -24,7 +24,9 @@ DRAWING_LAYERS = ("own", "next", "truth", "picture")
 def report_page(data: Json, lang: Lang) -> str:
     """The report page, from the data of :func:`planes.check.report.page_data`."""
     words = sentences_with_prefix("check_page_", lang, "check")
-    drawn, e, naming = "page" in data, html.escape, Naming(lang, **data["lettering"])
+    drawn = "page" in data
+    e = html.escape
+    naming = Naming(lang, **data["lettering"])
     names = _mentioned_names(data)
 
     def lettered(text: str) -> str:
@@ -44,7 +46,8 @@ def report_page(data: Json, lang: Lang) -> str:
         "notes": "".join(f"<p>{lettered(n)}</p>" for n in data["notes"]),
         "noscript": f"<noscript><p>{e(words['noscript'])}</p></noscript>" if drawn else "",
     }
-    body, code = web_page.fill_template("check.html", parts), packer.pack_modules("check") if drawn else ""
+    body = web_page.fill_template("check.html", parts)
+    code = packer.pack_modules("check") if drawn else ""
     held = (
         {"data": {**data["page"], "sought": name_search_pattern(names)}, "letters": _lettered_names(data, names)}
         if drawn
@@ -91,7 +94,8 @@ def _table_html(
     """A table whose rows begin with their verdict and their name."""
     if not rows:
         return ""
-    e, body = html.escape, ""
+    e = html.escape
+    body = ""
     cells = "".join(f'<th scope="col">{e(h)}</th>' for h in head)
     for verdict, name, *row in rows:
         columns = "".join(f"<td>{e(c)}</td>" for c in row)
@@ -114,7 +118,8 @@ def class_page(
 ) -> str:
     """The class page. ``rows`` are the outcomes with their cells in words; ``common`` are sentences with their authors:
     name, link; ``absent`` lists the students without any drawing."""
-    e, links = html.escape, {row.file: row.link for row, _ in rows if row.link}
+    e = html.escape
+    links = {row.file: row.link for row, _ in rows if row.link}
     cells = "".join(f'<th scope="col" data-name="{e(h)}"><button type="button">{e(h)}</button></th>' for h in head)
     often = ""
     for said, names in common:
@@ -130,7 +135,8 @@ def class_page(
         "sort": _sort_menu_html(head, lang),
         "rows": "".join(_drawing_row_html(number, row, texts, lang, links) for number, (row, texts) in enumerate(rows)),
     }
-    body, style = web_page.fill_template("class.html", parts), ("check.css", "class.css")
+    body = web_page.fill_template("class.html", parts)
+    style = ("check.css", "class.css")
     return web_page.fill_web_page(title, lang, style, body, code=packer.pack_modules("class"))
 
 
@@ -146,7 +152,8 @@ def _drawing_row_html(number: int, row: ClassRow, cells: Sequence[str], lang: La
     naming = Naming(lang, **row.lettering)
     name, *rest, said = cells
     rest = [tagged_sentence(f"⟨{c}⟩", naming, row.plan_kind) if c and c == row.first else html.escape(c) for c in rest]
-    name, rest = html.escape(name), [*rest, sentence_html(said, row.text_names, naming, row.plan_kind, links)]
+    name = html.escape(name)
+    rest = [*rest, sentence_html(said, row.text_names, naming, row.plan_kind, links)]
     rest[-1] += _wrong_places_html(row.places, f"{number}-", naming, row.plan_kind) + _decision_buttons_html(lang)
     columns = "".join(f"<td>{c}</td>" for c in rest)
     small = f'<img alt="" src="{html.escape(row.picture)}">' if row.picture else ""
@@ -189,8 +196,10 @@ def wrong_place_html(place: Json, name: str, caption: str = "") -> str:
     ``name`` is unique on the page; ``caption``, HTML, is above it."""
     x0, y0, x1, y1 = place["box"]
     x, y = place["at"]
-    w, h = x1 - x0, y1 - y0
-    e, under = html.escape, _lines_svg(place, "strokes", "stroke")
+    w = x1 - x0
+    h = y1 - y0
+    e = html.escape
+    under = _lines_svg(place, "strokes", "stroke")
     picture = f'<image id="w{name}" href="{e(place["picture"])}" width="{w:.2f}" height="{h:.2f}"/>'
     ring = f'<circle cx="{x - x0:.2f}" cy="{y1 - y:.2f}" r="{RING_RADIUS_RATIO * w:.2f}"/>'
     drawn = picture if place["picture"] else under + _plan_svg(place, "own")
@@ -240,7 +249,8 @@ def tracing_page(data: Json, lang: Lang) -> str:
     """The tracing paper, from the data of :func:`planes.check.report.shown.tracing_data`."""
     words = sentences_with_prefix("trace_", lang, "check")
     parts = {k: html.escape(text) for k, text in {**words, "title": data["title"]}.items()}
-    body, style = web_page.fill_template("trace.html", parts), ("check.css", "trace.css")
+    body = web_page.fill_template("trace.html", parts)
+    style = ("check.css", "trace.css")
     names = (name for plan in data["plans"] for name in (*plan["marks"], *(name for name, *_ in plan["names"])))
     held = {
         "data": {**data, "words": {k: words[k] for k in TRACING_WORD_KEYS}},

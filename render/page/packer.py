@@ -61,7 +61,8 @@ def _declared_names(module: str) -> dict[str, str]:
     for export, named, declared, _ in _DECLARATION_PATTERN.findall(_module_text(module)):
         shorter = _BRACKETED_PATTERN.sub("", declared)
         while shorter != declared:
-            declared, shorter = shorter, _BRACKETED_PATTERN.sub("", shorter)
+            declared = shorter
+            shorter = _BRACKETED_PATTERN.sub("", shorter)
         for name in _NAME_PATTERN.findall(named + re.split(r"[({\[]", declared)[0] + " "):
             exports[name] = export
     return exports

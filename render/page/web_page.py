@@ -50,10 +50,12 @@ def fill_web_page(
     """The whole page: ``title`` is plain text, ``sheets`` are files of its style, ``body`` is HTML; ``data`` by the ids
     under which ``code`` finds them; ``allowed`` are further permissions (a part of the page's policy). A ``small`` page
     has both packed, with a short script to unpack them."""
-    begun, data = code, {**data, "signs": page_signs()} if data else data
+    begun = code
+    data = {**data, "signs": page_signs()} if data else data
     if small:
         texts = [(key, "application/json", compact_json(one)) for key, one in data.items()]
-        begun, data = UNPACK_SCRIPT, {"code": pack_text(compact_json([*texts, ("", "module", code)]))}
+        begun = UNPACK_SCRIPT
+        data = {"code": pack_text(compact_json([*texts, ("", "module", code)]))}
     held = (f'<script type="application/json" id="{key}">{json_for_html(one)}</script>\n' for key, one in data.items())
     parts = {
         "lang": lang,

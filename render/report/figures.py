@@ -112,7 +112,8 @@ class DocumentSetter:
 
 def _view_by_name(name: str, block: DrawnViews, composer: Composer, plotted: Plotted, alone: bool) -> View | None:
     kind, _, asked_for = name.partition(" ")
-    position, naming = block.position, composer.naming
+    position = block.position
+    naming = composer.naming
     if kind in ("asked", "equations"):
         return composer.equations_view(plotted, (asked_for,), EQUATION_LETTER_MM[alone], "", kind == "asked")
     if name == CREMONA_PLAN:

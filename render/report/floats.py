@@ -32,7 +32,8 @@ class Filled:
 
     def heights_with(self, parts: Sequence[Flowable]) -> tuple[float, float]:
         """The height used, and the space after it, with these elements added."""
-        used, after = self.used, self.after
+        used = self.used
+        after = self.after
         for part in parts:
             used += (max(after, part.getSpaceBefore()) if used else 0.0) + part.wrap(self.width, self.height)[1]
             after = part.getSpaceAfter()
@@ -41,7 +42,8 @@ class Filled:
     def add_piece(self, piece: PagePiece) -> None:
         """Add an element; one without room begins the next page, a paragraph with its remainder."""
         if not self.has_room_for(piece):
-            parts, room = piece.parts, self.height - self.used - max(self.after, piece.parts[0].getSpaceBefore())
+            parts = piece.parts
+            room = self.height - self.used - max(self.after, piece.parts[0].getSpaceBefore())
             rest = parts[0].split(self.width, room)[1:] if len(parts) == 1 else []
             self.used = self.after = 0.0
             piece = PagePiece(rest or parts)

@@ -56,12 +56,14 @@ def break_formula(parts: Sequence[str], size: float, width: float) -> list[MathL
     line = math_line("".join(parts), size)
     if line.width <= width:
         return [line]
-    lines, room = [""], width
+    lines = [""]
+    room = width
     for part in parts:
         need = math_line(f"{{}}{part}", size).width  # its sign stands between two terms
         if lines[-1] and need > room:
             lines[-1] += part[0] if part[0] in "=+-" else ""
-            lines, room = [*lines, ""], width
+            lines = [*lines, ""]
+            room = width
         lines[-1] += part
         room -= need
     return [math_line(text, size) for text in lines]

@@ -181,7 +181,8 @@ class _Picture(Flowable):  # type: ignore[misc]
     def __init__(self, picture: Shown | MathLine, number: str = "", left: bool = False, keep: bool = False) -> None:
         super().__init__()
         self.keepWithNext = int(keep)
-        self.picture, self.number = picture, number
+        self.picture = picture
+        self.number = number
         self.scale = min(
             1.0, (TEXT_WIDTH_PT - (14 * mm if left else 0)) / picture.width, MOST_FIGURE_HEIGHT_PT / picture.height
         )

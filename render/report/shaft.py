@@ -21,10 +21,12 @@ class ShaftDrawing:
     """A crankshaft being drawn, the first bearing at the origin."""
 
     def __init__(self, block: ShaftSketch) -> None:
-        self.block, self.scale = block, SPAN_LENGTH_MM / block.span
+        self.block = block
+        self.scale = SPAN_LENGTH_MM / block.span
         self.end, self.left, self.pin = (self.scale * x for x in (block.span, block.webs, block.pin))
         self.right = self.end - self.left
-        self.up, self.down = self.scale * block.r, -self.scale * block.radius
+        self.up = self.scale * block.r
+        self.down = -self.scale * block.radius
         self.places = {
             "A": 0j,
             "B": complex(self.end, 0),
@@ -37,7 +39,8 @@ class ShaftDrawing:
 
     def drawn_marks(self) -> Iterator[Mark]:
         """All marks."""
-        at, web = self.places, (complex(self.left, 0), complex(self.right, 0))
+        at = self.places
+        web = (complex(self.left, 0), complex(self.right, 0))
         yield Line((-12 + 0j, self.end + 12 + 0j), "axis", "axis")
         yield Line((0j, web[0], at["web_0"], at["web_1"], web[1], at["B"]))
         for k, foot in enumerate(web):
@@ -76,7 +79,10 @@ class ShaftDrawing:
 
     def dimension_marks(self) -> Iterator[Mark]:
         """The requested dimensions: along the shaft in rows beneath it, radii beside it."""
-        left, pin, right, end = self.left, self.pin, self.right, self.end
+        left = self.left
+        pin = self.pin
+        right = self.right
+        end = self.end
         row = (0.0, left, "m"), (right, end, "m"), (left, pin, "a"), (pin, right, "b")
         rows = row, ((pin, end, "n"),), ((0.0, end, "L"),)
         low = self.down - 14 - (FORCE_LENGTH_MM if any(way == "down" for _, way in self.block.forces) else 0)

@@ -32,8 +32,12 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
     """The whole file."""
     paper = Document()
     page = paper.sections[0]
-    page.page_width, page.page_height = Mm(210), Mm(297)
-    page.left_margin, page.right_margin, page.top_margin, page.bottom_margin = Mm(30), Mm(15), Mm(20), Mm(20)
+    page.page_width = Mm(210)
+    page.page_height = Mm(297)
+    page.left_margin = Mm(30)
+    page.right_margin = Mm(15)
+    page.top_margin = Mm(20)
+    page.bottom_margin = Mm(20)
     for name in ("Normal", "Title", "Heading 1", "Heading 2", "Heading 3", "Intense Quote"):
         set_font_and_spacing(paper.styles[name], name.startswith("Heading"))
     chapters = [one.text for one in blocks if isinstance(one, Heading) and one.level]
@@ -47,7 +51,9 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
 
 def set_font_and_spacing(style: ParagraphStyle, heading: bool) -> None:
     """Times New Roman in black, line spacing 1.5; a heading in bold."""
-    style.font.name, style.font.size, style.font.color.rgb = "Times New Roman", Pt(TEXT_SIZE_PT), RGBColor(0, 0, 0)
+    style.font.name = "Times New Roman"
+    style.font.size = Pt(TEXT_SIZE_PT)
+    style.font.color.rgb = RGBColor(0, 0, 0)
     fonts = style.element.rPr.rFonts
     for key in [key for key in fonts.attrib if key.endswith("Theme")]:
         del fonts.attrib[key]
@@ -55,15 +61,19 @@ def set_font_and_spacing(style: ParagraphStyle, heading: bool) -> None:
     shape = style.paragraph_format
     for line in style.element.iterdescendants(qn("w:bottom")):  # beneath a set-off paragraph
         line.set(qn("w:color"), "000000")
-    shape.line_spacing, shape.space_before, shape.space_after = 1.5, Pt(12 * heading), Pt(6 * heading)
+    shape.line_spacing = 1.5
+    shape.space_before = Pt(12 * heading)
+    shape.space_after = Pt(6 * heading)
     shape.first_line_indent = Mm(0 if style.name == "Title" else FIRST_LINE_INDENT_MM)
-    style.font.bold, shape.keep_with_next = heading or style.name == "Title", heading
+    style.font.bold = heading or style.name == "Title"
+    shape.keep_with_next = heading
 
 
 class _Writer(DocumentSetter):
     def __init__(self, paper: WordFile, naming: Naming, chapters: Sequence[str]) -> None:
         super().__init__(naming)
-        self.paper, self.chapters = paper, chapters
+        self.paper = paper
+        self.chapters = chapters
 
     def write_block(self, block: Block) -> None:
         """One block at the end of the paper."""
@@ -99,14 +109,17 @@ class _Writer(DocumentSetter):
         for text in cover.above:
             self.add_line(text).alignment = Side.CENTER
         title = self.paper.add_heading(cover.kind, 0)
-        title.alignment, title.paragraph_format.space_before = Side.CENTER, Pt(180)
+        title.alignment = Side.CENTER
+        title.paragraph_format.space_before = Pt(180)
         title.paragraph_format.space_after = Pt(12)
         self.add_line(cover.of).alignment = Side.CENTER
         for k, text in enumerate(cover.people):
             line = self.add_line(text)
-            line.alignment, line.paragraph_format.space_before = Side.RIGHT, Pt(0 if k else 120)
+            line.alignment = Side.RIGHT
+            line.paragraph_format.space_before = Pt(0 if k else 120)
         foot = self.add_line(cover.foot)
-        foot.alignment, foot.paragraph_format.space_before = Side.CENTER, Pt(120)
+        foot.alignment = Side.CENTER
+        foot.paragraph_format.space_before = Pt(120)
         self.break_page()
         self.add_line(cover.contents).runs[0].bold = True
         self.write_contents()
@@ -153,7 +166,8 @@ class _Writer(DocumentSetter):
             for cell, text in zip(table.add_row().cells, row, strict=True):
                 line = self.add_runs(cell.paragraphs[0], text)
                 line.alignment = Side.RIGHT if is_number(text) else Side.LEFT
-                line.paragraph_format.first_line_indent, line.paragraph_format.line_spacing = Mm(0), 1.0
+                line.paragraph_format.first_line_indent = Mm(0)
+                line.paragraph_format.line_spacing = 1.0
                 for run in line.runs:
                     run.font.size = Pt(TABLE_TEXT_SIZE_PT)
         self.add_line()

@@ -76,7 +76,8 @@ class LiveFigure:
     @cached_property
     def pole_places(self) -> dict[str, complex]:
         """The places of each plan's pole, and of the scheme's origin, on the whole picture."""
-        poles, right = {}, 0.0
+        poles = {}
+        right = 0.0
         for k, plan in enumerate(self.plans):
             xs = [self.place_on_plan(m).real for m in self.shown_marks if plan_of(m) == plan]
             poles[plan] = complex(right + FIGURE_GAP_MM - min(0.0, *xs) if k else 0.0)
@@ -89,7 +90,8 @@ class LiveFigure:
 
     def mark_lettering(self, mark: str) -> str:
         """The lettering of a mark on a sheet, "" for a mark whose vectors are named instead."""
-        plan, label = plan_of(mark), label_of(mark)
+        plan = plan_of(mark)
+        label = label_of(mark)
         if plan == SCHEME_PLAN:
             return "" if label == POLE_LABEL else self.naming.lettered_point(label)
         return self.naming.mark(label, plan) if plan_kind(plan) != "force" else ""
@@ -127,7 +129,8 @@ def format_suffixes() -> tuple[str, ...]:
 def live_figure(scene: Scene, view: str | None, values: Iterable[float] | None, lang: Lang) -> LiveFigure:
     """The scheme with the plan named by a view, or with all."""
     drawn = DrawnPosition(replace(scene, find=None), values, lang)
-    position, composer = drawn.position_at_sizes(Sizes()), Composer(scene, lang, drawn.plans_and_wanted[0])
+    position = drawn.position_at_sizes(Sizes())
+    composer = Composer(scene, lang, drawn.plans_and_wanted[0])
     scheme = (SCHEME_PLAN,) if position.plans.has_mechanism else ()
     plotted = plot_position(position)
     known = {plan_view_name(p): p for p in drawn_plans(plotted, position)} | dict.fromkeys(scheme, SCHEME_PLAN)

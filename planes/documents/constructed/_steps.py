@@ -29,7 +29,10 @@ class Translator:
     """Writes one step after another into a construction; ``left`` are those that stay numbers."""
 
     def __init__(self, figure: LiveFigure, made: GeogebraFile, labels: Labels, looks: Callable[[str], Aspect]) -> None:
-        self.figure, self.made, self.labels, self.looks = figure, made, labels, looks
+        self.figure = figure
+        self.made = made
+        self.labels = labels
+        self.looks = looks
         self.left: list[s.Step] = []
 
     def write_step(self, step: s.Step) -> None:
@@ -46,7 +49,8 @@ class Translator:
             return
         named = dict(self.placeholder_values(step))
         for kind, head, first, *inputs in written:
-            label, look = head + self.labels[step.makes], self.mark_appearance(step.makes, kind, head)
+            label = head + self.labels[step.makes]
+            look = self.mark_appearance(step.makes, kind, head)
             if inputs:
                 self.made.add_command(kind, [label], first, [text.format_map(named) for text in inputs], look)
             else:
@@ -60,7 +64,8 @@ class Translator:
 
     def write_as_constant(self, step: s.Step) -> None:
         """A step as a constant, with its value in this position."""
-        label, thing = self.labels[step.makes], complex(self.figure.position.drawing[step.makes])
+        label = self.labels[step.makes]
+        thing = complex(self.figure.position.drawing[step.makes])
         if step.kind == "mark":
             self.made.add_formula(
                 "point", label, f"{self.pole_label(step.makes)} + {_coordinates_text(thing)}", self.looks(step.makes)
@@ -126,7 +131,8 @@ class Translator:
 
     def span_formula(self, step: r.Measure | r.Sense) -> str:
         """The distance between two marks, or its component along a direction."""
-        start, end = self.labels[step.start], self.labels[step.end]
+        start = self.labels[step.start]
+        end = self.labels[step.end]
         return f"(({end} - {start}) * {self.labels[step.along]})" if step.along else f"Distance[{start}, {end}]"
 
     def product_formula(self, term: r.Product) -> str:

@@ -60,7 +60,8 @@ def _stationary_objects_remark(figure: LiveFigure, translator: Translator) -> It
 def unique_labels(figure: LiveFigure, numbers: GivenNumbers) -> Labels:
     """A unique label for each name of the program."""
     names = [*numbers.free_values, *_names_of_computed(numbers), *(s.makes for s in figure.shown_program.steps)]
-    labels, taken = Labels(), set[str]()
+    labels = Labels()
+    taken = set[str]()
     for name in names:
         label = wanted = _geogebra_label(figure, name)
         count = 1
@@ -74,16 +75,19 @@ def unique_labels(figure: LiveFigure, numbers: GivenNumbers) -> Labels:
 
 def _geogebra_label(figure: LiveFigure, name: str) -> str:
     """A label in the style of GeoGebra: a letter and an index."""
-    drive, plan = figure.stated_plans.mechanism.drive, plan_of(name)
+    drive = figure.stated_plans.mechanism.drive
+    plan = plan_of(name)
     if figure.stated_plans.has_mechanism and name == drive.coordinate_name:
         return f"{'φ' if drive.rotates else 's'}_{{{drive.link}}}"
     own = given_name_of_number(name)
     head, tail, part = split_value_name(own)
     tail += part
     if plan:
-        head, tail = LABEL_LETTERS_BY_PLAN.get(plan, "F"), label_of(name) + "".join(force_plan_links(plan))
+        head = LABEL_LETTERS_BY_PLAN.get(plan, "F")
+        tail = label_of(name) + "".join(force_plan_links(plan))
     elif not head.isalpha() or not tail or head in AXIS_NAMES:
-        head, tail = "u", own
+        head = "u"
+        tail = own
     tail = "".join(c for c in tail.translate(SIGN_SPELLINGS) if c.isalnum()) + name[len(own) + 1 :]
     return f"{GREEK_LABEL_LETTERS.get(head, head)}_{{{tail or '0'}}}"
 
@@ -96,7 +100,8 @@ def _names_of_computed(numbers: GivenNumbers) -> Iterator[str]:
 
 def _write_given_numbers(figure: LiveFigure, numbers: GivenNumbers, made: GeogebraFile, labels: Labels) -> None:
     """The free numbers on sliders, and formulas for those computed from them."""
-    drive, place = figure.stated_plans.drive_given_name, FIRST_SLIDER_PX
+    drive = figure.stated_plans.drive_given_name
+    place = FIRST_SLIDER_PX
     for name, value in numbers.free_values.items():
         shown = name == drive or letter_of(name) in ("l", "omega", "epsilon")
         slider = _slider_range(name, value, name == drive)

@@ -179,5 +179,7 @@ class Image(Step):
     needs = marks("start", "of", "like", "image")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        (a, b), (c, d), (e, f) = self.of, self.like, self.image
+        a, b = self.of
+        c, d = self.like
+        e, f = self.image
         return tool.mark(env[self.start] + (env[b] - env[a]) * ((env[f] - env[e]) / (env[d] - env[c])))

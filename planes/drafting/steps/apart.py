@@ -12,7 +12,8 @@ class ThroughApart(Through):
     """The direction from one mark to another, missing where they coincide."""
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        start, end = env[self.start], env[self.end]
+        start = env[self.start]
+        end = env[self.end]
         there = abs(end - start) > tool.slack * (abs(start) + abs(end))
         return tool.ar.where(there, plane.unit_direction(end - start, tool.ar), complex("nan"))
 

@@ -105,7 +105,8 @@ class CrossInChain(ByLeads, Cross):
 
 def _direction_to_crossing(pin: Point, one: Line, two: Line) -> Point:
     """The direction from a place to the crossing of two lines, or along both where they are parallel."""
-    (p, u), (q, w) = one, two
+    p, u = one
+    q, w = two
     line = u * plane.cross(q - pin, w) - w * plane.cross(p - pin, u)
     size = abs(line)
     return line / (size + (size == 0))

@@ -21,7 +21,8 @@ class Cross(Step):
 
     def crossing_and_sharpness(self, env: Env, tool: Tool) -> tuple[Point, Real, Real]:
         """Where the lines cross, how sharply, and how far apart they are there if they are parallel."""
-        u, w = tool.transfer_direction(env[self.along]), tool.transfer_direction(env[self.across])
+        u = tool.transfer_direction(env[self.along])
+        w = tool.transfer_direction(env[self.across])
         return plane.intersect_lines(env[self.start], u, env[self.other], w)
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -73,7 +74,9 @@ class CrossArc(TwoPlaces):
         if self.arm and not tool.doubt_mm:
             hub, ray, length = self.arm
             arm = env[hub], env[ray], env[length] * env[self.mu]
-        start, centre, side = env[self.start], env[self.centre], env[self.side]
+        start = env[self.start]
+        centre = env[self.centre]
+        side = env[self.side]
         place, sharpness, miss = plane.intersect_line_circle(start, u, centre, radius, side, tool.ar, arm)
         tool.record_sharpness(self.makes, sharpness)
         slack = tool.slack * (tool.ar.size(start) + tool.ar.size(centre) + radius)
@@ -100,8 +103,10 @@ class CrossArcs(TwoPlaces):
     needs = marks("centre", "other") + values("radius", "other_radius", "mu", "side")
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        r, s = abs(env[self.radius] * env[self.mu]), abs(env[self.other_radius] * env[self.mu])
-        centre, other = env[self.centre], env[self.other]
+        r = abs(env[self.radius] * env[self.mu])
+        s = abs(env[self.other_radius] * env[self.mu])
+        centre = env[self.centre]
+        other = env[self.other]
         place, sharpness, far, near = plane.intersect_circles(centre, r, other, s, env[self.side], tool.ar)
         tool.record_sharpness(self.makes, sharpness)
         slack = tool.slack * (tool.ar.size(centre) + tool.ar.size(other) + r + s)
@@ -114,7 +119,8 @@ class CrossArcs(TwoPlaces):
         return tool.mark(place)
 
     def opening_measure(self, env: Env) -> Real:
-        r, s = env[self.radius] * env[self.mu], env[self.other_radius] * env[self.mu]
+        r = env[self.radius] * env[self.mu]
+        s = env[self.other_radius] * env[self.mu]
         apart = env[self.other] - env[self.centre]
         square = plane.dot(apart, apart)
         return ((r + s) ** 2 - square) * (square - (r - s) ** 2)
@@ -135,7 +141,8 @@ class Touch(TwoPlaces):
 
     def draw(self, env: Env, tool: Tool) -> Thing:
         offset = env[self.offset] * env[self.mu] if self.offset else 0.0
-        start, end = env[self.start], env[self.end]
+        start = env[self.start]
+        end = env[self.end]
         u, sharpness, miss = plane.tangent_direction(start, end, offset, env[self.side], tool.ar)
         tool.record_sharpness(self.makes, sharpness)
         slack = tool.slack * (tool.ar.size(start) + tool.ar.size(end) + abs(offset))

@@ -35,13 +35,15 @@ class Follow(Step):
         idle: Truth = env[self.stroke] * self.sense <= 0 if self.stroke else False
         parser = LawParser(self.law.text, {name: env[value] for name, value in self.of}, tool.ar)
         result = parser.parse_expression()
-        table, ok = self.law.table, parser.ok
+        table = self.law.table
+        ok = parser.ok
         tool.fail_unless(ok | idle, self, "law_no_value")
         if table:
             result = fold_angle_into_turn(table, result, tool.ar) if self.law.turning else result
             inside = is_within_table(table, result, TABLE_END_SLACK_BY_HAND if tool.doubt_mm else TABLE_END_SLACK)
             self._refuse_beyond_table(inside | idle, result, tool)
-            result, ok = interpolate_table(table, result, tool.ar), ok & inside
+            result = interpolate_table(table, result, tool.ar)
+            ok = ok & inside
         small = abs(result) <= LARGEST_SCENE_NUMBER
         tool.fail_unless(small | idle, self, "law_no_value")
         return tool.ar.where(ok & small, result, 0.0)

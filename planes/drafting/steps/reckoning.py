@@ -189,7 +189,8 @@ class SenseBetween(Step):
     def draw(self, env: Env, tool: Tool) -> Thing:
         ar = tool.ar
         rates = [(env[rate] * abs(env[sense])) if rate else 0.0 for rate, sense in self.signed_rates]
-        apart, largest = rates[0] - rates[1], ar.maximum(abs(rates[0]), abs(rates[1]))
+        apart = rates[0] - rates[1]
+        largest = ar.maximum(abs(rates[0]), abs(rates[1]))
         moving = abs(apart) > tool.still * largest
         tool.warn_unless(moving, self, "standstill")
         return ar.where(moving, ar.sign(apart), 0.0)

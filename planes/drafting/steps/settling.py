@@ -45,7 +45,8 @@ class Settle(Step):
     @cached_property
     def _repeated_steps(self) -> tuple[Step, ...]:
         """The steps that every plan repeats."""
-        changed, redrawn = {f.makes for f in self.fed}, []
+        changed = {f.makes for f in self.fed}
+        redrawn = []
         for step in self.plan:
             if any(name in changed for name, _ in step.input_names()):
                 changed.add(step.makes)
@@ -53,7 +54,8 @@ class Settle(Step):
         return tuple(redrawn)
 
     def draw(self, env: Env, tool: Tool) -> Thing:
-        tool, things = tool.tool_without_errors(), {**env, **dict.fromkeys((f.makes for f in self.fed), 0.0)}
+        tool = tool.tool_without_errors()
+        things = {**env, **dict.fromkeys((f.makes for f in self.fed), 0.0)}
         sizes = self._draw_and_read_sizes(self.plan, things, tool)
         if self._repeated_steps:
             sizes = self._settled_sizes(sizes, things, tool)
@@ -66,7 +68,9 @@ class Settle(Step):
         Smaller couples lead to them without a fold; past a fold the slope is reversed, the solution belongs to another
         assembly of forces, and the hinges lock.
         """
-        ar, failures, sizes = tool.ar, len(tool.failures), [0.0 for _ in first]
+        ar = tool.ar
+        failures = len(tool.failures)
+        sizes = [0.0 for _ in first]
         largest = reduce(ar.maximum, first)
         least = ar.sqrt(ar.eps) * ar.where(largest > 0, largest, 1.0)
         for _ in range(tool.plans):

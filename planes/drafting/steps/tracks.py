@@ -121,13 +121,15 @@ class CutTrack(Step):
 
     def origin_and_axis_direction(self, env: Env, tool: Tool) -> tuple[Point, Point]:
         """The place of the link's origin, and the direction of its axis."""
-        ar, mu = tool.ar, env[self.mu]
+        ar = tool.ar
+        mu = env[self.mu]
         size = env[self.guess.size] * mu
         ties = [hold.lead_tie(env, mu, ar) for hold in self.holds]
         part = self.guess.relative_drive_position(env, ar)
         pose, det, moved = settle_pose_on_ties(ties, self.guess.guessed_pose(part, env, mu, ar), size, ar)
         tool.record_sharpness(self.makes, abs(det))
-        places, last = link_origins(ties, pose), [tie for tie in ties if tie.kind != "hinge"][-1]
+        places = link_origins(ties, pose)
+        last = [tie for tie in ties if tie.kind != "hinge"][-1]
         miss = abs(last.error_and_wrench(places[last.link], pose[1 + last.link])[0])
         inside: Truth = (part <= 1.0) & (part >= -1.0)
         tool.fail_unless(inside & (moved <= MOST_SETTLED_MOVE_RATIO), self, "track_missed", miss_mm=miss)

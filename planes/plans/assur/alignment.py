@@ -172,11 +172,15 @@ def _pair_place_and_direction(plans: Plans, pair: Pair, things: Things) -> Line:
     if pair.kind == "R":
         return complex(things[plans.points[pair.point].position]), 1 + 0j
     m = plans.mechanism
-    guide, owner = m.guide(pair.guide), m.link(pair.other)
-    turn, base, own = 1 + 0j, 0j, 0j
+    guide = m.guide(pair.guide)
+    owner = m.link(pair.other)
+    turn = 1 + 0j
+    base = 0j
+    own = 0j
     if owner.name != FRAME:
         turn = cmath.exp(1j * math.radians(things[plans.links[owner.name].angle]))
-        base, own = complex(things[plans.points[owner.first_point].position]), owner.points[owner.first_point]
+        base = complex(things[plans.points[owner.first_point].position])
+        own = owner.points[owner.first_point]
     along = turn * cmath.exp(1j * math.radians(guide.angle_deg))
     through = base + (guide.through - own) * turn
     slider = complex(things[plans.points[m.link(pair.link).first_point].position])
@@ -207,7 +211,8 @@ def constraint_determinant(group: AnyGroup, signs: tuple[Sign, ...], places: Pai
 
 def matrix_determinant(rows: list[list[float]]) -> float:
     """The determinant of a small square matrix, by elimination with the largest pivots."""
-    left, value = [row[:] for row in rows], 1.0
+    left = [row[:] for row in rows]
+    value = 1.0
     for k in range(len(left)):
         best = max(range(k, len(left)), key=lambda i: abs(left[i][k]))
         if left[best][k] == 0.0:
@@ -227,7 +232,8 @@ def prevented_motions(
     """The out-of-plane motions that a pair prevents (z, turn about x, turn about y; lengths over ``size``)."""
     z = place / size
     level = (1.0, z.imag, -z.real)  # the pair stays in the plane
-    about_x, about_y = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+    about_x = (0.0, 1.0, 0.0)
+    about_y = (0.0, 0.0, 1.0)
     if sign in ("R", "P"):
         return [level, about_x, about_y]
     if sign == "S":

@@ -42,7 +42,8 @@ MOST_OTHER_DRIVERS = 8  # other drivers: few mechanisms have more links on the f
 
 def _drivers_lowering_class(mechanism: Mechanism, heaviness: int) -> tuple[Structure, ...]:
     """The same mechanism driven by another link on the frame, wherever that lowers its class; the lowest first."""
-    finder, structures = _Finder(mechanism, ""), []
+    finder = _Finder(mechanism, "")
+    structures = []
     others = [(x, finder.between(x, FRAME)) for x in mechanism.links if heaviness]
     for link, (pair,) in [(x, pairs) for x, pairs in others if len(pairs) == 1][:MOST_OTHER_DRIVERS]:
         try:
@@ -73,7 +74,8 @@ class _Finder:
     """Walks the links from the frame outwards; of several possible dyads it takes the first in the file."""
 
     def __init__(self, mechanism: Mechanism, file: str) -> None:
-        self.mechanism, self.file = mechanism, file
+        self.mechanism = mechanism
+        self.file = file
         self.links = list(mechanism.links)
         self.holders: dict[str, list[str]] = {}
         for link in mechanism.bodies:

@@ -115,7 +115,8 @@ def chain_of_basic_links(names: Sequence[str], between: Between, outer: dict[str
     left = [n for n in names if not outer[n]]
     if len(left) < 2 or len(names) != 2 * len(left) + 2:
         return None
-    basics, hinges = [left.pop(0)], list[Pair]()
+    basics = [left.pop(0)]
+    hinges = list[Pair]()
     while left:
         ways = [
             (n, pairs[0]) for n in left for x in basics if len(pairs := between(*_later_link_first(names, n, x))) == 1

@@ -111,7 +111,8 @@ def contour_group_of_links(names: Sequence[str], between: Between, outer: dict[s
     base, basic = sorted(hung, key=lambda link: outer[link][0].kind == "P")
     leads = []
     for rod in rods:
-        one, two = between(rod, base), between(rod, basic)
+        one = between(rod, base)
+        two = between(rod, basic)
         if len(one) == len(two) == 1:
             leads.append(Lead(rod, two[0], one[0]))
     if len(leads) < 2:

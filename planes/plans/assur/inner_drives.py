@@ -67,7 +67,8 @@ def _group_braced_by_cylinder(f: Reached, drive: Pair) -> Iterator[Group]:
         _hinges_with_unsolved_links(f, drive.link, drive), _hinges_with_unsolved_links(f, drive.other, drive)
     ):
         for near, far in permutations(pins):
-            between, hung = f.between(far.other, near.other), f.outer[near.other]
+            between = f.between(far.other, near.other)
+            hung = f.outer[near.other]
             if len(between) == 1 == len(hung) and _is_unsolved_hinge(f, between[0]) and not f.outer[far.other]:
                 motor = Pair("R", far.other, near.other, point=between[0].point)
                 yield from _dyad_of_stopped_drive(f, near.other, far.other, hung[0], motor, Brace(drive, near, far))
@@ -99,13 +100,15 @@ def _group_of_driven_contour(f: Reached, drive: Pair) -> Iterator[Contour]:
     others = [x for x in f.left if not drive.has_link(x)]
     hung = sorted((x for x in others if len(f.outer[x]) == 1), key=lambda x: f.outer[x][0].kind == "P")
     for (base, basic), (near, far) in product(combinations(hung, 2), permutations((drive.link, drive.other))):
-        ends, wrong = (f.between(far, basic), f.between(near, base)), (f.between(near, basic), f.between(far, base))
+        ends = (f.between(far, basic), f.between(near, base))
+        wrong = (f.between(near, basic), f.between(far, base))
         if any(wrong) or f.between(base, basic) or not all(len(e) == 1 and _is_unsolved_hinge(f, e[0]) for e in ends):
             continue
         for rod in (x for x in others if not f.outer[x]):
             pairs = [[p for p in f.between(rod, x) if p.kind == "P" or _is_unsolved_hinge(f, p)] for x in (basic, base)]
             if all(len(p) == 1 for p in pairs) and f.outer[base][0].kind == "R":
-                own, driven = Lead(rod, pairs[0][0], pairs[1][0]), Lead(near, ends[0][0], ends[1][0], drive)
+                own = Lead(rod, pairs[0][0], pairs[1][0])
+                driven = Lead(near, ends[0][0], ends[1][0], drive)
                 group_links = tuple(x for x in f.links if x in (base, basic, near, far, rod))
                 one, two = sorted((own, driven), key=lambda lead: f.links.index(lead.link))
                 names = tuple(x for x in group_links if x != far)

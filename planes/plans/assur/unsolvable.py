@@ -56,7 +56,8 @@ def _match_constraints_to_freedoms(
     taken: dict[int, Freedoms] = {}
     for new in range(len(holds)):
         asked: dict[Freedoms, int] = {}
-        queue, free = [new], None
+        queue = [new]
+        free = None
         for constraint in queue:  # constraints in the way must find another freedom
             for whose in (w for w in holds[constraint] if w not in asked):
                 asked[whose] = constraint
@@ -69,7 +70,8 @@ def _match_constraints_to_freedoms(
         while free:
             constraint = asked[free]
             takers[free].append(constraint)
-            before, taken[constraint] = taken.get(constraint), free
+            before = taken.get(constraint)
+            taken[constraint] = free
             if before:
                 takers[before].remove(constraint)
             free = before

@@ -31,7 +31,8 @@ class BasicLinkForces(LeadForces):
         self, basic: str, held: Sequence[HeldLead], special: str, name: str, arm: str, links: tuple[str, ...]
     ) -> str:
         """The only unknown in the moments of a basic link with its leads about its special point, by its ``arm``."""
-        forces, couples = list(self.statics.acting.forces[basic]), list(self.couples[basic])
+        forces = list(self.statics.acting.forces[basic])
+        couples = list(self.couples[basic])
         for lead in held:
             if lead.slides_on_carrier:  # a slider has no rotation: all its loads pass through its hinge
                 forces += [replace(f, point=lead.point) for f in (*lead.loads, *lead.known)]
@@ -85,10 +86,8 @@ class TriadForces(BasicLinkForces):
 
     def __init__(self, statics: Statics, group: Triad) -> None:
         super().__init__(statics, group)
-        self.group, self.special = (
-            group,
-            "" if group.is_on_slides else scheme_mark(self.bodies.special_point_name(group.basic)),
-        )
+        self.group = group
+        self.special = "" if group.is_on_slides else scheme_mark(self.bodies.special_point_name(group.basic))
 
     def draw(self) -> None:
         self.draft.draw_pole(self.plan)
@@ -97,7 +96,8 @@ class TriadForces(BasicLinkForces):
         ends = self.polygon()
         reactions = [r for held in self.drawn for r in self.read_lead_reactions(held, ends, rubs)]
         if self.group.is_on_slides:
-            lead, basic = self.drawn[2].lead, self.group.basic
+            lead = self.drawn[2].lead
+            basic = self.group.basic
             inner = self.seat_guide_reaction(reactions[5], basic, reactions[:4])
             outer = self.seat_guide_reaction(reactions[4], lead.link, [inner])
             self.pass_reaction_to_carrier(outer, lead)
@@ -116,7 +116,8 @@ class TriadForces(BasicLinkForces):
 
     def reaction_of_slid_lead(self, held: HeldLead) -> Force:
         """The reaction on a lead that slides at both ends, by the forces along its other guide alone."""
-        d, name = self.draft, held.other_component_name
+        d = self.draft
+        name = held.other_component_name
         along = f"∥{held.lead.inner.guide}"
         over = ((d.add_step(Cosine(f"cos_{name}_{held.lead.inner.guide}", held.line, along)), -1),)
         products = [self.force_component_along_guide(f, along) for f in (*held.loads, *held.known)]
@@ -130,7 +131,8 @@ class ChainForces(BasicLinkForces):
 
     def __init__(self, statics: Statics, group: BasicChain) -> None:
         super().__init__(statics, group)
-        self.group, self.last = group, self.leads[-1]
+        self.group = group
+        self.last = self.leads[-1]
         self.special = [scheme_mark(self.bodies.special_point_name(basic)) for basic in group.basics]
         self.plans = [force_plan_name(*links) for links in group.links_by_force_plan]
         self.drawn: dict[int, list[HeldLead]] = {}  # basic links that act as leads, from the root on
@@ -150,7 +152,8 @@ class ChainForces(BasicLinkForces):
 
     def polygon(self) -> PairEnds:
         """Draw all polygons; each reaction is on the first link of its pair."""
-        g, k = self.group, self.group.root_basic_link(self.last)
+        g = self.group
+        k = self.group.root_basic_link(self.last)
         self.found: dict[Pair, Reaction] = {}
         self.held_by: dict[int, list[HeldLead]] = {}
         three = sorted(self.leads_of_basic_link(k), key=lambda h: h.lead.inner == self.last.inner)
@@ -169,8 +172,12 @@ class ChainForces(BasicLinkForces):
 
     def force_on_next_basic_link(self, hinge: Pair, k: int, end: int) -> HeldLead:
         """The force of a basic link on the next one: the component across the line to its special point is known."""
-        d, g, special, pin = self.draft, self.group, self.special[end], scheme_mark(hinge.point)
-        key, name = name_of_force(g.basics[k], g.basics[end]), f"{name_of_force(g.basics[k], g.basics[end])}^t"
+        d = self.draft
+        g = self.group
+        special = self.special[end]
+        pin = scheme_mark(hinge.point)
+        key = name_of_force(g.basics[k], g.basics[end])
+        name = f"{key}^t"
         line = d.direction_between_marks(SCHEME_PLAN, hinge.point, label_of(special))
         length = d.measure_segment(f"l_{hinge.point}{label_of(special)}", pin, special)
         self.unknown_by_moments(
@@ -187,7 +194,8 @@ class ChainForces(BasicLinkForces):
         ends = self.draw_basic_link_polygon(g.basics[k], held, known)
         self.drawn[k] = [h for h in held if h.lead in g.leads]
         for lead in (h.lead for h in held if h.lead not in g.leads):
-            hinge, end = lead.inner, lead.inner.other_link_of_pair(g.basics[k])
+            hinge = lead.inner
+            end = hinge.other_link_of_pair(g.basics[k])
             reaction = Reaction(name_of_force(hinge.link, hinge.other), self.plans[k], *ends[hinge], hinge)
             self.found[hinge] = reaction
             other = g.basics.index(end)

@@ -16,8 +16,11 @@ class BraceForces:
     """The plans of a driving cylinder and of the link on its far side."""
 
     def __init__(self, statics: Statics, hinge: Pair, brace: Brace) -> None:
-        self.statics, self.hinge, self.brace = statics, hinge, brace
-        self.bodies, self.draft = statics.bodies, statics.bodies.draft
+        self.statics = statics
+        self.hinge = hinge
+        self.brace = brace
+        self.bodies = statics.bodies
+        self.draft = statics.bodies.draft
         links = self.bodies.mechanism.links
         self.plans = force_plan_name(*(x for x in links if x in brace.cylinder_links)), force_plan_name(hinge.link)
         self.couples = {x: list(statics.acting.couples[x]) for x in (*brace.cylinder_links, hinge.link)}
@@ -25,7 +28,9 @@ class BraceForces:
     def draw(self) -> None:
         for plan in self.plans:
             self.draft.draw_pole(plan)
-        s, pairs, driver = self.statics, (self.brace.far, self.brace.near, self.hinge), self.bodies.mechanism.drive.link
+        s = self.statics
+        pairs = (self.brace.far, self.brace.near, self.hinge)
+        driver = self.bodies.mechanism.drive.link
         rubs = draw_with_settled_friction(self, lambda s: BraceForces(s, self.hinge, self.brace), pairs)
         ends = self.polygon()
         for pair, plan in zip(pairs, (self.plans[0], *self.plans), strict=True):
@@ -44,7 +49,9 @@ class BraceForces:
     def polygon(self) -> dict[Pair, tuple[str, str]]:
         """Draw both polygons: the cylinder's, closed by the reaction of its near hinge, and that of the far link,
         closed by the reaction of the braced hinge."""
-        s, (near, far), (plan, last) = self.statics, self.brace.cylinder_links, self.plans
+        s = self.statics
+        near, far = self.brace.cylinder_links
+        plan, last = self.plans
         along, across = self.far_hinge_reaction()
         pushing = [along, across, *s.acting.forces[far], *s.acting.forces[near]]
         end = self.close_force_polygon(plan, pushing, name_of_force(near, self.brace.near.other))
@@ -60,15 +67,18 @@ class BraceForces:
 
     def far_hinge_reaction(self) -> tuple[Force, Force]:
         """The reaction of the far hinge on the cylinder: its transverse and axial components."""
-        d, s, (near, far) = self.draft, self.statics, (self.brace.near.point, self.brace.far.point)
-        half, other = self.brace.far.link, self.brace.far.other
-        line, length = (
-            d.direction_between_marks(SCHEME_PLAN, near, far),
-            d.measure_segment(f"l_{near}{far}", scheme_mark(near), scheme_mark(far)),
-        )
+        d = self.draft
+        s = self.statics
+        near = self.brace.near.point
+        far = self.brace.far.point
+        half = self.brace.far.link
+        other = self.brace.far.other
+        line = d.direction_between_marks(SCHEME_PLAN, near, far)
+        length = d.measure_segment(f"l_{near}{far}", scheme_mark(near), scheme_mark(far))
         forces = [f for x in self.brace.cylinder_links for f in s.acting.forces[x]]
         couples = [c for x in self.brace.cylinder_links for c in self.couples[x]]
-        name, pin = name_of_force(half, other), scheme_mark(far)
+        name = name_of_force(half, other)
+        pin = scheme_mark(far)
         terms = s.moments_about_mark(scheme_mark(near), forces, couples, -1.0, length)
         d.solve_moment_equation(f"{name}^t", scheme_mark(near), self.brace.cylinder_links, terms, length)
         across = Force(f"{name}^t", half, f"{name}^t", d.draw_perpendicular(line), pin, "tangential")

@@ -63,7 +63,8 @@ class ContourForces(LeadForces):
 
     def polygon(self) -> PairEnds:
         """Draw the polygons; each reaction is on the first link of its pair."""
-        d, g = self.draft, self.group
+        d = self.draft
+        g = self.group
         self.drawn = one, two = tuple(self.solve_lead_equilibrium(lead) for lead in self.leads)
         both = self.forces_along_leads(one, two)
         acting = self.statics.acting.forces
@@ -91,7 +92,8 @@ class ContourForces(LeadForces):
     def forces_along_leads(self, one: HeldLead, two: HeldLead) -> tuple[Force, Force]:
         """The forces along both leads, on them from the base."""
         g = self.group
-        basic, base = self.basic_link_side(one, two), self.base_side(one, two)
+        basic = self.basic_link_side(one, two)
+        base = self.base_side(one, two)
         arms = [
             self.arm_of_lead_force(one, basic, (one, two)),
             *(self.arm_of_lead_force(*x) for x in ((two, basic), (one, base), (two, base))),
@@ -111,8 +113,10 @@ class ContourForces(LeadForces):
 
     def basic_link_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
         """The basic link with both leads: loads of a lead that slides on the base pass through its hinge."""
-        g, s = self.group, self.statics
-        forces, couples = list(s.acting.forces[g.basic]), list(self.couples[g.basic])
+        g = self.group
+        s = self.statics
+        forces = list(s.acting.forces[g.basic])
+        couples = list(self.couples[g.basic])
         for held in (one, two):
             at_hinge = [replace(f, point=held.point) for f in held.loads] if held.slides_on_carrier else held.loads
             forces += [*at_hinge, *held.known]
@@ -125,8 +129,10 @@ class ContourForces(LeadForces):
 
     def base_side(self, one: HeldLead, two: HeldLead) -> _Equilibrium:
         """The base: a slider on it presses at its own hinge, with the couple of its loads about that hinge."""
-        g, s = self.group, self.statics
-        forces, couples = list(s.acting.forces[g.base]), list(self.couples[g.base])
+        g = self.group
+        s = self.statics
+        forces = list(s.acting.forces[g.base])
+        couples = list(self.couples[g.base])
         for held in (one, two):
             forces += [self.reversed_force_on_base(f, held) for f in held.known]
             couples += self.turning(held) if held.slides_on_carrier else []
@@ -139,7 +145,8 @@ class ContourForces(LeadForces):
     def turning(self, held: HeldLead) -> list[Couple]:
         """The moment of the loads on a slider about its hinge, which its guide passes on; a force in the hinge has
         none."""
-        d, key = self.draft, name_of_force(self.group.base, held.lead.link)
+        d = self.draft
+        key = name_of_force(self.group.base, held.lead.link)
         terms = self.statics.moments_about_mark(held.point, held.loads, held.couples, 1.0)
         if not terms:
             return []
@@ -152,8 +159,11 @@ class ContourForces(LeadForces):
         self, held: HeldLead, side: _Equilibrium, choice: tuple[HeldLead, HeldLead] | None = None
     ) -> str:
         """The arm of a lead's line about an outer hinge; or the component factor of its force along an outer guide."""
-        d, pair, about = self.draft, side.pair, scheme_mark(side.pair.point)
-        means, lines = Meaning("arm", held.key, about, self.group.basic), ("", "", "", "")
+        d = self.draft
+        pair = side.pair
+        about = scheme_mark(pair.point)
+        means = Meaning("arm", held.key, about, self.group.basic)
+        lines = ("", "", "", "")
         if choice:
             one, two = choice
             lines = one.line, self.line_of_no_effect(one), two.line, self.line_of_no_effect(two)
@@ -166,7 +176,8 @@ class ContourForces(LeadForces):
 
     def line_of_no_effect(self, held: HeldLead) -> str:
         """The line along which a force on the basic link, at its end of a lead, would not move it."""
-        outer, inner = self.group.outer[1], held.lead.inner
+        outer = self.group.outer[1]
+        inner = held.lead.inner
         if outer.kind == "P":
             return self.draft.draw_perpendicular(f"∥{outer.guide}")
         return self.draft.direction_between_marks(SCHEME_PLAN, outer.point, inner.point or held.lead.outer.point)
@@ -175,7 +186,8 @@ class ContourForces(LeadForces):
         """The unknown from an equation of moments about an outer hinge, or of forces along an outer guide."""
         forces = [*side.forces, *more]
         if side.pair.kind == "P":
-            way, over = f"∥{side.pair.guide}", ((arm, -1),)
+            way = f"∥{side.pair.guide}"
+            over = ((arm, -1),)
             return self.draft.add_sum(
                 name,
                 [Product(sign, ((f.size, 1), (self.component_factor_along_guide(f, way), 1), *over)) for f in forces],
@@ -186,7 +198,8 @@ class ContourForces(LeadForces):
 
     def reversed_force_on_base(self, force: Force, held: HeldLead) -> Force:
         """The force of a lead on the base, reversed."""
-        lead, part = held.lead, split_value_name(force.name)[2]
+        lead = held.lead
+        part = split_value_name(force.name)[2]
         back = name_of_force(lead.outer.other_link_of_pair(lead.link), lead.link) + (f"^{part}" if part else "")
         if force.quantity == "reaction":  # of friction
             back = f"{force.name}′"

@@ -51,7 +51,8 @@ def values_given_by_laws(plans: Plans) -> Iterator[Derived]:
         yield Derived((name,), "N" if name in members else unit_key_of_value(name), value, "values")
 
     for name in plans.acting.laws:
-        load, unit = plans.means[name].of, {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)
+        load = plans.means[name].of
+        unit = {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)
         if unit and load in plans.program.result_names:
             yield Derived((load,), unit, load, "loads")
 

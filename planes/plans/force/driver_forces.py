@@ -15,7 +15,9 @@ class DriverForces:
     """The primary mechanism: the frame's reaction and the balancing moment (or force)."""
 
     def __init__(self, statics: Statics) -> None:
-        self.statics, self.bodies, self.draft = statics, statics.bodies, statics.bodies.draft
+        self.statics = statics
+        self.bodies = statics.bodies
+        self.draft = statics.bodies.draft
         self.link = self.bodies.mechanism.drive.link
         self.pair = self.bodies.structure.drive_pair
         self.plan = force_plan_name(self.link)
@@ -35,10 +37,8 @@ class DriverForces:
         if grip := hinge_friction(self.statics.acting, self.pair):
             self.draft.add_step(Fed(grip.couple, grip.factor, self.draft.measure_segment(f"|{key}|", *ends)))
         self.statics.record_reaction(self.pair, self.plan, *ends, grip)
-        about, couples = (
-            scheme_mark(self.pair.point),
-            [*self.couples, *([grip.couple_on_link(self.link)] if grip else ())],
-        )
+        about = scheme_mark(self.pair.point)
+        couples = [*self.couples, *([grip.couple_on_link(self.link)] if grip else ())]
         moments = self.statics.moments_about_mark(about, self.forces, couples, -1.0)
         self.statics.balancing = self.draft.solve_moment_equation(f"M_{self.link}", about, (self.link,), moments)
         if balance := self.bodies.mechanism.drive.balance:
@@ -46,7 +46,9 @@ class DriverForces:
 
     def balance_by_force_at_point(self, point: str, angle: float, start: str, key: str) -> None:
         """The same by a force at a point of the driver: the moment over its arm, and the reaction that goes with it."""
-        d, name, where = self.draft, f"Fb_{self.link}", self.bodies.mechanism.where.get(("drive", "balance"))
+        d = self.draft
+        name = f"Fb_{self.link}"
+        where = self.bodies.mechanism.where.get(("drive", "balance"))
         if hinge_friction(self.statics.acting, self.pair):
             raise SceneError(Phrase("balance_rubs", point=self.pair.point), self.bodies.file, where)
         along = d.draw_turned_direction(f"∠{name}", self.bodies.known[self.link].axis, angle, Meaning("given", name))

@@ -59,7 +59,8 @@ class LawValues:
             (n, self._coordinate_value_name(self.names_for_laws[n][0]))
             for n in dict.fromkeys(names_in_expression(amount.text))
         )
-        line, law_means = str(self._line(load) or ""), None if stroke else means
+        line = str(self._line(load) or "")
+        law_means = None if stroke else means
         return self.bodies.draft.add_step(Follow(name, amount, values, stroke, sense, line, means=law_means))
 
     @cached_property
@@ -101,7 +102,8 @@ class LawValues:
         return self.bodies.draft.measure_segment(f"s_{c.of}", start, first, along)
 
     def _point_coordinate_value(self, c: Coordinate) -> str:
-        d, name = self.bodies.draft, f"|{c.letter}_{c.of}|"
+        d = self.bodies.draft
+        name = f"|{c.letter}_{c.of}|"
         if c.letter in ("x", "y"):
             along = d.draw_direction_at_angle(
                 f"→{c.letter}", 0.0 if c.letter == "x" else 90.0, Meaning("along", c.letter)

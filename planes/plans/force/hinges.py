@@ -32,12 +32,14 @@ class Grip:
 
 def hinge_friction(acting: Acting, pair: Pair) -> Grip | None:
     """The friction of a hinge; None where there is none, or where its links never turn relative to each other."""
-    b, d = acting.bodies, acting.bodies.draft
+    b = acting.bodies
+    d = b.draft
     name = b.mechanism.journal_key_of_hinge(pair.point, pair.link, pair.other) if pair.kind == "R" else None
     roots = [b.known[x].root for x in (pair.link, pair.other)]
     if name is None or roots[0] == roots[1]:
         return None
-    key, journal = name_of_force(pair.link, pair.other), b.mechanism.journals[name]
+    key = name_of_force(pair.link, pair.other)
+    journal = b.mechanism.journals[name]
     circle = d.add_given(f"rho_{name}", journal.friction_circle_radius, Meaning("circle", name))
     for field in ((), ("coefficient",), ("radius",)):
         d.record_law(circle, b.mechanism.laws.get(("friction", name, *field)))
@@ -61,13 +63,16 @@ def guide_friction(acting: Acting, pair: Pair) -> Slip | None:
     """The friction of a guide; None where there is none."""
     if pair.kind != "P" or pair.guide not in acting.bodies.mechanism.friction:
         return None
-    key, factor = name_of_force(pair.link, pair.other), dict.fromkeys(friction_and_sliding_direction(acting, pair), 1)
+    key = name_of_force(pair.link, pair.other)
+    factor = dict.fromkeys(friction_and_sliding_direction(acting, pair), 1)
     return Slip(f"T_{key}", acting.bodies.draft.add_product(f"f_{pair.link}", -1.0, **factor))
 
 
 def friction_and_sliding_direction(acting: Acting, pair: Pair) -> tuple[str, str]:
     """The coefficient of friction of a guide, and the direction in which the link slides along it."""
-    d, m, reading = acting.bodies.draft, acting.bodies.mechanism, acting.motion.slides[pair.link]
+    d = acting.bodies.draft
+    m = acting.bodies.mechanism
+    reading = acting.motion.slides[pair.link]
     coefficient = d.add_given(f"f_{pair.guide}", m.friction[pair.guide])
     d.record_law(coefficient, m.laws.get(("friction", pair.guide)))
     return coefficient, d.add_step(
@@ -79,7 +84,8 @@ def settle_friction_values(acting: Acting, fed: tuple[Fed, ...], trial: Draft) -
     """Settle the values ``fed`` to a plan, so that the plan drawn in ``trial`` reproduces them by the magnitudes of its
     reactions."""
     d = acting.bodies.draft
-    needed, steps = {f.size for f in fed}, list[Step]()
+    needed = {f.size for f in fed}
+    steps = list[Step]()
     for step in reversed([s for name, s in trial.steps.items() if name not in d.steps]):
         if step.makes in needed:
             needed.update(name for name, _ in step.input_names())

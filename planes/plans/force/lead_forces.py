@@ -57,7 +57,9 @@ class LeadForces:
     """The force plan of a group whose basic link is supported by leads."""
 
     def __init__(self, statics: Statics, group: Tracked) -> None:
-        self.statics, self.bodies, self.draft = statics, statics.bodies, statics.bodies.draft
+        self.statics = statics
+        self.bodies = statics.bodies
+        self.draft = statics.bodies.draft
         self.plan = force_plan_name(*group.links_by_force_plan[0])
         self.leads = self.bodies.leads[group.basic]
         self.couples = {x: list(statics.acting.couples[x]) for x in group.all_links}
@@ -72,7 +74,8 @@ class LeadForces:
     def lay_off_force_sequences(self, runs: Iterable[list[Force]]) -> tuple[list[Term], list[str]]:
         """Sequences of forces laid off from the pole: their terms, and the start label of each sequence, with that of
         the end."""
-        chain, ends = list[Term](), [POLE_LABEL]
+        chain = list[Term]()
+        ends = [POLE_LABEL]
         for run in runs:
             terms, end = self.statics.lay_off_forces(self.plan, run, ends[-1])
             chain += terms
@@ -81,7 +84,10 @@ class LeadForces:
 
     def solve_lead_equilibrium(self, lead: Lead) -> HeldLead:
         """A lead with the results of its equilibrium."""
-        d, outer, inner, link = self.draft, lead.outer, lead.inner, lead.link
+        d = self.draft
+        outer = lead.outer
+        inner = lead.inner
+        link = lead.link
         loads = [f for part in lead.lead_links for f in self.statics.acting.forces[part]]
         couples = [c for part in lead.lead_links for c in self.couples[part]]
         key = name_of_force(link, outer.other_link_of_pair(link))
@@ -96,7 +102,8 @@ class LeadForces:
                 loads,
                 couples,
             )
-        pivot, name = scheme_mark(outer.point), f"{key}^t"
+        pivot = scheme_mark(outer.point)
+        name = f"{key}^t"
         if inner.kind == "R":
             line = d.direction_between_marks(SCHEME_PLAN, outer.point, inner.point)
             length = f"l_{outer.point}{inner.point}"
@@ -124,7 +131,8 @@ class LeadForces:
         """The friction of a guide on one of its links, if there is any."""
         if pair not in self.slips:
             return []
-        slip, along = self.slips[pair], f"∥{pair.guide}"
+        slip = self.slips[pair]
+        along = f"∥{pair.guide}"
         if link != pair.link:
             along = self.draft.add_step(Turn(f"-{along}", along, 2, means=Meaning("along", pair.guide)))
         return [Force(slip.force, link, slip.force, along, point, "reaction")]
@@ -139,7 +147,8 @@ class LeadForces:
 
     def read_lead_reactions(self, held: HeldLead, ends: Mapping[Pair, Ends], rubs: Rubs) -> list[Reaction]:
         """Both reactions on a lead by the ends of their segments, the couples of sliders, and the loads passed on."""
-        lead, s = held.lead, self.statics
+        lead = held.lead
+        s = self.statics
         pairs = lead.outer, lead.inner
         reactions = [s.record_reaction(p, self.plan, *ends[p], rubs.grips.get(p)) for p in pairs]
         if lead.pair_letters == "PP":  # by the loads on the basic link, too

@@ -16,7 +16,8 @@ from planes.words.names import POLE_LABEL, full_mark_name, mu_name
 
 def draw_lever(s: Statics) -> str:
     """Draw the lever and balance it; returns the name of its balancing moment (or force)."""
-    acting, b = s.acting, s.bodies
+    acting = s.acting
+    b = s.bodies
     drive = b.mechanism.drive
     rate = acting.motion.drive_rate_name
     b.draft.draw_pole("lever")
@@ -41,7 +42,9 @@ def friction_and_relative_speeds(s: Statics) -> list[tuple[str, str]]:
     is a result."""
     names = []
     for key, reaction in list(s.reactions.items()):
-        guide, force, speed = reaction.pair.guide, reaction.friction, s.acting.motion.spin(key)
+        guide = reaction.pair.guide
+        force = reaction.friction
+        speed = s.acting.motion.spin(key)
         if guide in s.bodies.mechanism.friction:
             force = f"T_{key}"
             if force not in s.bodies.draft.steps:  # no plan was drawn with it
@@ -58,10 +61,8 @@ def _lever_arm(s: Statics, force: Force) -> str:
     motion = s.acting.motion
     assert force.spot
     label = motion.label(force.spot.name)
-    mark = full_mark_name("lever", POLE_LABEL)
+    mark = pole = full_mark_name("lever", POLE_LABEL)
     if label != POLE_LABEL:
         ends = full_mark_name(motion.plan, POLE_LABEL), motion.mark(force.spot.name)
         mark = s.bodies.draft.add_step(Carry(full_mark_name("lever", label), mark, *ends, 1))
-    return s.bodies.draft.add_step(
-        Drop(f"H_{force.name}", mark, force.along, full_mark_name("lever", POLE_LABEL), mu_name("lever"))
-    )
+    return s.bodies.draft.add_step(Drop(f"H_{force.name}", mark, force.along, pole, mu_name("lever")))

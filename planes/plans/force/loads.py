@@ -58,7 +58,8 @@ class Couple:
 
 def names_of_loads(mechanism: Mechanism) -> list[str]:
     """The names of the loads, in order: P_5, a second force on that link P_5_2; couples M_3, on the driver MP_1."""
-    names, counts = [], Counter[tuple[str, str]]()
+    names = []
+    counts = Counter[tuple[str, str]]()
     for load in mechanism.loads:
         counts[key := (load.link, load.kind)] += 1
         letter = "P" if load.kind == "force" else "MP" if load.link == mechanism.drive.link else "M"
@@ -105,7 +106,8 @@ class Acting:
     def gather_all_loads(self) -> None:
         """Weights, inertia and loads of every link, in this order on each."""
         for link in self.bodies.mechanism.links.values():
-            self.forces[link.name], self.couples[link.name] = [], []
+            self.forces[link.name] = []
+            self.couples[link.name] = []
             self._add_weight(link)
             self._add_inertia_loads(link)
         m = self.bodies.mechanism
@@ -124,7 +126,8 @@ class Acting:
         if link.mass is None or self.bodies.mechanism.gravity is None:
             return
         d = self.bodies.draft
-        gravity, mass = d.add_given("g", self.bodies.mechanism.gravity), d.add_given(f"m_{link.name}", link.mass)
+        gravity = d.add_given("g", self.bodies.mechanism.gravity)
+        mass = d.add_given(f"m_{link.name}", link.mass)
         size = d.add_product(f"G_{link.name}", **{mass: 1, gravity: 1})
         down = d.draw_direction_at_angle("↓", -90.0, Meaning("down"))
         self.forces[link.name].append(
@@ -135,7 +138,8 @@ class Acting:
         return full_mark_name(SCHEME_PLAN, link.mass_centre), quantity, BodyPoint(link.mass_centre, link.mass_centre)
 
     def _add_inertia_loads(self, link: Link) -> None:
-        d, rates = self.bodies.draft, self.accelerations
+        d = self.bodies.draft
+        rates = self.accelerations
         root = self.bodies.known[link.name].root
         if link.inertia is not None and root != FRAME:
             moment = d.add_given(f"J_{link.name}", link.inertia)
@@ -155,7 +159,8 @@ class Acting:
         )
 
     def _add_given_force(self, load: Load, name: str) -> str:
-        d, point = self.bodies.draft, load.point or ""
+        d = self.bodies.draft
+        point = load.point or ""
         size = self.laws.name_of_load_value(f"{name}_given", load, Meaning("load", name, link=load.link))
         if load.sense:
             ends = full_mark_name(self.motion.plan, POLE_LABEL), self.motion.mark(point)
@@ -177,7 +182,9 @@ class Acting:
         return size
 
     def _load_direction(self, name: str, load: Load) -> str:
-        d, means, angle = self.bodies.draft, Meaning("given", name), load.direction_deg or 0.0
+        d = self.bodies.draft
+        means = Meaning("given", name)
+        angle = load.direction_deg or 0.0
         turned = bool(load.direction_link) and load.direction_link != FRAME
         axis = self.bodies.known[load.direction_link or FRAME].axis
         if isinstance(angle, LoadLaw):
@@ -192,7 +199,8 @@ class Acting:
         )
 
     def _add_given_couple(self, load: Load, name: str) -> str:
-        d, link = self.bodies.draft, load.link
+        d = self.bodies.draft
+        link = load.link
         value = self.laws.name_of_load_value(f"{name}_given", load, Meaning("couple", name, link=link))
         if not load.sense:
             self.couples[link].append(Couple(name, link, d.add_product(name, **{value: 1})))

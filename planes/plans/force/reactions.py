@@ -42,7 +42,8 @@ class Reaction:
     @property
     def both_reaction_names(self) -> dict[str, str]:
         """Both its names, each with the link it acts on."""
-        one, two = self.pair.link, self.pair.other
+        one = self.pair.link
+        two = self.pair.other
         return {name_of_force(one, two): one, name_of_force(two, one): two}
 
     @property
@@ -80,7 +81,8 @@ class Statics:
 
     def arm_about_mark(self, f: Force, about: str) -> str:
         """The arm of a force about a mark."""
-        centre, name = label_of(about), f"h_{f.name}_{label_of(about)}"
+        centre = label_of(about)
+        name = f"h_{f.name}_{centre}"
         if self.centres.setdefault(f.name, centre) != centre:  # about another point: named too
             name += f"^{centre.lstrip('°')}"
         return self.bodies.draft.draw_arm(f.name, f.point, f.along, about, f.link, name)
@@ -118,7 +120,8 @@ class Statics:
     def bearing_reactions(self, r: Reaction, bearings: complex) -> tuple[str, str]:
         """The parts of a reaction in the two bearings of a shaft: moments about each give the other (the lever rule).
         One is against the whole reaction where both bearings are on one side of the plane of motion."""
-        d, share = self.bodies.draft, bearings.imag / (bearings.imag - bearings.real)
+        d = self.bodies.draft
+        share = bearings.imag / (bearings.imag - bearings.real)
         size = d.measure_segment(f"|{r.key}|", r.start, r.end)
         return d.add_product(f"{r.key}^1", share, **{size: 1}), d.add_product(f"{r.key}^2", 1.0 - share, **{size: 1})
 
@@ -136,7 +139,8 @@ class Statics:
         self, r: Reaction, link: str, about: str, forces: list[Force], couples: list[Couple]
     ) -> Reaction:
         """Find the couple and the arm of a sliding pair's reaction from the moments on ``link`` about a mark."""
-        d, pair = self.bodies.draft, r.pair
+        d = self.bodies.draft
+        pair = r.pair
         side = -1.0 if link == pair.link else 1.0
         terms = self.moments_about_mark(about, [*forces, self.reaction_as_force(r, link)], couples, side)
         moment = d.solve_moment_equation(f"MR_{r.key}", about, (link,), terms, means=Meaning("couple", r.key))
@@ -199,9 +203,11 @@ def _inclined_term(acting: Acting, plan: str, term: Term, pair: Pair, x: str) ->
 
 
 def _lean_direction_step(acting: Acting, pair: Pair, sign: int) -> str:
-    d, guide = acting.bodies.draft, f"∥{pair.guide}"
+    d = acting.bodies.draft
+    guide = f"∥{pair.guide}"
     coefficient, sense = friction_and_sliding_direction(acting, pair)
-    name, means = f"lean_{pair.link}{'+' if sign > 0 else '-'}", Meaning("leaning", pair.guide)
+    name = f"lean_{pair.link}{'+' if sign > 0 else '-'}"
+    means = Meaning("leaning", pair.guide)
     return d.add_step(Lean(name, d.draw_perpendicular(guide), guide, coefficient, sense, sign, means=means))
 
 

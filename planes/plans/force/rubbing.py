@@ -50,7 +50,8 @@ def draw_with_settled_friction(
 
 def _friction_from_trial(trial: RubbingPlan, rubs: Rubs) -> Iterable[Fed]:
     """The results of a trial plan: couples by the reactions of hinges, friction by the normal forces of guides."""
-    ends, d = trial.polygon(), trial.statics.bodies.draft
+    ends = trial.polygon()
+    d = trial.statics.bodies.draft
     for pair, grip in rubs.grips.items():
         yield Fed(grip.couple, grip.factor, d.measure_segment(f"|{name_of_force(pair.link, pair.other)}|", *ends[pair]))
     for pair, slip in rubs.slips.items():

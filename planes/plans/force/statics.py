@@ -49,7 +49,10 @@ class _GroupForces:
     """The plan of one group."""
 
     def __init__(self, statics: Statics, group: Group) -> None:
-        self.statics, self.group, self.bodies, self.draft = statics, group, statics.bodies, statics.bodies.draft
+        self.statics = statics
+        self.group = group
+        self.bodies = statics.bodies
+        self.draft = statics.bodies.draft
         self.plan = force_plan_name(*group.balanced_links)
         acting = statics.acting
         self.loads = {x: [f for part in group.loaded_links(x) for f in acting.forces[part]] for x in group.links}
@@ -71,7 +74,8 @@ class _GroupForces:
 
     def polygon(self) -> dict[Pair, tuple[str, str]]:
         """Draw the polygon; returns the end marks of each reaction, on the first link of its pair."""
-        g, plan = self.group, self.plan
+        g = self.group
+        plan = self.plan
         head = self.tangential_reaction_by_moments(g.first, g.first_outer) if g.kind in (1, 2, 3) else []
         tail = self.tangential_reaction_by_moments(g.last, g.last_outer) if g.kind == 1 else []
         first, e_a = self.statics.lay_off_forces(plan, head + self.loads[g.first])
@@ -142,21 +146,20 @@ class _GroupForces:
 
     def tangential_reaction_by_moments(self, link: str, pair: Pair) -> list[Force]:
         """F^t of an outer hinge: from moments about the inner hinge, or of the whole group about the other one."""
-        d, g = self.draft, self.group
+        d = self.draft
+        g = self.group
         if g.kind == 3:
-            about, ray = g.last_outer.point, d.direction_between_marks(SCHEME_PLAN, g.last_outer.point, pair.point)
+            about = g.last_outer.point
+            ray = d.direction_between_marks(SCHEME_PLAN, g.last_outer.point, pair.point)
             sides: tuple[str, ...] = (g.first, g.last)
-            length, sign = (
-                d.measure_segment(f"l_{about}{pair.point}", scheme_mark(about), scheme_mark(pair.point)),
-                -1.0,
-            )
+            length = d.measure_segment(f"l_{about}{pair.point}", scheme_mark(about), scheme_mark(pair.point))
+            sign = -1.0
         else:
-            about, sides, ray = (
-                g.inner.point,
-                (link,),
-                d.direction_between_marks(SCHEME_PLAN, pair.point, g.inner.point),
-            )
-            length, sign = self.distance_between_hinges(link, pair.point, about), 1.0
+            about = g.inner.point
+            sides = (link,)
+            ray = d.direction_between_marks(SCHEME_PLAN, pair.point, g.inner.point)
+            length = self.distance_between_hinges(link, pair.point, about)
+            sign = 1.0
         forces = [f for x in sides for f in self.loads[x]]
         couples = [c for x in sides for c in self.couples[x]]
         terms = self.statics.moments_about_mark(scheme_mark(about), forces, couples, sign, length)
@@ -197,7 +200,8 @@ class _GroupForces:
 
     def seat_sliding_reactions(self, reactions: dict[Pair, Reaction]) -> None:
         """Arms and couples of the sliding pairs, from moments about the hinge of the link."""
-        g, s = self.group, self.statics
+        g = self.group
+        s = self.statics
         about = scheme_mark(g.inner.point if g.inner.kind == "R" else g.first_outer.point)
         if g.inner.kind == "P":
             seated = s.find_slider_couple_and_arm(

@@ -11,7 +11,8 @@ def draw_carried_mark(
     r: Rates, root: Body, start: str, one: BodyPoint, two: BodyPoint, end: str, means: Meaning | None = None
 ) -> str:
     """The mark ``end`` of ``two``, with ``one`` of the same link at ``start``; the link turns as ``root`` does."""
-    d, scheme = r.bodies.draft, (scheme_mark(one.place), scheme_mark(two.place))
+    d = r.bodies.draft
+    scheme = (scheme_mark(one.place), scheme_mark(two.place))
     if root.link.name == FRAME:
         return d.add_step(Same(end, start, means=means))
     if root.ref:
@@ -22,7 +23,8 @@ def draw_carried_mark(
         two.name + one.name,
         d.direction_between_marks(SCHEME_PLAN, one.place, two.place),
     )  # a driver with one point
-    length, across = d.measure_segment(f"l_{name}°", *scheme), d.draw_perpendicular(ray)
+    length = d.measure_segment(f"l_{name}°", *scheme)
+    across = d.draw_perpendicular(ray)
     value = d.add_product(f"{r.letter}{name}°", **{r.spin(root.link.name): 1, length: 1})
     if r.is_acceleration_plan:
         inwards = d.add_product(f"a_{name}°^n", -1.0, **{f"omega_{root.link.name}": 2, length: 1})

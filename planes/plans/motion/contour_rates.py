@@ -31,7 +31,10 @@ class ContourRates:
     """The rates of one contour."""
 
     def __init__(self, r: Rates, g: Contour) -> None:
-        self.rates, self.group, self.bodies, self.draft = r, g, r.bodies, r.bodies.draft
+        self.rates = r
+        self.group = g
+        self.bodies = r.bodies
+        self.draft = r.bodies.draft
         leads = r.bodies.leads[g.basic]
         self.rod, self.other = (leg_of_lead(r.bodies, g.basic, lead) for lead in leads)
         self.swing = leg_by_outer_pair(r.bodies, g.outer[0], g.base, self.rod.known)
@@ -44,7 +47,8 @@ class ContourRates:
         return self.bodies.known[self.bodies.known[self.group.basic].root]
 
     def draw(self) -> None:
-        r, base = self.rates, self.rod.known
+        r = self.rates
+        base = self.rod.known
         for leg, link in ((self.swing, self.group.base), (self.basic, self.group.basic)):
             body = self.bodies.known[link]
             if body.root == link:
@@ -97,10 +101,13 @@ class ContourRates:
 
     def assumed_vector_length(self) -> str:
         """The length of the vector that plan II assumes."""
-        b, r = self.bodies, self.rates
-        drive, ends = b.mechanism.drive, b.known[b.mechanism.drive.link].ref
+        b = self.bodies
+        r = self.rates
+        drive = b.mechanism.drive
+        ends = b.known[b.mechanism.drive.link].ref
         rate = {"velocity": drive.velocity, "acceleration": drive.velocity**2}.get(r.plan, 1.0) or 1.0
-        given, named = b.draft.given, b.distance_of_places(b.known[drive.link].link, *ends) if ends else ""
+        given = b.draft.given
+        named = b.distance_of_places(b.known[drive.link].link, *ends) if ends else ""
         reach = next(
             (abs(given[x]) for x in (named, self.swing.length) if x in given), largest_link_size(b, self.group)
         )
@@ -112,10 +119,8 @@ class ContourRates:
     def false_plan_distances(self, first: str, second: str) -> tuple[tuple[str, str], tuple[str, str]]:
         """The distance of the true plan from I, and of II from I, along the line of the second lead's false vectors."""
         d = self.draft
-        (start, end), (from_, to) = (
-            self.assumed_second_lead_ends(first, "I"),
-            self.assumed_second_lead_ends(second, "II"),
-        )
+        start, end = self.assumed_second_lead_ends(first, "I")
+        from_, to = self.assumed_second_lead_ends(second, "II")
         carried = d.add_step(
             Carry(self.mark(self.label(self.other.new, "II,I")), start, from_, to, means=FALSE_PLAN_MEANING)
         )
@@ -130,7 +135,8 @@ class ContourRates:
 
     def assumed_second_lead_ends(self, hinge: str, plan: str) -> tuple[str, str]:
         """The ends of the second lead on a false plan, with the base's point of the first lead at its assumed place."""
-        r, d = self.rates, self.draft
+        r = self.rates
+        d = self.draft
         pivot = self.swing.known
         near = start = r.mark(pivot.name)
         if near != hinge:
@@ -142,7 +148,8 @@ class ContourRates:
         tied, terms = self.lay_off_known_parts(self.rod, hinge, plan)
         back = self.known_part_end_of_leg(self.basic)
         crossing = met, tied, self.rod.along, back, self.basic.along
-        instead, basic = (self.other.along, self.far.along), self.group.basic
+        instead = (self.other.along, self.far.along)
+        basic = self.group.basic
         d.add_step(CrossFalse(*crossing, instead=instead, means=Meaning("false", basic)))
         self.state_false_plan_equation(hinge, terms, met, plan)
         end = self.second_lead_point_on_false_plan(met, plan)
@@ -160,7 +167,8 @@ class ContourRates:
     def lay_off_known_parts(self, leg: Leg, start: str, plan: str) -> tuple[str, list[Term]]:
         """The known parts of a lead's rate on a false plan, from the assumed place of its first point; and their
         terms."""
-        terms, mark = list[Term](), start
+        terms = list[Term]()
+        mark = start
         for term in self.known_part_of_leg(leg):
             end = f"{term.end.removesuffix(chr(39))},{plan}" + ("'" if term.end.endswith("'") else "")
             terms.append(replace(term, start=label_of(mark), end=end, drawn=True))
@@ -171,18 +179,22 @@ class ContourRates:
 
     def second_lead_point_on_false_plan(self, met: str, plan: str) -> str:
         """The second lead's point of the basic link on a false plan, with the first one given."""
-        r, d, end = self.rates, self.draft, self.mark(self.label(self.other.new, plan))
+        r = self.rates
+        d = self.draft
+        end = self.mark(self.label(self.other.new, plan))
         if end == met:
             return met
         if self.rotating_link.link.name == self.group.basic:
-            far, pivot = r.mark(self.basic.known.name), self.basic.known
+            far = r.mark(self.basic.known.name)
+            pivot = self.basic.known
             shape = self.points_on_scheme(pivot, self.other.new), self.points_on_scheme(pivot, self.rod.new)
             return d.add_step(Image(end, far, *shape, (far, met), means=FALSE_PLAN_MEANING))
         return draw_carried_mark(r, self.rotating_link, met, self.rod.new, self.other.new, end, FALSE_PLAN_MEANING)
 
     def state_false_plan_equation(self, hinge: str, terms: list[Term], met: str, plan: str) -> None:
         """State the equation of a false plan."""
-        r, end = self.rates, label_of(met)
+        r = self.rates
+        end = label_of(met)
         one = [Term(f"{r.letter}{self.rod.known.name}^{plan}", POLE_LABEL, label_of(hinge), drawn=True), *terms]
         two = [*r.terms_to_new_point(self.basic)][:-1]
         for chain, leg in ((one, self.rod), (two, self.basic)):
@@ -200,7 +212,8 @@ class ContourRates:
 
     def read_link_rates(self, leg: Leg) -> None:
         """The readings from a link with both ends found."""
-        r, d = self.rates, self.draft
+        r = self.rates
+        d = self.draft
         r.image(leg.link, leg.known)
         r.image(self.group.base if leg is self.swing else self.group.basic, leg.new)
         *known, last = r.terms_to_new_point(leg)

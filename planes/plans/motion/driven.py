@@ -44,20 +44,24 @@ def terms_of_driven_leg(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]
     """The vectors from the pivot's end to the new one: first the given ones, the rotation last."""
     given = [*(_turning_drive_terms if drive.kind == "R" else _sliding_drive_terms)(r, leg, drive)]
     yield from given
-    name, end = r.letter + leg.symbol, given[-1].end
+    name = r.letter + leg.symbol
+    end = given[-1].end
     if r.is_acceleration_plan and leg.turns:
         inward = r.normal(leg, end)
         yield inward
-        name, end = f"{name}^t", inward.end
+        name = f"{name}^t"
+        end = inward.end
     yield Term(name, end, r.label(leg.new.name), direction=leg.along, action=leg.along)
 
 
 def _sliding_drive_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
     """Along the guide, with Coriolis across it."""
-    d, along = r.bodies.draft, f"∥{drive.guide}"
+    d = r.bodies.draft
+    along = f"∥{drive.guide}"
     if leg.held == drive.link:  # the guide moves against the slider
         along = d.add_step(Turn(f"-{along}", along, 2, means=Meaning("along", drive.guide)))
-    start, bent = r.label(leg.known.name), r.is_acceleration_plan and leg.turns
+    start = r.label(leg.known.name)
+    bent = r.is_acceleration_plan and leg.turns
     if bent:
         yield (coriolis := _drive_coriolis_term(r, leg, d.draw_perpendicular(along)))
         start = coriolis.end
@@ -67,21 +71,28 @@ def _sliding_drive_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term
 
 def _turning_drive_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
     """Across the arm from the motor, with Coriolis and the normal component along it."""
-    d, motor, hinge = r.bodies.draft, drive.point, leg.new.place
+    d = r.bodies.draft
+    motor = drive.point
+    hinge = leg.new.place
     other = r.bodies.mechanism.link(drive.other_link_of_pair(leg.held))
     ends = (motor, hinge) if other.name == drive.link else (hinge, motor)
-    ray, length = d.direction_between_marks(SCHEME_PLAN, *ends), r.bodies.given_distance(other, motor, hinge)
-    across, name, start = d.draw_perpendicular(ray), r.letter + leg.driven, r.label(leg.known.name)
+    ray = d.direction_between_marks(SCHEME_PLAN, *ends)
+    length = r.bodies.given_distance(other, motor, hinge)
+    across = d.draw_perpendicular(ray)
+    name = r.letter + leg.driven
+    start = r.label(leg.known.name)
     if r.is_acceleration_plan:
         back = d.direction_back_between_marks(SCHEME_PLAN, *ends)
         if leg.turns:
             yield (coriolis := _drive_coriolis_term(r, leg, back))
             start = coriolis.end
         inward = back if ends[0] == motor else ray
-        omega, means = r.relative_spin_name, Meaning("normal", hinge, motor)
+        omega = r.relative_spin_name
+        means = Meaning("normal", hinge, motor)
         value = d.add_product(f"{name}^n", **{omega: 2, length: 1})
         yield (normal := Term(f"{name}^n", start, f"n_{leg.driven}", value, inward, inward, means=means))
-        start, name = normal.end, f"{name}^t"
+        start = normal.end
+        name = f"{name}^t"
     value = d.add_product(name, **{r.hinge_rate_name: 1, length: 1})
     yield _relative_vector_term(r, leg, name, start, value, across, across)
 
@@ -94,7 +105,9 @@ def _relative_vector_term(
 
 def _drive_coriolis_term(r: PlanOfRates, leg: Leg, across: str) -> Term:
     """Coriolis: 2ω×v of the drive."""
-    name, means, start = f"a_{leg.driven}^k", Meaning("coriolis", leg.driven), r.label(leg.known.name)
+    name = f"a_{leg.driven}^k"
+    means = Meaning("coriolis", leg.driven)
+    start = r.label(leg.known.name)
     value = r.bodies.draft.add_product(name, 2.0, **{f"omega_{leg.turns}": 1, _given_relative_velocity_name(r, leg): 1})
     return Term(name, start, f"k_{leg.driven}", value, across, across, means=means)
 
@@ -116,12 +129,10 @@ def mark_at_drive_vector_end(r: PlanOfRates, leg: Leg) -> str:
 def draw_point_under_hinge(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
     """Draw the point of the turning link under the hinge; measure how the other slides on it or turns."""
     assert leg.spot
-    d, end, known, spot = (
-        r.bodies.draft,
-        mark_at_drive_vector_end(r, leg),
-        r.mark(leg.known.name),
-        r.mark(leg.spot.name),
-    )
+    d = r.bodies.draft
+    end = mark_at_drive_vector_end(r, leg)
+    known = r.mark(leg.known.name)
+    spot = r.mark(leg.spot.name)
     d.add_step(Carry(spot, r.mark(leg.new.name), end, known))
     d.name_segment(r.plan, POLE_LABEL, r.label(leg.spot.name), r.letter + leg.spot.name)
     r.driven.append(end)
@@ -129,17 +140,23 @@ def draw_point_under_hinge(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
         _state_other_link_rate(r, leg, drive)
         return
     bent = r.is_acceleration_plan and leg.turns
-    middle, along = full_mark_name(r.plan, f"k_{leg.driven}") if bent else known, f"∥{drive.guide}"
-    ends, turned, under = (middle, end), (known, middle), spot
+    middle = full_mark_name(r.plan, f"k_{leg.driven}") if bent else known
+    along = f"∥{drive.guide}"
+    ends = (middle, end)
+    turned = (known, middle)
+    under = spot
     if leg.held == drive.link:  # the slider's point is under the hinge
-        ends, turned, under = (end, middle), (middle, known), r.mark(leg.new.name)
+        ends = (end, middle)
+        turned = (middle, known)
+        under = r.mark(leg.new.name)
     value = d.measure_segment(f"{r.letter}slide_{drive.link}", *ends, along)
     r.slides[drive.link] = SlideReading(drive.guide, value, ends, along, turned if bent else None, under)
 
 
 def _state_other_link_rate(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
     """The other link of a motor turns at the rate of the first plus that of the drive."""
-    other, d = drive.other_link_of_pair(leg.held), r.bodies.draft
+    other = drive.other_link_of_pair(leg.held)
+    d = r.bodies.draft
     sign = 1.0 if other == drive.link else -1.0
     own = [Product(1.0, ((r.spin(leg.turns), 1),))] if leg.turns else []
     d.add_sum(r.spin(other), [*own, Product(sign, ((r.hinge_rate_name, 1),))])

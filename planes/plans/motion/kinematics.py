@@ -53,7 +53,8 @@ class Rates:
     @property
     def hinge_rate_name(self) -> str:
         """Name of the rate at which a motor turns the links of its hinge, or a cylinder the links it braces."""
-        pair, name = self.bodies.structure.drive_pairs[-1], self.drive_rate_name
+        pair = self.bodies.structure.drive_pairs[-1]
+        name = self.drive_rate_name
         if not self.bodies.reach:
             return name
         spun = self.spin(f"{pair.link}_{pair.other}")
@@ -103,7 +104,8 @@ class Rates:
     def terms_to_new_point(self, leg: Leg) -> tuple[Term, ...]:
         """The terms from the pole through the known point to the new one."""
         self.image(leg.link, leg.known)
-        known, new = self.label(leg.known.name), self.label(leg.new.name)
+        known = self.label(leg.known.name)
+        new = self.label(leg.new.name)
         name = leg.known.name if leg.known.name != POLE_LABEL else leg.symbol.removeprefix(leg.reached.name)
         start = Term(self.letter + name, POLE_LABEL, known, drawn=True, action="=0" if known == POLE_LABEL else "")
         relative = self.letter + leg.symbol
@@ -119,15 +121,18 @@ class Rates:
 
     def normal(self, leg: Leg, start: str) -> Term:
         """a^n = v²/l, towards the pivot."""
-        name, towards = f"a_{leg.symbol}^n", leg.towards or ""
+        name = f"a_{leg.symbol}^n"
+        towards = leg.towards or ""
         value = self.bodies.draft.add_product(name, **{f"v_{leg.symbol}": 2, leg.length or "": -1})
         means = Meaning("normal", leg.symbol)
         return Term(name, start, f"n_{leg.symbol}", length=value, direction=towards, action=towards, means=means)
 
     def coriolis_component_term(self, leg: Leg, start: str) -> Term:
         """a^k, across the guide."""
-        value, means = self.state_coriolis_length(leg), Meaning("coriolis", leg.symbol)
-        name, along = f"a_{leg.symbol}^k", self.bodies.draft.draw_perpendicular(leg.along)
+        value = self.state_coriolis_length(leg)
+        means = Meaning("coriolis", leg.symbol)
+        name = f"a_{leg.symbol}^k"
+        along = self.bodies.draft.draw_perpendicular(leg.along)
         return Term(name, start, f"k_{leg.symbol}", length=value, direction=along, action=along, means=means)
 
     def state_coriolis_length(self, leg: Leg) -> str:
@@ -153,7 +158,9 @@ class Rates:
 
     def sliding_rate_of_slider(self, leg: Leg) -> SlideReading:
         """The rate of the slider along its guide."""
-        pair, known, new = leg.pair, self.unknown_vector_start(leg), self.mark(leg.new.name)
+        pair = leg.pair
+        known = self.unknown_vector_start(leg)
+        new = self.mark(leg.new.name)
         assert pair is not None
         turns = self.is_acceleration_plan and self.bodies.known[leg.link].root != FRAME
         middle = full_mark_name(self.plan, f"k_{leg.symbol}") if turns else known
@@ -175,7 +182,8 @@ class Rates:
         if mark in self.bodies.draft.steps:
             return
         body = self.bodies.known[link]
-        root, carrier = self.bodies.known[body.root], self.mark(body.first_reached_point.name)
+        root = self.bodies.known[body.root]
+        carrier = self.mark(body.first_reached_point.name)
         if body.root == FRAME:
             self.bodies.draft.add_step(Same(mark, carrier))
         elif root is body and body.rigid and body.ref and spot.name in body.link.points:
@@ -193,7 +201,8 @@ class Rates:
 
 def _driver_rate_name(r: Rates) -> str:
     """The name of the driver's given rate."""
-    d, drive = r.bodies.draft, r.bodies.mechanism.drive
+    d = r.bodies.draft
+    drive = r.bodies.mechanism.drive
     rate = {"velocity": drive.velocity, "motion": 1.0, "acceleration": drive.acceleration}[r.plan]
     value = d.add_given(r.drive_rate_name, rate)
     d.record_law(
@@ -207,10 +216,13 @@ def _driver_rate_name(r: Rates) -> str:
 
 def _draw_driver_vectors(r: Rates) -> None:
     """The driver's motion: the first vectors of the plan, fully known."""
-    d, drive, value = r.bodies.draft, r.bodies.mechanism.drive, _driver_rate_name(r)
+    d = r.bodies.draft
+    drive = r.bodies.mechanism.drive
+    value = _driver_rate_name(r)
     body = r.bodies.known[drive.link]
     if drive.kind == "s":
-        first, guide = body.base.name, r.bodies.structure.drive_pair.guide
+        first = body.base.name
+        guide = r.bodies.structure.drive_pair.guide
         ends = full_mark_name(r.plan, POLE_LABEL), r.mark(first)
         d.lay_off(r.plan, r.label(first), ends[0], f"∥{guide}", value)
         d.name_segment(r.plan, POLE_LABEL, r.label(first), r.letter + first)
@@ -227,11 +239,14 @@ def _draw_driver_vectors(r: Rates) -> None:
 def draw_point_turning_with_driver(r: Rates, body: Body, spot: BodyPoint) -> None:
     """The end of the vector of a point on a link that turns with the driver, by rotation about the link's carrier: the
     driver's pivot on the frame, or the point by which a link that slides on the driver is reached."""
-    d, centre = r.bodies.draft, body.first_reached_point
+    d = r.bodies.draft
+    centre = body.first_reached_point
     ray = d.direction_between_marks(SCHEME_PLAN, centre.place, spot.place)
     across = d.draw_perpendicular(ray)
     length = r.bodies.distance_of_places(body.link, centre, spot)
-    start, end, total = r.label(centre.name), r.label(spot.name), r.letter + spot.name
+    start = r.label(centre.name)
+    end = r.label(spot.name)
+    total = r.letter + spot.name
     own = start == POLE_LABEL
     name = total if own else total + centre.name
     base = () if own else (Term(r.letter + centre.name, POLE_LABEL, start, drawn=True),)
@@ -245,7 +260,8 @@ def draw_point_turning_with_driver(r: Rates, body: Body, spot: BodyPoint) -> Non
     normal = d.add_product(f"{name}^n", **{f"omega_{body.root}": 2, length: 1})
     tangential = d.add_product(f"{name}^t", **{f"epsilon_{body.root}": 1, length: 1})
     inwards = d.direction_back_between_marks(SCHEME_PLAN, centre.place, spot.place)
-    middle, turning = "n_" + name.removeprefix(r.letter), Meaning("normal", spot.name, centre.name)
+    middle = "n_" + name.removeprefix(r.letter)
+    turning = Meaning("normal", spot.name, centre.name)
     chain = (
         *base,
         Term(f"{name}^n", start, middle, length=normal, direction=inwards, action=inwards, means=turning),

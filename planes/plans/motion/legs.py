@@ -65,10 +65,8 @@ def legs_of_group(b: Bodies, g: Group) -> tuple[Leg, Leg]:
     """The two legs of a group, in the order in which the method writes them."""
     if g.drive:
         link, pair = g.held_link_first_with_pairs[1]
-        driven, other = (
-            _leg_to_driven_hinge(b, g, g.drive),
-            leg_by_outer_pair(b, pair, link, BodyPoint(*[g.inner.point] * 2)),
-        )
+        driven = _leg_to_driven_hinge(b, g, g.drive)
+        other = leg_by_outer_pair(b, pair, link, BodyPoint(*[g.inner.point] * 2))
         return (driven, other) if g.held_link == g.first else (other, driven)
     if g.kind in (1, 2, 4):
         new = BodyPoint(g.inner.point, g.inner.point)
@@ -89,18 +87,17 @@ def leg_of_lead(b: Bodies, basic: str, lead: Lead) -> Leg:
 def leg_along_inner_guide(b: Bodies, pair: Pair, link: str, hinge: str, new: str) -> Leg:
     """The leg from the hinge of a link to the coincident point of the ``new`` one, along the guide between them."""
     spot = BodyPoint(hinge, coincident_point_name(b, pair.guide, hinge, new))
-    known, along = BodyPoint(hinge, hinge), f"∥{pair.guide}"
+    known = BodyPoint(hinge, hinge)
+    along = f"∥{pair.guide}"
     return Leg(spot, known, link, spot.name + hinge, along, pair=pair, slider_new=pair.link == new)
 
 
 def _leg_to_driven_hinge(b: Bodies, g: Group, drive: Pair) -> Leg:
     """The leg to the hinge of the driven link: with the link on the frame about its pivot or along its guide, then by
     the drive."""
-    pair, mate, d = (
-        g.held_link_first_with_pairs[0][1],
-        g.held_link_first_with_pairs[0][1].other_link_of_pair(g.held_link),
-        b.draft,
-    )
+    pair = g.held_link_first_with_pairs[0][1]
+    mate = pair.other_link_of_pair(g.held_link)
+    d = b.draft
     new = BodyPoint(g.inner.point, g.inner.point)
     spot = BodyPoint(new.place, coincident_point_name(b, drive.guide, new.place, g.held_link))
     if pair.kind == "P":
@@ -124,17 +121,20 @@ def leg_by_outer_pair(b: Bodies, pair: Pair, link: str, new: BodyPoint) -> Leg:
     """The leg to a point of ``link`` by its pair with a solved one."""
     if pair.kind == "P":
         return _sliding_leg(b, pair, link, pair.other_link_of_pair(link), new)
-    pivot, d = pair.point, b.draft
+    pivot = pair.point
+    d = b.draft
     ray = d.direction_between_marks(SCHEME_PLAN, pivot, new.place)
     known = BodyPoint(pivot, pivot)
-    length, across = b.distance_of_places(b.mechanism.link(link), known, new), d.draw_perpendicular(ray)
+    length = b.distance_of_places(b.mechanism.link(link), known, new)
+    across = d.draw_perpendicular(ray)
     towards = d.direction_back_between_marks(SCHEME_PLAN, pivot, new.place)
     return Leg(new, known, pair.other_link_of_pair(link), new.name + pivot, across, length, towards, turns=link)
 
 
 def _sliding_leg(b: Bodies, pair: Pair, link: str, known: str, new: BodyPoint) -> Leg:
     if known == FRAME:
-        spot, symbol = BodyPoint(POLE_LABEL, POLE_LABEL), f"{new.name}{new.name}0"
+        spot = BodyPoint(POLE_LABEL, POLE_LABEL)
+        symbol = f"{new.name}{new.name}0"
     else:
         spot = BodyPoint(new.place, coincident_point_name(b, pair.guide, new.place, known))
         symbol = f"{new.name}{spot.name}"

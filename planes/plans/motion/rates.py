@@ -24,7 +24,9 @@ class ChainRates:
     """The rates of one chain of basic links."""
 
     def __init__(self, r: Rates, g: BasicChain) -> None:
-        self.rates, self.group, self.last = r, g, r.bodies.leads[g.basic][-1]
+        self.rates = r
+        self.group = g
+        self.last = r.bodies.leads[g.basic][-1]
         self.own = {lead: leg_of_lead(r.bodies, g.basics[k], lead) for k, side in enumerate(g.sides) for lead in side}
         points, lines = zip(*(point_and_line_of_lead(r.bodies.draft, leg) for leg in self.own.values()), strict=True)
         pins = tuple(full_mark_name(SCHEME_PLAN, hinge.point) for hinge in g.hinges)
@@ -60,10 +62,8 @@ class ChainRates:
 
     def leg_of_previous_basic_link(self, end: int, hinge: Pair) -> Leg:
         """A basic link as a lead of the next one: its special point is found, and their hinge moves about that."""
-        point, pin = (
-            self.special_point_of_basic_link(end, self.leads_of_basic_link(end, hinge).values()),
-            BodyPoint(hinge.point, hinge.point),
-        )
+        point = self.special_point_of_basic_link(end, self.leads_of_basic_link(end, hinge).values())
+        pin = BodyPoint(hinge.point, hinge.point)
         point.solve()
         point.define_link_by_points(pin)
         self.ends.append(point)
@@ -99,7 +99,8 @@ class _Triad:
     """The rates of one triad."""
 
     def __init__(self, r: Rates, g: Triad) -> None:
-        self.rates, self.group = r, g
+        self.rates = r
+        self.group = g
         one, two, self.third = (leg_of_lead(r.bodies, g.basic, lead) for lead in r.bodies.leads[g.basic])
         self.special = SpecialPoint(r, g.basic, (one, two))
 

@@ -26,13 +26,19 @@ class SlidRates:
     """The rates of one such triad."""
 
     def __init__(self, r: Rates, g: Triad) -> None:
-        self.rates, self.group, self.bodies, self.draft = r, g, r.bodies, r.bodies.draft
+        self.rates = r
+        self.group = g
+        self.bodies = r.bodies
+        self.draft = r.bodies.draft
         *leads, self.slid = r.bodies.leads[g.basic]
         self.one, self.two = (leg_of_lead(r.bodies, g.basic, lead) for lead in leads)
 
     def draw(self) -> None:
-        r, b, slid = self.rates, self.bodies, self.slid
-        body, first = b.known[self.group.basic], b.mechanism.links[slid.link].first_point
+        r = self.rates
+        b = self.bodies
+        slid = self.slid
+        body = b.known[self.group.basic]
+        first = b.mechanism.links[slid.link].first_point
         body.moving = self.one.new
         r.image(self.two.link, self.two.known)
         moved = self.leg_to_other_point(self.two, self.one.new)
@@ -45,11 +51,14 @@ class SlidRates:
 
     def leg_to_other_point(self, leg: Leg, new: BodyPoint) -> Leg:
         """A leg to another point of the basic link, with its start shifted."""
-        r, root = self.rates, self.bodies.known[self.bodies.known[self.group.basic].root]
+        r = self.rates
+        root = self.bodies.known[self.bodies.known[self.group.basic].root]
         if root.link.name == FRAME or leg.new == new:
             return replace(leg, new=new)
         name = (leg.known.name if leg.known.name != POLE_LABEL else leg.new.name) + "°"
-        over, start, end = BodyPoint(leg.known.place, name), r.mark(leg.known.name), r.mark(name)
+        over = BodyPoint(leg.known.place, name)
+        start = r.mark(leg.known.name)
+        end = r.mark(name)
         draw_carried_mark(r, root, start, leg.new, new, end)
         to_known = Term(r.letter + leg.known.name, POLE_LABEL, label_of(start), drawn=True)
         over_it = Term(f"{r.letter}{new.name}{leg.new.name}", label_of(start), label_of(end), drawn=True)
@@ -61,13 +70,17 @@ class SlidContourRates(ContourRates):
     """The rates of one such contour."""
 
     def draw(self) -> None:
-        r, d, g = self.rates, self.draft, self.group
+        r = self.rates
+        d = self.draft
+        g = self.group
         still, away = self.draw_nonsliding_base()
         for link, spot in ((g.base, self.rod.known), (g.basic, self.rod.new)):
             self.bodies.known[link].moving = spot
         for leg in (self.swing, self.basic):
             r.image(leg.link, leg.known)
-        new, name, along = r.label(self.rod.new.name), f"{r.letter}{self.rod.new.name}", self.swing.along
+        new = r.label(self.rod.new.name)
+        name = f"{r.letter}{self.rod.new.name}"
+        along = self.swing.along
         slid = Term(f"{name}^II", label_of(away), new, None, along, along)
         start = Term(f"{name}^I", POLE_LABEL, label_of(away), drawn=True)
         r.solve(self.rod.new.name, (start, slid), r.terms_to_new_point(self.basic), (self.basic,))
@@ -83,9 +96,11 @@ class SlidContourRates(ContourRates):
 
     def draw_nonsliding_base(self) -> tuple[str, str]:
         """A point of the base, and one of the basic link, for a base that does not slide."""
-        r, d = self.rates, self.draft
+        r = self.rates
+        d = self.draft
         r.image(self.swing.link, self.swing.known)
-        hinge, base = self.known_part_end_of_leg(self.swing), self.bodies.known[self.group.base]
+        hinge = self.known_part_end_of_leg(self.swing)
+        base = self.bodies.known[self.group.base]
         end = self.mark(self.label(self.other.known, "I"))
         if end != hinge:
             root = self.bodies.known[base.root]

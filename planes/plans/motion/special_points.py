@@ -22,7 +22,11 @@ class SpecialPoint:
     """The rates of a basic link's special point, and of the link by it."""
 
     def __init__(self, r: Rates, basic: str, legs: tuple[Leg, Leg]) -> None:
-        self.rates, self.bodies, self.draft, self.basic, self.legs = r, r.bodies, r.bodies.draft, basic, legs
+        self.rates = r
+        self.bodies = r.bodies
+        self.draft = r.bodies.draft
+        self.basic = basic
+        self.legs = legs
         name = r.bodies.special_point_name(basic)
         self.spot = BodyPoint(name, name)
 
@@ -40,9 +44,11 @@ class SpecialPoint:
 
     def terms_to_special_point(self, leg: Leg) -> tuple[Term, ...]:
         """The terms from the pole through the lead's support to S; both tangential components are one."""
-        r, s = self.rates, self.spot.name
+        r = self.rates
+        s = self.spot.name
         *known, last = r.terms_to_new_point(leg)
-        symbol, part = s + leg.symbol.removeprefix((leg.spot or leg.new).name), split_value_name(last.name)[2]
+        symbol = s + leg.symbol.removeprefix((leg.spot or leg.new).name)
+        part = split_value_name(last.name)[2]
         if r.is_acceleration_plan:
             known.append(self.lay_off_normal_acceleration(leg, last.start))
         name = f"{r.letter}{symbol}" + (f"^{part}" if part else "")
@@ -50,7 +56,9 @@ class SpecialPoint:
 
     def lay_off_normal_acceleration(self, leg: Leg, start: str) -> Term:
         """The normal acceleration of S about the lead's point, ω² l, laid off from ``start``."""
-        s, new, d = self.spot.place, leg.new, self.draft
+        s = self.spot.place
+        new = leg.new
+        d = self.draft
         length = d.measure_segment(f"l_{s}{new.place}", scheme_mark(s), scheme_mark(new.place))
         name = f"a_{s}{new.name}"
         value = d.add_product(f"{name}^n", **{f"omega_{self.basic}": 2, length: 1})
@@ -61,7 +69,8 @@ class SpecialPoint:
 
     def leg_about_special_point(self, new: BodyPoint) -> Leg:
         """The motion of another point of the basic link about S."""
-        s, d = self.spot, self.draft
+        s = self.spot
+        d = self.draft
         ray = d.direction_between_marks(SCHEME_PLAN, s.place, new.place)
         length = d.measure_segment(f"l_{new.place}{s.place}", scheme_mark(new.place), scheme_mark(s.place))
         towards = d.direction_back_between_marks(SCHEME_PLAN, s.place, new.place)
@@ -71,7 +80,9 @@ class SpecialPoint:
     def define_link_by_points(self, new: BodyPoint) -> None:
         """From now on the basic link is known by S and another point."""
         body = self.bodies.known[self.basic]
-        body.ref, body.moving, body.rigid = (self.spot, new), new, False
+        body.ref = (self.spot, new)
+        body.moving = new
+        body.rigid = False
 
     def draw_link_by_third_lead(self, third: Leg) -> None:
         """The link's motion, by S and the lead that does not meet there."""
@@ -87,7 +98,8 @@ class SpecialPoint:
         r = self.rates
         for leg in self.legs:
             r.image(self.basic, leg.new)
-            last, end = r.terms_to_new_point(leg)[-1], r.label(leg.new.name)
+            last = r.terms_to_new_point(leg)[-1]
+            end = r.label(leg.new.name)
             self.draft.measure_segment(
                 last.name, full_mark_name(r.plan, last.start), full_mark_name(r.plan, end), last.direction
             )

@@ -31,7 +31,8 @@ class Aside:
         """The mark of a point of the link."""
         if point == self.base:
             return self.start
-        b, ends = self.bodies, (OwnPlace(self.link.name, self.base), OwnPlace(self.link.name, point))
+        b = self.bodies
+        ends = (OwnPlace(self.link.name, self.base), OwnPlace(self.link.name, point))
         way = b.draft.draw_turned_direction(
             f"→{self.base}{point}",
             self.axis,
@@ -49,7 +50,8 @@ class Aside:
 def aside_of_drive(b: Bodies, g: Group, start: str = "") -> Aside:
     """The link of a drive that is on the frame: about its hinge (from ``start``, where that does not exist yet), or by
     its guide."""
-    pair, link = g.held_link_first_with_pairs[0][1], b.mechanism.link(g.held_link)
+    pair = g.held_link_first_with_pairs[0][1]
+    link = b.mechanism.link(g.held_link)
     if pair.kind == "R":
         axis = b.draft.draw_direction_at_angle("→", 0.0, Meaning("given", link.name))
         return Aside(b, link, pair.point, start or full_mark_name(SCHEME_PLAN, pair.point), axis, pair.point)
@@ -64,12 +66,12 @@ def aside_of_drive(b: Bodies, g: Group, start: str = "") -> Aside:
 
 def marks_after_motor_turn(aside: Aside, motor: Pair, hinge: str) -> tuple[str, str]:
     """Marks of a motor and of the hinge of the driven link: the second link is turned by the drive's angle."""
-    b, first, second = (
-        aside.bodies,
-        aside.link.name,
-        aside.bodies.mechanism.link(motor.other_link_of_pair(aside.link.name)),
-    )
-    d, drive, elbow = b.draft, b.mechanism.drive, aside.mark_of_point(motor.point)
+    b = aside.bodies
+    first = aside.link.name
+    second = b.mechanism.link(motor.other_link_of_pair(aside.link.name))
+    d = b.draft
+    drive = b.mechanism.drive
+    elbow = aside.mark_of_point(motor.point)
     turn = d.add_given(drive.coordinate_name, drive.position)
     if drive.link == first:
         turn = d.add_product(f"-{turn}", -1.0, **{turn: 1})
@@ -81,7 +83,9 @@ def marks_after_motor_turn(aside: Aside, motor: Pair, hinge: str) -> tuple[str, 
 
 def hinge_mark_by_cylinder(aside: Aside, pair: Pair, hinge: str) -> str:
     """The mark of the hinge of the driven link: a cylinder leads to it by its length."""
-    b, d, carries = aside.bodies, aside.bodies.draft, aside.link.name == pair.other
+    b = aside.bodies
+    d = b.draft
+    carries = aside.link.name == pair.other
     ends = (aside.base, hinge) if carries else (hinge, aside.base)
     reach, across = cylinder_distance_names(b, pair, ends)
     line = b.guide_direction_from_axis(pair, aside.link.name, aside.axis)
@@ -93,9 +97,13 @@ def hinge_mark_by_cylinder(aside: Aside, pair: Pair, hinge: str) -> str:
 def cylinder_distance_names(b: Bodies, pair: Pair, ends: tuple[str, str]) -> tuple[str, str | None]:
     """The distances between points of a cylinder, of the guide's link and of the slider, along the guide and across it
     (None: zero): names of values, SI."""
-    d, carrier, slider = b.draft, b.mechanism.link(pair.other), b.mechanism.link(pair.link)
-    guide, origin = carrier.guides[pair.guide], OwnPlace(carrier.name, guide=pair.guide)
-    foot, pin = OwnPlace(slider.name, slider.first_point), OwnPlace(slider.name, ends[1])
+    d = b.draft
+    carrier = b.mechanism.link(pair.other)
+    slider = b.mechanism.link(pair.link)
+    guide = carrier.guides[pair.guide]
+    origin = OwnPlace(carrier.name, guide=pair.guide)
+    foot = OwnPlace(slider.name, slider.first_point)
+    pin = OwnPlace(slider.name, ends[1])
     more = dimension_difference(
         dimension_by_way(
             b.link_dimensions, "along", foot, pin, -dimension_by_way(b.link_dimensions, "lean", slider.name)

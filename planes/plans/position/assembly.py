@@ -25,7 +25,8 @@ OFFERED_PLACE_DECIMALS = 12  # of a place offered to the user, m: the rest is ro
 
 def choose_assembly_sides(b: Bodies) -> None:
     """Set every side in the draft's givens; :class:`SceneError` where the scene does not settle which is meant."""
-    draft, mechanism = b.draft, b.mechanism
+    draft = b.draft
+    mechanism = b.mechanism
     program = Program(tuple(draft.steps.values()))
     for choice in b.choices:
         if isinstance(choice, TrackChoice):
@@ -59,10 +60,8 @@ def _side_selected(b: Bodies, program: Program, choice: AssemblyChoice, key: str
 
 def _scene_assembly_entries(choice: AssemblyChoice, mechanism: Mechanism) -> list[tuple[str, Assembly]]:
     """The entry of this group in the scene: under its own key, or ``near`` under any point of it."""
-    points, hinges = (
-        _points_moving_with_choice(choice.group, mechanism),
-        {pair.point for pair in choice.group.inner_pairs},
-    )
+    points = _points_moving_with_choice(choice.group, mechanism)
+    hinges = {pair.point for pair in choice.group.inner_pairs}
     return [
         (key, said)
         for key, said in mechanism.assembly.items()
@@ -94,7 +93,8 @@ def _point_places_by_side(
 
 
 def _side_nearer_to_place(b: Bodies, program: Program, choice: AssemblyChoice, key: str, near: complex) -> float:
-    point, line = _deciding_point(b, choice, key), b.mechanism.where.get(("assembly", key))
+    point = _deciding_point(b, choice, key)
+    line = b.mechanism.where.get(("assembly", key))
     places = _point_places_by_side(b, program, choice, point)
     if not places:
         try:
@@ -117,7 +117,9 @@ def _deciding_point(b: Bodies, choice: AssemblyChoice, key: str) -> str:
 
 def _missing_choice_question(b: Bodies, program: Program, choice: AssemblyChoice) -> Phrase:
     """The missing choice, and the words that make it, to be added to an existing assembly."""
-    more, g, words = bool(b.mechanism.assembly), choice.group, ASSEMBLY_WORDS_BY_KIND[choice.group.kind]
+    more = bool(b.mechanism.assembly)
+    g = choice.group
+    words = ASSEMBLY_WORDS_BY_KIND[choice.group.kind]
     own, placed = ("assembly_more", "assembly_more_at") if more else ("assembly_offer", "assembly_offer_at")
     offers = [Phrase(own, key=choice.key, word=word) for word in words]
     if g.kind != 3 and choice.placed:

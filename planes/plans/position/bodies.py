@@ -134,7 +134,8 @@ class Bodies:
         """The label of a point on the velocity and acceleration plans: its small letters, unless another point has
         them."""
         if name not in self.labels:
-            label, taken = name.lower(), {POLE_LABEL, *self.labels.values()}
+            label = name.lower()
+            taken = {POLE_LABEL, *self.labels.values()}
             while label in taken:
                 label = name if label == name.lower() != name else label + "_"
             self.labels[name] = label
@@ -151,7 +152,8 @@ class Bodies:
         if body.rigid and body.ref:
             one, two = (scheme_mark(s.place) for s in body.ref)
             return self.mark_by_similarity(scheme_mark(label), body, label, p, (one, two), means)
-        base, d = body.base.place, self.draft
+        base = body.base.place
+        d = self.draft
         way = direction_between_points(self.link_dimensions, OwnPlace(p.link, base), p)
         ray = d.draw_turned_direction(f"{base}{label}", body.axis, way, Meaning("along", base, label))
         d.rays[SCHEME_PLAN, base, label] = ray
@@ -213,7 +215,9 @@ class Bodies:
 
     def guide_direction_from_axis(self, pair: Pair, link: str, axis: str) -> str:
         """The direction of the pair's guide from the x axis of ``link``, one of the pair."""
-        name, means, given = f"∥{pair.guide}", Meaning("along", pair.guide), Meaning("angle", pair.guide, link=link)
+        name = f"∥{pair.guide}"
+        means = Meaning("along", pair.guide)
+        given = Meaning("angle", pair.guide, link=link)
         angle = self.guide_angle_in_link(pair, link)
         if link == pair.link:
             return self.draft.draw_turned_direction(name, axis, angle, means)
@@ -270,5 +274,6 @@ class Bodies:
         if offset is None:
             return first
         direction = self.guide_direction_from_axis(pair, pair.link, body.axis)
-        label, means = f"{body.link.first_point}⊥{pair.guide}", Meaning("foot", pair.guide, body.link.first_point)
+        label = f"{body.link.first_point}⊥{pair.guide}"
+        means = Meaning("foot", pair.guide, body.link.first_point)
         return self.shifted_mark(label, means, first, direction, -offset)

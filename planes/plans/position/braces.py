@@ -34,17 +34,21 @@ def place_braced(b: Bodies, g: Group) -> None:
 def _draw_braced_hinge_aside(aside: Aside, g: Group, drive: Pair, brace: Brace) -> tuple[str, str, BraceReach]:
     """The braced hinge and that of the driven link, drawn aside: two arcs meet at the cylinder's far hinge."""
     b, second = aside.bodies, link_with_two_hinges(aside.bodies, drive.link, drive.point, brace.far.point)
-    d, (hinge, motor, near, far) = b.draft, (p.point for p in (g.inner, drive, brace.near, brace.far))
+    d = b.draft
+    hinge, motor, near, far = (p.point for p in (g.inner, drive, brace.near, brace.far))
     ends = (near, far) if brace.near.link == brace.slide.other else (far, near)
-    elbow, other_end = aside.mark_of_point(motor), aside.mark_of_point(near)
+    elbow = aside.mark_of_point(motor)
+    other_end = aside.mark_of_point(near)
     reach, offset, length = cylinder_distances_from_aside(aside, brace.slide, ends, near)
     way = d.add_step(SenseOf(f"way_{brace.slide.guide}", reach))
-    one, other = (second.name, elbow, b.given_distance(second, motor, far)), (brace.far.link, other_end, length)
+    one = (second.name, elbow, b.given_distance(second, motor, far))
+    other = (brace.far.link, other_end, length)
     one, other = sorted((one, other), key=lambda arc: [*b.mechanism.links].index(arc[0]))
     shape = Group((one[0], other[0]), 1, second.name, brace.far.link, brace.far, drive, brace.near)
     side = d.add_given(f"side_{far}", 1.0)
     b.choices.append(AssemblyChoice(side, far, shape, False))
-    helper, pinned = Meaning("guide", motor), scheme_mark(f"{far}°{aside.tag}")
+    helper = Meaning("guide", motor)
+    pinned = scheme_mark(f"{far}°{aside.tag}")
     pin = d.add_step(CrossArcs(pinned, one[1], one[2], other[1], other[2], mu_name(SCHEME_PLAN), side, means=helper))
     end = pin
     if hinge != far:
@@ -58,11 +62,14 @@ def far_link_relative_rate(b: Bodies, plan: str, name: str, drive: str, omega: s
     """The angular velocity of the far link relative to the near one, from the ``drive``'s rate on a plan; for
     accelerations from ``omega`` too."""
     g = next(g for g in b.structure.class_two_groups if g.brace)
-    r, d, brace = b.reach, b.draft, g.brace
+    r = b.reach
+    d = b.draft
+    brace = g.brace
     assert r and brace and g.drive
     outwards = r.offset or brace.far.link == brace.slide.link  # the line of the arm points to the far hinge
     arm, along = _cylinder_arm_and_foot(b, g.drive, brace, r.offset)
-    sign, way = (1.0 if outwards else -1.0), (arm, -1)
+    sign = 1.0 if outwards else -1.0
+    way = (arm, -1)
     grows = ((r.reach, 1), (r.length, -1)) if r.offset else ()
     if plan != "acceleration":
         return d.add_product(name, sign, **dict([(drive, 1), *grows, way]))
@@ -79,8 +86,11 @@ def far_link_relative_rate(b: Bodies, plan: str, name: str, drive: str, omega: s
 
 def _cylinder_arm_and_foot(b: Bodies, drive: Pair, brace: Brace, offset: bool) -> tuple[str, str]:
     """The arm of the cylinder's line about the braced hinge, and the distance of its foot from the far hinge."""
-    d, near, far = b.draft, brace.near.point, brace.far.point
+    d = b.draft
+    near = brace.near.point
+    far = brace.far.point
     line = d.direction_between_marks(SCHEME_PLAN, near, far) if offset else f"∥{brace.slide.guide}"
-    pin, hinge = scheme_mark(far), scheme_mark(drive.point)
+    pin = scheme_mark(far)
+    hinge = scheme_mark(drive.point)
     arm = d.add_step(Drop(f"h_{near}{far}", pin, line, hinge, mu_name(SCHEME_PLAN)))
     return arm, d.measure_segment(f"d_{near}{far}", hinge, pin, line)

@@ -60,7 +60,10 @@ class _Way:
     """The path of one assembly."""
 
     def __init__(self, ties: Ties, start: float, pose: Pose, size: float, turning: bool) -> None:
-        self.ties, self.size, self.ar, self.turning = ties, size, Arithmetic(), turning
+        self.ties = ties
+        self.size = size
+        self.ar = Arithmetic()
+        self.turning = turning
         self.home = pose[0]
         self.step = DRIVE_STEP_DEG if turning else size / 90.0
         self.start, sharpness = self.settle_predicted_pose(start, ties(start), pose)
@@ -88,7 +91,8 @@ class _Way:
 
     def poses_on_one_side(self, way: float, reach: float) -> list[Waypoint]:
         """The poses to one side, the start first, as far as the assembly exists or ``reach``."""
-        spots, step = [self.start], self.step
+        spots = [self.start]
+        step = self.step
         while (gone := abs(spots[-1].value - self.start.value)) < reach and step > self.step * 2.0**-STEP_HALVINGS:
             value = spots[-1].value + way * min(step, reach - gone)
             waypoint = self.find_pose_at(value, _extrapolate_pose(spots, value)) if value != spots[-1].value else None
@@ -121,7 +125,8 @@ def _extrapolate_pose(spots: Sequence[Waypoint], value: float) -> Pose:
 def _interpolate_pose(one: Waypoint, two: Waypoint, value: float) -> Pose:
     """The linear interpolation between two poses."""
     part = (value - one.value) / (two.value - one.value)
-    (p, *before), (q, *after) = one.pose, two.pose
+    p, *before = one.pose
+    q, *after = two.pose
     axes = (u * cmath.exp(1j * cmath.phase(w / u) * part) for u, w in zip(before, after, strict=True))
     return p + (q - p) * part, *axes
 
@@ -148,9 +153,11 @@ def follow_branch(ties: Ties, start: float, pose: Pose, size: float, turning: bo
 
 def _fit_branch_series(way: _Way, spots: list[Waypoint], count: int) -> Branch | None:
     """The series with so many terms, through as many poses on the path."""
-    low, high = spots[0].value, spots[-1].value
+    low = spots[0].value
+    high = spots[-1].value
     values = [s.value for s in spots]
-    places, turns = list[complex](), [list[float]() for _ in way.start.pose[1:]]
+    places = list[complex]()
+    turns = [list[float]() for _ in way.start.pose[1:]]
     for j in range(count):  # from the highest position of the drive down
         tau = math.pi * (1 - math.cos(math.pi * (j + 0.5) / count)) / 2
         value = (low + high) / 2 + (high - low) / 2 * math.cos(tau)

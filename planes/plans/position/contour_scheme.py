@@ -48,9 +48,13 @@ class _Aside:
     """The auxiliary figure: its base level, about the base's outer hinge."""
 
     def __init__(self, b: Bodies, g: Contour) -> None:
-        self.bodies, self.group, self.draft = b, g, b.draft
-        self.base, self.basic = b.mechanism.links[g.base], b.mechanism.links[g.basic]
-        self.pivot, self.outer = g.outer[0].point, g.outer[1]
+        self.bodies = b
+        self.group = g
+        self.draft = b.draft
+        self.base = b.mechanism.links[g.base]
+        self.basic = b.mechanism.links[g.basic]
+        self.pivot = g.outer[0].point
+        self.outer = g.outer[1]
         self.level = self.draft.draw_direction_at_angle("→", 0.0, Meaning("given", g.base))
         self.like: tuple[str, str] = ("", "")  # marks of the figure and their places, each from the pivot
 
@@ -65,7 +69,10 @@ class _Aside:
 
     def lead_tie_from_base(self, lead: Lead) -> Hold:
         """The tie of a lead from the base, which is drawn level about its outer hinge, on the basic link."""
-        b, d, outer, inner = self.bodies, self.draft, lead.outer, lead.inner
+        b = self.bodies
+        d = self.draft
+        outer = lead.outer
+        inner = lead.inner
         if outer.kind == "P":
             across = dimension_difference(
                 b.point_offset_from_guide(outer, lead.link, inner.point),
@@ -74,7 +81,8 @@ class _Aside:
             beside = Meaning("offset", inner.point, self.pivot)
             offset = "" if across is None else d.add_computed_given(f"e_{inner.point}{self.pivot}", across, beside)
             given = Meaning("angle", outer.guide, link=self.base.name)
-            name, angle = f"∥{outer.guide}°", b.guide_angle_in_link(outer, self.base.name)
+            name = f"∥{outer.guide}°"
+            angle = b.guide_angle_in_link(outer, self.base.name)
             along = d.draw_turned_direction(name, self.level, angle, Meaning("along", outer.guide), given)
             return Hold("line", point_place_on_link(b, self.basic, inner.point), scheme_mark(self.pivot), offset, along)
         p = outer.point
@@ -88,11 +96,15 @@ class _Aside:
 
     def support_tie_on_base(self) -> Hold:
         """The tie of the group's support on the basic link, relative to the base."""
-        b, d, name, pivot = self.bodies, self.draft, self.basic.name, scheme_mark(self.pivot)
+        b = self.bodies
+        d = self.draft
+        name = self.basic.name
+        pivot = scheme_mark(self.pivot)
         if self.outer.kind == "R":
             apart = d.measure_segment(f"l_{self.pivot}{self.outer.point}", pivot, scheme_mark(self.outer.point))
             return Hold("arc", point_place_on_link(b, self.basic, self.outer.point), pivot, apart)
-        first, guide = self.basic.first_point, self.outer.guide
+        first = self.basic.first_point
+        guide = self.outer.guide
         start, self.along = line_of_point_in_pair(b, self.outer, name, first)
         means = Meaning("offset", self.pivot, first)
         off = d.add_step(
@@ -103,17 +115,20 @@ class _Aside:
 
     def draw_basic_link_by_cut(self, key: str, cut: Cut) -> None:
         """The basic link of the auxiliary figure, and the rotation of the figure."""
-        d, b = self.draft, self.bodies
+        d = self.draft
+        b = self.bodies
         ends = (key, self.outer.point) if self.outer.kind == "R" else (key,)
         for p in ends:
             d.add_step(CutTrack(self.mark(p), point_place_on_link(b, self.basic, p), *cut, means=Meaning("guide", p)))
         if self.outer.kind == "R":
             self.like = self.mark(self.outer.point), scheme_mark(self.outer.point)
             return
-        axis, guide = self.basic_link_axis(key, cut), self.outer.guide
+        axis = self.basic_link_axis(key, cut)
+        guide = self.outer.guide
         turned = b.guide_angle_in_link(self.outer, self.basic.name)
         aside = d.draw_turned_direction(f"∥{guide}°", axis, turned, Meaning("along", guide))
-        helper, start = Meaning("guide", guide), scheme_mark(self.pivot)
+        helper = Meaning("guide", guide)
+        start = scheme_mark(self.pivot)
         marks = ((f"{guide}°{self.pivot}", aside), (f"{guide}′{self.pivot}", self.along))
         one, two = (
             d.lay_off(SCHEME_PLAN, label, start, way, self.transfer_length_name(), helper) for label, way in marks
@@ -122,7 +137,8 @@ class _Aside:
 
     def basic_link_axis(self, key: str, cut: Cut) -> str:
         """The basic link's axis in the auxiliary figure."""
-        own, name = Meaning("own", self.basic.name), f"x_{self.basic.name}°"
+        own = Meaning("own", self.basic.name)
+        name = f"x_{self.basic.name}°"
         return self.draft.add_step(CutTurn(name, point_place_on_link(self.bodies, self.basic, key), *cut, means=own))
 
     def transfer_mark_to_true_place(self, label: str, aside: str, means: Meaning | None = None) -> str:
@@ -154,7 +170,9 @@ class _Aside:
 
     def draw_basic_link_in_place(self, key: str, cut: Cut) -> None:
         """The basic link, by its outer hinge and another point, by its axis, or on its guide."""
-        b, name, hinge = self.bodies, self.basic.name, self.outer.point
+        b = self.bodies
+        name = self.basic.name
+        hinge = self.outer.point
         if key != hinge:
             self.transfer_mark_to_true_place(key, self.mark(key))
         if self.outer.kind == "P":

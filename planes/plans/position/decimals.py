@@ -33,7 +33,8 @@ class _Place:
         return _Place(self.real * z.real - self.imag * z.imag, self.real * z.imag + self.imag * z.real)
 
     def __truediv__(self, z: "_Place") -> "_Place":
-        up, square = self * _Place(z.real, -z.imag), z.real * z.real + z.imag * z.imag
+        up = self * _Place(z.real, -z.imag)
+        square = z.real * z.real + z.imag * z.imag
         return _Place(up.real / square, up.imag / square)
 
     def __abs__(self) -> Decimal:
@@ -46,7 +47,8 @@ class _Decimals(Arithmetic):
     def cis_deg(self, angle: Real) -> Point:
         quarter = (angle / 90).to_integral_value()
         x = (angle - 90 * quarter) * RADIANS_PER_DEGREE
-        term, parts = Decimal(1), [Decimal(0), Decimal(0)]
+        term = Decimal(1)
+        parts = [Decimal(0), Decimal(0)]
         for k in range(ANGLE_SERIES_TERMS):
             parts[k % 2] += -term if k % 4 > 1 else term
             term *= x / (k + 1)
@@ -82,10 +84,8 @@ class AsWritten(SceneDimensions):
         if not isinstance(value, complex):
             return self._decimal_of_number(value)
         if polar := self.mechanism.written.places.get(value):
-            radius, way = (
-                self._decimal_of_number(polar[0]),
-                _DECIMAL_ARITHMETIC.cis_deg(self._decimal_of_number(polar[1])),
-            )
+            radius = self._decimal_of_number(polar[0])
+            way = _DECIMAL_ARITHMETIC.cis_deg(self._decimal_of_number(polar[1]))
             return _Place(radius * way.real, radius * way.imag)
         return _Place(self._decimal_of_number(value.real), self._decimal_of_number(value.imag))
 

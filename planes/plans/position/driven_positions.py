@@ -51,7 +51,9 @@ def tie_and_drawer_of_driven_hinge(b: Bodies, g: Group, start: str = "") -> tupl
     """The drive's tie of the hinge it moves, drawn aside (from ``start``, where the fixed hinge does not exist yet);
     and the function that draws its links once the hinges exist."""
     assert g.drive
-    aside, pair, hinge = aside_of_drive(b, g, start), g.drive, g.inner.point
+    aside = aside_of_drive(b, g, start)
+    pair = g.drive
+    hinge = g.inner.point
     if pair.kind == "R":
         return tie_and_drawer_by_aside_mark(aside, g, *marks_after_motor_turn(aside, pair, hinge))
     if g.held_link_first_with_pairs[0][1].kind == "P":
@@ -61,7 +63,8 @@ def tie_and_drawer_of_driven_hinge(b: Bodies, g: Group, start: str = "") -> tupl
     reach, offset, length = cylinder_distances_from_aside(aside, pair, ends, pivot)
 
     def place() -> None:
-        means, marks = Meaning("along", pair.guide), (scheme_mark(ends[0]), scheme_mark(ends[1]))
+        means = Meaning("along", pair.guide)
+        marks = (scheme_mark(ends[0]), scheme_mark(ends[1]))
         way = b.draft.add_step(SenseOf(f"way_{pair.guide}", reach))
         line = b.draft.add_step(Touch(f"∥{pair.guide}", *marks, offset, "mu_position", way, means=means))
         ref = BodyPoint(pivot, pivot), BodyPoint(hinge, coincident_point_name(b, pair.guide, hinge, g.held_link))
@@ -75,7 +78,8 @@ def tie_and_drawer_of_driven_hinge(b: Bodies, g: Group, start: str = "") -> tupl
 
 def tie_and_drawer_by_aside_mark(aside: Aside, g: Group, motor: str, end: str) -> tuple[Way, Callable[[], None]]:
     """The same for a hinge whose mark aside is ``end``; a ``motor`` leads to it, or none."""
-    b, (_, pair) = aside.bodies, g.held_link_first_with_pairs[0]
+    b = aside.bodies
+    _, pair = g.held_link_first_with_pairs[0]
     if pair.kind == "P":
         return Way(
             end, along=b.guide_mark_and_direction(pair, pair.other_link_of_pair(g.held_link))[1]
@@ -86,7 +90,8 @@ def tie_and_drawer_by_aside_mark(aside: Aside, g: Group, motor: str, end: str) -
 
 def place_hinge_on_stopped_drive(b: Bodies, g: Group, way: Way) -> None:
     """The hinge between the stopped drive, as one link, and the link it moves."""
-    hinge, (link, pair) = g.inner.point, g.held_link_first_with_pairs[1]
+    hinge = g.inner.point
+    link, pair = g.held_link_first_with_pairs[1]
     chains = {g.held_link: chain_through_start(hinge, label_of(way.start), way.length or None, way.along or None)}
     chains[link] = chain_to_new_hinge(b, link, pair, hinge)
     one, two = (chains[x] for x in (g.links if g.kind == 1 else (g.first, g.last)))
@@ -99,12 +104,12 @@ def place_hinge_on_stopped_drive(b: Bodies, g: Group, way: Way) -> None:
 def place_sliding_drive_links(aside: Aside, g: Group, end: str, motor: str) -> None:
     """The links of a drive that slides on the frame: the auxiliary figure is shifted so that its hinge comes to
     ``end``. A ``motor`` turns the other link; a cylinder turns neither."""
-    b, pair, hinge = aside.bodies, g.drive, g.inner.point
+    b = aside.bodies
+    pair = g.drive
+    hinge = g.inner.point
     assert pair
-    mate, root = (
-        pair.other_link_of_pair(g.held_link),
-        b.known[g.held_link_first_with_pairs[0][1].other_link_of_pair(g.held_link)].root,
-    )
+    mate = pair.other_link_of_pair(g.held_link)
+    root = b.known[g.held_link_first_with_pairs[0][1].other_link_of_pair(g.held_link)].root
     b.draft.add_step(Carry(scheme_mark(aside.base), scheme_mark(hinge), end, aside.start))
     spot = BodyPoint(hinge, coincident_point_name(b, pair.guide, hinge, g.held_link))
     b.draw_missing_points(Body(aside.link, BodyPoint(aside.base, aside.base), aside.axis, root, moving=spot))
@@ -116,15 +121,19 @@ def place_sliding_drive_links(aside: Aside, g: Group, end: str, motor: str) -> N
 def place_motor_joined_links(aside: Aside, g: Group, turning: str, end: str) -> None:
     """Two links with a motor in the hinge between them, by similarity with the auxiliary figure: there the motor is at
     ``turning``, and their other hinge at ``end``."""
-    b, pivot, hinge = aside.bodies, aside.base, g.inner.point
+    b = aside.bodies
+    pivot = aside.base
+    hinge = g.inner.point
     assert g.drive
-    start, motor = scheme_mark(pivot), g.drive.point
+    start = scheme_mark(pivot)
+    motor = g.drive.point
     shape = (aside.start, turning), (aside.start, end), (start, scheme_mark(hinge))
     b.draft.add_step(Image(scheme_mark(motor), start, *shape))
     body = body_by_two_points(b, g.held_link, pivot, motor)
     b.draw_missing_points(body)
     under = BodyPoint(hinge, coincident_point_name(b, "", hinge, g.held_link))
-    body.ref, body.rigid = (BodyPoint(pivot, pivot), under), False
+    body.ref = (BodyPoint(pivot, pivot), under)
+    body.rigid = False
     b.draw_missing_points(body_by_two_points(b, g.drive.other_link_of_pair(g.held_link), motor, hinge))
 
 
@@ -133,7 +142,8 @@ def cylinder_distances_from_aside(
 ) -> tuple[str, str | None, str]:
     """The distances between a cylinder's hinges, of the guide's link and of the slider, along the guide and across it,
     and directly, from the auxiliary figure (the ``pivot`` is one of them): names of values, SI."""
-    b, d = aside.bodies, aside.bodies.draft
+    b = aside.bodies
+    d = b.draft
     reach, offset = cylinder_distance_names(b, pair, ends)
     name = f"l_{pivot}{ends[1 - ends.index(pivot)]}"
     if offset is None:

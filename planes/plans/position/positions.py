@@ -100,7 +100,9 @@ def place_slider(b: Bodies, pair: Pair, name: str, base: str, direction: str) ->
 
 
 def _place_rpr_dyad(b: Bodies, g: Group) -> None:
-    one, two, pair = g.first_outer.point, g.last_outer.point, g.inner
+    one = g.first_outer.point
+    two = g.last_outer.point
+    pair = g.inner
     offset = dimension_difference(
         b.point_offset_from_guide(pair, g.first, one), b.point_offset_from_guide(pair, g.last, two)
     )
@@ -131,7 +133,8 @@ def coincident_point_name(b: Bodies, guide: str, point: str, link: str) -> str:
 
 
 def _place_rpp_dyad(b: Bodies, g: Group) -> None:
-    hinge, point = g.first_outer.point, b.mechanism.link(g.last).first_point
+    hinge = g.first_outer.point
+    point = b.mechanism.link(g.last).first_point
     start, direction = line_of_point_in_pair(b, g.last_outer, g.last, point)
     axis = b.link_axis_from_guide(g.last_outer, g.last, direction)
     inner = b.guide_direction_from_axis(g.inner, g.last, axis)

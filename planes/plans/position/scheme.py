@@ -51,7 +51,8 @@ def has_only_fixed_hinges(b: Bodies, g: Group) -> bool:
 
 
 def _place_driver(b: Bodies) -> None:
-    drive, pair = b.mechanism.drive, b.structure.drive_pair
+    drive = b.mechanism.drive
+    pair = b.structure.drive_pair
     link = b.mechanism.links[drive.link]
     if drive.rotates:
         axis = b.draft.draw_direction_at_angle(f"x_{link.name}", drive.position, Meaning("own", link.name))
@@ -59,7 +60,8 @@ def _place_driver(b: Bodies) -> None:
         b.draw_missing_points(body)
         second = _second_driver_point(b, pair.point)
         if second:
-            body.ref, body.rigid = (body.base, BodyPoint(second, second)), True
+            body.ref = (body.base, BodyPoint(second, second))
+            body.rigid = True
         return
     mark, direction = b.guide_mark_and_direction(pair, FRAME)
     first = link.first_point

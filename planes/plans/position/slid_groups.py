@@ -28,7 +28,9 @@ def place_slid_triad(b: Bodies, g: Triad) -> None:
     """Draw the basic link, of known direction, where its other leads reach it, and the leads."""
     *leads, slid = g.leads_sliding_last
     b.leads[g.basic] = (*leads, slid)
-    outer, inner, link = slid.outer, slid.inner, b.mechanism.links[g.basic]
+    outer = slid.outer
+    inner = slid.inner
+    link = b.mechanism.links[g.basic]
     mate = b.known[outer.other_link_of_pair(slid.link)]
     along = b.guide_direction_from_axis(outer, mate.link.name, mate.axis)
     way = b.guide_direction_from_axis(inner, slid.link, b.link_axis_from_guide(outer, slid.link, along))
@@ -48,9 +50,11 @@ def place_slid_triad(b: Bodies, g: Triad) -> None:
 
 def _leg_to_basic_link(b: Bodies, basic: str, lead: Lead, key: str, axis: str) -> tuple[Term, Term]:
     """The leg of a lead to a point of the basic link whose axis is ``axis``."""
-    outer, inner = lead.outer, lead.inner
+    outer = lead.outer
+    inner = lead.inner
     if inner.kind == "P":
-        along, hinge = b.guide_direction_from_axis(inner, basic, axis), outer.point
+        along = b.guide_direction_from_axis(inner, basic, axis)
+        hinge = outer.point
         start = _mark_shifted_across_guide(
             b, inner, (basic, key), (lead.link, hinge), f"{key}°{inner.guide}", hinge, along
         )
@@ -71,22 +75,22 @@ def _mark_shifted_across_guide(
     b: Bodies, pair: Pair, one: tuple[str, str], other: tuple[str, str], label: str, start: str, along: str
 ) -> str:
     """A mark shifted across a guide by the difference of two offsets from it, each of a link's point."""
-    apart, helper = (
-        dimension_difference(b.point_offset_from_guide(pair, *one), b.point_offset_from_guide(pair, *other)),
-        Meaning("guide", pair.guide, one[1]),
-    )
+    apart = dimension_difference(b.point_offset_from_guide(pair, *one), b.point_offset_from_guide(pair, *other))
+    helper = Meaning("guide", pair.guide, one[1])
     return label_of(b.shifted_mark(label, helper, scheme_mark(start), along, apart))
 
 
 def mark_shifted_with_basic_link(b: Bodies, basic: str, start: str, hinge: str, key: str, axis: str) -> str:
     """A mark shifted by the vector from one point of the basic link to another."""
-    link, d = b.mechanism.links[basic], b.draft
+    link = b.mechanism.links[basic]
+    d = b.draft
     if link.points[hinge] == link.points[key]:
         return start
     turned = direction_between_points(b.link_dimensions, OwnPlace(basic, hinge), OwnPlace(basic, key))
     ray = d.draw_turned_direction(f"{hinge}{key}", axis, turned, Meaning("along", hinge, key))
     d.rays[SCHEME_PLAN, hinge, key] = ray
-    label, length = f"{start}°{key}", b.given_distance(link, hinge, key)
+    label = f"{start}°{key}"
+    length = b.given_distance(link, hinge, key)
     return label_of(d.lay_off(SCHEME_PLAN, label, scheme_mark(start), ray, length, Meaning("moved", start, key)))
 
 
@@ -94,10 +98,14 @@ class BaseAside:
     """The auxiliary figure with its base at the beginning of its guide."""
 
     def __init__(self, b: Bodies, g: Contour) -> None:
-        self.bodies, self.group, self.draft = b, g, b.draft
-        self.base, self.basic = b.mechanism.links[g.base], b.mechanism.links[g.basic]
+        self.bodies = b
+        self.group = g
+        self.draft = b.draft
+        self.base = b.mechanism.links[g.base]
+        self.basic = b.mechanism.links[g.basic]
         self.first = self.base.first_point
-        (self.start, self.along), self.way = line_of_point_in_pair(b, g.outer[0], g.base, self.first), ""
+        self.start, self.along = line_of_point_in_pair(b, g.outer[0], g.base, self.first)
+        self.way = ""
         self.axes = {g.base: b.link_axis_from_guide(g.outer[0], g.base, self.along)}
         mate = b.known[g.outer[1].other_link_of_pair(g.basic)]
         self.way = b.guide_direction_from_axis(g.outer[1], mate.link.name, mate.axis)
@@ -105,7 +113,9 @@ class BaseAside:
 
     def draw_base_and_basic_link(self) -> None:
         """Draw the base aside, the basic link by it, and both in place."""
-        b, d, g = self.bodies, self.draft, self.group
+        b = self.bodies
+        d = self.draft
+        g = self.group
         key = first_point_of_basic_link(b, g)
         b.leads[g.basic] = g.leads
         one, two = (self.leg_from_base_aside(lead, key) for lead in g.leads)
@@ -128,11 +138,14 @@ class BaseAside:
 
     def leg_from_base_aside(self, lead: Lead, key: str) -> tuple[Term, Term]:
         """The leg of a lead from the base to a point of the basic link, in the auxiliary figure."""
-        b, outer, inner = self.bodies, lead.outer, lead.inner
+        b = self.bodies
+        outer = lead.outer
+        inner = lead.inner
         aside = f"{key}°{self.first}"
         if outer.kind == "P":
             along = b.guide_direction_from_axis(outer, self.base.name, self.axes[self.base.name])
-            one, name = (lead.link, inner.point), f"{inner.point}°{outer.guide}′"
+            one = (lead.link, inner.point)
+            name = f"{inner.point}°{outer.guide}′"
             start = _mark_shifted_across_guide(b, outer, one, (self.base.name, self.first), name, self.start, along)
             return chain_through_start(
                 aside,
@@ -142,7 +155,8 @@ class BaseAside:
         start = self.base_point_label(outer.point)
         if inner.kind == "P":
             along = b.guide_direction_from_axis(inner, self.basic.name, self.basic_link_axis)
-            one, name = (self.basic.name, key), f"{key}°{inner.guide}′"
+            one = (self.basic.name, key)
+            name = f"{key}°{inner.guide}′"
             start = _mark_shifted_across_guide(b, inner, one, (lead.link, outer.point), name, start, along)
             return chain_through_start(aside, start, along=along)
         length = b.given_distance(b.mechanism.links[lead.link], outer.point, inner.point)
@@ -159,10 +173,13 @@ class BaseAside:
 
     def base_point_label(self, point: str) -> str:
         """The label of a point of the base in the auxiliary figure."""
-        b, d, base = self.bodies, self.draft, self.base.name
+        b = self.bodies
+        d = self.draft
+        base = self.base.name
         if point == self.first:
             return self.start
         turned = direction_between_points(b.link_dimensions, OwnPlace(base, self.first), OwnPlace(base, point))
         ray = d.draw_turned_direction(f"→{self.first}{point}", self.axes[base], turned, Meaning("given", self.first))
-        length, helper = b.given_distance(self.base, self.first, point), Meaning("guide", point)
+        length = b.given_distance(self.base, self.first, point)
+        helper = Meaning("guide", point)
         return label_of(d.lay_off(SCHEME_PLAN, f"{point}°{self.first}", scheme_mark(self.start), ray, length, helper))

@@ -38,7 +38,9 @@ class Tracks:
     """The assemblies of a higher group at the drive's position in the file."""
 
     def __init__(self, b: Bodies, program: Program, choice: TrackChoice) -> None:
-        self.bodies, self.choice, self.whole = b, choice, program
+        self.bodies = b
+        self.choice = choice
+        self.whole = program
         named = [n for h in choice.holds for n in (h.place, h.turn if h.kind == "line" else "", h.reach) if n]
         self.program = program.cut_to_names([n for n in named if n in b.draft.steps])
         self.size = greatest_distance([b.draft.given[h.local] for h in choice.holds])
@@ -90,8 +92,11 @@ class Tracks:
 
     def store_assembly(self, branch: Branch) -> None:
         """Give the program an assembly and its range."""
-        d, old, basics = self.bodies.draft, self.choice.guess, self.choice.group.basics
-        d.given[old.middle], d.given[old.half] = (branch.low + branch.high) / 2, (branch.high - branch.low) / 2
+        d = self.bodies.draft
+        old = self.choice.guess
+        basics = self.choice.group.basics
+        d.given[old.middle] = (branch.low + branch.high) / 2
+        d.given[old.half] = (branch.high - branch.low) / 2
         d.given[self.choice.side] = branch.side
         laws = [("track", basics[0], branch.places), *(("turning", *x) for x in zip(basics, branch.turns, strict=True))]
         places, *turned = (tuple(f"{what}_{basic}_{k}" for k in range(len(terms))) for what, basic, terms in laws)
@@ -112,7 +117,8 @@ class Tracks:
         self.store_assembly(branch)
         if isinstance(self.choice.group, BasicChain):
             return
-        leads, sharp = self.choice.group.leads, self.crossing_sharpness(pose)
+        leads = self.choice.group.leads
+        sharp = self.crossing_sharpness(pose)
         first = sharp.index(max(sharp))
         self.bodies.leads[self.choice.group.basic] = (*leads[first:], *leads[:first])
 
@@ -125,7 +131,8 @@ class Tracks:
             return [abs(plane.cross(pulls[i], pulls[j])) for i, j in LEAD_PAIR_ORDERS]
         if ties[2].kind == "guide":  # the basic link slides, so all its points move alike
             return [abs(plane.cross(pull, pulls[2])) for pull in pulls[:2]]
-        hinge, held = pose[0] + pose[1] * ties[2].local, [tie.held_place(*pose) for tie in ties[:2]]
+        hinge = pose[0] + pose[1] * ties[2].local
+        held = [tie.held_place(*pose) for tie in ties[:2]]
         return [abs(plane.cross(n, p - hinge)) / abs(p - hinge) for n, p in zip(pulls, held, strict=False)]
 
     def names_for_sentences(self) -> dict[str, object]:
@@ -201,7 +208,8 @@ def require_consistent_choice(
 
 def names_for_choice_sentences(b: Bodies, choice: AnyChoice) -> dict[str, object]:
     """The names of a group and of the drive's position, for sentences."""
-    g, drive = choice.group, b.mechanism.drive
+    g = choice.group
+    drive = b.mechanism.drive
     name, unit = ("φ", "°") if drive.rotates else ("s", " m")
     return {
         "level": g.level,

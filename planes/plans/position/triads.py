@@ -24,7 +24,8 @@ Cut = tuple[Holds, SeriesGuess, str, str]  # what cuts the tracks of a basic lin
 
 def place_triad(b: Bodies, g: Triad) -> None:
     """Draw the basic link where its track is cut, and the leads."""
-    d, link = b.draft, b.mechanism.links[g.basic]
+    d = b.draft
+    link = b.mechanism.links[g.basic]
     one, two, three = (tie_of_lead(b, g.basic, lead) for lead in g.leads)
     hinges = [lead.inner.point for lead in reversed(g.leads) if lead.inner.kind == "R"] or [link.first_point]
     key = hinges[0]
@@ -32,7 +33,7 @@ def place_triad(b: Bodies, g: Triad) -> None:
     for p in hinges:
         d.add_step(CutTrack(scheme_mark(p), point_place_on_link(b, link, p), *cut))
     if len(hinges) > 1:
-        b.draw_missing_points(body_by_two_points(b, g.basic, hinges[0], hinges[1]))
+        b.draw_missing_points(body_by_two_points(b, g.basic, key, hinges[1]))
     else:
         axis = d.add_step(
             CutTurn(f"x_{g.basic}", point_place_on_link(b, link, key), *cut, means=Meaning("own", g.basic))
@@ -50,11 +51,13 @@ def first_point_of_basic_link(b: Bodies, g: Contour) -> str:
 
 def cut_of_basic_link_tracks(b: Bodies, g: Tracked, key: str, holds: Holds) -> Cut:
     """The cut of a basic link's tracks, its assembly still to be chosen; ``key`` is the point that decides."""
-    d, drive = b.draft, b.mechanism.drive
+    d = b.draft
+    drive = b.mechanism.drive
     middle, half, size = (
         d.add_given(f"{what}_{g.basic}", value) for what, value in (("middle", 0.0), ("half", 1.0), ("size", 1.0))
     )
-    place, turn = d.add_given(f"track_{g.basic}_0", 0j), d.add_given(f"turning_{g.basic}_0", 0.0)
+    place = d.add_given(f"track_{g.basic}_0", 0j)
+    turn = d.add_given(f"turning_{g.basic}_0", 0.0)
     guess = SeriesGuess(drive.coordinate_name, drive.rotates, middle, half, size, (place,), ((turn,),))
     side = d.add_given(f"sense_{g.basic}", 1.0)
     b.choices.append(TrackChoice(key, g, holds, guess, side))
@@ -63,7 +66,8 @@ def cut_of_basic_link_tracks(b: Bodies, g: Tracked, key: str, holds: Holds) -> C
 
 def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
     """A lead drawn from the basic link."""
-    outer, inner = lead.outer, lead.inner
+    outer = lead.outer
+    inner = lead.inner
     if place := b.placers.get(lead):
         place()
     elif lead.pair_letters == "RR":
@@ -78,7 +82,10 @@ def place_lead(b: Bodies, basic: str, lead: Lead) -> None:
 def tie_of_lead(b: Bodies, basic: str, lead: Lead, hinge: str | None = None) -> Hold:
     """The tie of a lead on the basic link, from its outer ``hinge`` (from the auxiliary figure, where that is drawn
     aside)."""
-    d, link, outer, inner = b.draft, b.mechanism.links[basic], lead.outer, lead.inner
+    d = b.draft
+    link = b.mechanism.links[basic]
+    outer = lead.outer
+    inner = lead.inner
     place = hinge or scheme_mark(outer.point)
     if inner.kind == "R":
         local = point_place_on_link(b, link, inner.point)
@@ -135,7 +142,8 @@ def place_basic_chain(b: Bodies, g: BasicChain) -> None:
 
 def _place_basic_link(b: Bodies, g: BasicChain, k: int, pin: str, local: str, cut: Cut) -> None:
     """One basic link from its hinge, by another point where its track is cut, or along its axis."""
-    basic, link = g.basics[k], b.mechanism.links[g.basics[k]]
+    basic = g.basics[k]
+    link = b.mechanism.links[basic]
     others = [lead.inner.point for lead in g.sides[k] if lead.inner.kind == "R"]
     others += [h.point for h in g.hinges if h.has_link(basic) and h.point != pin]
     if others:

@@ -24,12 +24,14 @@ class Closings:
     its data."""
 
     def __init__(self, vectors: StatedVectors, draw: Drawer) -> None:
-        self.vectors, self._draw = vectors, draw
+        self.vectors = vectors
+        self._draw = draw
         self.closed: list[tuple[VectorEquation, Side, str, VectorState]] = []
 
     def draw_closing_equation(self, row: Row) -> None:
         """Draw an equation of vectors that are fully known, or known except for one length or direction."""
-        (equation, (one, two)), vectors = row, self.vectors
+        equation, (one, two) = row
+        vectors = self.vectors
         left = [t.name for t in one + two if not vectors.is_drawn(t.name) and not vectors.given_data(t.name).like]
         free = next((n for n in left if None in vectors.length_and_direction_names(n)), left[-1] if left else "")
         given = VectorState()

@@ -48,7 +48,8 @@ def _near_refusal(scene: Scene, key: str, name: str, sides: list[tuple[float, Wa
 
 def _directions_on_side(vectors: StatedVectors, names: list[str], side: str, sign: float) -> Ways | None:
     """The directions of these vectors on one side; None where it cannot be drawn."""
-    spans, d = {n: vectors.end_marks(n) for n in names}, vectors.draft
+    spans = {n: vectors.end_marks(n) for n in names}
+    d = vectors.draft
     program = Program(tuple(d.steps.values())).cut_to_names(m for s in spans.values() for m in s)
     given = {**d.given, **{mu_name(plan): 1.0 for plan in program.mark_steps_by_plan}, side: sign}
     try:

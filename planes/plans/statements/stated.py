@@ -44,7 +44,8 @@ class StatedPlansBuilder:
     """Draws the equations, one after another."""
 
     def __init__(self, scene: Scene, statement: Statement) -> None:
-        self.scene, self.statement = scene, statement
+        self.scene = scene
+        self.statement = statement
         self.plan_of = plans_of_equations(scene, statement)
         self.vectors = StatedVectors(statement)
         self.draft = self.vectors.draft
@@ -141,10 +142,12 @@ class StatedPlansBuilder:
         total: str | None = None,
         other: VectorEquation | None = None,
     ) -> None:
-        d, plan = self.draft, self.plan_of[equation.line, equation.text]
+        d = self.draft
+        plan = self.plan_of[equation.line, equation.text]
         alone = not total and two and len(one) == 1 and one[0].times == 1
         if alone and self.vectors.length_and_direction_names(one[0].name) == (None, None):
-            total, one = one[0].name, ()
+            total = one[0].name
+            one = ()
         plan, chains = self.chains.plan_and_chains(plan, one, two, total)
         terms = [*chains[0], *chains[1]]
         free = [t.name for t in terms if t.direction is None and t.length is not None and not t.drawn]

@@ -18,7 +18,8 @@ class Chains:
     """Lays off the terms of equations one after another; ``stated`` are the terms by their names on the plan."""
 
     def __init__(self, vectors: StatedVectors) -> None:
-        self.vectors, self.draft = vectors, vectors.draft
+        self.vectors = vectors
+        self.draft = vectors.draft
         self.labels: dict[str, set[str]] = {}
         self.plan = ""
         self.stated: dict[str, SideTerm] = {}
@@ -27,7 +28,8 @@ class Chains:
         """The plan and both chains of an equation; in a closed polygon one open vector is drawn from the far end.
         Vectors that already lie end to end on a plan are read there."""
         lying = self._known_vectors_end_to_end(one + two)
-        self.plan, self.stated = plan_of(lying[0]) if lying else plan, {}
+        self.plan = plan_of(lying[0]) if lying else plan
+        self.stated = {}
         self.labels.setdefault(self.plan, {POLE_LABEL})
         self.draft.draw_pole(self.plan)
         if lying:
@@ -96,7 +98,8 @@ class Chains:
 
     def chain_of_side(self, side: Side, start: str, target: str) -> Chain:
         """The terms of a side, known ones first, from a mark to the target, or to the end of a vector drawn before."""
-        terms, mark = list[Term](), start
+        terms = list[Term]()
+        mark = start
         ordered = sorted(side, key=self.has_unknown_part)
         for i, stated in enumerate(ordered):
             if self.vectors.given_data(stated.name).like:  # drawn from the end of the others
@@ -109,8 +112,11 @@ class Chains:
 
     def term_from_mark(self, stated: SideTerm, mark: str, target: str) -> Term:
         """A vector from a mark on: drawn before, divided or made similar there, laid off, or unknown."""
-        v, name, sign = self.vectors, stated.name, 1 if stated.times > 0 else -1
-        state, like = v.states[name], v.given_data(name).like
+        v = self.vectors
+        name = stated.name
+        sign = 1 if stated.times > 0 else -1
+        state = v.states[name]
+        like = v.given_data(name).like
         span = state.span or ("", "")
         here = full_mark_name(self.plan, mark)
         if abs(stated.times) == 1 and here == span[0 if sign > 0 else 1]:
@@ -144,7 +150,8 @@ class Chains:
 
     def _draws_by_similarity(self, stated: SideTerm, like: Similarity, mark: str, end: str) -> bool:
         """Whether a vector is drawn by similarity from a mark; otherwise its length and direction are found."""
-        v, name = self.vectors, stated.name
+        v = self.vectors
+        name = stated.name
         v.used |= {like.of, *(like.shape or ())}
         drawn = stated.times == 1 and all(map(v.is_drawn, (like.of, *(like.shape or ()))))
         ends = v.end_marks(like.of) if drawn else ("", "")

@@ -35,7 +35,8 @@ class StatedVectors:
     """The vectors and values of a statement by name; ``used`` are those that others depend on."""
 
     def __init__(self, statement: Statement) -> None:
-        self.statement, self.draft = statement, Draft()
+        self.statement = statement
+        self.draft = Draft()
         self.states: dict[str, VectorState] = {}
         self.values: dict[str, str] = {}
         self.used: set[str] = set()
@@ -141,7 +142,8 @@ class StatedVectors:
 
     def given_direction_name(self, name: str, given: VectorGiven) -> str | None:
         """The direction that a scene gives for a vector."""
-        way, d = given.direction, self.draft
+        way = given.direction
+        d = self.draft
         if way is None:
             return None
         if isinstance(way, LoadLaw):
@@ -152,8 +154,10 @@ class StatedVectors:
         self.used.add(way.vector)
         if self.given_data(way.vector).direction is None:
             self.leaned[way.vector] = name
-        base, points = self.direction_name(way.vector), scheme_points_of_vector(way.vector)
-        quarter, link = way.quarter % 4, len(points) == 2
+        base = self.direction_name(way.vector)
+        points = scheme_points_of_vector(way.vector)
+        quarter = way.quarter % 4
+        link = len(points) == 2
         if quarter in (1, 3):
             sign = "−" if quarter == 3 else ""
             return d.add_step(Turn(f"{sign}⊥{base}", base, quarter, means=Meaning("across", *points)))
@@ -165,8 +169,11 @@ class StatedVectors:
 
     def transfer_by_similarity(self, name: str, like: Similarity) -> None:
         """The length and the direction of a vector that is similar to another."""
-        state, d = self.states[name], self.draft
-        base, turn, size = self.direction_name(like.of), math.degrees(cmath.phase(like.ratio)), abs(like.ratio)
+        state = self.states[name]
+        d = self.draft
+        base = self.direction_name(like.of)
+        turn = math.degrees(cmath.phase(like.ratio))
+        size = abs(like.ratio)
         factors = {self.length_name(like.of): 1}
         if like.shape:
             one, two = like.shape

@@ -22,12 +22,16 @@ class Arch:
 
     def draw_arch_plan(self) -> dict[str, tuple[str, str]]:
         """The plan; returns the end marks of every reaction, that of the crown on the last body."""
-        one, two = self.first, self.last
-        d, plan = one.draft, one.plan
+        one = self.first
+        two = self.last
+        d = one.draft
+        plan = one.plan
         (a, across), (b, other) = (self.springing_and_cross_component(x) for x in (one, two))
         both = replace(one, forces=[across, *one.forces, *two.forces, other], chain=())
         both.lay_off_loads()
-        start, parted, end = both.chain[0].end, both.chain[len(one.forces)].end, both.chain[-1].start
+        start = both.chain[0].end
+        parted = both.chain[len(one.forces)].end
+        end = both.chain[-1].start
         x = vector_end_label(f"{b.name}^n")
         last = Term(f"{b.name}^n", both.reached, x, None, self.line_of_both_hinges(b), f"∥{b.point}{self.crown.point}")
         back = Term(
@@ -48,11 +52,9 @@ class Arch:
     def springing_and_cross_component(self, body: FreeBody) -> tuple[Support, Force]:
         """A body's hinge on the ground, and the component of its reaction across the line of both hinges."""
         s = next(s for s in body.supports if s.unknown_count == 2 and s.point != self.crown.point)
-        name, along, spot = (
-            f"{s.name}^t",
-            body.draft.draw_perpendicular(self.line_of_both_hinges(s)),
-            body.place_of_support(s),
-        )
+        name = f"{s.name}^t"
+        along = body.draft.draw_perpendicular(self.line_of_both_hinges(s))
+        spot = body.place_of_support(s)
         crown = full_mark_name(SCHEME_PLAN, self.crown.point)
         body.unknown_by_moments(crown, name, body.arm_about_mark(name, spot, along, crown))
         return s, Force(name, body.name, name, along, spot, "tangential")

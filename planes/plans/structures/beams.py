@@ -27,7 +27,8 @@ class StraightBeam:
     @property
     def axis_vector(self) -> complex:
         """The vector from the hinge to the point of the other support."""
-        anchor, (line,) = self.body.hinge_or_clamp, self.body.supports_with_known_lines
+        anchor = self.body.hinge_or_clamp
+        (line,) = self.body.supports_with_known_lines
         assert anchor
         return self.framework.points[line.point] - self.framework.points[anchor.point]
 
@@ -43,7 +44,8 @@ class StraightBeam:
 
     def is_straight_beam(self, ways: list[complex]) -> bool:
         """Whether it is a beam: its points on one line, and all forces, by their ``ways``, across it."""
-        anchor, points = self.body.hinge_or_clamp, self.framework.points
+        anchor = self.body.hinge_or_clamp
+        points = self.framework.points
         assert anchor
         own = [points[p] - points[anchor.point] for p in self.framework.bodies[self.body.name]]
         level = all(abs((z / self.axis_vector).imag) <= MOST_SQUARE_LOAD_COSINE for z in own)
@@ -55,10 +57,13 @@ class StraightBeam:
         self, polygon: StringPolygon, closing: str, x: str
     ) -> tuple[list[Moment], list[Shear]]:
         """Bending moments by points, and shear forces by pairs of points."""
-        b, d, anchor = self.body, self.body.draft, self.body.hinge_or_clamp
+        b = self.body
+        d = b.draft
+        anchor = b.hinge_or_clamp
         assert anchor
         axis = d.direction_between_marks(SCHEME_PLAN, anchor.point, b.supports_with_known_lines[0].point)
-        knots, ends = polygon.knots, [POLE_LABEL, *(t.end for t in b.chain)]
+        knots = polygon.knots
+        ends = [POLE_LABEL, *(t.end for t in b.chain)]
         bases = [
             (POLE_LABEL, polygon.rays[0], knots[0]),
             (x, closing, knots[0]),
@@ -75,7 +80,8 @@ class StraightBeam:
         for one, other in pairwise(stops):
             if not self.has_distributed_load_between(one, other):
                 middle = self.middle_distance_along(one, other)
-                base, end = bases[self.beam_part_at(middle)][0], ends[self.loads_before_place(middle)]
+                base = bases[self.beam_part_at(middle)][0]
+                end = ends[self.loads_before_place(middle)]
                 name = f"Q_{one}{other}"
                 shears.append(
                     (
@@ -90,15 +96,16 @@ class StraightBeam:
 
     def bending_moment_at_point(self, point: str, polygon: StringPolygon, bases: list[Shear], axis: str) -> str:
         """The bending moment at a point: the pole distance times the ordinate between base and string."""
-        b, d, where = self.body, self.body.draft, self.relative_distance_along(self.framework.points[point])
-        pole, across = (
-            d.measure_segment(
-                "N_H", full_mark_name(b.plan, STRING_POLE_LETTER), full_mark_name(b.plan, POLE_LABEL), axis
-            ),
-            d.draw_perpendicular(axis),
+        b = self.body
+        d = b.draft
+        where = self.relative_distance_along(self.framework.points[point])
+        pole = d.measure_segment(
+            "N_H", full_mark_name(b.plan, STRING_POLE_LETTER), full_mark_name(b.plan, POLE_LABEL), axis
         )
+        across = d.draw_perpendicular(axis)
         _, ray, knot = bases[self.beam_part_at(where)]
-        passed, spot = self.loads_before_place(where), full_mark_name(SCHEME_PLAN, point)
+        passed = self.loads_before_place(where)
+        spot = full_mark_name(SCHEME_PLAN, point)
         marks = []
         for k, through, line in (("·", knot, ray), ("··", polygon.knots[passed], polygon.rays[passed])):
             mark = b.unused_mark(f"{point}{k}")

@@ -71,7 +71,8 @@ class FrameworkBuilder(StatedLoads):
     @cached_property
     def shared_hinges(self) -> dict[str, tuple[str, str]]:
         """The points two bodies share."""
-        bodies, hinges = self.framework.bodies, dict[str, tuple[str, str]]()
+        bodies = self.framework.bodies
+        hinges = dict[str, tuple[str, str]]()
         for point in self.framework.points:
             owners = [name for name, points in bodies.items() if point in points]
             if len(owners) > 2:
@@ -161,7 +162,9 @@ class FrameworkBuilder(StatedLoads):
 
     def reaction_on_body(self, s: Support, body: str, size: str, beside: str = "") -> Force:
         """A known reaction, as a force on a body: ``beside`` is the suffix of its name where it is reversed."""
-        d, (start, end), name = self.draft, self.spans[s.name], s.name + beside
+        d = self.draft
+        start, end = self.spans[s.name]
+        name = s.name + beside
         means, ends = (Meaning("against", s.name), (end, start)) if beside else (Meaning("with", s.name), (start, end))
         along = d.draw_direction_through_marks(f"→{name}", *ends, means)
         return Force(
@@ -193,7 +196,8 @@ class FrameworkBuilder(StatedLoads):
 
     def record_of_plans(self) -> Plans:
         """The record of the drawing."""
-        d, f = self.draft, self.framework
+        d = self.draft
+        f = self.framework
         self.figure.counted = tuple(self.determinacy_explanation())
         mechanism = replace(framework_as_mechanism(f, self.scene.drive or STANDING_DRIVE), where=self.scene.where)
         acting = {name: self.forces.get(name, []) for name in (*mechanism.links, *f.bodies)}
@@ -239,7 +243,9 @@ class FrameworkBuilder(StatedLoads):
 
     def require_rope_tension(self, s: Support) -> None:
         """Hold a rope to pulling in every position."""
-        d, (start, end) = self.draft, self.spans[s.name]
-        plan, along = plan_of(start), d.direction_between_marks(SCHEME_PLAN, s.point, s.to)
+        d = self.draft
+        start, end = self.spans[s.name]
+        plan = plan_of(start)
+        along = d.direction_between_marks(SCHEME_PLAN, s.point, s.to)
         beside = tuple(name for name, step in d.steps.items() if step.kind == "mark" and plan_of(name) == plan)
         d.add_step(Pull(f"pull_{s.point}{s.to}", start, end, along, mu_name(plan), s.point + s.to, beside))

@@ -52,7 +52,9 @@ class CremonaPlan:
         """The external forces head to tail, clockwise around the truss; the last one closes the polygon."""
         self.draft.draw_pole(CREMONA_PLAN)
         for f in self.regions.ordered:
-            force, (start, end) = self.outer[f.name], (self.regions.before[f.name], self.regions.after[f.name])
+            force = self.outer[f.name]
+            start = self.regions.before[f.name]
+            end = self.regions.after[f.name]
             if f is not self.regions.ordered[-1]:
                 self.draft.lay_off_known_vector(
                     CREMONA_PLAN, Term(f.name, start, end, force.size, force.along, means=force.meaning_of_mark)
@@ -150,7 +152,8 @@ class CremonaPlan:
         """Every member's force by its name, tension positive."""
         forces = {}
         for a, b in self.framework.members:
-            name, (left, right) = f"S_{a}{b}", self.regions_beside_member((a, b))
+            name = f"S_{a}{b}"
+            left, right = self.regions_beside_member((a, b))
             self.draft.name_segment(CREMONA_PLAN, left, right, name)
             along = self.draft.direction_between_marks(SCHEME_PLAN, a, b)
             forces[name] = self.draft.measure_segment(
@@ -178,7 +181,8 @@ class CremonaPlan:
     def joints_on_one_side_of_cut(self, member: Side, two: tuple[Side, ...]) -> set[str]:
         """The joints on the side of the member's first one, if the truss falls apart without these members; else
         empty."""
-        left, reached = [m for m in self.framework.members if m not in (member, *two)], {member[0]}
+        left = [m for m in self.framework.members if m not in (member, *two)]
+        reached = {member[0]}
         while more := {p for m in left if {*m} & reached for p in m} - reached:
             reached |= more
         return reached if all(len({*m} & reached) == 1 for m in (member, *two)) else set()
@@ -186,15 +190,18 @@ class CremonaPlan:
     def meeting(self, member: Side, two: tuple[Side, Side]) -> str:
         """The intersection of the lines of two cut members, if it is off the line of the first."""
         (a, b), (c, d) = two
-        u, v = self.regions.vector_between_joints(a, b), self.regions.vector_between_joints(c, d)
+        u = self.regions.vector_between_joints(a, b)
+        v = self.regions.vector_between_joints(c, d)
         shift = self.regions.vector_between_joints(a, c)
         place = self.framework.points[a] + u * (shift * v.conjugate()).imag / (u * v.conjugate()).imag
-        lever, way = place - self.framework.points[member[0]], self.regions.vector_between_joints(*member)
+        lever = place - self.framework.points[member[0]]
+        way = self.regions.vector_between_joints(*member)
         if abs((lever * way.conjugate()).imag) <= PARALLEL_MEMBERS_SINE * abs(way) ** 2:
             return ""
         if shared := {*two[0]} & {*two[1]}:
             return scheme_mark(shared.pop())
-        (along, across), label = (self.draft.direction_between_marks(SCHEME_PLAN, *m) for m in two), "R"
+        along, across = (self.draft.direction_between_marks(SCHEME_PLAN, *m) for m in two)
+        label = "R"
         while scheme_mark(label) in self.draft.steps:
             label += "′"
         return self.draft.add_step(Cross(scheme_mark(label), scheme_mark(a), along, scheme_mark(c), across))
@@ -203,9 +210,11 @@ class CremonaPlan:
         self, region: str, member: Side, other: str, about: str, part: set[str]
     ) -> None:
         """The force of a member from the moments of a part of the truss, and the region at its end."""
-        d, name = self.draft, f"S_{member[0]}{member[1]}"
+        d = self.draft
+        name = f"S_{member[0]}{member[1]}"
         along = d.direction_between_marks(SCHEME_PLAN, *member)
-        lever, terms = d.draw_arm(name, scheme_mark(member[0]), along, about), MomentTerms()
+        lever = d.draw_arm(name, scheme_mark(member[0]), along, about)
+        terms = MomentTerms()
         for f in (f for f in self.regions.forces if f.joint in part and scheme_mark(f.joint) != about):
             force = self.outer[f.name]
             arm = d.draw_arm(f.name, force.point, force.along, about)

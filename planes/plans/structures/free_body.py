@@ -62,7 +62,8 @@ class FreeBody:
 
     def append_force(self, force: Force) -> None:
         """Lay off one more known force."""
-        f, end = force, vector_end_label(force.name)
+        f = force
+        end = vector_end_label(force.name)
         self.chain += (
             Term(
                 f.name, self.reached, end, f.size, f.along, self.line_of_action_text(f.along), means=f.meaning_of_mark
@@ -97,7 +98,8 @@ class FreeBody:
 
     def cross_two_reactions(self, one: Support, other: Support, along: str) -> None:
         """From the end of the polygon the ``one`` reaction, then along its line the ``other`` back to the pole."""
-        x, start = vector_end_label(one.name), self.reached
+        x = vector_end_label(one.name)
+        start = self.reached
         back = replace(self.unknown_reaction_term(other, POLE_LABEL, x, along), sign=-1)
         self.draft.lay_off_until_meeting(self.plan, self.chain, self.unknown_reaction_term(one, start, x), back)
         self.found |= {one.name: (start, x), other.name: (x, POLE_LABEL)}
@@ -124,7 +126,8 @@ class FreeBody:
     def solve_reactions_by_moments(self) -> None:
         """A clamp's couple, or the reaction of a support with a line, by moments; the rest closes the polygon."""
         self.lay_off_loads()
-        anchor, lines = self.hinge_or_clamp, self.supports_with_known_lines
+        anchor = self.hinge_or_clamp
+        lines = self.supports_with_known_lines
         if anchor is None:
             one, two, three = lines
             self.reaction_by_moments(one, self.crossing_of_reaction_lines(two, three))
@@ -173,7 +176,8 @@ class FreeBody:
     def solve_by_three_forces(self, point: str, along: str) -> None:
         """A load with a line, a support with a line, a hinge: the reaction of the hinge passes through the
         intersection."""
-        anchor, (line,) = self.hinge_or_clamp, self.supports_with_known_lines
+        anchor = self.hinge_or_clamp
+        (line,) = self.supports_with_known_lines
         assert anchor
         mark = self.crossing_of_lines("K", point, along, self.place_of_support(line), self.reaction_line(line))
         way = self.draft.direction_between_marks(SCHEME_PLAN, anchor.point, label_of(mark))
@@ -195,7 +199,8 @@ class FreeBody:
         )
         way = self.draft.direction_between_marks(SCHEME_PLAN, label_of(k), label_of(m))
         self.figure.add_line(SCHEME_PLAN, "culmann", "", k, m)
-        x, end = vector_end_label(one.name), vector_end_label(two.name)
+        x = vector_end_label(one.name)
+        end = vector_end_label(two.name)
         both = f"R_{''.join(dict.fromkeys(two.point + three.point))}"
         back = Term(both, POLE_LABEL, x, None, way, self.line_of_action_text(way), sign=-1)
         self.draft.lay_off_until_meeting(self.plan, self.chain, self.unknown_reaction_term(one, self.reached, x), back)

@@ -74,7 +74,8 @@ class Regions:
         left = dict.fromkeys(side for a, b in self.framework.members for side in ((a, b), (b, a)))
         faces = list[list[Side]]()
         while left:
-            face, side = list[Side](), next(iter(left))
+            face = list[Side]()
+            side = next(iter(left))
             while side in left:
                 face.append(side)
                 left.pop(side)
@@ -125,7 +126,9 @@ class Regions:
         self.ordered = [f for _, f in order]
         for k, f in enumerate(self.ordered):
             self.before[f.name], self.after[f.name] = region_letter(k), region_letter((k + 1) % len(order))
-        passed, start, now = {visit: self.after[f.name] for visit, f in order}, order[0][0], POLE_LABEL
+        passed = {visit: self.after[f.name] for visit, f in order}
+        start = order[0][0]
+        now = POLE_LABEL
         runs: dict[str, list[Visit]] = {}
         for k in [*range(start, len(visits)), *range(start)]:
             now = passed.get(k, now)

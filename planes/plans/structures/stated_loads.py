@@ -26,8 +26,10 @@ class StatedLoads:
     """The draft with points and loads, to which bodies, members and reactions are added."""
 
     def __init__(self, scene: Scene, framework: Framework) -> None:
-        self.scene, self.framework = scene, framework
-        self.draft, self.figure = Draft(), StaticsFigure.undrawn_figure(framework)
+        self.scene = scene
+        self.framework = framework
+        self.draft = Draft()
+        self.figure = StaticsFigure.undrawn_figure(framework)
         self.forces: dict[str, list[Force]] = {name: [] for name in framework.bodies}
         self.couples: dict[str, list[Couple]] = {name: [] for name in framework.bodies}
         self.left = list(framework.bodies)
@@ -54,7 +56,8 @@ class StatedLoads:
 
     def state_points_and_loads(self) -> None:
         """Points of the scheme, and loads at them."""
-        d, f = self.draft, self.framework
+        d = self.draft
+        f = self.framework
         d.draw_pole(SCHEME_PLAN)
         for name, z in f.points.items():
             d.draw_given_mark(SCHEME_PLAN, name, z)

@@ -34,25 +34,19 @@ class StringPolygon:
 
     def draw_rays_and_strings(self, start: str) -> None:
         """All rays, and all strings from a mark of the scheme on the first one."""
-        b, d, plan = self.body, self.body.draft, self.body.plan
-        b.figure.poles.append(full_mark_name(plan, self.pole))
-        b.figure.said.setdefault(full_mark_name(plan, self.pole), "rays")
+        b = self.body
+        d = b.draft
+        plan = b.plan
+        pole = full_mark_name(plan, self.pole)
+        b.figure.poles.append(pole)
+        b.figure.said.setdefault(pole, "rays")
         ends = [POLE_LABEL, *(t.end for t in b.chain)]
         for k, end in enumerate(ends):
             letter = "" if self.trial else str(k)
             means = Meaning("along", f"{k}{TRIAL_SUFFIX * self.trial}")
-            self.rays.append(
-                d.draw_direction_through_marks(
-                    f"∥{means.of}", full_mark_name(plan, self.pole), full_mark_name(plan, end), means
-                )
-            )
-            b.figure.add_line(
-                plan,
-                "trial" if self.trial else "ray",
-                letter,
-                full_mark_name(plan, self.pole),
-                full_mark_name(plan, end),
-            )
+            mark = full_mark_name(plan, end)
+            self.rays.append(d.draw_direction_through_marks(f"∥{means.of}", pole, mark, means))
+            b.figure.add_line(plan, "trial" if self.trial else "ray", letter, pole, mark)
         self.knots = [start]
         for k, f in enumerate(b.forces):
             if f.point == start and not k:
@@ -63,7 +57,8 @@ class StringPolygon:
 
     def draw_string_to_line(self, k: int, point: str, along: str) -> str:
         """A string from the end of the one before to a line; returns the mark there."""
-        b, letter = self.body, "" if self.trial else str(k)
+        b = self.body
+        letter = "" if self.trial else str(k)
         mark = b.unused_mark(f"{k + 1}{TRIAL_SUFFIX * self.trial}")
         knot = b.draft.add_step(Meeting(mark, self.knots[-1], self.rays[k], point, along))
         b.figure.add_line(SCHEME_PLAN, "trial" if self.trial else "string", letter, self.knots[-1], knot)
@@ -72,7 +67,8 @@ class StringPolygon:
 
     def mark_where_string_meets_line(self, k: int, point: str, along: str) -> str:
         """The mark where a string of a trial meets a line through a point."""
-        b, spot = self.body, full_mark_name(SCHEME_PLAN, point)
+        b = self.body
+        spot = full_mark_name(SCHEME_PLAN, point)
         mark = b.draft.add_step(
             Meeting(b.unused_mark(f"{point}{TRIAL_SUFFIX}"), self.knots[k], self.rays[k], spot, along)
         )
@@ -81,7 +77,8 @@ class StringPolygon:
 
     def resultant_mark_and_direction(self) -> tuple[str, str]:
         """The mark of the scheme where the outermost strings meet, and the direction of the resultant there."""
-        b, last = self.body, str(len(self.rays) - 1)
+        b = self.body
+        last = str(len(self.rays) - 1)
         mark = b.draft.add_step(Meeting(b.unused_mark("K"), self.knots[1], self.rays[0], self.knots[-1], self.rays[-1]))
         b.figure.knots.append(mark)
         b.figure.said[mark] = "outermost"
@@ -91,7 +88,9 @@ class StringPolygon:
 
     def draw_closing_line(self, line: Support) -> str:
         """The closing line from the first knot to the line of a reaction; its direction."""
-        b, d, last = self.body, self.body.draft, len(self.rays) - 1
+        b = self.body
+        d = b.draft
+        last = len(self.rays) - 1
         knot = self.draw_string_to_line(last, b.place_of_support(line), b.reaction_line(line))
         b.figure.add_line(SCHEME_PLAN, "action", "", b.place_of_support(line), knot)
         b.figure.add_line(SCHEME_PLAN, "closing", CLOSING_LINE_LETTER, self.knots[0], knot)
@@ -102,7 +101,9 @@ class StringPolygon:
 
 def lay_off_pole(b: FreeBody, pole: complex, label: str = STRING_POLE_LETTER) -> None:
     """The pole of a string polygon at a place in N from the start of the force polygon."""
-    d, size, angle = b.draft, abs(pole), math.degrees(cmath.phase(pole))
+    d = b.draft
+    size = abs(pole)
+    angle = math.degrees(cmath.phase(pole))
     along = d.draw_direction_at_angle(f"∠{label}", angle, Meaning("given", label))
     length = d.add_given(f"|p{label}|", size, Meaning("load", f"p{label}"))
     d.lay_off(b.plan, label, full_mark_name(b.plan, POLE_LABEL), along, length, Meaning("foot"))
@@ -113,9 +114,12 @@ def pole_for_strings_through(b: FreeBody, pole: complex, points: Sequence[str], 
     middle one. A trial polygon from the first point divides the loads between two points: the ray parallel to its
     closing line meets theirs at a point common to all poles, and the pole lies on the parallel through it to the line
     of both points."""
-    d, plan, first = b.draft, b.plan, full_mark_name(SCHEME_PLAN, points[0])
-    lay_off_pole(b, pole, STRING_POLE_LETTER + TRIAL_SUFFIX)
-    trial = StringPolygon(b, STRING_POLE_LETTER + TRIAL_SUFFIX, True)
+    d = b.draft
+    plan = b.plan
+    first = full_mark_name(SCHEME_PLAN, points[0])
+    letter = STRING_POLE_LETTER + TRIAL_SUFFIX
+    lay_off_pole(b, pole, letter)
+    trial = StringPolygon(b, letter, True)
     trial.draw_rays_and_strings(first)
     cuts = [0, before, len(b.forces)] if len(points) == 3 else [0, len(b.forces)]
     ends = [POLE_LABEL, *(t.end for t in b.chain)]
@@ -164,11 +168,14 @@ def resultant_at_mark(b: FreeBody, mark: str) -> str:
 def reactions_by_string_polygon(b: FreeBody) -> tuple[StringPolygon, str, str]:
     """The reactions of a hinge and a support with a line, by the closing line of the string polygon that begins at the
     hinge; returns this polygon, the direction of that line, and the label at the end of the second reaction."""
-    anchor, (line,) = b.hinge_or_clamp, b.supports_with_known_lines
+    anchor = b.hinge_or_clamp
+    (line,) = b.supports_with_known_lines
     assert anchor
     polygon = StringPolygon(b)
     polygon.draw_rays_and_strings(b.place_of_support(anchor))
-    closing, start, x = polygon.draw_closing_line(line), b.reached, vector_end_label(line.name)
+    closing = polygon.draw_closing_line(line)
+    start = b.reached
+    x = vector_end_label(line.name)
     last = str(len(polygon.rays) - 1)
     last_ray = Term(f"N_{last}", STRING_POLE_LETTER, start, drawn=True)
     parted = Term(f"N_{CLOSING_LINE_LETTER}", STRING_POLE_LETTER, x, None, closing, b.line_of_action_text(closing))
@@ -185,7 +192,9 @@ def reactions_by_string_polygon(b: FreeBody) -> tuple[StringPolygon, str, str]:
 
 def resultant_by_composition(b: FreeBody) -> tuple[str, str]:
     """The resultant of all loads, each composed with those before at the intersection of both lines."""
-    mark, along, before = b.forces[0].point, b.forces[0].along, b.chain[0]
+    mark = b.forces[0].point
+    along = b.forces[0].along
+    before = b.chain[0]
     for k, (f, term) in enumerate(zip(b.forces[1:], b.chain[1:], strict=True), 2):
         mark = b.crossing_of_lines(str(k), mark, along, f.point, f.along)
         name = "R" if k == len(b.chain) else f"R_{''.join(map(str, range(1, k + 1)))}"
@@ -205,7 +214,8 @@ def choose_sharp_pole(forces: Sequence[complex], first: complex | None, lines: S
     for force in forces:
         ends.append(ends[-1] + force)
     low, high = bounding_corners(ends)
-    size, middle = max(abs(high - low), max(map(abs, forces))), (low + high) / 2
+    size = max(abs(high - low), max(map(abs, forces)))
+    middle = (low + high) / 2
     tried = [
         middle + size * far * cmath.rect(1, math.tau * k / TRIED_POLE_DIRECTIONS)
         for far in (NEAR_POLE_DISTANCE_RATIO, FAR_POLE_DISTANCE_RATIO)

@@ -18,7 +18,8 @@ Refusal = Callable[..., SceneError]
 def check_truss(f: Framework, error: Refusal) -> None:
     """Check that a truss has as many members and reactions as its joints have equations: 2j = m + r."""
     joints = {p for m in f.members for p in m}
-    m, r = len(f.members), sum(s.unknown_count for s in f.supports)
+    m = len(f.members)
+    r = sum(s.unknown_count for s in f.supports)
     details = {"joints": len(joints), "members": m, "held": r, "count": abs(2 * len(joints) - m - r)}
     if loose := [p for p in f.points if p not in joints and p not in f.fixed]:
         raise error(Phrase("joint_loose", names=tuple(loose)), "points")

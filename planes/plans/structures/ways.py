@@ -36,7 +36,10 @@ class WayFinder:
     def __init__(
         self, scene: Scene, framework: Framework, body: FreeBody, sizes: Mapping[str, complex], turning: bool
     ) -> None:
-        self.scene, self.framework, self.body, self.turning = scene, framework, body, turning
+        self.scene = scene
+        self.framework = framework
+        self.body = body
+        self.turning = turning
         self.forces = [sizes[f.name] for f in body.forces]
         self.places = {x.name: x.place for x in framework.loads}
         self.places |= {f.name: framework.points[label_of(f.point)] for f in body.forces if f.name not in self.places}
@@ -99,7 +102,8 @@ class WayFinder:
 
     def refuse_loose_supports(self) -> None:
         """Refuse supports that do not hold: a line through the hinge, three lines through one point or all parallel."""
-        b, points = self.body, self.framework.points
+        b = self.body
+        points = self.framework.points
         if b.hinge_or_clamp and b.supports_with_known_lines:
             line = b.supports_with_known_lines[0]
             lever = points[line.point] - points[b.hinge_or_clamp.point]
@@ -112,7 +116,8 @@ class WayFinder:
 
     def unit_reaction_equation_row(self, s: Support) -> list[float]:
         """Both components of a unit reaction and its moment relative to the size of the scheme."""
-        points, way = self.framework.points, self.reaction_line_direction(s) / abs(self.reaction_line_direction(s))
+        points = self.framework.points
+        way = self.reaction_line_direction(s) / abs(self.reaction_line_direction(s))
         place = points[s.point] - next(iter(points.values()))
         return [way.real, way.imag, (place.conjugate() * way).imag / self.size]
 
@@ -134,7 +139,8 @@ class WayFinder:
         beam = StraightBeam(b, self.framework, self.places) if b.hinge_or_clamp and steady else None
         if beam and beam.is_straight_beam([*self.forces, self.reaction_line_direction(b.supports_with_known_lines[0])]):
             pairs = sorted(zip(b.forces, self.forces, strict=True), key=beam.load_distance_along)
-            b.forces, self.forces = [f for f, _ in pairs], [z for _, z in pairs]
+            b.forces = [f for f, _ in pairs]
+            self.forces = [z for _, z in pairs]
         else:
             beam = None
         b.lay_off_loads()
@@ -148,7 +154,8 @@ class WayFinder:
 
     def resultant_line_of_loads(self) -> tuple[str, str]:
         """The line of the loads' resultant by their string polygon."""
-        b, through = self.body, self.framework.through
+        b = self.body
+        through = self.framework.through
         if abs(sum(self.forces)) <= PARALLEL_LINES_SINE * max(map(abs, self.forces)):
             raise self.method_refusal("forces_couple")
         self.draw_string_pole(None)
@@ -161,7 +168,8 @@ class WayFinder:
 
     def draw_string_pole(self, line: Support | None) -> None:
         """Draw the given pole, one for strings through given points, or a suitable one."""
-        b, f = self.body, self.framework
+        b = self.body
+        f = self.framework
         pole = f.pole or choose_sharp_pole(
             self.forces, self.reaction_line_direction(line) if line else None, self.forces
         )
@@ -170,7 +178,8 @@ class WayFinder:
             return
         if b.hinge_or_clamp and b.hinge_or_clamp.point != f.through[0]:
             raise self.method_refusal("through_first", point=b.hinge_or_clamp.point)
-        start, way = f.points[f.through[0]], f.points[f.through[-1]] - f.points[f.through[0]]
+        start = f.points[f.through[0]]
+        way = f.points[f.through[-1]] - start
         along = [((self.places[x.name] - start) * way.conjugate()).real for x in b.forces]
         middle = ((f.points[f.through[1]] - start) * way.conjugate()).real
         before = sum(x < middle for x in along)
@@ -199,7 +208,8 @@ class WayFinder:
 
     def solve_by_resultant(self, point: str, along: str) -> None:
         """The reactions to one force along a line; none where the body has no supports."""
-        b, load = self.body, sum(self.forces)
+        b = self.body
+        load = sum(self.forces)
         if not b.supports:
             return
         if b.hinge_or_clamp:
