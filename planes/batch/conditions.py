@@ -8,6 +8,7 @@ from planes.drafting.program import Program
 from planes.drafting.proofs import Facts, Proof
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.plane import squared_length
+from planes.words.names import NamePair
 
 # relative to the largest value on a plan: a larger gap leads to a drawing, and each proof is checked
 SUSPECTED_GAP_RATIO = 1e-12
@@ -31,7 +32,7 @@ def prove_plans_together(
 ) -> tuple[dict[str, Truth], list[Real]]:
     """Whether the proofs of every reason hold, those of a plan together and relative to all its marks, which is fast;
     where they do not, a loop only suspects, and a drawing decides."""
-    together: dict[tuple[str, str], list[Proof]] = {}
+    together: dict[NamePair, list[Proof]] = {}
     for proof in program.proofs:
         together.setdefault((proof.reason, proof.plan), []).append(proof)
     holds = dict[str, Truth]()

@@ -12,6 +12,7 @@ from planes.batch.tape import TEST_OPERATIONS
 from planes.batch.tracing import Trace
 from planes.geometry.arithmetic import Real
 from planes.geometry.arrays import Array, Booleans, Floats, Indices
+from planes.words.names import NameTuple
 
 MOST_HELD_NUMBERS = 2**22  # numbers in all arrays of a block together
 
@@ -22,7 +23,7 @@ class Loop:
 
     row: int
 
-    def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
+    def __init__(self, trace: Trace, moving: NameTuple, given: Mapping[str, Floats]) -> None:
         tape = trace.tape
         places = trace.places_of_givens()
         self.trace = trace
@@ -46,7 +47,7 @@ class Loop:
 class ArrayLoop(Loop):
     """The loop by numpy: one operation after another, each for the whole block."""
 
-    def __init__(self, trace: Trace, moving: tuple[str, ...], given: Mapping[str, Floats]) -> None:
+    def __init__(self, trace: Trace, moving: NameTuple, given: Mapping[str, Floats]) -> None:
         super().__init__(trace, moving, given)
         self.shelf = self._assign_result_arrays()
         self.row = max(1, MOST_HELD_NUMBERS // len({*self.shelf.values(), None}))

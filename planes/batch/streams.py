@@ -15,6 +15,7 @@ from planes.geometry.arrays import Array
 from planes.scene.files import draft_replacing_file, writing_errors_in_words
 from planes.words import Phrase
 from planes.words.errors import PlanesError
+from planes.words.names import NamePair
 
 ROWS_PER_PARQUET_GROUP = 65_536  # rows of one group of Parquet
 
@@ -22,7 +23,7 @@ ROWS_PER_PARQUET_GROUP = 65_536  # rows of one group of Parquet
 class TableHead:
     """The columns of a table: the drive's position, the results, and the reason of a failure."""
 
-    def __init__(self, drive: tuple[str, str], columns: Iterable[tuple[str, str]], reasons: tuple[Reason, ...]) -> None:
+    def __init__(self, drive: NamePair, columns: Iterable[NamePair], reasons: tuple[Reason, ...]) -> None:
         self.columns = [drive, *columns]
         self.reasons = ["", *(f"{r.key}: {r.makes}" if r.makes else r.key for r in reasons)]
 

@@ -16,6 +16,7 @@ from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Many, Point, Real, Truth
 from planes.geometry.arrays import Floats
 from planes.words.frozen import frozen
+from planes.words.names import NamePair
 
 UNCLEAR_REASON = "unclear"
 
@@ -111,7 +112,7 @@ class TracingTool(Tool):
     errors: tuple[float, float, float] | None = None
     sources: list[Source] = field(default_factory=list)
     choosy: bool = False
-    reach: dict[tuple[str, str], Real] = field(default_factory=dict)  # between marks joined by an arc
+    reach: dict[NamePair, Real] = field(default_factory=dict)  # between marks joined by an arc
 
     def draw(self, step: Step, things: Env) -> Thing:
         """The result; a direction by the radius of the arc that produced it, without a square root."""
@@ -184,7 +185,7 @@ def trace_program(
     errors: tuple[float, float, float] | None = None,
     must: Sequence[bool] = (),
     fine: float | None = None,
-    forces: Iterable[tuple[str, str]] = (),
+    forces: Iterable[NamePair] = (),
 ) -> Trace:
     """Record a program. ``given`` shows which givens are places; those in ``known`` are folded in as constants.
 

@@ -31,6 +31,7 @@ from planes.scene.source import Node
 from planes.words import Lang
 from planes.words.errors import Doubt
 from planes.words.frozen import field, frozen
+from planes.words.names import NameTuple
 
 PLATFORMS = ("moodle", "stack", "prairielearn")
 DOCUMENTS = ("task", "blank", "key", "sheets", "lesson", "note", "book", "scorm", *PLATFORMS)
@@ -53,7 +54,7 @@ class Student:
 class ParameterChoice:
     """The choices for a parameter: ``values`` as written, or ``percent`` around the scene's own."""
 
-    values: tuple[str, ...] = ()
+    values: NameTuple = ()
     percent: float | None = None
 
 
@@ -63,7 +64,7 @@ class Assignment:
 
     file: Path
     text: str
-    variants: tuple[str, ...]
+    variants: NameTuple
     doubts: tuple[Doubt, ...] = ()
 
     @property
@@ -85,9 +86,9 @@ class Course:
     given_first: bool = True
     draw: Mapping[str, ParameterChoice] | None = None
     sharpness_deg: float = 15.0
-    documents: tuple[str, ...] = DOCUMENTS[:5]
-    formats: tuple[str, ...] = FORMATS[:1]
-    plans: tuple[str, ...] = ("velocity", "acceleration", "force")
+    documents: NameTuple = DOCUMENTS[:5]
+    formats: NameTuple = FORMATS[:1]
+    plans: NameTuple = ("velocity", "acceleration", "force")
     seed: int = 1
     lang: Lang | None = None
     unread: str = ""  # a list of students in the folder that is not used

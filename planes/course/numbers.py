@@ -25,6 +25,7 @@ from planes.solving import solve
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
+from planes.words.names import NamePair, NameTuple
 from planes.words.records import Json
 from planes.words.units import UNIT_OF_RATE_LETTER
 
@@ -44,7 +45,7 @@ class Question:
     draw: Mapping[str, ParameterChoice] | None
     sharpness_deg: float
     seed: int
-    student: tuple[str, str]
+    student: NamePair
     sheet: Mapping[str, Node]
     lang: Lang
     copy: int = 0
@@ -145,7 +146,7 @@ def main_answers(scene: Scene, key: Json) -> Answers:
     return answers
 
 
-def main_answer_names(scene: Scene, value: float | None = None, plan: str = "") -> tuple[str, ...]:
+def main_answer_names(scene: Scene, value: float | None = None, plan: str = "") -> NameTuple:
     """The names of the main answers at a position of the drive, by default the scene's, or of those from one plan;
     empty where the position fails, and where a scene asks for other results."""
     if scene.find:

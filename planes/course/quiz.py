@@ -18,7 +18,7 @@ from planes.words import Lang, Phrase, say, with_decimal_sign
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
 from planes.words.lettering import GREEK_LETTER_BY_NAME, without_index_markup
-from planes.words.names import letter_of, split_value_name
+from planes.words.names import NameTuple, letter_of, split_value_name
 from planes.words.records import Json
 
 PUPIL_PENCIL = Pencil(skill.STUDENT_SKILL.point_mm, skill.STUDENT_SKILL.ray_deg, skill.RULER_RESOLUTION_MM)
@@ -180,7 +180,7 @@ class Pool:
         }
 
     @cached_property
-    def columns_of_conditions(self) -> list[tuple[int, tuple[str, ...]]]:
+    def columns_of_conditions(self) -> list[tuple[int, NameTuple]]:
         """The numbers in the conditions, as each student has them."""
         return list(enumerate(zip(*(_NUMBER_PATTERN.findall(quiz.said) for quiz in self.group), strict=True)))
 

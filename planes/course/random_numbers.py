@@ -23,6 +23,7 @@ from planes.scene.source import parse_yaml as parse_text
 from planes.solving import solve
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanesError, SceneError
+from planes.words.names import NameTuple
 
 MOST_TRIED_SETS = 1000  # sets of numbers tried before giving up
 TEST_ANGLES_DEG = tuple(float(k) for k in range(0, 360, 2))  # the driver's test angles, degrees
@@ -49,7 +50,7 @@ def sharpness_over_turn(plans: Plans) -> list[float | None]:
     return [None if b else float(sharpness) for b, sharpness in zip(bad, least, strict=True)]
 
 
-def parameter_choices(text: str, file: str, draw: Mapping[str, ParameterChoice] | None) -> dict[str, tuple[str, ...]]:
+def parameter_choices(text: str, file: str, draw: Mapping[str, ParameterChoice] | None) -> dict[str, NameTuple]:
     """The choices for each drawn parameter of a scene, as written, in the order of the scene."""
     table = parse_text(text, file)
     own = entries_of_table(table.entries.get("parameters"))
@@ -81,7 +82,7 @@ def _default_choices(table: SourceTable, plain: Mapping[str, float]) -> dict[str
     return choices
 
 
-def round_numbers_near(value: float, percent: float) -> tuple[str, ...]:
+def round_numbers_near(value: float, percent: float) -> NameTuple:
     """Round numbers within so many per cent of a value: multiples of 1, 2 or 5 units of some digit, four or more."""
     reach = abs(value) * percent / 100
     if not reach:
@@ -100,7 +101,7 @@ def seeded_generator(seed: int, *names: object) -> random.Random:
 
 
 def draw_numbers(
-    choices: Mapping[str, tuple[str, ...]],
+    choices: Mapping[str, NameTuple],
     make: Callable[[Mapping[str, str]], Scene],
     least_deg: float,
     chance: random.Random,

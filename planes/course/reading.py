@@ -13,6 +13,7 @@ from planes.scene.settings import read_sheet_settings, read_text_by_language
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told, available_languages
 from planes.words.errors import PlanesError, SceneError, list_valid_choices, quoted_excerpt, suggest_file
+from planes.words.names import NameTuple
 from planes.words.units import PLANS_WITH_MU
 
 COURSE_FILE_NAME = "course.yaml"
@@ -193,9 +194,7 @@ def _read_whole_number(reader: Reader, node: Node | None, key: str, most: int) -
     return int(value)
 
 
-def _read_known_words(
-    reader: Reader, node: Node | None, key: str, known: tuple[str, ...], default: tuple[str, ...]
-) -> tuple[str, ...]:
+def _read_known_words(reader: Reader, node: Node | None, key: str, known: NameTuple, default: NameTuple) -> NameTuple:
     """Some of the known words, in their standard order."""
     if node is None:
         return default

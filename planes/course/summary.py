@@ -11,6 +11,7 @@ from planes.solving.document import Block, DocumentTable, Heading, Paragraph
 from planes.words import Lang, say
 from planes.words.frozen import frozen
 from planes.words.lettering import parameter_lettering
+from planes.words.names import NamePair
 from planes.words.records import csv_text as csv_of
 from planes.words.units import number_text
 
@@ -25,7 +26,7 @@ class StudentRow:
     group: str
     title: Mapping[str, str]
     numbers: Mapping[str, float]
-    found: Mapping[tuple[str, str], float]
+    found: Mapping[NamePair, float]
     fault: str
 
     @classmethod

@@ -14,6 +14,7 @@ from planes.crank_slider.parts import Material, RoundPart, Shank, Web
 from planes.crank_slider.shape import CrankSliderShape
 from planes.geometry.arrays import Array, Indices
 from planes.words.frozen import field, frozen
+from planes.words.names import NameTuple
 
 FOUR_STROKE_STAGES = ("intake", "compression", "expansion", "exhaust")
 TWO_STROKE_STAGES = ("compression", "expansion")
@@ -32,7 +33,7 @@ class Indicator:
     stages: Mapping[str, Points]
 
     @property
-    def names(self) -> tuple[str, ...]:
+    def names(self) -> NameTuple:
         """The stages in the order of the cycle."""
         return FOUR_STROKE_STAGES if "intake" in self.stages else TWO_STROKE_STAGES
 
@@ -63,7 +64,7 @@ class Indicator:
         return monotone_cubic([x for x, _ in points], [p for _, p in points])
 
 
-def required_stage_span(stage: str, over: str, names: tuple[str, ...]) -> tuple[float, float]:
+def required_stage_span(stage: str, over: str, names: NameTuple) -> tuple[float, float]:
     """The required beginning and end of a stage's table."""
     if over == "path":
         return (0.0, 1.0) if stage in PISTON_AWAY_STAGES else (1.0, 0.0)

@@ -29,7 +29,7 @@ from planes.scene.files import save_file_or_refuse
 from planes.solving import solve_position
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
-from planes.words.names import POLE_LABEL, component_ending_at, plan_kind
+from planes.words.names import POLE_LABEL, NameTuple, component_ending_at, plan_kind
 from planes.words.naming import Naming
 from planes.words.units import mu_text
 from render.files import Page, pdf
@@ -97,7 +97,7 @@ def _owner_lines(asked: Asked, mark: SheetMark, lang: Lang) -> list[str]:
     return [f"{'. '.join(said)}."] if said else []
 
 
-def _write_page(page: Page, output: str, kinds: tuple[str, ...] = PAGE_SUFFIXES) -> None:
+def _write_page(page: Page, output: str, kinds: NameTuple = PAGE_SUFFIXES) -> None:
     if Path(output).suffix.lower() not in kinds:
         raise PlanesError(Phrase("check_output", file=output))
     page.write(output)

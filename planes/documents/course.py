@@ -37,7 +37,7 @@ from planes.solving.document import Block
 from planes.solving.given import GIVEN_NUMBER_DIGITS
 from planes.words import Lang, Phrase
 from planes.words.frozen import frozen
-from planes.words.names import plan_kind
+from planes.words.names import NameTuple, plan_kind
 from render.files import Page, pdf
 from render.page.lesson_page import whole_lesson_page
 from render.paper.letters import BRACKETED_NAME_PATTERN
@@ -57,9 +57,9 @@ class Order:
     assignment, variant, student, as blanks say it."""
 
     scene: str
-    heads: tuple[str, ...]
-    files: tuple[str, ...]
-    plans: tuple[str, ...]
+    heads: NameTuple
+    files: NameTuple
+    plans: NameTuple
     lang: Lang
     whose: tuple[str, str, str] = ("", "", "")
     program: str = ""
@@ -71,7 +71,7 @@ class MadeDocuments:
 
     files: dict[str, bytes] = field(default_factory=dict)
     faults: dict[str, str] = field(default_factory=dict)
-    said: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    said: dict[str, NameTuple] = field(default_factory=dict)
 
 
 def folders_by_file_name(course: Course) -> dict[str, str]:
@@ -82,7 +82,7 @@ def folders_by_file_name(course: Course) -> dict[str, str]:
     return {n: side.get(d, "teacher") for d in course.documents for n in known.get(d, [f"{d}.pdf"])}
 
 
-def files_of_scene(names: Mapping[str, str], scene: Scene) -> tuple[str, ...]:
+def files_of_scene(names: Mapping[str, str], scene: Scene) -> NameTuple:
     """Those of the files that a scene has: stated vectors have one sheet."""
     return tuple(n for n in names if scene.mechanism or not n.startswith("sheet-2"))
 

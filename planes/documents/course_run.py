@@ -22,7 +22,7 @@ from planes.documents.course import MadeDocuments, Order, files_of_scene, folder
 from planes.lesson.note import student_and_group
 from planes.scene import Scene, loads
 from planes.words import Lang, Phrase
-from planes.words.names import plan_kind
+from planes.words.names import NameTuple, plan_kind
 from planes.words.naming import Naming
 from render.report import render_document
 
@@ -158,7 +158,7 @@ class Conductor:
         self.total -= len(self.names) - len(files)
         return Order(text, heads, files, self.course.plans, self.lang, whose)
 
-    def task_heads(self, share: Share, scene: Scene) -> tuple[str, ...]:
+    def task_heads(self, share: Share, scene: Scene) -> NameTuple:
         """The heads of a task: the scene's title, the course, the student, the variant."""
         who = student_and_group(share.student.name, scene, self.lang)
         own = Phrase("task_variant", variant=share.variant) if share.variant else Phrase("task_drawn")

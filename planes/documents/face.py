@@ -27,7 +27,7 @@ from planes.scene.parameters import require_finite_numbers
 from planes.scene.ranges import drive_positions_asked, driver_coordinate_asked
 from planes.solving.of_scene import AnyScene, scene_from
 from planes.words import Lang, home_lang
-from planes.words.names import plan_kind
+from planes.words.names import NameTuple, plan_kind
 from planes.words.units import read_mu
 from render.files import Page
 from render.sheet import Sheet
@@ -89,7 +89,7 @@ MOST_READY_TURNS = 8
 
 
 def _turn_results(
-    scene: Scene, names: tuple[str, ...] | None, values: Array | None, given: dict[str, float], errors: bool
+    scene: Scene, names: NameTuple | None, values: Array | None, given: dict[str, float], errors: bool
 ) -> Table:
     """The results for one set of parameters. A turn is made ready in milliseconds, so the last ones are kept; while
     used, one is taken out, for another thread may ask for the same."""

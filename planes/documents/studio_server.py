@@ -25,6 +25,7 @@ from starlette.routing import Route
 from planes.scene.files import save_file_or_refuse
 from planes.studio.gallery import gallery_entries
 from planes.words import Lang, available_languages, say
+from planes.words.names import NameTuple
 from render.page.studio_page import COMMAND_OF_DOWNLOAD, answer_as_json, studio_files
 
 HOST, COOKIE_NAME = "127.0.0.1", "planes"
@@ -56,7 +57,7 @@ SAFETY_HEADERS = {
 class StudioServer:
     """The routes, and their common data: the token, the pages, the folders where files are made."""
 
-    def __init__(self, lang: Lang, first: str = "", scenes: tuple[str, ...] = ()) -> None:
+    def __init__(self, lang: Lang, first: str = "", scenes: NameTuple = ()) -> None:
         self.lang = lang
         self.token = secrets.token_urlsafe(24)
         way = {"kind": "server", "address": "", "native": True}
@@ -208,7 +209,7 @@ class StudioServer:
             return PlainTextResponse(said.decode("utf-8", "replace")[-2000:].strip() or str(child.returncode), 422)
 
 
-def serve(lang: Lang, first: str = "", scenes: tuple[str, ...] = (), port: int = 0, browse: bool = True) -> None:
+def serve(lang: Lang, first: str = "", scenes: NameTuple = (), port: int = 0, browse: bool = True) -> None:
     """The server, until it is stopped; ``port`` 0 means any free one."""
     import socket
 

@@ -14,7 +14,7 @@ from planes.drafting.steps.tracks import CutTrack
 from planes.drafting.tools import Things, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.geometry.plane import squared_length
-from planes.words.names import Meaning, plan_kind, plan_of
+from planes.words.names import Meaning, NamePair, plan_kind, plan_of
 
 BLUNT_SHARPNESS, LEAST_CLEAR_SHARPNESS = 0.1, 0.01
 """A sharpness of ``BLUNT`` or more costs no digits; the product of all must be at least ``CLEAR`` of that. The error of
@@ -29,7 +29,7 @@ MOST_LENGTH_RATIO = 1e6
 _PLANS_REPEATING_SCHEME_LINES = ("velocity", "motion", "acceleration", "lever")
 
 
-def is_clear_drawing(program: Program, things: Things, tool: Tool, sides: Iterable[tuple[str, str]] = ()) -> Truth:
+def is_clear_drawing(program: Program, things: Things, tool: Tool, sides: Iterable[NamePair] = ()) -> Truth:
     """Whether a drawing is clear, for one position, for many, or on a tape; and no force of ``sides`` (start, end)
     vanishes beside the largest of its plan."""
     ar = tool.ar
@@ -63,7 +63,7 @@ def _sharpness_of_marks(program: Program, tool: Tool) -> dict[str, Real]:
     return {n: sharp for n, sharp in tool.sharpness.items() if n not in cut or first[cut[n]] == n}
 
 
-def _no_force_vanishes(program: Program, things: Things, tool: Tool, sides: Iterable[tuple[str, str]]) -> Truth:
+def _no_force_vanishes(program: Program, things: Things, tool: Tool, sides: Iterable[NamePair]) -> Truth:
     """Whether no force vanishes, or nearly so, beside others."""
     ar = tool.ar
     ok = True

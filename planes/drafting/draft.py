@@ -22,6 +22,8 @@ from planes.words.names import (
     POLE_LABEL,
     REPEATED_DIRECTION_SUFFIX,
     Meaning,
+    NamePair,
+    NameTuple,
     Quantity,
     full_mark_name,
     label_of,
@@ -43,7 +45,7 @@ class Segment:
     name: str
 
     @property
-    def ends(self) -> tuple[str, str]:
+    def ends(self) -> NamePair:
         """The full names of its end marks."""
         return full_mark_name(self.plan, self.start), full_mark_name(self.plan, self.end)
 
@@ -174,7 +176,7 @@ class Draft:
         self,
         unknown: str,
         about: str,
-        links: tuple[str, ...],
+        links: NameTuple,
         terms: MomentTerms,
         arm: str = "",
         means: Meaning | None = None,

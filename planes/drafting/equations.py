@@ -11,7 +11,7 @@ from planes.drafting.steps.reckoning import Product
 from planes.words import Phrase
 from planes.words.errors import EquationError
 from planes.words.frozen import field, frozen
-from planes.words.names import Meaning
+from planes.words.names import Meaning, NamePair, NameTuple
 
 EquationKind = Literal["close", "cross", "arc", "arcs"]
 
@@ -41,7 +41,7 @@ class Term:
         return 2 if self.drawn else (self.length is not None) + (self.direction is not None)
 
     @property
-    def end_marks(self) -> tuple[str, str]:
+    def end_marks(self) -> NamePair:
         """The start and end marks of its vector; reversed in a difference."""
         return (self.start, self.end) if self.sign > 0 else (self.end, self.start)
 
@@ -83,7 +83,7 @@ class Equation:
         return self.chains[0] + self.chains[1]
 
     @property
-    def unknown_parts(self) -> tuple[tuple[str, str], ...]:
+    def unknown_parts(self) -> tuple[NamePair, ...]:
         """Pairs (name of the vector, "length" or "direction"), in the order of the terms."""
         unknowns = []
         for term in self.all_terms:
@@ -144,8 +144,8 @@ class Moments:
     """
 
     about: str
-    links: tuple[str, ...]
-    terms: tuple[tuple[str, str], ...]
+    links: NameTuple
+    terms: tuple[NamePair, ...]
     unknown: str
     arm: str
 

@@ -10,7 +10,7 @@ from planes.drafting.steps.reckoning import Calculate, Measure
 from planes.words import Phrase
 from planes.words.errors import ProgramError, list_valid_choices
 from planes.words.frozen import field, frozen
-from planes.words.names import plan_of
+from planes.words.names import NameTuple, plan_of
 
 StepsOf = dict[str, list[Step]]
 
@@ -50,7 +50,7 @@ class Program:
         return {s.makes: s for s in self.steps}
 
     @cached_property
-    def given_names(self) -> tuple[str, ...]:
+    def given_names(self) -> NameTuple:
         """Names of the required givens, in the order of first use."""
         names = (name for s in self.steps for name, _ in s.input_names())
         return tuple(dict.fromkeys(n for n in names if n not in self.result_names))

@@ -14,7 +14,7 @@ from planes.drafting.tools import AskedFor, Thing, Things
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.words.frozen import field, frozen
-from planes.words.names import mu_name, plan_of
+from planes.words.names import NameTuple, mu_name, plan_of
 
 Made = TypeVar("Made")
 MOST_AGREEMENT_GAP_RATIO = 1e-9  # relative: within this, two ways to a number agree
@@ -61,7 +61,7 @@ class Proof:
 
     plan: str
     about: str
-    beside: tuple[str, ...] = field(default=(), kw_only=True)  # the marks that drive its plan: the scale of speeds
+    beside: NameTuple = field(default=(), kw_only=True)  # the marks that drive its plan: the scale of speeds
     reason: ClassVar[str]
     makes: ClassVar[str] = ""  # a position that fails it gives no results at all
 

@@ -29,6 +29,8 @@ from planes.plans.force.reactions import Reaction
 from planes.words import Phrase, Told, Written
 from planes.words.names import (
     POLE_LABEL,
+    NamePair,
+    NameTuple,
     full_mark_name,
     label_of,
     letter_of,
@@ -127,10 +129,10 @@ class Teller:
         self,
         key: str,
         plan: str,
-        makes: tuple[str, ...] = (),
-        uses: tuple[str, ...] = (),
+        makes: NameTuple = (),
+        uses: NameTuple = (),
         reason: Told = "",
-        terms: tuple[str, ...] | None = None,
+        terms: NameTuple | None = None,
         moments: int | None = None,
         rows: tuple[Row, ...] = (),
         **names: object,
@@ -148,7 +150,7 @@ class Teller:
         in_hand = equation_terms if terms is None else terms
         return Frame(key, plan, makes, uses, index, in_hand, marked, why, moments, rows=rows, numbers=numbers)
 
-    def equation_and_terms(self, plan: str, makes: tuple[str, ...]) -> tuple[int | None, tuple[str, ...]]:
+    def equation_and_terms(self, plan: str, makes: NameTuple) -> tuple[int | None, NameTuple]:
         """The equation on this plan with a term that ends at one of the marks, and those terms."""
         labels = {label_of(m) for m in makes} - {POLE_LABEL}
         for index, equation in enumerate(self.plans.equations):
@@ -214,7 +216,7 @@ class Teller:
             rate, unit_key="" if self.plans.has_mechanism else unit_key_of_value(rate.makes), turns=turns
         )
 
-    def segment_ends(self, name: str, plan: str) -> tuple[str, str] | tuple[()]:
+    def segment_ends(self, name: str, plan: str) -> NamePair | tuple[()]:
         """The ends of the segment of that name."""
         own = self.plans.segments_by_plan.get(plan, ())
         return next((x.ends for x in own if x.name == name and x.start != x.end), ())

@@ -30,7 +30,7 @@ from planes.plans.measuring import plan_title, scene_lettering
 from planes.scene import Scene
 from planes.words import Lang
 from planes.words.lettering import plan_phrase
-from planes.words.names import POLE_LABEL, force_plan_links, name_without_plan, plan_kind, plan_of
+from planes.words.names import POLE_LABEL, NamePair, force_plan_links, name_without_plan, plan_kind, plan_of
 from planes.words.records import Json
 from planes.words.units import Convention
 
@@ -151,7 +151,7 @@ def _plan_data(plans: Plans, plan: str, convention: Convention) -> Json:
 def _vector_segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
     """Each vector of the plans once, by its ends, with all its names and its pen: results are thick; ``sum`` marks a
     force that is not a term."""
-    segments: dict[tuple[str, str], Json] = {}
+    segments: dict[NamePair, Json] = {}
     every = [(e, t) for e in plans.equations for t in e.all_terms]
     named = {t.name: displayed_term_name(e, t.name) for e, t in every}
     terms = {(e.plan, *sorted((t.start, t.end))) for e, t in every}

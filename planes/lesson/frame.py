@@ -9,6 +9,7 @@ from planes.lesson.formulas import SIGN_SLOT_KINDS, factors_of_slot
 from planes.lesson.rows import Row
 from planes.words import Lang
 from planes.words.frozen import frozen, replace
+from planes.words.names import NamePair, NameTuple
 
 CENTRES_CHAPTER = "centres"
 """The chapter of instantaneous centres, which is not a plan."""
@@ -27,16 +28,16 @@ class Frame:
 
     key: str
     plan: str
-    makes: tuple[str, ...]
-    uses: tuple[str, ...]
+    makes: NameTuple
+    uses: NameTuple
     equation: int | None
-    terms: tuple[str, ...]
+    terms: NameTuple
     marked: Mapping[Lang, str]
     why: Mapping[Lang, str]
     moments: int | None = None
     turns: Mapping[str, str] | None = None
     rows: tuple[Row, ...] = ()
-    numbers: tuple[tuple[str, str], ...] = ()
+    numbers: tuple[NamePair, ...] = ()
     chapter: str = ""
     still: Mapping[str, str] | None = None
 

@@ -12,7 +12,15 @@ from planes.plans.force.reactions import Reaction
 from planes.plans.position.bodies import SCHEME_PLAN
 from planes.words import Phrase
 from planes.words.frozen import frozen
-from planes.words.names import force_plan_links, force_plan_name, full_mark_name, label_of, plan_kind, split_value_name
+from planes.words.names import (
+    NameTuple,
+    force_plan_links,
+    force_plan_name,
+    full_mark_name,
+    label_of,
+    plan_kind,
+    split_value_name,
+)
 from planes.words.records import Json
 
 
@@ -135,6 +143,6 @@ class FreeBodies:
         return bodies
 
 
-def links_phrase(links: tuple[str, ...], between: str = "–") -> Phrase:
+def links_phrase(links: NameTuple, between: str = "–") -> Phrase:
     """The links of a force polygon, or of a moment equation."""
     return Phrase("lesson_link" if len(links) == 1 else "lesson_links", links=between.join(links))

@@ -14,7 +14,7 @@ from planes.lesson.frame import Frame
 from planes.lesson.scheme import arm_foot_mark
 from planes.plans import Plans
 from planes.words.frozen import frozen
-from planes.words.names import full_mark_name, plan_of
+from planes.words.names import NamePair, NameTuple, full_mark_name, plan_of
 from planes.words.records import Json
 
 Handled = Iterator[Json]
@@ -45,7 +45,7 @@ class Kit:
         steps = (self.steps_by_result.get(arm) for force, arm in arms if force in f.terms)
         return [_perpendicular_tool(step) for step in steps if isinstance(step, Drop)]
 
-    def segments_of_frame(self, f: Frame) -> list[tuple[str, str]]:
+    def segments_of_frame(self, f: Frame) -> list[NamePair]:
         """The segments of a frame's vectors on its plan."""
         own = {x.name: x.ends for x in self.plans.segments_by_plan.get(f.plan, ()) if x.start != x.end}
         return [own[name] for name in f.terms if name in own]
@@ -124,7 +124,7 @@ def _perpendicular_tool(step: Drop) -> Json:
     return {"tool": "square", "to": (step.about, foot), "from": (step.point, foot)}
 
 
-def _dividers_tool(taken: tuple[str, ...], to: tuple[str, ...]) -> Json:
+def _dividers_tool(taken: NameTuple, to: NameTuple) -> Json:
     return {"tool": "dividers", "from": taken, "to": to}
 
 

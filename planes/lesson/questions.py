@@ -19,6 +19,7 @@ from planes.solving.document import Block, Chart, Figure, Heading, Paragraph, Pl
 from planes.words import put_decimal_signs, sentence_table
 from planes.words.frozen import replace
 from planes.words.lettering import without_index_markup
+from planes.words.names import NamePair, NameTuple
 
 QUESTIONS_BY_CHAPTER: Mapping[str, str] = {
     "structure": "link pair chain apart mobility surplus synthesis groups classes",
@@ -26,7 +27,7 @@ QUESTIONS_BY_CHAPTER: Mapping[str, str] = {
     "forces": "tasks external stages before determinate reactions inertia last statics_surplus",
 }
 """The questions of each chapter, by the keys of their words."""
-ANSWERING_FRAMES: Mapping[str, tuple[str, str]] = {
+ANSWERING_FRAMES: Mapping[str, NamePair] = {
     "order": ("equation", "-"),
     "omega": ("sense", "(omega|epsilon)_"),
     "similar": ("similar image", "-"),
@@ -36,7 +37,7 @@ ANSWERING_FRAMES: Mapping[str, tuple[str, str]] = {
 }
 """The frames of the lesson that answer a question, and the pattern of results whose lines of calculation do."""
 MOTION_PLANS = ("velocity", "acceleration")
-ANSWERING_FIGURES: Mapping[str, tuple[str, ...]] = {"scheme": ("position",), "polygons": MOTION_PLANS}
+ANSWERING_FIGURES: Mapping[str, NameTuple] = {"scheme": ("position",), "polygons": MOTION_PLANS}
 
 
 class Questions(Note):

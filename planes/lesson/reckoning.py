@@ -11,6 +11,7 @@ from planes.lesson.frame import Frame
 from planes.lesson.rows import Row, calculation_row
 from planes.plans import Plans
 from planes.plans.force.loads import names_of_loads
+from planes.words.names import NamePair
 from planes.words.units import Convention
 
 
@@ -79,13 +80,13 @@ class Reckoning:
         return Row(step.makes, letters, numbers, value_slot(step.makes), kind, f"∣⟨{step.makes}⟩∣")
 
 
-def quotients_by_name(program: Program) -> dict[str, tuple[str, str]]:
+def quotients_by_name(program: Program) -> dict[str, NamePair]:
     """Values of a program that are another one divided by a length: both by name."""
     parts = ((s.makes, value_and_length(s)) for s in program.steps if isinstance(s, Calculate))
     return {name: both for name, both in parts if both}
 
 
-def value_and_length(step: Calculate) -> tuple[str, str] | None:
+def value_and_length(step: Calculate) -> NamePair | None:
     """The value and the length, if a step divides one by the other."""
     match step.terms:
         case [Product(factors=((value, 1), (length, -1)))]:

@@ -8,7 +8,7 @@ from planes.plans import Plans
 from planes.plans.force.loads import name_of_force
 from planes.plans.force.reactions import Reaction
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, force_plan_links, force_plan_name, mu_name, vector_end_label
+from planes.words.names import POLE_LABEL, NameTuple, force_plan_links, force_plan_name, mu_name, vector_end_label
 
 
 @frozen
@@ -19,7 +19,7 @@ class LinkApart:
     link: str
     group: str
     force: str
-    known: tuple[str, ...]
+    known: NameTuple
     reactions: dict[str, tuple[Reaction, bool]]
 
     @property
@@ -33,7 +33,7 @@ class LinkApart:
         return len(self.known) > 1
 
     @property
-    def closed_vector_names(self) -> tuple[str, ...]:
+    def closed_vector_names(self) -> NameTuple:
         """The names of its vectors on the group's plan, where they already form a closed polygon there."""
         own = {n: r.key for n, (r, _) in self.reactions.items() if r.plan == self.group}
         return tuple(own.get(n, n) for n in (self.force, *self.known))

@@ -2,6 +2,7 @@
 
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
+from planes.words.names import NamePair
 
 
 @frozen
@@ -20,7 +21,7 @@ class Centre:
     """The centre of two links: its ``mark``, or the direction ``along`` which it lies at infinity; the ``lines`` that
     give it, or the ``point`` that is a hinge of both; "" if it has its own name."""
 
-    links: tuple[str, str]
+    links: NamePair
     name: str
     mark: str = ""
     along: str = ""
@@ -36,7 +37,7 @@ class Check:
 
     name: str
     centre: Centre
-    sides: tuple[tuple[str, str], ...]
+    sides: tuple[NamePair, ...]
     read: bool = False
     slides: str = ""
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 from planes.drafting.tools import Things
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Real, Truth
-from planes.words.names import mu_name, plan_of
+from planes.words.names import NameTuple, mu_name, plan_of
 
 
 class DriverVector(NamedTuple):
@@ -35,7 +35,7 @@ class Column(NamedTuple):
     start: str = ""
     end: str = ""
     part: str = ""
-    beside: tuple[str, ...] = ()
+    beside: NameTuple = ()
     per: DriverVector | None = None
 
     @property
@@ -44,7 +44,7 @@ class Column(NamedTuple):
         return "arm" if self.beside else self.unit
 
     @property
-    def needed_names(self) -> tuple[str, ...]:
+    def needed_names(self) -> NameTuple:
         """The names of the program it needs."""
         return tuple(n for n in (self.value, self.start, self.end, *self.beside, *(self.per or ())) if n)
 

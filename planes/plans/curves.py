@@ -22,7 +22,7 @@ from planes.plans.quantities import MOTION_GROUPS, Quantity, quantities_by_name,
 from planes.plans.transfers import analogue_units, transfer_ratio_name, turning_links
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
-from planes.words.names import with_analogue_in_index
+from planes.words.names import NameTuple, with_analogue_in_index
 from planes.words.units import UNIT_OF_RATE_LETTER
 
 Sample = Mapping[str, Array]
@@ -273,7 +273,7 @@ def _vector_curves(
         yield _scalar_curve(f"{name}_{axis}", unit, group, f"{base}_{axis}", f"{slope}_{axis}" if slope else "", factor)
 
 
-def driven_link_curves(plans: Plans) -> tuple[str, ...]:
+def driven_link_curves(plans: Plans) -> NameTuple:
     """The principal curves of a mechanism's driven link: its position, velocity and acceleration; none without one."""
     if not plans.has_mechanism:
         return ()
@@ -282,7 +282,7 @@ def driven_link_curves(plans: Plans) -> tuple[str, ...]:
     return tuple(f"{letter}_{link}" for letter in letters)
 
 
-def driven_link_analogues(plans: Plans) -> tuple[str, ...]:
+def driven_link_analogues(plans: Plans) -> NameTuple:
     """The analogues of the driven link: of velocity (or its transfer ratio), and of acceleration."""
     link, slides = driven_link_and_sliding(plans)
     return (

@@ -11,7 +11,7 @@ from planes.plans.force.reactions import Reaction
 from planes.plans.transfers import transfer_functions
 from planes.scene.mechanism import FRAME
 from planes.words.errors import PlanesError, SceneError
-from planes.words.names import POLE_LABEL, full_mark_name, plan_kind, plan_of, split_value_name
+from planes.words.names import POLE_LABEL, NamePair, NameTuple, full_mark_name, plan_kind, plan_of, split_value_name
 from planes.words.records import Json
 from planes.words.units import UNIT_OF_PLAN
 
@@ -30,7 +30,7 @@ class Quantity(NamedTuple):
     key: str = ""
 
     @property
-    def json_path(self) -> tuple[str, ...]:
+    def json_path(self) -> NameTuple:
         """Its place in the JSON."""
         return tuple(x for x in (self.group, self.of, self.key) if x)
 
@@ -40,7 +40,7 @@ class Quantity(NamedTuple):
         return self.group == "reactions" and self.name != self.of
 
     @property
-    def needed_names(self) -> tuple[str, ...]:
+    def needed_names(self) -> NameTuple:
         """The names of the program it depends on."""
         return tuple(dict.fromkeys(n for c in self.columns for n in c._replace(beside=c.beside[:1]).needed_names))
 
@@ -133,7 +133,7 @@ def results_with_intermediates(plans: Plans, wanted: Iterable[Quantity] | None =
 
 def distinct_quantities(quantities: Iterable[Quantity]) -> list[Quantity]:
     """Each of the quantities once, by the first of its names."""
-    by_path = dict[tuple[str, ...], Quantity]()
+    by_path = dict[NameTuple, Quantity]()
     return [by_path.setdefault(q.json_path, q) for q in quantities if q.json_path not in by_path]
 
 
@@ -164,7 +164,7 @@ def _results_and_intermediates(plans: Plans) -> Quantities:
     )
 
 
-def _vector_columns(name: str, unit: str, ends: tuple[str, str] | None) -> tuple[Column, ...]:
+def _vector_columns(name: str, unit: str, ends: NamePair | None) -> tuple[Column, ...]:
     """Both components of a segment; zeros where there is none."""
     start, end = ends or ("", "")
     return tuple(Column(f"{name}_{part}", unit, "", start, end, part if ends else "") for part in "xy")

@@ -22,7 +22,16 @@ from planes.plans.structures.figure import StaticsFigure
 from planes.scene.mechanism import FRAME, Drive, Link, Mechanism
 from planes.words.errors import SceneError
 from planes.words.frozen import frozen
-from planes.words.names import HELPER_MARK_KINDS, Meaning, force_plan_links, force_plan_name, full_mark_name, plan_kind
+from planes.words.names import (
+    HELPER_MARK_KINDS,
+    Meaning,
+    NamePair,
+    NameTuple,
+    force_plan_links,
+    force_plan_name,
+    full_mark_name,
+    plan_kind,
+)
 from planes.words.naming import Naming
 from planes.words.records import Json
 
@@ -67,7 +76,7 @@ class Plans:
     at_rest: bool = False
     laws: Mapping[str, SceneError] = field(default_factory=dict)
     passive: tuple[Link, ...] = ()  # redundant ones: the mechanism is stated without them
-    vectors: Mapping[str, tuple[str, str]] = field(default_factory=dict)  # stated ones: their end marks
+    vectors: Mapping[str, NamePair] = field(default_factory=dict)  # stated ones: their end marks
     values: Mapping[str, str] = field(default_factory=dict)  # computed from them: their names in the program
     figure: StaticsFigure | None = None  # of bodies in equilibrium: the lines beside the marks
     centres: tuple[Centre, ...] = ()  # of links, where requested, and the checks by them
@@ -152,14 +161,14 @@ class Plans:
             segments.setdefault(segment.plan, []).append(segment)
         return segments
 
-    def moment_equations_of_plan(self, links: tuple[str, ...]) -> list[Moments]:
+    def moment_equations_of_plan(self, links: NameTuple) -> list[Moments]:
         """The moment equations for the plan of some links, or else those of these links alone."""
         plan = force_plan_name(*links)
         plan_of_term = {t.name: e.plan for e in self.equations for t in e.all_terms}
         alone = self.moment_equations_on_links(links)
         return [m for m in self.moments if plan_of_term.get(m.unknown, plan if m in alone else "") == plan]
 
-    def moment_equations_on_links(self, links: tuple[str, ...]) -> list[Moments]:
+    def moment_equations_on_links(self, links: NameTuple) -> list[Moments]:
         """The moment equations for forces on some links, or on more where these have no plan."""
         fewer = [f for f in map(set, map(force_plan_links, self.force_plans)) if f < set(links)]
         return [m for m in self.moments if set(m.links) <= set(links) and not any(set(m.links) <= f for f in fewer)]
@@ -180,12 +189,12 @@ class Plans:
         return max(self.link_lengths.values(), default=1.0)
 
     @property
-    def plan_names(self) -> tuple[str, ...]:
+    def plan_names(self) -> NameTuple:
         """Plans in drawing order: position, velocity, acceleration, force:2-3, …, force:1."""
         return tuple(self.program.mark_steps_by_plan)
 
     @property
-    def force_plans(self) -> tuple[str, ...]:
+    def force_plans(self) -> NameTuple:
         """The force plans in drawing order."""
         return tuple(plan for plan in self.plan_names if plan_kind(plan) == "force")
 

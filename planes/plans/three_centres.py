@@ -18,7 +18,7 @@ from planes.plans.centres import Centre, CentreLine, Check, instant_centre_name
 from planes.plans.position.bodies import scheme_mark
 from planes.plans.record import Plans
 from planes.scene.mechanism import FRAME
-from planes.words.names import Meaning, plan_of
+from planes.words.names import Meaning, NamePair, NameTuple, plan_of
 
 
 @dataclass
@@ -30,7 +30,7 @@ class Centres:
     found: dict[frozenset[str], Centre] = field(default_factory=dict)
 
     @cached_property
-    def links(self) -> tuple[str, ...]:
+    def links(self) -> NameTuple:
         """The frame and the links that have pairs."""
         pairs = self.plans.structure.pairs
         return (FRAME, *(x for x in self.plans.mechanism.links if any(p.has_link(x) for p in pairs)))
@@ -81,7 +81,7 @@ class Centres:
             if one.point and one.point == two.point:
                 self.record_centre(i, j, point=one.point)
                 return
-        lines = dict[tuple[str, ...], CentreLine]()
+        lines = dict[NameTuple, CentreLine]()
         far = False
         for k, one, two in ways:
             if one.along and two.along:
@@ -128,7 +128,7 @@ class Centres:
         own = (p for p in self.plans.mechanism.links[link].points if p not in self.plans.fixed_points)
         return [p for p in own if f"v_{p}" in shown and scheme_mark(p) in self.draft.steps][:1]
 
-    def spin_and_centre_distance(self, link: str, label: str, mark: str) -> tuple[str, str] | None:
+    def spin_and_centre_distance(self, link: str, label: str, mark: str) -> NamePair | None:
         """ω of a turning link and the distance of a mark from its centre with the frame, where that is a mark."""
         omega = self.plans.links[link].omega
         pole = self.centre_with_frame(link)

@@ -32,7 +32,7 @@ from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_o
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
-from planes.words.names import CREMONA_PLAN, with_latin_letters
+from planes.words.names import CREMONA_PLAN, NameTuple, with_latin_letters
 from planes.words.records import Pictured
 from planes.words.units import Convention
 
@@ -44,7 +44,7 @@ class ReadWith:
     """How a scene was read; for other parameters or another variant its file is read again."""
 
     variant: str | None = None
-    variants: tuple[str, ...] = ()
+    variants: NameTuple = ()
     parameters: Mapping[str, float] = field(default_factory=nothing)
     source: str = field(default="", compare=False)
     changed: Mapping[str, float] = field(default_factory=nothing, compare=False)
@@ -66,7 +66,7 @@ class Scene(Pictured):
     mechanism: Mechanism | None = None
     statement: Statement | None = None
     mu: Mapping[str, float | None] = field(default_factory=nothing)
-    find: tuple[str, ...] | None = None
+    find: NameTuple | None = None
     sheet: Mapping[str, object] = field(default_factory=nothing)
     where: Where = field(default_factory=nothing, compare=False, repr=False)
     crank_slider: Node | None = field(default=None, compare=False, repr=False)
@@ -81,7 +81,7 @@ class Scene(Pictured):
         return self.reading.variant
 
     @property
-    def variants(self) -> tuple[str, ...]:
+    def variants(self) -> NameTuple:
         """The variants the file has."""
         return self.reading.variants
 

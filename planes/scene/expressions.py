@@ -13,6 +13,7 @@ from planes.geometry.arithmetic import Real, acos_deg, asin_deg, atan2_deg, atan
 from planes.scene.unit_words import UNIT_FACTORS, unit_at_start
 from planes.words import Phrase, Written
 from planes.words.errors import ExpressionError, list_valid_choices, quoted_excerpt
+from planes.words.names import NamePair
 
 MAX_EXPRESSION_LENGTH = 1000
 MAX_EXPRESSION_DEPTH = 40
@@ -72,14 +73,14 @@ def _expression_error(text: str, why: Phrase) -> ExpressionError:
     return ExpressionError(Phrase("about", what=quoted_excerpt(text), why=why))
 
 
-def split_into_tokens(text: str) -> list[tuple[str, str]]:
+def split_into_tokens(text: str) -> list[NamePair]:
     """The tokens of a text: each piece with its kind, "number", "name" or "sign"."""
     if len(text) > MAX_EXPRESSION_LENGTH:
         raise _expression_error(text, Phrase("expression_long", most=MAX_EXPRESSION_LENGTH))
     text = unicodedata.normalize("NFC", text).strip().replace("−", "-")
     if re.fullmatch(r"[-+]?\.?(nan|inf|infinity)", text, re.IGNORECASE):
         raise _expression_error(text, Phrase("not_finite"))
-    tokens: list[tuple[str, str]] = []
+    tokens: list[NamePair] = []
     place = 0
     while place < len(text):
         match = _TOKEN_PATTERN.match(text, place)
@@ -91,7 +92,7 @@ def split_into_tokens(text: str) -> list[tuple[str, str]]:
     return tokens
 
 
-def _stray_character_reason(char: str, before: list[tuple[str, str]]) -> Phrase:
+def _stray_character_reason(char: str, before: list[NamePair]) -> Phrase:
     if char == "·" and [kind for kind, _ in before[-2:]] == ["number", "name"]:
         return Phrase("unit_written", word=quoted_excerpt(before[-1][1]), hint="")
     if char == "°":

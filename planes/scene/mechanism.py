@@ -12,6 +12,7 @@ from typing import Literal
 
 from planes.scene.written_numbers import WrittenNumbers
 from planes.words.frozen import field, frozen
+from planes.words.names import NamePair, NameTuple
 
 FRAME = "0"
 DRIVE_RATE_KEYS = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
@@ -138,7 +139,7 @@ class Drive:
         return f"s_{self.link}", f"v_{self.link}", f"a_{self.link}"
 
     @property
-    def rate_names(self) -> tuple[str, str]:
+    def rate_names(self) -> NamePair:
         """The names of its given velocity and acceleration."""
         turning = f"omega_{self.turning}", f"epsilon_{self.turning}"
         return turning if self.rotates else ("v_drive", "a_drive")
@@ -276,6 +277,6 @@ class Mechanism:
         return name if name in self.journals else None
 
     @cached_property
-    def point_names(self) -> tuple[str, ...]:
+    def point_names(self) -> NameTuple:
         """Names of all points, each once, those of the frame first."""
         return tuple(dict.fromkeys(p for link in self.bodies for p in link.points))

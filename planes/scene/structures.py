@@ -10,6 +10,7 @@ from planes.scene.reader import LARGEST_SCENE_NUMBER, Fields, section_in_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told
 from planes.words.frozen import field, frozen
+from planes.words.names import NamePair, NameTuple
 
 SupportKind = Literal["hinge", "roller", "rod", "rope", "clamp"]
 SUPPORT_KINDS: tuple[SupportKind, ...] = get_args(SupportKind)
@@ -18,7 +19,7 @@ POLE_KEYS = ("through",)
 SOLUTION_METHODS = ("moments", "string", "three-forces", "composition", "culmann")
 STATIC_LOAD_KEYS = ("point", "force", "direction", "body", "moment", "from", "to", "intensity")
 MOST_FRAMEWORK_POINTS = 60
-Bodies = Mapping[str, tuple[str, ...]]  # the points of each
+Bodies = Mapping[str, NameTuple]  # the points of each
 ONLY_BODY_NAME = "1"
 """The name of the only body of a scene that names no bodies."""
 
@@ -50,7 +51,7 @@ class StaticLoad:
     direction_deg: float | LoadLaw | None = None  # None for a couple
     place: complex = 0j
     point: str = ""  # the named point it acts at; "" for the resultant of a distributed load
-    spread: tuple[str, str] | None = None
+    spread: NamePair | None = None
     intensity: tuple[float, float] = (0.0, 0.0)  # N/m at both ends
 
     @property
@@ -67,12 +68,12 @@ class Framework:
 
     points: Mapping[str, complex]
     bodies: Bodies
-    members: tuple[tuple[str, str], ...] = ()
+    members: tuple[NamePair, ...] = ()
     supports: tuple[Support, ...] = ()
     loads: tuple[StaticLoad, ...] = ()
     method: str | None = None
     pole: complex | None = None
-    through: tuple[str, ...] = ()
+    through: NameTuple = ()
     fixed: frozenset[str] = field(default_factory=frozenset)  # fixed points at the ends of rods and ropes
 
 
@@ -124,7 +125,7 @@ class FrameworkReader:
         self.taken[name] = self.taken.get(name, 0) + 1
         return name if self.taken[name] == 1 else f"{name}_{self.taken[name]}"
 
-    def bodies(self, members: tuple[tuple[str, str], ...], fixed: frozenset[str]) -> dict[str, tuple[str, ...]]:
+    def bodies(self, members: tuple[NamePair, ...], fixed: frozenset[str]) -> dict[str, NameTuple]:
         """The rigid bodies by their points: a truss is one; where no body is named, one body has all points."""
         own = {
             name: self.read_point_list(node, Phrase("body_of", name=name))
@@ -134,11 +135,11 @@ class FrameworkReader:
             self.scene.require_one_key("bodies", "members")
         return own or {ONLY_BODY_NAME: tuple(p for p in self.points if p not in fixed)}
 
-    def read_point_list(self, node: Node, what: Told) -> tuple[str, ...]:
+    def read_point_list(self, node: Node, what: Told) -> NameTuple:
         """Points in a list."""
         return tuple(dict.fromkeys(self.read_point_name(x, what) for x in self.reader.read_list(node, what)))
 
-    def read_members(self) -> Iterator[tuple[str, str]]:
+    def read_members(self) -> Iterator[NamePair]:
         """The members of a truss: [AB, BC] or [[A1, B], …]."""
         seen = set[frozenset[str]]()
         for k, entry in self.numbered_entries("members"):
@@ -151,7 +152,7 @@ class FrameworkReader:
             seen.add(frozenset(ends))
             yield ends
 
-    def split_member_name(self, node: Node, what: Told) -> tuple[str, ...]:
+    def split_member_name(self, node: Node, what: Told) -> NameTuple:
         """The two points of a member's name."""
         text = self.reader.read_text(node, what)
         ways = [(text[:k], text[k:]) for k in range(1, len(text)) if {text[:k], text[k:]} <= self.points.keys()]
@@ -246,7 +247,7 @@ class FrameworkReader:
         name = self.unused_name(f"Q_{''.join(ends)}")
         return StaticLoad(name, body, size, angle, place, spread=ends, intensity=(first, last))
 
-    def read_string_pole(self) -> tuple[complex | None, tuple[str, ...]]:
+    def read_string_pole(self) -> tuple[complex | None, NameTuple]:
         """The pole of a string polygon, or the points its strings must pass through."""
         node = self.scene.optional_node("pole")
         if not isinstance(node, SourceTable) or "through" not in node.entries:

@@ -8,7 +8,7 @@ from planes.scene.expressions import evaluate_expression
 from planes.words import Phrase
 from planes.words.errors import EquationError
 from planes.words.frozen import field, frozen
-from planes.words.names import POLE_LABEL
+from planes.words.names import POLE_LABEL, NamePair, NameTuple
 
 VECTOR_NAME_PATTERN = r"[^\W\d][\w^'′″]*"
 _RATE_VECTOR_PATTERN = re.compile(r"([va])_([^\W\d_]\d*)([^\W\d_]\d*)?(?:\^([ntkr]))?")
@@ -41,7 +41,7 @@ class VectorEquation:
     plan: str = ""  # the plan it is drawn on, if the scene names one: "force:2-3"
 
     @property
-    def vector_names(self) -> tuple[str, ...]:
+    def vector_names(self) -> NameTuple:
         """Its vectors, in order."""
         return tuple(t.name for side in self.sides for t in side)
 
@@ -86,9 +86,9 @@ def _terms_of_side(part: str, text: str, number: Number) -> list[SideTerm]:
     return [_read_term(sign, piece, text, number) for sign, piece in pieces]
 
 
-def _split_at_signs(part: str) -> list[tuple[str, str]]:
+def _split_at_signs(part: str) -> list[NamePair]:
     """The side split at the signs outside brackets."""
-    pieces = list[tuple[str, str]]()
+    pieces = list[NamePair]()
     depth = 0
     piece = ""
     sign = "+"
@@ -116,7 +116,7 @@ def _read_term(sign: str, piece: str, text: str, number: Number) -> SideTerm:
     return SideTerm(name, times if sign == "+" else -times)
 
 
-def rate_vector_end_marks(name: str) -> tuple[str, str] | None:
+def rate_vector_end_marks(name: str) -> NamePair | None:
     """The end marks of a velocity or acceleration, by its name: v_C p→c, v_CB b→c, a_CB^n b'→n_CB; else None."""
     match = _RATE_VECTOR_PATTERN.fullmatch(name)
     if not match:
@@ -131,7 +131,7 @@ def rate_vector_end_marks(name: str) -> tuple[str, str] | None:
     return (middle, end) if part else (start, end)
 
 
-def term_end_marks(term: SideTerm) -> tuple[str, str] | None:
+def term_end_marks(term: SideTerm) -> NamePair | None:
     """The marks at the ends of a term; None where neither its name nor its coefficient gives any."""
     marks = rate_vector_end_marks(term.name) if abs(term.times) == 1 else None
     return marks[::-1] if marks and term.times < 0 else marks

@@ -16,7 +16,7 @@ from planes.scene.vector_equations import VECTOR_NAME_PATTERN, VectorEquation, r
 from planes.words import Phrase, Told
 from planes.words.errors import EquationError, ExpressionError, SceneError, list_valid_choices, quoted_excerpt
 from planes.words.frozen import field, frozen, replace
-from planes.words.names import split_reversal_sign
+from planes.words.names import NamePair, split_reversal_sign
 
 VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "ratio", "angle", "as")
 _VECTOR_NAME_REGEX = re.compile(VECTOR_NAME_PATTERN)
@@ -40,7 +40,7 @@ class Similarity:
 
     of: str
     ratio: complex = 1 + 0j
-    shape: tuple[str, str] | None = None
+    shape: NamePair | None = None
 
 
 @frozen

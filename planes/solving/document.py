@@ -9,6 +9,7 @@ from planes.geometry.arrays import Array
 from planes.scene import Scene
 from planes.solving import Position
 from planes.words.frozen import field, frozen
+from planes.words.names import NamePair, NameTuple
 
 
 @frozen
@@ -27,8 +28,8 @@ class Cover:
     kind: str
     contents: str
     of: str
-    above: tuple[str, ...]
-    people: tuple[str, ...]
+    above: NameTuple
+    people: NameTuple
     foot: str
 
     @property
@@ -110,7 +111,7 @@ class DrawnViews:
 
     scene: Scene
     position: Position
-    views: tuple[tuple[str, ...], ...]
+    views: tuple[NameTuple, ...]
     scales: bool = False
 
 
@@ -126,7 +127,7 @@ class ShaftSketch:
     r: float
     radius: float
     masses: Mapping[str, str] = field(default_factory=dict)
-    forces: Mapping[tuple[str, str], str] = field(default_factory=dict)
+    forces: Mapping[NamePair, str] = field(default_factory=dict)
     sizes: Mapping[str, str] = field(default_factory=dict)
 
 

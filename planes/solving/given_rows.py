@@ -2,6 +2,7 @@
 
 from planes.words.frozen import frozen
 from planes.words.lettering import without_index_markup
+from planes.words.names import NamePair
 
 EQUAL_NUMBERS_RATIO = 1e-9
 
@@ -19,7 +20,7 @@ class GivenRow:
     place: bool = False  # a coordinate, which is listed even where it is 0
 
     @property
-    def key_of_quantity(self) -> tuple[str, str]:
+    def key_of_quantity(self) -> NamePair:
         """The key common to all names of one quantity: for l_{CD} and l_{DC} the letter and the points, for J_{S2} and
         J_{2} the unit and the link."""
         spatial = self.unit in ("m", "°")

@@ -6,10 +6,11 @@ from planes.drafting.drawing import draw_program
 from planes.drafting.instruments import DRAUGHTSMEN_COUNT, Pencil
 from planes.drafting.program import Program
 from planes.drafting.tools import Thing
+from planes.words.names import NamePair
 
 
 def length_scatter_mm(
-    program: Program, given: Mapping[str, Thing], repeated: str, pencil: Pencil, spans: Mapping[str, tuple[str, str]]
+    program: Program, given: Mapping[str, Thing], repeated: str, pencil: Pencil, spans: Mapping[str, NamePair]
 ) -> dict[str, float]:
     """Standard deviation, in mm, of the length between marks over many draughtsmen with the same pencil; a single
     drawing is ``repeated`` for each of them."""

@@ -19,6 +19,9 @@ Loading = Literal["weight", "inertia", "load", "couple", "tangential", "reaction
 Size = Literal["length", "offset", "place", "angle", "rate", "circle"]
 Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
 Quantity = Literal[Mark, Loading, Size, Line]
+NameTuple = tuple[str, ...]
+NamePair = tuple[str, str]
+"""The ends of a vector, a point and its link, two links: which two, the name of the value says."""
 
 # drawn but never a question to the student
 HELPER_MARK_KINDS = ("guide", "moved", "foot", "trial", "special", "false", "centre")

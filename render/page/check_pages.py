@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from planes.check.report.class_rows import UNSURE_RANK, ClassRow
 from planes.drafting.pens import THICK_PEN_HEAD
 from planes.words import Lang, say, sentences_with_prefix
+from planes.words.names import NamePair
 from planes.words.naming import Naming
 from planes.words.records import Json
 from render.page import packer, web_page
@@ -104,7 +105,7 @@ def _table_html(
     return f'<table id="{key}">{parts}</table>'
 
 
-Whose = Sequence[tuple[str, str]]
+Whose = Sequence[NamePair]
 
 
 def class_page(

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from planes.lesson.formulas import in_lesson_languages
 from planes.words import available_languages, fallback_languages, sentence_table, sentences_with_prefix
-from planes.words.names import name_without_plan
+from planes.words.names import NameTuple, name_without_plan
 from planes.words.records import Json
 from render.page import packer, web_page
 from render.paper.letters import BRACKETED_NAME_PATTERN, names_for_script
@@ -44,7 +44,7 @@ def essay_page(data: Json, lang: str) -> str:
     return _fill_page(data, lang, "essay", ("essay",))
 
 
-def _fill_page(data: Json | None, lang: str, name: str, modules: tuple[str, ...], given: str = "") -> str:
+def _fill_page(data: Json | None, lang: str, name: str, modules: NameTuple, given: str = "") -> str:
     """A page with the template of its name, its data and its modules."""
     modules += ("centres",) * bool((data or {}).get("centres"))
     page_words = in_lesson_languages(

@@ -18,7 +18,7 @@ from planes.solving import Position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_kind, plan_of
+from planes.words.names import POLE_LABEL, NamePair, NameTuple, full_mark_name, label_of, plan_kind, plan_of
 from planes.words.naming import Naming
 from render.sheet.composer import Composer, drawn_plans
 from render.sheet.single import plan_view_name
@@ -43,9 +43,9 @@ class LiveFigure:
     """The figure: the scheme, if any, and some plans of a position, side by side."""
 
     position: Position
-    plans: tuple[str, ...]
+    plans: NameTuple
     naming: Naming
-    titles: tuple[str, ...]
+    titles: NameTuple
     title: str
     lang: Lang
 
@@ -99,7 +99,7 @@ class LiveFigure:
     @cached_property
     def plan_vectors(self) -> list[Stretch]:
         """The vectors of the plans, each once."""
-        names: dict[tuple[str, str], str] = {}
+        names: dict[NamePair, str] = {}
         for s in (s for plan in self.plans for s in self.stated_plans.segments_by_plan.get(plan, ())):
             if s.start != s.end and {*s.ends} <= {*self.shown_marks}:
                 names.setdefault(s.ends, self.naming.lettered_vector(s.name))
@@ -121,7 +121,7 @@ class LiveFigure:
             yield from (Stretch(*side) for side in sides)
 
 
-def format_suffixes() -> tuple[str, ...]:
+def format_suffixes() -> NameTuple:
     """The suffixes of the available formats."""
     return tuple(f".{m.name}" for m in pkgutil.iter_modules(__path__) if m.name[0] != "_")
 
@@ -145,7 +145,7 @@ def live_figure(scene: Scene, view: str | None, values: Iterable[float] | None, 
 
 def draw_constructed(
     scene: Scene, view: str | None, values: Iterable[float] | None, output: str, lang: Lang
-) -> tuple[str, ...]:
+) -> NameTuple:
     """Write the construction into a file of its format; returns sentences about its limitations."""
     suffix = Path(output).suffix.lower()
     format_ = import_module(f"{__name__}.{suffix[1:]}")

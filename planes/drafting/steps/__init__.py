@@ -11,7 +11,7 @@ from typing import ClassVar, Literal, get_args
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.words.frozen import field, frozen
-from planes.words.names import HELPER_MARK_KINDS, Meaning
+from planes.words.names import HELPER_MARK_KINDS, Meaning, NamePair
 
 Kind = Literal["mark", "direction", "value", "place"]
 INPUT_KINDS: tuple[Kind, ...] = get_args(Kind)
@@ -173,9 +173,9 @@ class Image(Step):
     ``like``."""
 
     start: str
-    of: tuple[str, str]
-    like: tuple[str, str]
-    image: tuple[str, str]
+    of: NamePair
+    like: NamePair
+    image: NamePair
     needs = marks("start", "of", "like", "image")
 
     def draw(self, env: Env, tool: Tool) -> Thing:

@@ -9,8 +9,8 @@ from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Point, Real
 from planes.words.frozen import frozen
+from planes.words.names import NamePair, NameTuple
 
-Names = tuple[str, ...]  # of marks and directions
 LEANING_LEADS_REASON = "leads_lean"
 """Reason for other plans: two leads that meet in a special point are too nearly parallel."""
 LEAST_FAIR_SHARPNESS_RATIO = 0.4  # of the best crossing of two leads: a pair less sharp than this gives way to another
@@ -20,7 +20,7 @@ class ByLeads(Step):
     """A step by some leads of a basic link; others are preferred where those are too nearly parallel."""
 
     @property
-    def sharp_directions(self) -> Names:
+    def sharp_directions(self) -> NameTuple:
         """The directions whose crossing should be sharp."""
         raise NotImplementedError
 
@@ -67,9 +67,9 @@ class CrossInChain(ByLeads, Cross):
     the two links at each hinge. Of leads and hinges, in one sequence, ``turn`` is found last.
     """
 
-    points: Names = ()
-    lines: Names = ()
-    pins: Names = ()
+    points: NameTuple = ()
+    lines: NameTuple = ()
+    pins: NameTuple = ()
     sides: tuple[int, ...] = ()
     joined: tuple[tuple[int, int], ...] = ()
     turn: int = 0
@@ -77,7 +77,7 @@ class CrossInChain(ByLeads, Cross):
     needs = marks("start", "other", "points", "pins") + directions("along", "across", "lines")
 
     @property
-    def sharp_directions(self) -> Names:
+    def sharp_directions(self) -> NameTuple:
         return *self.points, *self.pins, *self.lines
 
     def crossing_sharpnesses(self, env: Env) -> tuple[Real, ...]:
@@ -117,11 +117,11 @@ class CrossFalse(ByLeads, Cross):
     """The hinge of a rod on a false plan, unless the other rod gives it much more sharply (``instead``: the directions
     to cross then)."""
 
-    instead: tuple[str, str] = ("", "")
+    instead: NamePair = ("", "")
     needs = marks("start", "other") + directions("along", "across", "instead")
 
     @property
-    def sharp_directions(self) -> Names:
+    def sharp_directions(self) -> NameTuple:
         return self.along, self.across, *self.instead
 
 
@@ -134,7 +134,7 @@ class DropFalse(ByLeads, Drop):
     needs = marks("point", "about") + directions("along", "lines") + values("mu")
 
     @property
-    def sharp_directions(self) -> Names:
+    def sharp_directions(self) -> NameTuple:
         return self.lines
 
 
@@ -147,5 +147,5 @@ class CosineFalse(ByLeads, Cosine):
     needs = directions("of", "along", "lines")
 
     @property
-    def sharp_directions(self) -> Names:
+    def sharp_directions(self) -> NameTuple:
         return self.lines

@@ -9,6 +9,7 @@ from planes.scene.reader import LARGEST_SCENE_NUMBER
 from planes.words.errors import PlanFailure
 from planes.words.frozen import field, frozen
 from planes.words.lettering import name_in_words
+from planes.words.names import NamePair
 
 TABLE_END_SLACK, TABLE_END_SLACK_BY_HAND = 1e-9, 0.05  # of a table's length: dead points are at its ends
 
@@ -22,7 +23,7 @@ class Follow(Step):
     """
 
     law: LoadLaw
-    of: tuple[tuple[str, str], ...]
+    of: tuple[NamePair, ...]
     stroke: str = ""
     sense: int = 1
     line: str = field(default="", compare=False)  # line of the scene, for whoever has to change the law

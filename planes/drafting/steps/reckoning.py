@@ -7,6 +7,7 @@ from planes.drafting.tools import Env, Thing, Things, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.words.frozen import frozen
+from planes.words.names import NamePair, NameTuple
 
 SLACK_ROPE_FORCE_RATIO = 1e-12  # of the largest force: below this a rope is slack
 
@@ -34,7 +35,7 @@ class Pull(Measure):
     beside the forces up to the marks ``beside``, fails the position."""
 
     name: str = ""
-    beside: tuple[str, ...] = ()
+    beside: NameTuple = ()
     guards = True
     needs = Measure.needs + marks("beside")
 
@@ -131,7 +132,7 @@ class Sense(Step):
     start: str
     end: str
     along: str | None
-    beside: tuple[str, ...]
+    beside: NameTuple
     told: bool = True
     kind = "value"
     needs = marks("start", "end", "beside") + directions("along")
@@ -196,7 +197,7 @@ class SenseBetween(Step):
         return ar.where(moving, ar.sign(apart), 0.0)
 
     @property
-    def signed_rates(self) -> tuple[tuple[str, str], tuple[str, str]]:
+    def signed_rates(self) -> tuple[NamePair, NamePair]:
         """The rate of each with its sense."""
         return (self.rate, self.sense), (self.other_rate, self.other_sense)
 
@@ -227,7 +228,7 @@ class Trial:
     """A place drawn on the assumption that the reactions ``pushes`` have the signs ``signs``."""
 
     mark: str
-    pushes: tuple[str, ...]
+    pushes: NameTuple
     signs: tuple[int, ...]
 
 

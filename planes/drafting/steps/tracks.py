@@ -15,6 +15,7 @@ from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.tracks import Pose, Tie, TieKind, link_origins, newton_step
 from planes.words.frozen import frozen
+from planes.words.names import NameTuple
 
 # steps from the guess, a tenth off where lengths were changed, until only the rounding error is left
 STEPS_BEFORE_ROUNDING = 5
@@ -65,8 +66,8 @@ class SeriesGuess:
     middle: str
     half: str
     size: str
-    places: tuple[str, ...]
-    turns: tuple[tuple[str, ...], ...]
+    places: NameTuple
+    turns: tuple[NameTuple, ...]
 
     def input_names(self) -> Iterator[Read]:
         """Names of its inputs."""

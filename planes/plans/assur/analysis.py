@@ -10,13 +10,14 @@ from typing import Literal
 
 from planes.plans.assur.basic_chains import chain_of_basic_links
 from planes.plans.assur.contours import AnyGroup, Contour, Tracked, contour_group_of_links, triad_of_links
-from planes.plans.assur.groups import DYAD_KIND_NAMES, Group, Names, Pair
+from planes.plans.assur.groups import DYAD_KIND_NAMES, Group, Pair
 from planes.plans.assur.inner_drives import group_moved_by_inner_drive
 from planes.plans.assur.structure import GROUP_CLASSES, Structure
 from planes.plans.assur.unsolvable import Joint, degree_of_freedom_of_links, find_unsolvable_links
 from planes.scene.mechanism import FRAME, Drive, Mechanism
 from planes.words import Phrase
 from planes.words.errors import StructureError
+from planes.words.names import NamePair, NameTuple
 
 
 def analyse_structure(mechanism: Mechanism, file: str = "") -> Structure:
@@ -157,7 +158,7 @@ class _Finder:
         """Dyads in the order of attachment, a higher group where no dyad attaches; an error for the rest when nothing
         does."""
         groups: list[AnyGroup] = []
-        solved: Names = (FRAME, drive.link)
+        solved: NameTuple = (FRAME, drive.link)
         if drive.other != FRAME:
             self.solve(FRAME)
             still, driven = group_moved_by_inner_drive(self, drive)
@@ -172,7 +173,7 @@ class _Finder:
             groups.append(group)
             solved = group.links_in_solving_order
 
-    def meeting(self) -> Iterator[tuple[str, str]]:
+    def meeting(self) -> Iterator[NamePair]:
         """Two links, each attached to a solved link, with a common hinge or guide, in the order of the file."""
         place = {link: k for link, k in self.left.items() if len(self.outer[link]) == 1}
         for one in place:
@@ -181,13 +182,13 @@ class _Finder:
             mates |= {slide.other_link_of_pair(one) for slide in self.slid.get(one, ())}
             yield from ((one, self.links[k]) for k in sorted(place[m] for m in mates if place.get(m, -1) > place[one]))
 
-    def dyad(self, links: tuple[str, str]) -> Group | None:
+    def dyad(self, links: NamePair) -> Group | None:
         """The two links as a dyad on the solved links, or None."""
         one, two = links
         inner = self.unsolved_pairs_between(two, one)
         return self.classify_dyad(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
 
-    def classify_dyad(self, links: tuple[str, str], a: Pair, inner: Pair, b: Pair) -> Group:
+    def classify_dyad(self, links: NamePair, a: Pair, inner: Pair, b: Pair) -> Group:
         """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""
         letters = a.kind + inner.kind + b.kind
         one, two = links
@@ -224,7 +225,7 @@ class _Finder:
         """Pairs between two unsolved links."""
         return [p for p in self.between(link, other) if p.kind == "P" or p.point not in self.reached]
 
-    def links_blocking_solution(self) -> tuple[Names, int]:
+    def links_blocking_solution(self) -> tuple[NameTuple, int]:
         """The links that prevent a solution of the rest, and their degree of freedom."""
         holders = [*self.holders.values(), *([s.link, s.other] for s in self.slides)]
         here = [tuple(x for x in links if x in self.left) for links in holders]
@@ -232,7 +233,7 @@ class _Finder:
         names = find_unsolvable_links(list(self.left), joints)
         return names, degree_of_freedom_of_links(names, joints)
 
-    def unsolvable_links_error(self, names: Names, free: int) -> StructureError:
+    def unsolvable_links_error(self, names: NameTuple, free: int) -> StructureError:
         """The error for links that form a group of too high a class, or are over- or under-constrained."""
         if free < 0:
             why = Phrase("overconstrained", names=names, count=(1 - free) // 2, freedom=free)

@@ -8,9 +8,10 @@ Two leads of a basic link at an end of the chain turn it into a lead of the next
 from collections.abc import Sequence
 
 from planes.plans.assur.basic_links import Lead, SolvedByLeads, pairs_of_leads
-from planes.plans.assur.groups import Between, Names, Pair
+from planes.plans.assur.groups import Between, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
+from planes.words.names import NamePair, NameTuple
 from planes.words.records import Json
 
 
@@ -18,8 +19,8 @@ from planes.words.records import Json
 class BasicChain(SolvedByLeads):
     """The ``basics``, each but the first with a hinge on an earlier one (``hinges``), and the leads of each."""
 
-    links: Names
-    basics: Names
+    links: NameTuple
+    basics: NameTuple
     hinges: tuple[Pair, ...]
     sides: tuple[tuple[Lead, ...], ...]
     level = "III"
@@ -58,17 +59,17 @@ class BasicChain(SolvedByLeads):
         return next(own, self.basics.index(last.link) if last in self.joining_leads else 0)
 
     @property
-    def all_links(self) -> Names:
+    def all_links(self) -> NameTuple:
         """All its links."""
         return self.links
 
-    def basic_link_with_leads(self, k: int) -> Names:
+    def basic_link_with_leads(self, k: int) -> NameTuple:
         """One basic link with its leads, in the order of the file."""
         own = self.basics[k], *(lead.link for lead in self.sides[k])
         return tuple(link for link in self.links if link in own)
 
     @property
-    def links_by_force_plan(self) -> tuple[Names, ...]:
+    def links_by_force_plan(self) -> tuple[NameTuple, ...]:
         """The links of each force plan, which name it."""
         return tuple(self.basic_link_with_leads(k) for k in range(len(self.basics)))
 
@@ -139,5 +140,5 @@ def chain_of_basic_links(names: Sequence[str], between: Between, outer: dict[str
     return BasicChain(tuple(names), tuple(basics), tuple(hinges), tuple(tuple(side) for side in sides))
 
 
-def _later_link_first(names: Sequence[str], one: str, two: str) -> tuple[str, str]:
+def _later_link_first(names: Sequence[str], one: str, two: str) -> NamePair:
     return (one, two) if names.index(one) > names.index(two) else (two, one)

@@ -7,9 +7,10 @@ link on three leads (поводки), each attached to a solved link.
 from collections.abc import Iterable
 from typing import Any
 
-from planes.plans.assur.groups import Group, Names, Pair
+from planes.plans.assur.groups import Group, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
+from planes.words.names import NameTuple
 from planes.words.records import Json
 
 
@@ -24,7 +25,7 @@ class Lead:
     drive: Pair | None = None
 
     @property
-    def lead_links(self) -> Names:
+    def lead_links(self) -> NameTuple:
         """The links it consists of."""
         return (self.link, self.drive.other_link_of_pair(self.link)) if self.drive else (self.link,)
 
@@ -47,16 +48,16 @@ class SolvedByLeads:
     """The common part of groups of ``basics``, basic links, on ``leads``."""
 
     @property
-    def output_link_candidates(self: Any) -> Names:
+    def output_link_candidates(self: Any) -> NameTuple:
         """The links that may be the output of the mechanism, the likeliest first."""
         return tuple(lead.link for lead in reversed(self.leads))
 
     @property
-    def links_in_solving_order(self: Any) -> Names:
+    def links_in_solving_order(self: Any) -> NameTuple:
         """Its links in the order of solving."""
         return *(x for x in self.links if x in self.basics), *(lead.link for lead in self.leads)
 
-    def reached(self: Any, drive: Pair) -> Names:
+    def reached(self: Any, drive: Pair) -> NameTuple:
         """The links solved together with it where the drive is inside."""
         return drive.link, drive.other, *(x for x in self.links_in_solving_order if not drive.has_link(x))
 
@@ -64,28 +65,28 @@ class SolvedByLeads:
 class OnLeads(SolvedByLeads):
     """The common part of groups of one ``basic`` link on leads; each lead may have a drive inside."""
 
-    links: Names
+    links: NameTuple
     basic: str
     leads: tuple[Lead, ...]
-    order: Names
+    order: NameTuple
 
     @property
-    def all_links(self) -> Names:
+    def all_links(self) -> NameTuple:
         """All its links, including both links of a drive inside."""
         return self.order or self.links
 
     @property
-    def balanced_links(self) -> Names:
+    def balanced_links(self) -> NameTuple:
         """The links whose forces are on its plan; they name the plan."""
         return self.all_links
 
     @property
-    def basics(self) -> Names:
+    def basics(self) -> NameTuple:
         """Its basic links."""
         return (self.basic,)
 
     @property
-    def links_by_force_plan(self) -> tuple[Names, ...]:
+    def links_by_force_plan(self) -> tuple[NameTuple, ...]:
         """The links of each force plan, which name it."""
         return (self.balanced_links,)
 
@@ -100,10 +101,10 @@ class OnLeads(SolvedByLeads):
 class Triad(OnLeads):
     """An Assur group of class III and order 3: the ``basic`` link and its three leads, all in the order of the file."""
 
-    links: Names
+    links: NameTuple
     basic: str
     leads: tuple[Lead, Lead, Lead]
-    order: Names = ()  # with a drive inside: all its links in the order of the file
+    order: NameTuple = ()  # with a drive inside: all its links in the order of the file
     level = "III"
 
     @property

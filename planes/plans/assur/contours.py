@@ -9,9 +9,10 @@ from collections.abc import Sequence
 
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Lead, OnLeads, Triad, dyad_kind_of_leads, pairs_of_leads
-from planes.plans.assur.groups import Between, Group, Names, Pair
+from planes.plans.assur.groups import Between, Group, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
+from planes.words.names import NameTuple
 from planes.words.records import Json
 
 
@@ -20,12 +21,12 @@ class Contour(OnLeads):
     """An Assur group of class IV and order 2: ``base`` and ``basic`` on their outer pairs, the base on a hinge, and the
     two links between them, as leads from the base to the basic link."""
 
-    links: Names
+    links: NameTuple
     base: str
     basic: str
     outer: tuple[Pair, Pair]  # of the base and of the basic link
     leads: tuple[Lead, Lead]
-    order: Names = ()  # with a drive inside: all its links in the order of the file
+    order: NameTuple = ()  # with a drive inside: all its links in the order of the file
     level = "IV"
 
     @property
@@ -46,12 +47,12 @@ class Contour(OnLeads):
         return self.base, one.link, self.basic, two.link
 
     @property
-    def output_link_candidates(self) -> Names:
+    def output_link_candidates(self) -> NameTuple:
         """The links that may be the output of the mechanism, the likeliest first."""
         return self.basic, self.base
 
     @property
-    def links_in_solving_order(self) -> Names:
+    def links_in_solving_order(self) -> NameTuple:
         """Its links in the order of solving."""
         return self.base, *super().links_in_solving_order
 

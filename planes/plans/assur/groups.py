@@ -5,11 +5,11 @@ from typing import Literal
 
 from planes.words import Phrase
 from planes.words.frozen import frozen
+from planes.words.names import NamePair, NameTuple
 from planes.words.records import Json
 
 Between = Callable[[str, str], Sequence["Pair"]]
 """The pairs of a link with another one."""
-Names = tuple[str, ...]  # of links
 DYAD_KIND_NAMES = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
 
@@ -48,7 +48,7 @@ class Brace:
     far: Pair
 
     @property
-    def cylinder_links(self) -> tuple[str, str]:
+    def cylinder_links(self) -> NamePair:
         """Its two links, the one at the near hinge first."""
         return self.near.link, self.far.link
 
@@ -63,7 +63,7 @@ class Group:
     the drive is stopped. Where a cylinder is the ``brace`` of two links, the drive acts like a motor in their hinge.
     """
 
-    links: tuple[str, str]
+    links: NamePair
     kind: int
     first: str
     last: str
@@ -72,16 +72,16 @@ class Group:
     last_outer: Pair
     drive: Pair | None = None
     brace: Brace | None = None
-    order: Names = ()  # with a drive inside: all its links in the order of the file
+    order: NameTuple = ()  # with a drive inside: all its links in the order of the file
     level = "II"
 
     @property
-    def all_links(self) -> Names:
+    def all_links(self) -> NameTuple:
         """All its links, including both links of a drive inside."""
         return tuple(part for link in self.links for part in self.links_composing(link))
 
     @property
-    def balanced_links(self) -> Names:
+    def balanced_links(self) -> NameTuple:
         """The links whose forces are on its plan; they name the plan."""
         return self.order or self.links
 
@@ -105,15 +105,15 @@ class Group:
         )
 
     @property
-    def links_by_force_plan(self) -> tuple[Names, ...]:
+    def links_by_force_plan(self) -> tuple[NameTuple, ...]:
         """The links of each force plan, which name it."""
         return (self.balanced_links,)
 
-    def links_composing(self, link: str) -> Names:
+    def links_composing(self, link: str) -> NameTuple:
         """The links that one of the two consists of: itself and, with a drive inside, the other link of the drive."""
         return (link, self.drive.other_link_of_pair(link)) if self.drive and link == self.held_link else (link,)
 
-    def loaded_links(self, link: str) -> Names:
+    def loaded_links(self, link: str) -> NameTuple:
         """The links whose loads act on one of the two: its parts, and the cylinder that braces them."""
         loaded_parts = (
             *self.links_composing(link),
@@ -131,16 +131,16 @@ class Group:
         return ";".join("-".join(self.loaded_links(x)) for x in self.links)
 
     @property
-    def output_link_candidates(self) -> Names:
+    def output_link_candidates(self) -> NameTuple:
         """The links that may be the output of the mechanism, the likeliest first."""
         return self.last, self.first
 
     @property
-    def links_in_solving_order(self) -> Names:
+    def links_in_solving_order(self) -> NameTuple:
         """Its links in the order of solving."""
         return self.links
 
-    def reached(self, drive: Pair) -> Names:
+    def reached(self, drive: Pair) -> NameTuple:
         """The links solved together with it where the drive is inside."""
         return *(
             (drive.link, drive.other) if self.drive == drive else self.links_composing(self.held_link)

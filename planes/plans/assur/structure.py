@@ -1,9 +1,10 @@
 """The structure of a mechanism: degree of freedom, redundant constraints, pairs, Assur groups in order."""
 
 from planes.plans.assur.contours import AnyGroup
-from planes.plans.assur.groups import Group, Names, Pair
+from planes.plans.assur.groups import Group, Pair
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
+from planes.words.names import NameTuple
 from planes.words.records import Json
 
 GROUP_CLASSES = ("II", "III", "IV")
@@ -19,7 +20,7 @@ class Structure:
     drive_pair: Pair
     groups: tuple[AnyGroup, ...]
     driver: str
-    passive: Names = ()  # passive links, left out of the analysis
+    passive: NameTuple = ()  # passive links, left out of the analysis
     ways: tuple["Structure", ...] = ()  # of other drivers that give a lower class
 
     @property

@@ -21,14 +21,14 @@ from planes.plans.force.loads import Force, name_of_force
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import draw_with_settled_friction
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
-from planes.words.names import POLE_LABEL, force_plan_name, label_of, vector_end_label
+from planes.words.names import POLE_LABEL, NameTuple, force_plan_name, label_of, vector_end_label
 
 
 class BasicLinkForces(LeadForces):
     """Force plans of one basic link, or of several, with their leads."""
 
     def unknown_by_moments(
-        self, basic: str, held: Sequence[HeldLead], special: str, name: str, arm: str, links: tuple[str, ...]
+        self, basic: str, held: Sequence[HeldLead], special: str, name: str, arm: str, links: NameTuple
     ) -> str:
         """The only unknown in the moments of a basic link with its leads about its special point, by its ``arm``."""
         forces = list(self.statics.acting.forces[basic])
@@ -42,7 +42,7 @@ class BasicLinkForces(LeadForces):
         terms = self.statics.moments_about_mark(special, forces, couples, -1.0, arm)
         return self.draft.solve_moment_equation(name, special, links, terms, arm)
 
-    def third_lead_reaction(self, basic: str, held: Sequence[HeldLead], special: str, links: tuple[str, ...]) -> Force:
+    def third_lead_reaction(self, basic: str, held: Sequence[HeldLead], special: str, links: NameTuple) -> Force:
         """The reaction of the last of three leads along its line; the others meet in the special point."""
         *_, three = held
         arm = self.draft.draw_arm(three.other_component_name, three.point, three.line, special, three.lead.link)

@@ -9,7 +9,7 @@ from planes.plans.force.loads import Force, name_of_force
 from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import Rubs, draw_with_settled_friction
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
-from planes.words.names import POLE_LABEL, force_plan_name, full_mark_name, vector_end_label
+from planes.words.names import POLE_LABEL, NamePair, force_plan_name, full_mark_name, vector_end_label
 
 
 class BraceForces:
@@ -46,7 +46,7 @@ class BraceForces:
         for link, couples in self.couples.items():
             couples += rubs.friction_couples_on_link(link)
 
-    def polygon(self) -> dict[Pair, tuple[str, str]]:
+    def polygon(self) -> dict[Pair, NamePair]:
         """Draw both polygons: the cylinder's, closed by the reaction of its near hinge, and that of the far link,
         closed by the reaction of the braced hinge."""
         s = self.statics

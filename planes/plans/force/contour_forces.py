@@ -19,7 +19,7 @@ from planes.plans.force.rubbing import draw_with_settled_friction
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE_LABEL, Meaning, label_of, mu_name, split_value_name
+from planes.words.names import POLE_LABEL, Meaning, NameTuple, label_of, mu_name, split_value_name
 
 
 @frozen
@@ -27,7 +27,7 @@ class _Equilibrium:
     """The equilibrium on an outer pair: its links, and the forces on them except those along the leads."""
 
     pair: Pair
-    links: tuple[str, ...]
+    links: NameTuple
     forces: list[Force]
     couples: list[Couple]
 

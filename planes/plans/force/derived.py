@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from planes.plans import Plans
 from planes.plans.columns import DriverVector
+from planes.words.names import NamePair, NameTuple
 from planes.words.units import unit_of_parameter
 
 
@@ -12,11 +13,11 @@ class Derived(NamedTuple):
     """A value of the program, or the magnitude of a segment by its ``ends``, with all its ``names``; the first is its
     key in the JSON. ``per``: divided by the driver's speed."""
 
-    names: tuple[str, ...]
+    names: NameTuple
     unit: str
     value: str
     group: str
-    ends: tuple[str, str] = ("", "")
+    ends: NamePair = ("", "")
     per: DriverVector | None = None
 
 

@@ -14,7 +14,7 @@ from planes.plans.assur.groups import Pair
 from planes.plans.force.loads import Acting, Couple, name_of_force
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
-from planes.words.names import Meaning
+from planes.words.names import Meaning, NamePair
 
 
 @frozen
@@ -68,7 +68,7 @@ def guide_friction(acting: Acting, pair: Pair) -> Slip | None:
     return Slip(f"T_{key}", acting.bodies.draft.add_product(f"f_{pair.link}", -1.0, **factor))
 
 
-def friction_and_sliding_direction(acting: Acting, pair: Pair) -> tuple[str, str]:
+def friction_and_sliding_direction(acting: Acting, pair: Pair) -> NamePair:
     """The coefficient of friction of a guide, and the direction in which the link slides along it."""
     d = acting.bodies.draft
     m = acting.bodies.mechanism

@@ -20,7 +20,7 @@ from planes.plans.force.reactions import Reaction, Statics
 from planes.plans.force.rubbing import Rubs
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, Meaning, force_plan_name, full_mark_name
+from planes.words.names import POLE_LABEL, Meaning, NameTuple, force_plan_name, full_mark_name
 
 Ends = tuple[str, str]  # end marks of a reaction
 PairEnds = dict[Pair, Ends]
@@ -178,7 +178,7 @@ class LeadForces:
         first = self.bodies.mechanism.links[link].first_point
         return s.find_slider_couple_and_arm(reaction, link, scheme_mark(first), forces, [*self.couples[link], *handed])
 
-    def reaction_on_first_link(self, links: tuple[str, ...], pair: Pair, ends: Ends) -> Ends:
+    def reaction_on_first_link(self, links: NameTuple, pair: Pair, ends: Ends) -> Ends:
         """A reaction on one of the links, with the sign for the first link of its pair."""
         start, end = (full_mark_name(self.plan, label) for label in ends)
         return (start, end) if pair.link in links else (end, start)

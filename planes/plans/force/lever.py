@@ -11,7 +11,7 @@ from planes.drafting.steps.reckoning import Drop, Product
 from planes.plans.force.loads import Force
 from planes.plans.force.reactions import Statics
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, full_mark_name, mu_name
+from planes.words.names import POLE_LABEL, NamePair, full_mark_name, mu_name
 
 
 def draw_lever(s: Statics) -> str:
@@ -37,7 +37,7 @@ def draw_lever(s: Statics) -> str:
     return b.draft.solve_moment_equation(name, full_mark_name("lever", POLE_LABEL), ("lever",), terms)
 
 
-def friction_and_relative_speeds(s: Statics) -> list[tuple[str, str]]:
+def friction_and_relative_speeds(s: Statics) -> list[NamePair]:
     """Names of each friction force along its guide, or couple of its hinge, and of the relative speed there; its power
     is a result."""
     names = []

@@ -11,7 +11,7 @@ from planes.plans.motion.kinematics import Rates
 from planes.plans.position.bodies import SCHEME_PLAN, Bodies, BodyPoint
 from planes.scene.mechanism import FRAME, Link, Load, LoadLaw, Mechanism, StrokeLoad
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, Meaning, Quantity, full_mark_name
+from planes.words.names import POLE_LABEL, Meaning, NamePair, Quantity, full_mark_name
 from planes.words.records import Json
 
 
@@ -59,7 +59,7 @@ class Couple:
 def names_of_loads(mechanism: Mechanism) -> list[str]:
     """The names of the loads, in order: P_5, a second force on that link P_5_2; couples M_3, on the driver MP_1."""
     names = []
-    counts = Counter[tuple[str, str]]()
+    counts = Counter[NamePair]()
     for load in mechanism.loads:
         counts[key := (load.link, load.kind)] += 1
         letter = "P" if load.kind == "force" else "MP" if load.link == mechanism.drive.link else "M"

@@ -17,7 +17,7 @@ from planes.plans.force.loads import Acting, Couple, Force, force_pair_index, na
 from planes.plans.position.bodies import Bodies
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, Meaning, full_mark_name, label_of, mu_name, vector_end_label
+from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, label_of, mu_name, vector_end_label
 
 
 @frozen
@@ -37,7 +37,7 @@ class Reaction:
     friction: str = ""
     power: str = ""
     # the forces at both edges of a slider's face, ahead and behind; or in both bearings of a shaft, along the reaction
-    edges: tuple[str, str] | None = None
+    edges: NamePair | None = None
 
     @property
     def both_reaction_names(self) -> dict[str, str]:
@@ -117,7 +117,7 @@ class Statics:
         self.bodies.draft.name_segment(plan, label_of(start), label_of(end), key)
         return reaction
 
-    def bearing_reactions(self, r: Reaction, bearings: complex) -> tuple[str, str]:
+    def bearing_reactions(self, r: Reaction, bearings: complex) -> NamePair:
         """The parts of a reaction in the two bearings of a shaft: moments about each give the other (the lever rule).
         One is against the whole reaction where both bearings are on one side of the plane of motion."""
         d = self.bodies.draft
@@ -150,7 +150,7 @@ class Statics:
         self.reactions[r.key] = seated = replace(r, normal=normal, arm=arm, moment=moment, edges=edges)
         return seated
 
-    def slider_edge_forces(self, r: Reaction, normal: str, moment: str) -> tuple[str, str] | None:
+    def slider_edge_forces(self, r: Reaction, normal: str, moment: str) -> NamePair | None:
         """The forces at both edges of a slider's face, with the same sum and moment, where its length is given."""
         slides = self.bodies.mechanism.links[r.pair.link].slides
         if slides is None or slides.length is None:

@@ -10,6 +10,7 @@ from planes.plans.force.hinges import Grip, Slip, guide_friction, hinge_friction
 from planes.plans.force.loads import Couple, name_of_force
 from planes.plans.force.reactions import Statics
 from planes.words.frozen import field, frozen
+from planes.words.names import NamePair
 
 
 @frozen
@@ -30,7 +31,7 @@ class RubbingPlan(Protocol):
     statics: Statics
 
     def rub(self, rubs: Rubs) -> None: ...
-    def polygon(self) -> Mapping[Pair, tuple[str, str]]: ...
+    def polygon(self) -> Mapping[Pair, NamePair]: ...
 
 
 def draw_with_settled_friction(

@@ -23,7 +23,7 @@ from planes.plans.force.reactions import Reaction, Statics, cross_reactions_with
 from planes.plans.force.rubbing import Rubs, draw_with_settled_friction
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, force_plan_name, full_mark_name, vector_end_label
+from planes.words.names import POLE_LABEL, NamePair, NameTuple, force_plan_name, full_mark_name, vector_end_label
 
 
 def draw_all_force_plans(statics: Statics) -> None:
@@ -72,7 +72,7 @@ class _GroupForces:
                 c for x in self.group.links_composing(link) for c in rubs.friction_couples_on_link(x)
             ]
 
-    def polygon(self) -> dict[Pair, tuple[str, str]]:
+    def polygon(self) -> dict[Pair, NamePair]:
         """Draw the polygon; returns the end marks of each reaction, on the first link of its pair."""
         g = self.group
         plan = self.plan
@@ -151,7 +151,7 @@ class _GroupForces:
         if g.kind == 3:
             about = g.last_outer.point
             ray = d.direction_between_marks(SCHEME_PLAN, g.last_outer.point, pair.point)
-            sides: tuple[str, ...] = (g.first, g.last)
+            sides: NameTuple = (g.first, g.last)
             length = d.measure_segment(f"l_{about}{pair.point}", scheme_mark(about), scheme_mark(pair.point))
             sign = -1.0
         else:
@@ -180,7 +180,7 @@ class _GroupForces:
         holder = self.group.link_holding_pair(link, pair)
         return name_of_force(holder, pair.other_link_of_pair(holder))
 
-    def read_group_reactions(self, ends: dict[Pair, tuple[str, str]]) -> None:
+    def read_group_reactions(self, ends: dict[Pair, NamePair]) -> None:
         """Read the reactions of the three pairs as segments and the couples of the sliding ones, and pass them on."""
         g = self.group
         reactions = {p: self.statics.record_reaction(p, self.plan, *ends[p], self.grips.get(p)) for p in g.pairs}
@@ -194,7 +194,7 @@ class _GroupForces:
                 seated[g.inner if g.inner.has_link(g.drive.link) else g.held_link_first_with_pairs[0][1]], g.drive.link
             )
 
-    def reaction_ends_on_first_link(self, pair: Pair, link: str, start: str, end: str) -> tuple[str, str]:
+    def reaction_ends_on_first_link(self, pair: Pair, link: str, start: str, end: str) -> NamePair:
         """The ends of the reaction on ``link`` from start to end, with the sign for the first link of the pair."""
         return (start, end) if pair.link in self.group.links_composing(link) else (end, start)
 

@@ -22,7 +22,7 @@ from planes.plans.motion.legs import Leg, leg_by_outer_pair, leg_of_lead
 from planes.plans.position.bodies import SCHEME_PLAN, Body, BodyPoint
 from planes.plans.position.contour_scheme import largest_link_size
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, Meaning, full_mark_name, label_of
+from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, label_of
 
 FALSE_PLAN_MEANING = Meaning("false")
 
@@ -116,7 +116,7 @@ class ContourRates:
             f"{r.letter}{self.swing.symbol}^II", size, means=Meaning("rate", self.swing.new.name)
         )
 
-    def false_plan_distances(self, first: str, second: str) -> tuple[tuple[str, str], tuple[str, str]]:
+    def false_plan_distances(self, first: str, second: str) -> tuple[NamePair, NamePair]:
         """The distance of the true plan from I, and of II from I, along the line of the second lead's false vectors."""
         d = self.draft
         start, end = self.assumed_second_lead_ends(first, "I")
@@ -133,7 +133,7 @@ class ContourRates:
         d.add_step(Cross(met, foot, self.other.along, end, line, means=FALSE_PLAN_MEANING))
         return (end, met), (end, carried)
 
-    def assumed_second_lead_ends(self, hinge: str, plan: str) -> tuple[str, str]:
+    def assumed_second_lead_ends(self, hinge: str, plan: str) -> NamePair:
         """The ends of the second lead on a false plan, with the base's point of the first lead at its assumed place."""
         r = self.rates
         d = self.draft
@@ -205,7 +205,7 @@ class ContourRates:
             Equation(r.plan, (tuple(one), tuple(two)), f"{r.letter}{self.rod.new.name}^{plan}")
         )
 
-    def points_on_scheme(self, *spots: BodyPoint) -> tuple[str, str]:
+    def points_on_scheme(self, *spots: BodyPoint) -> NamePair:
         """Two points on the scheme."""
         one, two = spots
         return full_mark_name(SCHEME_PLAN, one.place), full_mark_name(SCHEME_PLAN, two.place)

@@ -10,7 +10,7 @@ from planes.plans.position.bodies import SCHEME_PLAN, Bodies, BodyPoint
 from planes.plans.position.positions import coincident_point_name
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE_LABEL
+from planes.words.names import POLE_LABEL, NamePair
 
 
 @frozen
@@ -55,9 +55,9 @@ class SlideReading:
 
     guide: str
     value: str
-    ends: tuple[str, str]
+    ends: NamePair
     along: str
-    coriolis: tuple[str, str] | None = None
+    coriolis: NamePair | None = None
     under: str = ""
 
 

@@ -17,7 +17,7 @@ from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg, leg_by_outer_pair, leg_of_lead
 from planes.plans.position.bodies import BodyPoint
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, Meaning, label_of
+from planes.words.names import POLE_LABEL, Meaning, NamePair, label_of
 
 STILL_POINT_MEANING = Meaning("false", "still")
 
@@ -94,7 +94,7 @@ class SlidContourRates(ContourRates):
         for lead in g.leads:
             r.draw_link_point_images(lead.link)
 
-    def draw_nonsliding_base(self) -> tuple[str, str]:
+    def draw_nonsliding_base(self) -> NamePair:
         """A point of the base, and one of the basic link, for a base that does not slide."""
         r = self.rates
         d = self.draft

@@ -15,7 +15,7 @@ from planes.drafting.steps.crossings import Cross
 from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg
 from planes.plans.position.bodies import SCHEME_PLAN, BodyPoint, scheme_mark
-from planes.words.names import Meaning, full_mark_name, split_value_name
+from planes.words.names import Meaning, NamePair, full_mark_name, split_value_name
 
 
 class SpecialPoint:
@@ -107,7 +107,7 @@ class SpecialPoint:
             r.measure_leg_rates(leg)
 
 
-def point_and_line_of_lead(d: Draft, leg: Leg) -> tuple[str, str]:
+def point_and_line_of_lead(d: Draft, leg: Leg) -> NamePair:
     """The point of a lead and its line, across the point's possible motion."""
     line = (
         d.direction_between_marks(SCHEME_PLAN, leg.known.place, leg.new.place)

@@ -12,7 +12,7 @@ from planes.plans.position.bodies import SCHEME_PLAN, Bodies
 from planes.plans.position.reckoned import OwnPlace, dimension_by_way, dimension_difference, direction_between_points
 from planes.scene.mechanism import Link
 from planes.words.frozen import frozen
-from planes.words.names import Meaning, full_mark_name
+from planes.words.names import Meaning, NamePair, full_mark_name
 
 
 @frozen
@@ -64,7 +64,7 @@ def aside_of_drive(b: Bodies, g: Group, start: str = "") -> Aside:
     return Aside(b, link, first, shifted, b.link_axis_from_guide(pair, g.held_link, direction), pair.guide)
 
 
-def marks_after_motor_turn(aside: Aside, motor: Pair, hinge: str) -> tuple[str, str]:
+def marks_after_motor_turn(aside: Aside, motor: Pair, hinge: str) -> NamePair:
     """Marks of a motor and of the hinge of the driven link: the second link is turned by the drive's angle."""
     b = aside.bodies
     first = aside.link.name
@@ -94,7 +94,7 @@ def hinge_mark_by_cylinder(aside: Aside, pair: Pair, hinge: str) -> str:
     return aside.lay_off_point(f"{hinge}⊥", end, d.draw_perpendicular(line), across) if across else end
 
 
-def cylinder_distance_names(b: Bodies, pair: Pair, ends: tuple[str, str]) -> tuple[str, str | None]:
+def cylinder_distance_names(b: Bodies, pair: Pair, ends: NamePair) -> tuple[str, str | None]:
     """The distances between points of a cylinder, of the guide's link and of the slider, along the guide and across it
     (None: zero): names of values, SI."""
     d = b.draft

@@ -21,7 +21,7 @@ from planes.plans.position.reckoned import (
 )
 from planes.scene.mechanism import FRAME, Link, Mechanism
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, Meaning, full_mark_name
+from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name
 
 SCHEME_PLAN = "position"
 
@@ -108,7 +108,7 @@ class Bodies:
     specials: dict[str, str] = field(default_factory=dict)  # basic link -> name of its point S
     standing: set[str] = field(default_factory=lambda: {FRAME})  # links that never move
     passive: tuple[Link, ...] = ()  # drawn by points of others
-    coincident: dict[str, tuple[str, str]] = field(default_factory=dict)  # name -> (coincident point, link)
+    coincident: dict[str, NamePair] = field(default_factory=dict)  # name -> (coincident point, link)
 
     @property
     def link_dimensions(self) -> SceneDimensions:
@@ -162,7 +162,7 @@ class Bodies:
         )
 
     def mark_by_similarity(
-        self, mark: str, body: Body, name: str, p: OwnPlace, ends: tuple[str, str], means: Meaning | None = None
+        self, mark: str, body: Body, name: str, p: OwnPlace, ends: NamePair, means: Meaning | None = None
     ) -> str:
         """The mark of a place of a rigid link, in the same ratio to the ``ends`` as to the points they represent."""
         assert body.ref
@@ -184,7 +184,7 @@ class Bodies:
             return self.given_distance(link, one.place, two.place)
         return self.draft.measure_segment(f"l_{one.place}{two.place}", scheme_mark(one.place), scheme_mark(two.place))
 
-    def guide_mark_and_direction(self, pair: Pair, known: str) -> tuple[str, str]:
+    def guide_mark_and_direction(self, pair: Pair, known: str) -> NamePair:
         """The line of a sliding pair on the solved link ``known``: a mark on it and its direction."""
         mark = self._guide_mark(self.known[known], pair.guide) if known == pair.other else self.foot_on_guide(pair)
         return mark, self.guide_direction_from_axis(pair, known, self.known[known].axis)

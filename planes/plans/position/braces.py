@@ -18,7 +18,7 @@ from planes.plans.position.driven_positions import (
 )
 from planes.plans.position.positions import link_with_two_hinges
 from planes.plans.position.reckoned import OwnPlace, dimension_by_way
-from planes.words.names import Meaning, mu_name
+from planes.words.names import Meaning, NamePair, mu_name
 
 
 def place_braced(b: Bodies, g: Group) -> None:
@@ -84,7 +84,7 @@ def far_link_relative_rate(b: Bodies, plan: str, name: str, drive: str, omega: s
     return d.add_sum(name, terms)
 
 
-def _cylinder_arm_and_foot(b: Bodies, drive: Pair, brace: Brace, offset: bool) -> tuple[str, str]:
+def _cylinder_arm_and_foot(b: Bodies, drive: Pair, brace: Brace, offset: bool) -> NamePair:
     """The arm of the cylinder's line about the braced hinge, and the distance of its foot from the far hinge."""
     d = b.draft
     near = brace.near.point

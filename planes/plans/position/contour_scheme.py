@@ -23,7 +23,7 @@ from planes.plans.position.triads import (
     point_place_on_link,
     tie_of_lead,
 )
-from planes.words.names import Meaning, mu_name
+from planes.words.names import Meaning, NamePair, mu_name
 
 
 def place_contour(b: Bodies, g: Contour) -> None:
@@ -56,7 +56,7 @@ class _Aside:
         self.pivot = g.outer[0].point
         self.outer = g.outer[1]
         self.level = self.draft.draw_direction_at_angle("→", 0.0, Meaning("given", g.base))
-        self.like: tuple[str, str] = ("", "")  # marks of the figure and their places, each from the pivot
+        self.like: NamePair = ("", "")  # marks of the figure and their places, each from the pivot
 
     def mark(self, point: str) -> str:
         """The mark of a point on the auxiliary figure."""

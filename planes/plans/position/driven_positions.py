@@ -27,7 +27,7 @@ from planes.plans.position.positions import (
     place_slider,
 )
 from planes.words.frozen import frozen
-from planes.words.names import Meaning, label_of
+from planes.words.names import Meaning, NamePair, label_of
 
 
 @frozen
@@ -137,9 +137,7 @@ def place_motor_joined_links(aside: Aside, g: Group, turning: str, end: str) -> 
     b.draw_missing_points(body_by_two_points(b, g.drive.other_link_of_pair(g.held_link), motor, hinge))
 
 
-def cylinder_distances_from_aside(
-    aside: Aside, pair: Pair, ends: tuple[str, str], pivot: str
-) -> tuple[str, str | None, str]:
+def cylinder_distances_from_aside(aside: Aside, pair: Pair, ends: NamePair, pivot: str) -> tuple[str, str | None, str]:
     """The distances between a cylinder's hinges, of the guide's link and of the slider, along the guide and across it,
     and directly, from the auxiliary figure (the ``pivot`` is one of them): names of values, SI."""
     b = aside.bodies

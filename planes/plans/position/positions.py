@@ -10,7 +10,7 @@ from planes.plans.position.reckoned import OwnPlace, dimension_difference, direc
 from planes.scene.mechanism import Link
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import POLE_LABEL, Meaning, label_of
+from planes.words.names import POLE_LABEL, Meaning, NamePair, label_of
 
 
 def chain_through_start(
@@ -21,7 +21,7 @@ def chain_through_start(
     return Term(f"r_{start}", POLE_LABEL, start, drawn=True), on
 
 
-def line_of_point_in_pair(b: Bodies, pair: Pair, link: str, point: str) -> tuple[str, str]:
+def line_of_point_in_pair(b: Bodies, pair: Pair, link: str, point: str) -> NamePair:
     """Label of a mark, and direction, of the line along which a point of ``link`` moves in a solved pair."""
     mark, direction = b.guide_mark_and_direction(pair, pair.other_link_of_pair(link))
     beside = Meaning("guide", pair.guide, point)

@@ -21,7 +21,7 @@ from planes.plans.position.driven_positions import tie_and_drawer_of_driven_hing
 from planes.plans.position.positions import chain_through_start, draw_meeting_point, line_of_point_in_pair, place_slider
 from planes.plans.position.reckoned import OwnPlace, dimension_difference, direction_between_points
 from planes.plans.position.triads import first_point_of_basic_link, place_lead
-from planes.words.names import Meaning, label_of
+from planes.words.names import Meaning, NamePair, label_of
 
 
 def place_slid_triad(b: Bodies, g: Triad) -> None:
@@ -72,7 +72,7 @@ def _leg_to_basic_link(b: Bodies, basic: str, lead: Lead, key: str, axis: str) -
 
 
 def _mark_shifted_across_guide(
-    b: Bodies, pair: Pair, one: tuple[str, str], other: tuple[str, str], label: str, start: str, along: str
+    b: Bodies, pair: Pair, one: NamePair, other: NamePair, label: str, start: str, along: str
 ) -> str:
     """A mark shifted across a guide by the difference of two offsets from it, each of a link's point."""
     apart = dimension_difference(b.point_offset_from_guide(pair, *one), b.point_offset_from_guide(pair, *other))

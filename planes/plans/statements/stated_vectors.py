@@ -15,7 +15,7 @@ from planes.scene.mechanism import LoadLaw
 from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vector_equations import SideTerm
 from planes.scene.vectors import AlongVector, Amount, Similarity, Statement, VectorGiven
-from planes.words.names import Meaning, full_mark_name, split_value_name, vector_end_label
+from planes.words.names import Meaning, NamePair, NameTuple, full_mark_name, split_value_name, vector_end_label
 
 _POINT_PAIR_PATTERN = re.compile(r"([^\W\d_]\d*)([^\W\d_]\d*)")
 _MEANING_BY_COMPONENT = {"n": "normal", "k": "coriolis"}
@@ -28,7 +28,7 @@ class VectorState:
 
     length: str | None = None
     direction: str | None = None
-    span: tuple[str, str] | None = None
+    span: NamePair | None = None
 
 
 class StatedVectors:
@@ -51,7 +51,7 @@ class StatedVectors:
         """Whether a vector has been drawn."""
         return name in self.states and self.states[name].span is not None
 
-    def end_marks(self, name: str) -> tuple[str, str]:
+    def end_marks(self, name: str) -> NamePair:
         """The end marks of a drawn vector."""
         span = self.states[name].span
         assert span is not None
@@ -241,7 +241,7 @@ class StatedVectors:
                 full_mark_name(equation.plan, chain[-1].end),
             )
 
-    def _draw_undivided_vector(self, equation: Equation, term: Term, stated: SideTerm, ends: tuple[str, str]) -> None:
+    def _draw_undivided_vector(self, equation: Equation, term: Term, stated: SideTerm, ends: NamePair) -> None:
         """A vector with a known multiple: the vector itself is drawn as well."""
         state = self.states[stated.name]
         label = vector_end_label(stated.name) + "″"
@@ -250,7 +250,7 @@ class StatedVectors:
         self.draft.name_segment(equation.plan, term.start if term.sign > 0 else term.end, label, stated.name)
 
 
-def scheme_points_of_vector(name: str) -> tuple[str, ...]:
+def scheme_points_of_vector(name: str) -> NameTuple:
     """The end points of a vector on the scheme, B and C of r_BC; of another vector its name."""
     letter, index, part = split_value_name(name)
     match = _POINT_PAIR_PATTERN.fullmatch(index) if letter in ("r", "l") and not part else None

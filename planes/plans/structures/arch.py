@@ -9,7 +9,7 @@ from planes.plans.force.loads import Force
 from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.structures.free_body import FreeBody
 from planes.scene.structures import Support
-from planes.words.names import POLE_LABEL, full_mark_name, vector_end_label
+from planes.words.names import POLE_LABEL, NamePair, full_mark_name, vector_end_label
 
 
 @dataclass
@@ -20,7 +20,7 @@ class Arch:
     last: FreeBody
     crown: Support
 
-    def draw_arch_plan(self) -> dict[str, tuple[str, str]]:
+    def draw_arch_plan(self) -> dict[str, NamePair]:
         """The plan; returns the end marks of every reaction, that of the crown on the last body."""
         one = self.first
         two = self.last

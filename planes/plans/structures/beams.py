@@ -9,7 +9,7 @@ from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.structures.free_body import FreeBody, Meeting
 from planes.plans.structures.strings import STRING_POLE_LETTER, StringPolygon
 from planes.scene.structures import Framework
-from planes.words.names import POLE_LABEL, Meaning, full_mark_name
+from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name
 
 Moment = tuple[str, str]
 Shear = tuple[str, str, str]
@@ -129,7 +129,7 @@ class StraightBeam:
         """Whether a point lies inside a distributed load, whose resultant gives no moment there."""
         return any(self.is_between_points(load.spread, point) for load in self.framework.loads if load.spread)
 
-    def is_between_points(self, spread: tuple[str, str], point: str) -> bool:
+    def is_between_points(self, spread: NamePair, point: str) -> bool:
         """Whether a point is between two others."""
         one, place, other = (
             self.relative_distance_along(self.framework.points[p]) for p in (spread[0], point, spread[1])

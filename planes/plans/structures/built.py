@@ -24,7 +24,7 @@ from planes.scene.structures import ONLY_BODY_NAME, Framework, Support
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import replace
-from planes.words.names import Meaning, force_plan_name, full_mark_name, mu_name, plan_of
+from planes.words.names import Meaning, NamePair, force_plan_name, full_mark_name, mu_name, plan_of
 
 REVERSED_FORCE_SUFFIX = "'"  # suffix of a hinge's force on the body found later
 
@@ -69,10 +69,10 @@ class FrameworkBuilder(StatedLoads):
         return forces and alone and f.method in (None, "string", "composition")
 
     @cached_property
-    def shared_hinges(self) -> dict[str, tuple[str, str]]:
+    def shared_hinges(self) -> dict[str, NamePair]:
         """The points two bodies share."""
         bodies = self.framework.bodies
-        hinges = dict[str, tuple[str, str]]()
+        hinges = dict[str, NamePair]()
         for point in self.framework.points:
             owners = [name for name, points in bodies.items() if point in points]
             if len(owners) > 2:
@@ -216,13 +216,13 @@ class FrameworkBuilder(StatedLoads):
             figure=self.figure,
         )
 
-    def load_end_marks(self, name: str) -> tuple[str, str]:
+    def load_end_marks(self, name: str) -> NamePair:
         """The end marks of a load."""
         terms = ((e.plan, t) for e in self.draft.equations for t in e.all_terms if t.name == name)
         plan, term = next(terms, ("", None))
         return (full_mark_name(plan, term.start), full_mark_name(plan, term.end)) if term else ("", "")
 
-    def resultants_of_plans(self) -> Iterator[tuple[str, tuple[str, str]]]:
+    def resultants_of_plans(self) -> Iterator[tuple[str, NamePair]]:
         """The resultants of whole plans."""
         for e in self.draft.equations:
             if e.total:

@@ -15,7 +15,7 @@ from planes.plans.force.loads import Force
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.regions import Regions, Side
 from planes.scene.structures import Framework
-from planes.words.names import CREMONA_PLAN, Meaning, full_mark_name
+from planes.words.names import CREMONA_PLAN, Meaning, NamePair, NameTuple, full_mark_name
 
 PARALLEL_MEMBERS_SINE = 1e-6  # the sine of the angle below which members are parallel
 
@@ -30,7 +30,7 @@ class CremonaPlan:
     outer: Mapping[str, Force]  # external forces by name
     drawn: list[str] = field(default_factory=list)
     joints: dict[str, str] = field(default_factory=dict)  # mark -> its joint
-    cuts: dict[str, tuple[str, ...]] = field(default_factory=dict)  # members found by a cut -> all members cut
+    cuts: dict[str, NameTuple] = field(default_factory=dict)  # members found by a cut -> all members cut
 
     def draw_cremona_plan(self) -> list[str]:
         """The whole plan; returns the members it cannot reach."""
@@ -69,7 +69,7 @@ class CremonaPlan:
         *chain, last = terms
         self.draft.equations.append(Equation(CREMONA_PLAN, ((*chain, replace(last, drawn=False)), ())))
 
-    def regions_beside_member(self, member: Side) -> tuple[str, str]:
+    def regions_beside_member(self, member: Side) -> NamePair:
         """The regions on the left and on the right of a member, seen from its first joint."""
         a, b = member
         return self.regions.right[b, a], self.regions.right[a, b]

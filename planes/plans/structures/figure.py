@@ -10,6 +10,7 @@ from planes.scene.mechanism import FRAME, Drive, Link, Mechanism
 from planes.scene.structures import Framework, StaticLoad, Support
 from planes.words import Phrase
 from planes.words.frozen import frozen
+from planes.words.names import NamePair
 
 LineKind = Literal["string", "ray", "closing", "action", "culmann", "trial"]
 
@@ -38,7 +39,7 @@ class StaticsFigure:
     pole: complex | None = None  # the pole of its string polygon in the scene, N
     strokes: list[FigureLine] = field(default_factory=list)
     results: list[tuple[str, str, str]] = field(default_factory=list)
-    moments: list[tuple[str, str]] = field(default_factory=list)  # of a beam: points with bending moments by name
+    moments: list[NamePair] = field(default_factory=list)  # of a beam: points with bending moments by name
     shears: list[tuple[str, str, str]] = field(default_factory=list)  # and shear forces between two points
     knots: list[str] = field(default_factory=list)  # lettered points where lines of action meet
     said: dict[str, str] = field(default_factory=dict)  # reasons for the places of marks: keys of words

@@ -16,7 +16,7 @@ from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import Support
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, Meaning, full_mark_name, label_of, vector_end_label
+from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, label_of, vector_end_label
 
 Chain = tuple[Term, ...]
 
@@ -39,7 +39,7 @@ class FreeBody:
     forces: list[Force]
     couples: list[Couple]
     supports: list[Support]
-    found: dict[str, tuple[str, str]] = field(default_factory=dict)
+    found: dict[str, NamePair] = field(default_factory=dict)
     chain: Chain = ()
 
     @property

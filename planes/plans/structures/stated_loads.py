@@ -19,7 +19,7 @@ from planes.scene.mechanism import LoadLaw
 from planes.scene.structures import Framework, StaticLoad
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import Meaning, full_mark_name, label_of
+from planes.words.names import Meaning, NamePair, full_mark_name, label_of
 
 
 class StatedLoads:
@@ -33,7 +33,7 @@ class StatedLoads:
         self.forces: dict[str, list[Force]] = {name: [] for name in framework.bodies}
         self.couples: dict[str, list[Couple]] = {name: [] for name in framework.bodies}
         self.left = list(framework.bodies)
-        self.spans: dict[str, tuple[str, str]] = {}
+        self.spans: dict[str, NamePair] = {}
         self.values: dict[str, str] = {}
         self.sizes: dict[str, complex] = {}  # of known forces in N, for the choice of a method and a pole
 

@@ -13,7 +13,7 @@ from planes.geometry.plane import bounding_corners, sine_between
 from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.structures.free_body import FreeBody, Meeting
 from planes.scene.structures import Support
-from planes.words.names import POLE_LABEL, Meaning, full_mark_name, vector_end_label
+from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, vector_end_label
 
 STRING_POLE_LETTER = "O"  # the letter of the pole in every textbook
 TRIED_POLE_DIRECTIONS = 24  # directions in which a pole is tried
@@ -75,7 +75,7 @@ class StringPolygon:
         b.figure.add_line(SCHEME_PLAN, "trial", "", spot, mark)
         return mark
 
-    def resultant_mark_and_direction(self) -> tuple[str, str]:
+    def resultant_mark_and_direction(self) -> NamePair:
         """The mark of the scheme where the outermost strings meet, and the direction of the resultant there."""
         b = self.body
         last = str(len(self.rays) - 1)
@@ -118,12 +118,13 @@ def pole_for_strings_through(b: FreeBody, pole: complex, points: Sequence[str], 
     plan = b.plan
     first = full_mark_name(SCHEME_PLAN, points[0])
     letter = STRING_POLE_LETTER + TRIAL_SUFFIX
+    trial_pole = full_mark_name(plan, letter)
     lay_off_pole(b, pole, letter)
     trial = StringPolygon(b, letter, True)
     trial.draw_rays_and_strings(first)
     cuts = [0, before, len(b.forces)] if len(points) == 3 else [0, len(b.forces)]
     ends = [POLE_LABEL, *(t.end for t in b.chain)]
-    parted = list[tuple[str, str]]()
+    parted = list[NamePair]()
     for n, (low, high) in enumerate(pairwise(cuts)):
         means = Meaning("along", f"R{TRIAL_SUFFIX}{n + 1}")
         chord = d.draw_direction_through_marks(
@@ -136,17 +137,8 @@ def pole_for_strings_through(b: FreeBody, pole: complex, points: Sequence[str], 
             f"∥{TRIAL_SUFFIX}{n + 1}", start, end, Meaning("along", f"{CLOSING_LINE_LETTER}{TRIAL_SUFFIX}{n + 1}")
         )
         mark = full_mark_name(plan, f"m{n + 1}")
-        d.add_step(
-            Meeting(
-                mark,
-                full_mark_name(plan, STRING_POLE_LETTER + TRIAL_SUFFIX),
-                closing,
-                full_mark_name(plan, ends[low]),
-                chord,
-                means=Meaning("foot"),
-            )
-        )
-        b.figure.add_line(plan, "trial", "", full_mark_name(plan, STRING_POLE_LETTER + TRIAL_SUFFIX), mark)
+        d.add_step(Meeting(mark, trial_pole, closing, full_mark_name(plan, ends[low]), chord, means=Meaning("foot")))
+        b.figure.add_line(plan, "trial", "", trial_pole, mark)
         parted.append((mark, d.direction_between_marks(SCHEME_PLAN, points[n], points[n + 1])))
     other = parted[1] if len(parted) > 1 else (full_mark_name(plan, STRING_POLE_LETTER + TRIAL_SUFFIX), chord)
     d.add_step(Meeting(full_mark_name(plan, STRING_POLE_LETTER), *parted[0], *other, means=Meaning("foot")))
@@ -190,7 +182,7 @@ def reactions_by_string_polygon(b: FreeBody) -> tuple[StringPolygon, str, str]:
     return polygon, closing, x
 
 
-def resultant_by_composition(b: FreeBody) -> tuple[str, str]:
+def resultant_by_composition(b: FreeBody) -> NamePair:
     """The resultant of all loads, each composed with those before at the intersection of both lines."""
     mark = b.forces[0].point
     along = b.forces[0].along

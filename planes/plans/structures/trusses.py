@@ -9,7 +9,7 @@ from planes.plans.structures.regions import Outside, Regions
 from planes.scene.structures import Framework
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import label_of
+from planes.words.names import NamePair, label_of
 
 ZERO_FORCE_RATIO = 1e-9  # of the largest force: below this it is zero
 Refusal = Callable[..., SceneError]
@@ -46,9 +46,7 @@ def truss_plan(
     return plan
 
 
-def members_crossing_without_joint(
-    places: Mapping[str, complex], members: tuple[tuple[str, str], ...]
-) -> tuple[str, str] | None:
+def members_crossing_without_joint(places: Mapping[str, complex], members: tuple[NamePair, ...]) -> NamePair | None:
     """The names of two members that cross without a joint; None where there are none."""
     lines = [("".join(m), places[m[0]], places[m[1]], {*m}) for m in members]
     for k, (one, a, b, ends) in enumerate(lines):

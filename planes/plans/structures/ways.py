@@ -23,7 +23,7 @@ from planes.scene.mechanism import LoadLaw
 from planes.scene.structures import Framework, Support
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import full_mark_name, label_of
+from planes.words.names import NamePair, full_mark_name, label_of
 
 PARALLEL_LINES_SINE = 1e-9  # the sine of the angle below which lines are parallel; arms relative to the size of a body
 LEAST_DRAWABLE_CROSSING_SINE = 0.05  # a crossing sharper than this can be drawn
@@ -152,7 +152,7 @@ class WayFinder:
         else:
             self.solve_by_resultant(*self.resultant_line_of_loads())
 
-    def resultant_line_of_loads(self) -> tuple[str, str]:
+    def resultant_line_of_loads(self) -> NamePair:
         """The line of the loads' resultant by their string polygon."""
         b = self.body
         through = self.framework.through
