@@ -29,7 +29,7 @@ def run() -> int:
     finally:
         gc.freeze()  # or the interpreter would search everything for cycles once more at its end
         for stream in (sys.stdout, sys.stderr):
-            _emptied(stream)
+            _drop_unread_output(stream)
 
 
 def _ended(number: int, _: object) -> NoReturn:
@@ -39,7 +39,7 @@ def _ended(number: int, _: object) -> NoReturn:
     sys.exit(128 + number)
 
 
-def _emptied(stream: TextIO | None) -> None:
+def _drop_unread_output(stream: TextIO | None) -> None:
     """Output that nobody reads any more is dropped without the interpreter's message."""
     if stream is None:
         return

@@ -29,7 +29,7 @@ from planes.lesson.dimensions import FreeNumbers
 from planes.plans import Plans
 from planes.plans.scales import plan_scales, plan_sizes_on_format
 from planes.scene import load
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.words.errors import PlanFailure
 from planes.words.names import plan_of
 from tests.helpers import ROOT
@@ -85,7 +85,7 @@ class DrawnByEngine:
 
     def __init__(self, file: Path) -> None:
         scene = load(str(file))
-        self.plans: Plans = plans_for_requested_results(scene, shown=True)[0]
+        self.plans: Plans = plans_and_requested_results(scene, shown=True)[0]
         drive = self.plans.mechanism.drive.position
         mus = plan_scales(self.plans, scene.mu, fit_mm=plan_sizes_on_format(scene.sheet, self.plans))
         self.free = FreeNumbers(self.plans, {**self.plans.given, **self.plans.drive_givens_at(drive), **mus})

@@ -105,9 +105,9 @@ class Loops:
 
     def _drive_slope(self, q: Array) -> Array:
         pair = self.plans.structure.drive_pair
-        return self._slider_slopes(q, pair)[0] if pair.kind == "P" else self._turn_slope(q, pair)
+        return self._slider_slopes(q, pair)[0] if pair.kind == "P" else self._relative_rotation_derivative(q, pair)
 
-    def _turn_slope(self, q: Array, pair: Pair) -> Array:
+    def _relative_rotation_derivative(self, q: Array, pair: Pair) -> Array:
         """The derivative of the relative rotation of a pair."""
         row = np.zeros(len(q))
         for link, sign in pair.signed_links:
@@ -136,7 +136,7 @@ class Loops:
         first = self.place_of_point(q, pair.link, self.plans.mechanism.link(pair.link).first_point)
         for link, sign in pair.signed_links:  # the guide's line moves as a rigid body
             self._fill_place_derivatives(rows, q, link, first, back, sign)
-        return [*rows, self._turn_slope(q, pair)]
+        return [*rows, self._relative_rotation_derivative(q, pair)]
 
     def nearest_pose_by_newton(self, q: Array, value: float) -> Array:
         """The nearest pose by iteration; convergence is not checked."""

@@ -19,7 +19,7 @@ NEWTON_STEPS_PER_NODE = 8  # steps from one node to the next
 MOST_STEP_CHANGE = 0.6  # of the links' size, and radians: largest change in a step
 MOST_SETTLED_STEP, SAME_POSE_DISTANCE = 1e-9, 1e-6
 FARTHEST_HINGE_SIZES = 1e6  # of the links' size: a hinge may lie anywhere
-ON_CURVE_GRID_STEPS = 3.0  # steps of the grid: a fold this close to a curve is on it
+ON_CURVE_DISTANCE_STEPS = 3.0  # steps of the grid: a fold this close to a curve is on it
 
 TiesAt = Callable[[Array, Array], list[Tie]]  # by positions of the drive and logarithms of the length
 
@@ -134,7 +134,7 @@ class Sheets:
         periods = np.array([turn * self.turns, 0.0, 0.0, 0.0, *[turn] * angles])
         curves = Curves(self.fold_equations, Room(low, high, periods, step))
         grid = np.hypot(self.across[1] - self.across[0], self.up[1] - self.up[0])
-        for near in self._places_off_known_curves(curves, ON_CURVE_GRID_STEPS * grid):
+        for near in self._places_off_known_curves(curves, ON_CURVE_DISTANCE_STEPS * grid):
             curves.add_curve_near(near, MOST_STEP_CHANGE)
         return curves.found
 

@@ -13,7 +13,7 @@ from planes.geometry.plane import squared_length
 SUSPECTED_GAP_RATIO = 1e-12
 
 
-def places_carrying_nonfinite(tape: Tape, numbers: Iterable[Real]) -> set[int]:
+def operations_carrying_nonfinite(tape: Tape, numbers: Iterable[Real]) -> set[int]:
     """The places of all operations that carry an infinity or NaN into one of these numbers."""
     carriers, stack = set[int](), [x.at for x in numbers if isinstance(x, Num)]
     while stack:

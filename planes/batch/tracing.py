@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from planes.batch.conditions import are_all_finite, places_carrying_nonfinite, prove_plans_together
+from planes.batch.conditions import are_all_finite, operations_carrying_nonfinite, prove_plans_together
 from planes.batch.symbols import Num, Test, Vec, place_of_number, record_number
 from planes.batch.tape import Tape
 from planes.drafting.clearness import is_clear_drawing
@@ -199,7 +199,7 @@ def trace_program(
         proved, gaps = prove_plans_together(program, things, tool.ar)
         for reason, holds in proved.items():
             tool.failures.append((reason, None, holds, {}))
-        seen = places_carrying_nonfinite(tape, gaps)
+        seen = operations_carrying_nonfinite(tape, gaps)
         rest = [x for x, m in zip(taken, must, strict=True) if m and place_of_number(tape, x) not in seen]
         tool.fail_unless(are_all_finite(tape, [*gaps, *rest]), None, "no_digits")
         tool.fail_unless(is_clear_drawing(program, things, tool, forces), None, UNCLEAR_REASON)

@@ -60,11 +60,11 @@ def new(args: Namespace) -> int:
 def equations(args: Namespace) -> int:
     """A scene of the user's own equations of a mechanism, in a file or on the terminal."""
     from planes.cli.commands import scene_of
-    from planes.solving import plans_for_requested_results, solve_position
+    from planes.solving import plans_and_requested_results, solve_position
     from planes.solving.by_equations import scene_text_by_equations
 
     scene = scene_of(args)
-    plans, wanted = plans_for_requested_results(scene)
+    plans, wanted = plans_and_requested_results(scene)
     value = requested_drive_position(args, scene)
     at = solve_position(scene, plans, wanted, plans.drive.position if value is None else value, None, args.lang)
     _write_or_print(scene_text_by_equations(scene, at), args.output)

@@ -11,7 +11,7 @@ from planes.crank_slider.forces import equations_as_printed
 from planes.crank_slider.kinematics import acceleration_as_printed, largest_magnitude, rod_inclination, with_gas_force
 from planes.crank_slider.pages import KILONEWTONS_PER_NEWTON, ChapterWriter, plotted_lines
 from planes.scene import Scene
-from planes.solving import Position, plans_for_requested_results, solve_position
+from planes.solving import Position, plans_and_requested_results, solve_position
 from planes.solving.document import Chart, DrawnViews, PlottedLine
 
 PLAN_SIZES_MM = {"position": 110.0, "velocity": 58.0, "acceleration": 58.0, "force": 78.0, "motion": 58.0}
@@ -40,7 +40,7 @@ def worked_crank_angle_deg(c: Calculation) -> float:
 def draw_plans_at_angle(w: ChapterWriter, c: Calculation, phi_deg: float) -> tuple[Scene, Position]:
     """The plans of one position, with the gas force of that moment on the piston."""
     scene = scene_at_angle(c, phi_deg)
-    plans, wanted = plans_for_requested_results(scene)
+    plans, wanted = plans_and_requested_results(scene)
     return scene, solve_position(scene, plans, wanted, phi_deg, None, w.lang, PLAN_SIZES_MM)
 
 

@@ -56,7 +56,7 @@ class Web:
         return self.thickness * self.width**2 / 6
 
     @property
-    def torsion(self) -> float:
+    def torsion_modulus(self) -> float:
         """α·h·b²: a torque over this is the largest shear stress (Saint-Venant)."""
         long, short = max(self.width, self.thickness), min(self.width, self.thickness)
         return torsion_factor(long / short) * long * short**2

@@ -187,7 +187,7 @@ def _web_section(name: str, z: Array, y: Array, torque: Array, force: Array, sha
     """All stresses of a web added as if they met at one point: always on the safe side."""
     web = shaft.web
     sigma = (np.abs(z) / web.along + np.abs(y) / web.across + np.abs(force) / web.area) * MEGAPASCALS_PER_PASCAL
-    return Section(name, z, y, torque, sigma, np.abs(torque) / web.torsion * MEGAPASCALS_PER_PASCAL)
+    return Section(name, z, y, torque, sigma, np.abs(torque) / web.torsion_modulus * MEGAPASCALS_PER_PASCAL)
 
 
 def moment_diagrams(shaft: Shaft, cut: Mapping[str, Section], k: int) -> tuple[Array, Array, Array, Array]:

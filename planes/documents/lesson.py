@@ -11,7 +11,7 @@ from planes.lesson.questions import Questions
 from planes.lesson.stated_note import position_note
 from planes.scene import Scene
 from planes.scene.files import save_file_or_refuse
-from planes.solving import Position, failed_position_sentence, plans_for_requested_results, solve_position
+from planes.solving import Position, failed_position_sentence, plans_and_requested_results, solve_position
 from planes.solving.document import Heading, Paragraph
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
@@ -107,7 +107,7 @@ def note_file_contents(scene: Scene, values: list[float] | None, suffix: str, la
 
 def note_position(scene: Scene, values: list[float] | None, lang: Lang) -> Position:
     """The position of the note, completely drawn."""
-    plans, wanted = plans_for_requested_results(scene, shown=True)
+    plans, wanted = plans_and_requested_results(scene, shown=True)
     if values and len(values) != 1:
         raise PlanesError(Phrase("note_one", count=len(values)))
     value = values[0] if values else plans.drive.position

@@ -14,7 +14,7 @@ from planes.check.report import mark_table_rows, result_table_rows, table_headin
 from planes.documents.drawn import picture, shown
 from planes.plans import structure_of
 from planes.scene import Scene
-from planes.solving import Position, drive_position_in_words, plans_for_requested_results, solve_position
+from planes.solving import Position, drive_position_in_words, plans_and_requested_results, solve_position
 from planes.solving.of_scene import AnyScene, scene_from
 from planes.words import Lang, Phrase, home_lang, say, with_decimal_sign
 from planes.words.errors import PlanesError, SceneError
@@ -133,7 +133,7 @@ def crank(scene: AnyScene, views: Sequence[str] = ("position", "velocity-plan"),
         import traitlets
     except ImportError:
         raise PlanesError(Phrase("needs_anywidget")) from None
-    plans, wanted = plans_for_requested_results(own)
+    plans, wanted = plans_and_requested_results(own)
     if own.mechanism is None:
         raise SceneError(Phrase("vectors_alone"), own.file, own.where.get(("vectors",), 1))
     drive, said = plans.drive, lang or home_lang()

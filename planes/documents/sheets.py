@@ -20,7 +20,7 @@ from planes.plans.position.bodies import SCHEME_PLAN
 from planes.plans.quantities import results_wanted
 from planes.plans.scales import largest_fitting_scale, plan_extent, plan_sizes_on_format, plan_width_and_height
 from planes.scene import Scene
-from planes.solving import Position, failed_position_sentence, plans_for_requested_results, solve_position
+from planes.solving import Position, failed_position_sentence, plans_and_requested_results, solve_position
 from planes.solving.nearest import nearest_working_position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
@@ -111,7 +111,7 @@ class DrawnPosition:
     @cached_property
     def plans_and_wanted(self) -> tuple[Plans, Any]:
         """The plans, and the requested results."""
-        return plans_for_requested_results(self.scene, shown=True)
+        return plans_and_requested_results(self.scene, shown=True)
 
     @cached_property
     def drive_position(self) -> float:

@@ -18,14 +18,14 @@ from planes.plans import Plans
 from planes.plans.scales import plan_scales, plan_sizes_on_format
 from planes.plans.three_centres import plans_with_instant_centres
 from planes.scene import Scene
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.words import Phrase
 from planes.words.errors import PlanesError, PlanFailure, SceneError
 from planes.words.frozen import frozen
 from planes.words.names import full_mark_name
 from planes.words.records import Json
 
-SAMPLE_POSITION_COUNT = 180  # positions that decide which terms are zero
+ZERO_TERM_TEST_POSITIONS = 180  # positions that decide which terms are zero
 
 
 @frozen
@@ -43,7 +43,7 @@ class SceneLesson:
     @classmethod
     def of(cls, scene: Scene, centres: bool = False) -> "SceneLesson":
         """The lesson of a scene; :class:`SceneError` where there is no mechanism or its given position fails."""
-        plans, _ = plans_for_requested_results(scene, shown=True)
+        plans, _ = plans_and_requested_results(scene, shown=True)
         plans = plans_with_instant_centres(plans) if centres else plans
         try:
             mus = plan_scales(plans, scene.mu, fit_mm=plan_sizes_on_format(scene.sheet, plans))
@@ -100,10 +100,10 @@ def _draw_sample_positions(knobs: Knobs, leaning: bool = False) -> Drawing:
     plans = knobs.plans
     drive = drive_number_and_range(plans)
     start, reach = drive["from"], drive["to"] - drive["from"]
-    values = Listed(start + reach * k / SAMPLE_POSITION_COUNT for k in range(SAMPLE_POSITION_COUNT))
+    values = Listed(start + reach * k / ZERO_TERM_TEST_POSITIONS for k in range(ZERO_TERM_TEST_POSITIONS))
     return draw_program(
         plans.program,
-        {**knobs.given, **knobs.perturbed_givens(SAMPLE_POSITION_COUNT, leaning), plans.drive_given_name: values},
+        {**knobs.given, **knobs.perturbed_givens(ZERO_TERM_TEST_POSITIONS, leaning), plans.drive_given_name: values},
         InLists(),
     )
 

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 from planes.drafting.steps.reckoning import Measure
 from planes.lesson.reckoning import quotients_by_name
 from planes.plans.quantities import Measured
-from planes.plans.transfers import TRANSFER_PLAN, vector_of_driver_rate
+from planes.plans.transfers import TRANSFER_PLAN, vector_giving_driver_rate
 from planes.solving import Position
 from planes.words import say
 from planes.words.frozen import frozen
@@ -32,7 +32,7 @@ class TransferFunctions:
     def transfer_rows(self) -> Iterator[list[str]]:
         """Name, relation of segments, value and unit of each."""
         plans, transfers = self.position.plans, self.position.of("transfers")
-        drive = vector_of_driver_rate(plans)
+        drive = vector_giving_driver_rate(plans)
         if drive is None:
             return
         segment, times = (

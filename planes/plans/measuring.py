@@ -126,5 +126,5 @@ def scene_lettering(scene: Scene, plans: Plans | None = None) -> Json:
     """The lettering of a scene's names, on a sheet as on a page. Only its plans know which vectors end at a point of
     the frame under a slider; the vectors of force plans do not need that."""
     drive = scene.mechanism.drive.link if scene.mechanism else ""
-    own = plans.lettering_settings if plans else {"frame": scene.frame_number, "driver": drive}
+    own = plans.lettering_basis if plans else {"frame": scene.frame_number, "driver": drive}
     return {**own, "from_on": scene.sheet.get("reactions") == "from-on", "convention": scene.mu_convention}

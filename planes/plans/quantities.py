@@ -45,7 +45,7 @@ class Quantity(NamedTuple):
         return tuple(dict.fromkeys(n for c in self.columns for n in c._replace(beside=c.beside[:1]).needed_names))
 
     @property
-    def magnitude_column(self) -> Column:
+    def column_to_write(self) -> Column:
         """The single number to write down for it: of a vector, its magnitude."""
         first = self.columns[0]
         return first._replace(part="size") if first.part else first

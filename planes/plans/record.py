@@ -76,10 +76,10 @@ class Plans:
     @cached_property
     def default_naming(self) -> Naming:
         """The lettering of these plans where no sheet sets another."""
-        return Naming(**self.lettering_settings)
+        return Naming(**self.lettering_basis)
 
     @property
-    def lettering_settings(self) -> Json:
+    def lettering_basis(self) -> Json:
         """The part of the mechanism that sets the lettering: the frame's number, the driver, the vectors that end at a
         point of the frame under a slider."""
         grounded = [name for name, m in self.means.items() if m.quantity == "rate" and m.link == FRAME]

@@ -16,7 +16,7 @@ from planes.words.names import POLE_LABEL, full_mark_name, label_of, with_analog
 TRANSFER_PLAN = "velocity"
 
 
-def vector_of_driver_rate(plans: Plans) -> DriverVector | None:
+def vector_giving_driver_rate(plans: Plans) -> DriverVector | None:
     """The vector from which the driver's rate is computed; None where the driver is at rest or its vector is not
     drawn."""
     drive, steps = plans.drive, {s.makes: s for s in plans.program.steps}
@@ -40,7 +40,7 @@ def transfer_functions(plans: Plans) -> Iterator[Derived]:
     """Ratios for all turning links (u_31; with a drive that slides or is inside, omega_q3), and analogues of the
     velocities for all points with vectors from the pole, those of guides too (v_qC, v_qB3); without the driver's
     own."""
-    vector = vector_of_driver_rate(plans)
+    vector = vector_giving_driver_rate(plans)
     if vector is None:
         return
     units = analogue_units(plans.drive.rotates)

@@ -203,7 +203,7 @@ class Solved:
         return {**head, "positions": listed, "failed": self.failed}
 
 
-def plans_for_requested_results(scene: Scene, shown: bool = False) -> tuple[Plans, list[Quantity] | None]:
+def plans_and_requested_results(scene: Scene, shown: bool = False) -> tuple[Plans, list[Quantity] | None]:
     """The plans of a scene cut to the requested results, or with the whole scheme if ``shown``; and these results
     (None: all)."""
     plans = scene_plans(scene)
@@ -216,7 +216,7 @@ def solve(
     scene: Scene, values: Iterable[float] | None = None, instrument: Instrument | None = None, lang: Lang = "en"
 ) -> Solved:
     """Draw and measure every requested position. Raises :class:`SceneError` where the scene itself is invalid."""
-    plans, wanted = plans_for_requested_results(scene)
+    plans, wanted = plans_and_requested_results(scene)
     drive = plans.drive
     asked_at = [drive.position] if values is None else list(values)
     solved = Solved(scene, plans, wanted, asked_at, instrument=instrument, lang=lang)

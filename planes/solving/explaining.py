@@ -8,7 +8,7 @@ from planes.drafting.steps.tracks import CutTrack
 from planes.plans.measuring import scene_lettering
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.words import Lang, say
 from planes.words.lettering import terminal_spelling
 from planes.words.names import is_scale
@@ -22,7 +22,7 @@ def explain_steps(scene: Scene, lang: Lang = "en") -> str:
     plans = scene_plans(scene)
     full, kept, naming = (
         plans.program,
-        plans_for_requested_results(scene)[0].program,
+        plans_and_requested_results(scene)[0].program,
         Naming(lang, **scene_lettering(scene, plans)),
     )
     dropped = [s for s in full.steps if s.makes not in kept.result_names]

@@ -8,7 +8,7 @@ from planes import scene as scenes
 from planes.drafting.instruments import Instrument
 from planes.scene import Scene
 from planes.scene.ranges import drive_positions_asked
-from planes.solving import Position, Solved, plans_for_requested_results, solve_position
+from planes.solving import Position, Solved, plans_and_requested_results, solve_position
 from planes.solving import solve as solve_each
 from planes.solving.building import Linkage, scene_with_doubts_warned
 from planes.words import Phrase, home_lang
@@ -73,6 +73,6 @@ def solve(
     at = drive_positions_asked(scene, phi, s)
     if isinstance(at, list):
         return solve_each(scene, at, instrument, home_lang())
-    plans, wanted = plans_for_requested_results(scene)
+    plans, wanted = plans_and_requested_results(scene)
     value = plans.drive.position if at is None else at
     return solve_position(scene, plans, wanted, value, instrument, home_lang())

@@ -15,7 +15,7 @@ from planes.solving import (
     drive_position_in_words,
     drive_position_key,
     failed_position_sentence,
-    plans_for_requested_results,
+    plans_and_requested_results,
     results_json,
 )
 from planes.solving.nearest import can_be_drawn
@@ -77,7 +77,7 @@ def position_for_sheet(
     scene: Scene, values: list[float] | None, lang: Lang
 ) -> tuple[Scene, list[float] | None, list[str]]:
     """The position to draw on a sheet instead, and sentences about it: released scales, or the neighbour used."""
-    solved = Solved(scene, *plans_for_requested_results(scene), lang=lang)
+    solved = Solved(scene, *plans_and_requested_results(scene), lang=lang)
     drive = solved.plans.drive
     asked = [drive.position] if values is None else values
     if len(asked) != 1:

@@ -12,7 +12,7 @@ from planes.lesson.told import drive_number_and_range
 from planes.plans import Plans, structure_of
 from planes.scene import Scene, loads
 from planes.scene.source import read_file_text
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.studio.sketches import marks_and_their_steps, sketch_of
 from planes.words.errors import PlanesError
 from planes.words.records import Json
@@ -32,7 +32,7 @@ def gallery_entries(more: Iterable[str]) -> list[Json]:
             text = read_file_text(path)
             scene = loads(text, path.name)
             own = {**sketch_of(scene), **motion_of_points(scene)}
-            plans, _ = plans_for_requested_results(scene, shown=True)
+            plans, _ = plans_and_requested_results(scene, shown=True)
             formula = structure_of(plans.mechanism, scene.file).formula_with_frame_number(scene.frame_number)
         except PlanesError:
             continue
@@ -45,7 +45,7 @@ def gallery_entries(more: Iterable[str]) -> list[Json]:
 def motion_of_points(scene: Scene) -> Json:
     """The places of every point at successive positions of the driver, as far to both sides of the given one as it can
     be drawn; ``round``: it turns without end. A driver that does not is sampled once more, between its ends."""
-    plans, _ = plans_for_requested_results(scene, shown=True)
+    plans, _ = plans_and_requested_results(scene, shown=True)
     drive = drive_number_and_range(plans)
     turns, start, reach = drive["symbol"] == "φ", drive["from"], drive["to"] - drive["from"]
     step = reach / PICTURE_POSITION_COUNT if not drive["held"] else 0.0

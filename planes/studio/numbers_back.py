@@ -14,7 +14,7 @@ from planes.drafting.steps.settling import solve_by_elimination
 from planes.lesson.knobs import Knobs
 from planes.scene import loads
 from planes.scene.source import SourceScalar, parse_yaml, walk_nodes
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.studio.text_edits import Edited
 from planes.words import Phrase
 from planes.words.errors import PlanesError
@@ -44,7 +44,7 @@ class NumberInText:
 
 def changeable_numbers(text: str) -> dict[str, float]:
     """The numbers of a scene that a reader may change, by name, SI and degrees."""
-    plans, _ = plans_for_requested_results(loads(text), shown=True)
+    plans, _ = plans_and_requested_results(loads(text), shown=True)
     given = {**plans.given, **plans.drive_givens_at(plans.drive.position)}
     knobs = Knobs(plans, given)
     names = {plans.drive_given_name, *(knob["given"] for knob in knobs.offered_numbers)}

@@ -9,7 +9,7 @@ from planes.plans.quantities import quantities_by_name
 from planes.scene import loads
 from planes.scene.source import SourceScalar, parse_yaml, walk_nodes
 from planes.scene.vector_equations import VECTOR_NAME_PATTERN
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.studio.message_shapes import NAME_PATTERN
 from planes.studio.text_edits import SCENE_FILE_NAME, Edited
 from planes.words import Phrase
@@ -65,7 +65,7 @@ def text_with_renamed_part(text: str, kind: str, name: str, to: str) -> Edited:
 
 def _plans_of_text(text: str) -> Plans:
     """The plans of a mechanism, whatever is asked of them."""
-    return plans_for_requested_results(
+    return plans_and_requested_results(
         loads(Edited(text).without_key(("find",)).without_key(("equations",)).text, SCENE_FILE_NAME), shown=True
     )[0]
 

@@ -13,7 +13,7 @@ from planes.drafting.program import Program
 from planes.plans import Plans
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME, Guide, Link, Mechanism
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.words import Phrase, text_in
 from planes.words.errors import PlanesError
 from planes.words.names import full_mark_name
@@ -27,7 +27,7 @@ def sketch_of(scene: Scene) -> Json:
     m = scene.mechanism
     if m is None:
         raise PlanesError(Phrase("no_structure", file=scene.file))
-    plans, _ = plans_for_requested_results(scene, shown=True)
+    plans, _ = plans_and_requested_results(scene, shown=True)
     marks, program = marks_and_their_steps(plans)
     drawn = draw_program(
         program, {**plans.given, **plans.drive_givens_at(m.drive.position, program), "mu_position": 1.0}

@@ -73,7 +73,7 @@ class Detail:
         high = min((b * back).real, half)
         return (foot + low * way, foot + high * way) if high - low > 1.0 else None
 
-    def drawn_marks(self, marks: Iterable[Mark], named: Sequence[Label]) -> Marks:
+    def detail_contents(self, marks: Iterable[Mark], named: Sequence[Label]) -> Marks:
         """The strokes of the plan within the circle, the labels of vectors wholly inside, and the title."""
         ground: list[Mark] = [Arc(0j, self.times * self.radius, style="thin", layer="dimension")]
         ground += (part for mark in marks for part in self.visible_mark_parts(mark))

@@ -92,7 +92,7 @@ class Polygon:
             placed = labels.place_labels(outer, circled, None, strokes)
         marks = (*break_lines_at_texts(strokes, placed.texts), *circled, *placed.marks)
         marks = detail.put_details_beside_plan(
-            marks, [d.drawn_marks(ground, self.name_labels(details, d.times)) for d in details]
+            marks, [d.detail_contents(ground, self.name_labels(details, d.times)) for d in details]
         )
         if any(t.name.startswith(VALUE_NAME_PREFIX) for t in placed.texts):
             lang = self.naming.lang

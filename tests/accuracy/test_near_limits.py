@@ -13,7 +13,7 @@ import pytest
 from planes.batch.cycle import Cycle
 from planes.cli import main
 from planes.scene import load, loads
-from planes.solving import plans_for_requested_results, solve
+from planes.solving import plans_and_requested_results, solve
 from planes.solving.tables import solve_report_text
 from tests.helpers.near_limits import FAMILIES, HIGHER, case, walk
 
@@ -77,7 +77,7 @@ def test_no_number_near_a_dead_point_of_a_higher_class_is_wrong_without_a_word(f
 @pytest.mark.parametrize("family", FAMILIES)
 def test_tables_by_arrays_and_compiled_leave_out_the_same(family: str) -> None:
     text, values = case(family, random.Random(7), 60)
-    c = Cycle(plans_for_requested_results(loads(text))[0])
+    c = Cycle(plans_and_requested_results(loads(text))[0])
     (one,), (two,) = (list(c.blocks(values, fast=fast)) for fast in (False, True))
     assert (np.isnan(one.table) != np.isnan(two.table)).mean() < 0.02  # bounds on the very edge may fall to either side
     assert ((one.codes != 0) == (two.codes != 0)).mean() > 0.95
@@ -101,7 +101,7 @@ def test_a_force_that_is_nothing_beside_others_is_warned_of() -> None:
 @pytest.mark.parametrize("fast", [False, pytest.param(True, marks=pytest.mark.needs("llvmlite"))])
 def test_a_table_leaves_out_a_force_that_is_nothing_beside_others(fast: bool) -> None:
     for names in (None, ["F_10"], ["F_20"]):
-        c = Cycle(plans_for_requested_results(loads(FAINT))[0], names)
+        c = Cycle(plans_and_requested_results(loads(FAINT))[0], names)
         (block,) = c.blocks([208781.2, 208785.2], fast=fast)
         empty = {x.name for x, row in zip(c.columns, block.table, strict=True) if np.isnan(row).all() and not x.beside}
         faint = {None: ["F_23", "F_10"], "F_10": ["F_10"], "F_20": []}[names and names[0]]  # F_23 is nothing in truth
@@ -144,20 +144,20 @@ def test_sizes_too_different_to_reckon_with_are_warned_of(size: str) -> None:
     far = SLOT.replace("O: [0, 0], B: [d, 0]", f"O: [{size}, 0], B: [{size} + 0.1, 0]")
     (position,) = solve(loads(far)).positions
     assert any("less than three correct digits" in w for w in position.results["warnings"])
-    (block,) = Cycle(plans_for_requested_results(loads(far))[0]).blocks([60.0, 70.0], fast=False)
+    (block,) = Cycle(plans_and_requested_results(loads(far))[0]).blocks([60.0, 70.0], fast=False)
     assert np.isnan(block.table).any(axis=0).all() and block.codes.all()
 
 
 @pytest.mark.parametrize("fast", [False, pytest.param(True, marks=pytest.mark.needs("llvmlite"))])
 def test_a_force_that_rounding_makes_exactly_nothing_is_left_out_of_a_table(fast: bool) -> None:
-    c = Cycle(plans_for_requested_results(loads(EATEN))[0], ["F_23"])
+    c = Cycle(plans_and_requested_results(loads(EATEN))[0], ["F_23"])
     (block,) = c.blocks(np.linspace(50.0, 60.0, 16), fast=fast)
     assert block.failed_mask.all() and np.isnan(block.table).all()
 
 
 def test_a_force_no_load_reaches_is_exactly_nothing() -> None:
     c = Cycle(
-        plans_for_requested_results(load(Path(__file__).parents[2] / "samples" / "assignment-12.yaml"))[0],
+        plans_and_requested_results(load(Path(__file__).parents[2] / "samples" / "assignment-12.yaml"))[0],
         ["F_50", "F_45"],
     )
     (block,) = c.blocks([60.0, 61.0], fast=False)

@@ -122,9 +122,9 @@ def test_a_structure_is_compiled_once(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_table_is_its_blocks(name: str, threads: int) -> None:
     """By one call where all holds, by blocks where something does not: the limits of six-link are among the places."""
     from planes.batch.cycle import Cycle
-    from planes.solving import plans_for_requested_results
+    from planes.solving import plans_and_requested_results
 
-    stated = plans_for_requested_results(load(str(ROOT / "samples" / f"{name}.yaml")))[0]
+    stated = plans_and_requested_results(load(str(ROOT / "samples" / f"{name}.yaml")))[0]
     cycle, own = Cycle(stated), stated.mechanism.drive.position
     for reach in (1e-3, 200.0 if stated.mechanism.drive.kind == "phi" else 0.02):
         values = np.linspace(own - reach, own + reach, 5001)
@@ -139,11 +139,11 @@ def test_a_table_is_its_blocks(name: str, threads: int) -> None:
 def test_a_table_past_the_caches_is_its_blocks(threads: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Wherever in a cache line its rows begin; a table of odd length is not aligned, and is stored as others are."""
     from planes.batch.cycle import Cycle
-    from planes.solving import plans_for_requested_results
+    from planes.solving import plans_and_requested_results
 
     monkeypatch.setattr(compiled, "LEAST_BYTES_PAST_CACHES", 0)
     monkeypatch.setattr(compiled, "POSITIONS_PER_CALL", 512)
-    cycle = Cycle(plans_for_requested_results(load(str(ROOT / "samples" / "six-link.yaml")))[0])
+    cycle = Cycle(plans_and_requested_results(load(str(ROOT / "samples" / "six-link.yaml")))[0])
     for skip, count in [*((k, 1008) for k in range(8)), (1, 8), (3, 2), (5, 1009)]:
         values = cycle.plans.mechanism.drive.position + np.linspace(-5, 5, count)
         (block,) = cycle.blocks(values, fast=True)
@@ -171,9 +171,9 @@ def test_an_older_processor_reckons_the_same(cpu: str, monkeypatch: pytest.Monke
     import llvmlite.binding as llvm
 
     from planes.batch.cycle import Cycle
-    from planes.solving import plans_for_requested_results
+    from planes.solving import plans_and_requested_results
 
-    stated = plans_for_requested_results(load(str(ROOT / "samples" / "six-link.yaml")))[0]
+    stated = plans_and_requested_results(load(str(ROOT / "samples" / "six-link.yaml")))[0]
     values = stated.mechanism.drive.position + np.linspace(-5, 5, 3001)
     here, there = Cycle(stated), Cycle(stated)
     monkeypatch.setattr(llvm, "get_host_cpu_name", lambda: cpu)

@@ -14,7 +14,7 @@ from planes.drafting.program import Program
 from planes.plans.quantities import MOTION_GROUPS, quantities_by_name
 from planes.scene import load
 from planes.scene.ranges import Span
-from planes.solving import plans_for_requested_results, solve
+from planes.solving import plans_and_requested_results, solve
 
 rivals = pytest.importorskip("rivals")
 COUNTS = (360, 100_000)
@@ -62,7 +62,7 @@ def bench_side_by_side(benchmark, name: str, count: int, who: str) -> None:
 def bench_higher_classes(benchmark, name: str, bare: bool) -> None:
     """Places, velocities and accelerations of one assembly over the whole turn, beside a group of class II; ``bare``,
     or with what rounding leaves no digits looked for."""
-    stated, count = plans_for_requested_results(load(str(SAMPLES / f"{name}.yaml")))[0], 100_000
+    stated, count = plans_and_requested_results(load(str(SAMPLES / f"{name}.yaml")))[0], 100_000
     motion = [n for n, q in quantities_by_name(stated).items() if q.group in MOTION_GROUPS]
     cycle, values = Cycle(stated, motion), Span(0.0, 360.0 / count, count)[0:count]
     group = f"classes III and IV, {'bare' if bare else 'looked at'}"

@@ -135,7 +135,7 @@ def blamed(sample: str, sheet: int, lang: Lang) -> int:
     scene, here, count = scene_of(sample, sheet), solved(sample, sheet).positions[0], 0
     ask = Asked(scene, known_plans(scene_plans(scene))[0])
     for written, quantity in gate(sample, sheet, lang):
-        value = quantity.magnitude_column.read_from_drawing(here.drawing.things, here.drawing.tool.ar)
+        value = quantity.column_to_write.read_from_drawing(here.drawing.things, here.drawing.tool.ar)
         if quantity.columns[0].unit in ("°", "1") or not abs(value) > 1e-6:
             continue
         outcome = check(ask, ReadPaper("t.csv", results=[(written, 3 * value, "")]))

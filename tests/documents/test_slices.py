@@ -11,7 +11,7 @@ from planes.documents.sheets import sheet_of
 from planes.lesson.data import lesson_data
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import Scene, load
-from planes.solving import Position, plans_for_requested_results, solve_position
+from planes.solving import Position, plans_and_requested_results, solve_position
 from planes.words.names import plan_kind
 from planes.words.naming import Naming
 from render.views.scheme import Scheme
@@ -30,7 +30,7 @@ def asks(scene: Scene) -> dict[str, tuple[str, ...]]:
 
 def shown(scene: Scene) -> Position:
     """The position as it is drawn on paper."""
-    plans, wanted = plans_for_requested_results(scene, shown=True)
+    plans, wanted = plans_and_requested_results(scene, shown=True)
     return solve_position(scene, plans, wanted, plans.mechanism.drive.position, None, "en")
 
 

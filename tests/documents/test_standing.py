@@ -12,7 +12,7 @@ from planes.lesson.formulas import LESSON_LANGS
 from planes.lesson.standing import point_at_rest_sentence
 from planes.lesson.told import SceneLesson
 from planes.scene import load
-from planes.solving import plans_for_requested_results, solve_position
+from planes.solving import plans_and_requested_results, solve_position
 from tests.helpers import ROOT
 from tests.helpers.lessons import lesson_opened, lesson_written
 
@@ -22,7 +22,7 @@ AT = "go(data.frames.findIndex(f => f.makes[0] === {mark!r}));"
 
 def test_a_point_stands_still_in_its_dead_points_alone(browser: Any, tmp_path: Path) -> None:
     scene = load(str(SLIDER))
-    plans, wanted = plans_for_requested_results(scene, shown=True)
+    plans, wanted = plans_and_requested_results(scene, shown=True)
     with lesson_opened(browser, lesson_written(tmp_path, SLIDER, "en")) as page:
         page.evaluate(AT.format(mark="velocity:c"))
         told, outer = {}, 60 - math.degrees(math.asin(0.015 / 0.26))  # crank and rod in one line

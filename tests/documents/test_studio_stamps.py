@@ -9,7 +9,7 @@ import pytest
 
 from planes.plans import structure_of
 from planes.scene import loads
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.solving.of_scene import solve
 from tests.helpers.browser import chromium, until
 from tests.helpers.studios import Hand, served
@@ -87,7 +87,7 @@ def test_a_motor_stands_in_a_hinge_of_two_moving_links(page: Any) -> None:
     hand.press(*hand.points()["B"])
     scene = loads(text_of(page))
     assert scene.mechanism and scene.mechanism.drive.on == "1" and scene.mechanism.drive.link == "2"
-    assert plans_for_requested_results(scene)[0].structure.structural_formula.startswith("I(1;2)")
+    assert plans_and_requested_results(scene)[0].structure.structural_formula.startswith("I(1;2)")
 
 
 def test_a_stamp_is_placed_by_two_clicks_and_by_keys(page: Any) -> None:

@@ -20,7 +20,7 @@ from planes.batch.cycle import Cycle
 from planes.drafting.drawing import draw_program
 from planes.drafting.steps import tracks
 from planes.scene import loads
-from planes.solving import plans_for_requested_results, solve
+from planes.solving import plans_and_requested_results, solve
 from planes.words.errors import PlanFailure
 from tests.helpers.mechanisms import make, to_yaml
 
@@ -113,7 +113,7 @@ def dead_point(rng: random.Random, kind: str) -> tuple[str, float]:
     """A group of a higher class, and an end of the range of its assembly."""
     while True:
         text = to_yaml(make(rng, [kind], sliding=False).scene)
-        given = plans_for_requested_results(loads(text))[0].given
+        given = plans_and_requested_results(loads(text))[0].given
         middle, half = (next(v for n, v in given.items() if n.startswith(f"{what}_")) for what in ("middle", "half"))
         if half < 179.0:
             return text, float(middle + rng.choice((1, -1)) * half)
@@ -180,7 +180,7 @@ def walk(family: str, seed: int, count: int) -> Counter[str]:
     """
     text, values = case(family, random.Random(f"{family}{seed}"), count)
     scene = loads(text)
-    c = Cycle(plans_for_requested_results(scene)[0])
+    c = Cycle(plans_and_requested_results(scene)[0])
     ways = {"arrays": False, "compiled": True} if compiled.is_compiler_available() and seed == 0 else {"arrays": False}
     tables = {way: next(c.blocks(values, fast=fast)) for way, fast in ways.items()}
     tally, cycles = Counter[str](positions=count), {id(c.plans): c}

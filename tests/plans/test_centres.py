@@ -15,7 +15,7 @@ from planes.plans.scales import unit_scales_of_plans
 from planes.plans.three_centres import plans_with_instant_centres
 from planes.scene import Scene, load, loads
 from planes.scene.mechanism import FRAME
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.words.errors import PlanesError
 from planes.words.names import full_mark_name
 from tests.helpers import ROOT
@@ -31,7 +31,7 @@ CLOSE = 1e-9
 
 def drawn(scene: Scene, count: int = 24) -> tuple[Plans, Drawing]:
     """The plans with centres, in SI, in many positions."""
-    plans = plans_with_instant_centres(plans_for_requested_results(scene, shown=True)[0])
+    plans = plans_with_instant_centres(plans_and_requested_results(scene, shown=True)[0])
     drive, reach = plans.mechanism.drive, plans.longest_link_length
     turn = np.linspace(0, 360, count, endpoint=False) if drive.kind == "phi" else np.linspace(-0.1, 0.1, count) * reach
     try:

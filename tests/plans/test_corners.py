@@ -13,7 +13,7 @@ import pytest
 from planes.drafting.instruments import Pencil
 from planes.plans.quantities import quantities_by_name
 from planes.scene import load, loads
-from planes.solving import plans_for_requested_results, solve
+from planes.solving import plans_and_requested_results, solve
 from planes.words.errors import SceneError
 from tests.helpers import ROOT
 from tests.helpers.comparing import checked, draw
@@ -298,15 +298,15 @@ def test_whatever_is_asked_alone_is_answered(name: str) -> None:
 
 def test_only_forces_are_reactions() -> None:
     """Also the parts that are calculated without a segment of their own; arms and cosines have such names, too."""
-    known = quantities_by_name(plans_for_requested_results(load(ROOT / "samples" / "class-four" / "press.yaml"))[0])
+    known = quantities_by_name(plans_and_requested_results(load(ROOT / "samples" / "class-four" / "press.yaml"))[0])
     parts = {n: q for n, q in known.items() if "^" in n and q.group == "reactions"}
-    assert parts and all(n.startswith("F_") and q.magnitude_column.unit == "N" for n, q in parts.items())
+    assert parts and all(n.startswith("F_") and q.column_to_write.unit == "N" for n, q in parts.items())
 
 
 @pytest.mark.slow
 def test_every_name_that_may_be_asked_gives_something() -> None:
     scene = TWO_SLIDERS
-    plans, _ = plans_for_requested_results(loads(scene))
+    plans, _ = plans_and_requested_results(loads(scene))
     for name in quantities_by_name(plans):
         results = solve(loads(scene + f"find: [{json.dumps(name, ensure_ascii=False)}]\n")).positions[0].results
         assert set(results) - {"phi_deg", "warnings"}, name

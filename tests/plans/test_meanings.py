@@ -111,7 +111,7 @@ def test_the_arm_of_one_load_is_not_taken_for_that_of_another() -> None:
 def test_only_vectors_of_points_of_the_frame_have_its_number() -> None:
     """The block of the press has a place on the frame's guide, and one on the guide of plate 2."""
     press = (ROOT / "samples" / "class-four" / "press.yaml").read_text(encoding="utf-8")
-    assert plans_from(press).lettering_settings["grounded"] == ["v_G0", "v_GG0", "a_G0", "a_GG0"]
+    assert plans_from(press).lettering_basis["grounded"] == ["v_G0", "v_GG0", "a_G0", "a_GG0"]
 
 
 @pytest.mark.parametrize("name", ["carriage", "excavator", "hinge-motor"])

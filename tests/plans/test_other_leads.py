@@ -17,7 +17,7 @@ from planes.plans.other_leads import plans_with_sharp_leads, steps_with_other_le
 from planes.plans.scales import drawn_in_si, plan_scales
 from planes.plans.statements.of_scene import scene_plans
 from planes.scene import load, loads
-from planes.solving import plans_for_requested_results, solve
+from planes.solving import plans_and_requested_results, solve
 from tests.helpers import ROOT
 from tests.helpers.comparing import Drawn, balanced, differences, expected, pose
 from tests.helpers.mechanisms import make, to_yaml
@@ -59,7 +59,7 @@ def parallel_at(plans: Plans, low: float, high: float) -> float | None:
 def test_parallel_leads_are_passed_by_another_pair(leads: str, seed: int) -> None:
     case = make(random.Random(f"parallel {leads} {seed}"), [leads], sliding=False)
     scene = loads(to_yaml(case.scene))
-    plans, _ = plans_for_requested_results(scene)
+    plans, _ = plans_and_requested_results(scene)
     start = plans.mechanism.drive.position
     value = parallel_at(plans, start - 60, start + 60)
     assert value is not None
@@ -100,7 +100,7 @@ def test_leads_that_cross_well_are_kept(name: str) -> None:
 
 
 def test_leads_that_are_parallel_are_not() -> None:
-    plans, _ = plans_for_requested_results(
+    plans, _ = plans_and_requested_results(
         loads(to_yaml(make(random.Random("parallel RR-RR-RR 2"), ["RR-RR-RR"], sliding=False).scene))
     )
     start = plans.mechanism.drive.position

@@ -17,7 +17,7 @@ from planes.documents.drawn import draw_sheet
 from planes.documents.sheets import project_over_turn
 from planes.plans.assur.analysis import analyse_structure
 from planes.scene import load
-from planes.solving import plans_for_requested_results, solve
+from planes.solving import plans_and_requested_results, solve
 from planes.words.errors import PlanesError
 from planes.words.naming import Naming
 from render.labels import Label
@@ -156,7 +156,7 @@ def test_a_link_in_a_thin_position_has_the_shape_of_the_scheme(name):
 def test_the_path_of_a_rockers_point_is_drawn_once():
     """Dashes of its way back would fill the gaps of its way there; a crank's point goes round."""
     plans, turned = (
-        plans_for_requested_results(load(ROOT / "samples" / "kind-1-rrr.yaml"))[0],
+        plans_and_requested_results(load(ROOT / "samples" / "kind-1-rrr.yaml"))[0],
         0.4 * np.sin(np.linspace(0, 2 * np.pi, 37)),
     )
     many, pivot = ManyPositions(plans, [], [], 100.0), plans.mechanism.frame.points["D"]
@@ -273,7 +273,7 @@ def test_a_plate_in_another_position_is_one_stroke_through_its_joints_and_number
 
 
 def test_a_slider_that_hardly_moves_has_the_first_and_last_number():
-    plans = plans_for_requested_results(load(ROOT / "samples" / "crank-slider.yaml"))[0]
+    plans = plans_and_requested_results(load(ROOT / "samples" / "crank-slider.yaml"))[0]
     drawn = solve(replace(load(ROOT / "samples" / "crank-slider.yaml"), find=None)).positions[0]
     here = PlacedMechanism(drawn.r, {name: f.number for name, f in drawn.of("links", "angle_deg").items()})
     numbered = [Numbered(str(k), here, k == 0) for k in range(13)]
@@ -285,7 +285,7 @@ def test_a_slider_that_hardly_moves_has_the_first_and_last_number():
 def test_a_diagram_rises_where_the_speed_is_positive(name):
     """Positions are numbered as the driver passes them: the six-link's crank turns clockwise."""
     scene = load(ALL[name])
-    plans, _ = plans_for_requested_results(scene, shown=True)
+    plans, _ = plans_and_requested_results(scene, shown=True)
     place, rate, _ = project_over_turn(scene, plans, Composer(scene, "en", plans), True).curves
     shift, speed = np.diff(np.array(place.values, float)), np.array(rate.values, float)
     speed = (speed[:-1] + speed[1:]) / 2

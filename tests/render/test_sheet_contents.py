@@ -13,7 +13,7 @@ from planes.documents import sheets as drawing_sheets
 from planes.documents.sheets import project_over_turn, sheet_of
 from planes.plans.curves import driven_link_and_sliding
 from planes.scene import load, loads
-from planes.solving import plans_for_requested_results, solve
+from planes.solving import plans_and_requested_results, solve
 from planes.solving.given import GivenTable
 from planes.words.names import force_plan_links, force_plan_name
 from planes.words.naming import Naming
@@ -117,7 +117,7 @@ def test_letters_of_large_formats_are_larger_where_there_is_room():
 def test_inner_reactions_are_drawn_on_links_apart(name):
     found = sheet(name, 2)
     shown = [v for v, _, _ in found.views if v.key == "apart"]
-    plans = plans_for_requested_results(load(SAMPLES / f"{name}.yaml"))[0]
+    plans = plans_and_requested_results(load(SAMPLES / f"{name}.yaml"))[0]
     assert len(shown) == len(plans.structure.groups)
     for group, view in zip(reversed(plans.structure.groups), shown, strict=True):
         arrows = {m.name for m in view.marks if isinstance(m, Arrow)}
@@ -126,10 +126,10 @@ def test_inner_reactions_are_drawn_on_links_apart(name):
 
 
 def test_both_extreme_positions_are_marked():
-    project = project_over_turn(RRP, plans_for_requested_results(RRP)[0], Composer(RRP, "ru"), True)
+    project = project_over_turn(RRP, plans_and_requested_results(RRP)[0], Composer(RRP, "ru"), True)
     extremes = [n.number for n in project.numbered if n.extreme]
     assert extremes[0] == "0" and len(extremes) == 2
-    _, slides = driven_link_and_sliding(plans_for_requested_results(RRP)[0])
+    _, slides = driven_link_and_sliding(plans_and_requested_results(RRP)[0])
     assert slides
     path = [r.points["C"] for r in project.turn if r]
     ends = [n.result.points["C"] for n in project.numbered if n.extreme and n.result]
@@ -139,7 +139,7 @@ def test_both_extreme_positions_are_marked():
 
 @pytest.mark.slow
 def test_a_sliding_driver_has_its_stroke():
-    span = working_range_of(plans_for_requested_results(SLIDING)[0])
+    span = working_range_of(plans_and_requested_results(SLIDING)[0])
     assert span.start < 0.15 < span.end and not span.whole
     found = sheet("sliding-driver", 1)
     said = words(found)
@@ -152,7 +152,7 @@ def test_a_sliding_driver_has_its_stroke():
 
 @pytest.mark.slow
 def test_the_range_of_a_rocking_driver_ends_where_it_stops():
-    span = working_range_of(plans_for_requested_results(load(SAMPLES / "six-link.yaml"))[0])
+    span = working_range_of(plans_and_requested_results(load(SAMPLES / "six-link.yaml"))[0])
     assert (span.start, span.end) == pytest.approx((129.5, 305.8), abs=0.1)
 
 

@@ -17,7 +17,7 @@ import pytest
 
 from planes.batch.cycle import Cycle
 from planes.scene import load
-from planes.solving import plans_for_requested_results, solve
+from planes.solving import plans_and_requested_results, solve
 from planes.words.errors import PlanesError
 from tests.helpers import ROOT
 
@@ -33,7 +33,7 @@ def told(path: Path) -> dict[str, Any]:
     out: dict[str, Any] = {"solved": solved(scene)}
     if scene.mechanism is None or not scene.mechanism.links:
         return out
-    every = plans_for_requested_results(scene)
+    every = plans_and_requested_results(scene)
     steps = [(type(s).__name__, getattr(s, "makes", "")) for s in every[0].program.steps]
     proofs = sorted(f"{type(p).__name__} {p.reason} {p.plan}" for p in every[0].program.proofs)
     out["steps"] = hashlib.sha256(json.dumps([steps, proofs]).encode()).hexdigest()[:16]

@@ -17,7 +17,7 @@ import pytest
 from planes.lesson.told import SceneLesson
 from planes.plans.assur.alignment import self_aligning_variant
 from planes.scene import load
-from planes.solving import plans_for_requested_results, solve
+from planes.solving import plans_and_requested_results, solve
 from planes.solving.given import GivenTable
 from planes.solving.structure_text import alignment_report, structure_report_text
 from planes.words.errors import PlanesError
@@ -48,7 +48,7 @@ def drawn(path: Path) -> dict[str, Any]:
     except PlanesError as error:
         out["lesson"] = str(error)
     if scene.mechanism is not None and scene.mechanism.links:
-        (plans, *_) = plans_for_requested_results(scene)
+        (plans, *_) = plans_and_requested_results(scene)
         out["structure"] = structure_report_text(plans.structure, "en", scene.mechanism.frame_number)
         out["aligned"] = said(lambda: alignment_report(self_aligning_variant(plans), "en"))
     out["given"] = said(lambda: data(scene))
@@ -58,7 +58,7 @@ def drawn(path: Path) -> dict[str, Any]:
 def data(scene: Any) -> str:
     """The table of what is given, with its laws."""
     position = solve(scene).positions[0]
-    table = GivenTable(position, Naming("ru", **position.plans.lettering_settings), scene.parameters)
+    table = GivenTable(position, Naming("ru", **position.plans.lettering_basis), scene.parameters)
     return "; ".join(
         " ".join(row)
         for row in (*table.given_rows(), *table.load_law_rows(), *([f] for f in table.load_law_formulas()))

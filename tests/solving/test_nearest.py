@@ -10,7 +10,7 @@ from collections.abc import Callable
 import pytest
 
 from planes.scene import loads
-from planes.solving import plans_for_requested_results, solve
+from planes.solving import plans_and_requested_results, solve
 from planes.solving.nearest import Nearest, _Side, nearest_working_position
 from tests.helpers.near_limits import PRP, RPR, RRP, RRR
 
@@ -42,7 +42,7 @@ def checked(found: tuple[str, Callable[[float], bool], list[float]], value: floa
     text, works, ends = found
     if works(value):
         return ""
-    near = nearest_working_position(plans_for_requested_results(loads(text))[0], value)
+    near = nearest_working_position(plans_and_requested_results(loads(text))[0], value)
     if near is None:
         assert not ends, (text, value)
         return "none"
@@ -78,7 +78,7 @@ def test_a_range_narrower_than_the_last_place_is_found_and_told() -> None:
 def test_values_between_two_that_work_are_looked_through_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """As often as the gaps: two, to both sides; in any order, a turn on and back."""
     text, works, ends = slider(0.691, 0.156, -0.234)
-    plans, looked = plans_for_requested_results(loads(text))[0], list[float]()
+    plans, looked = plans_and_requested_results(loads(text))[0], list[float]()
     first = _Side.first_working_position
     monkeypatch.setattr(_Side, "first_working_position", lambda side: (looked.append(side.value), first(side))[1])
     values, many = [v for v in (76.0, 100.0, 30.0, 270.0, 436.0, -284.0, 96.5) if not works(v)], Nearest(plans)

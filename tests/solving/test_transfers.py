@@ -16,7 +16,7 @@ from planes.plans.measuring import scene_lettering
 from planes.plans.statements.of_scene import scene_plans
 from planes.plans.transfers import analogue_units, transfer_functions
 from planes.scene import Scene, load, loads
-from planes.solving import Position, plans_for_requested_results, solve
+from planes.solving import Position, plans_and_requested_results, solve
 from planes.solving.tables import solve_report_text
 from planes.words.errors import SceneError
 from planes.words.naming import Naming
@@ -86,7 +86,7 @@ def test_asked_for_alone_only_what_leads_to_them_is_drawn() -> None:
     assert asked.plans.plan_names == ("position", "velocity")
     assert (
         len(asked.plans.program.steps)
-        < len(plans_for_requested_results(replace(scene, find=None))[0].program.steps) / 4
+        < len(plans_and_requested_results(replace(scene, find=None))[0].program.steps) / 4
     )
     assert asked.value("vq_C") == asked.value("v_qC")
     assert [c.name for c in whole_turn_of(position(scene, find=None).plans, ["v_qC"]).curves] == ["vq_C"]
@@ -109,13 +109,13 @@ def test_a_driver_at_rest_has_none_and_a_wrong_name_is_refused() -> None:
     scene = load(SIX)
     for name, valid in (("u_61", "u_41"), ("v_qX", "v_qL"), ("u_11", "u_41")):
         with pytest.raises(SceneError, match=f"no quantity {name};.*did you mean {valid}"):
-            plans_for_requested_results(replace(scene, find=(name,)))
+            plans_and_requested_results(replace(scene, find=(name,)))
     still = loads(SIX.read_text(encoding="utf-8").replace("omega: -20", "omega: 0"), "still.yaml")
     assert still.mechanism is not None
     assert still.mechanism.drive.velocity == 0
     assert "transfers" not in position(still, find=None).results
     with pytest.raises(SceneError, match="u_31"):
-        plans_for_requested_results(replace(still, find=("u_31",)))
+        plans_and_requested_results(replace(still, find=("u_31",)))
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ import pytest
 from planes import solve
 from planes.cli import main
 from planes.scene import Scene, load
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.studio import gallery
 from planes.studio.gallery import OWN_SCENE_FOLDERS, motion_of_points, point_places_at
 from planes.words import available_languages
@@ -42,7 +42,7 @@ def size(name: str, *names: str) -> list[float]:
 
 def places(name: str, point: str, values: Iterable[float]) -> list[complex]:
     """Where a point is at places of the driver, all of which can be drawn."""
-    plans, _ = plans_for_requested_results(scene(name), shown=True)
+    plans, _ = plans_and_requested_results(scene(name), shown=True)
     asked = [float(x) for x in values]
     found, works = point_places_at(plans, asked)
     assert len(works) == len(asked)

@@ -10,7 +10,7 @@ import pytest
 
 from planes.plans.quantities import quantities_by_name
 from planes.scene import loads
-from planes.solving import plans_for_requested_results
+from planes.solving import plans_and_requested_results
 from planes.solving.of_scene import solve
 from planes.studio.answers import answer_to_message
 from planes.studio.renaming import text_with_renamed_part
@@ -58,7 +58,7 @@ def test_a_mechanism_with_other_names_moves_as_before(path: Path) -> None:
 def asked_in_letterings(text: str, count: int) -> str:
     """The text with results asked for in the lettering of any sheet: R_63, Φ_2, M_зр, a_CB^τ, in Latin and Cyrillic."""
     text = Edited(text).without_key(("find",)).text
-    plans, _ = plans_for_requested_results(loads(text), shown=True)
+    plans, _ = plans_and_requested_results(loads(text), shown=True)
     known, draw = quantities_by_name(plans), random.Random(7)
     names = plans.default_naming.name_finder(known, poles=False)
     ways = {

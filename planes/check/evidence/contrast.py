@@ -49,7 +49,7 @@ LINE_CONTINUATION_MM = 1.0
 LINE_INK_SIDE_MM = 0.5
 # ratio of a line's middle to its response: of a pencil line, of a
 PENCIL_PEAK_RATIO = 1.35
-THIN_LINE_PEAK_RATIO = 2.5
+THIN_LINE_PEAK_TO_RESPONSE = 2.5
 MEDIAN_PEAK_FACTOR = 0.85
 # thin one; factor on their median
 # relative to a usual line: maximum normalisation of a line; threshold of other ink
@@ -88,7 +88,9 @@ def _normalise_along_lines(dark: Greys, scale: float, print_mm: float) -> tuple[
             ridge = mine & (response == cv2.dilate(response, None))
             peaks.append(middle[ridge] / (response[ridge] / STEPS_PER_GREY_LEVEL))
     peak = float(
-        (MEDIAN_PEAK_FACTOR * numpy.median(numpy.concatenate(peaks))).clip(PENCIL_PEAK_RATIO, THIN_LINE_PEAK_RATIO)
+        (MEDIAN_PEAK_FACTOR * numpy.median(numpy.concatenate(peaks))).clip(
+            PENCIL_PEAK_RATIO, THIN_LINE_PEAK_TO_RESPONSE
+        )
     )
     against = numpy.minimum(cv2.dilate(strength, _disk(LINE_INK_SIDE_MM)), MOST_LINE_NORMALISATION * felt.usual)
     other = numpy.maximum(OTHER_INK_THRESHOLD * cv2.dilate(felt.darkest, _disk(LINE_INK_SIDE_MM)), felt.usual)

@@ -27,7 +27,7 @@ HEADLESS_LINE_FACTOR = 0.5  # factor of a line without a head as a vector, where
 HEAD_EVIDENCE_RANGE = -2.5, 2.5  # evidence against a missing head, and for one present
 # maximum distance of a head from the end of its line; cosine of its direction
 MOST_HEAD_TO_END_MM = 1.2
-LEAST_HEAD_COSINE = 0.97
+LEAST_HEAD_ALIGNMENT_COSINE = 0.97
 MOST_LINES_FOR_CROSSINGS = 60  # maximum number of lines for crossings
 LEAST_CROSSING_SINE = 0.1  # sine of their angle
 MOST_STRAY_VECTOR_MM = 12.0  # limit for a vector outside the plan: there may be others beside it
@@ -139,7 +139,7 @@ class LineInk(SheetInk):
         """The evidence that a line ends at b: a tip there or, if no line has a head, an end."""
         length = abs(b - a)
         u = (b - a) / numpy.maximum(length, 1e-9)
-        aside = (u[..., None] * self.tip_ways.conj()).real < LEAST_HEAD_COSINE
+        aside = (u[..., None] * self.tip_ways.conj()).real < LEAST_HEAD_ALIGNMENT_COSINE
         off = (abs(b[..., None] - self.tips) + MOST_HEAD_TO_END_MM * aside).min(axis=-1, initial=MOST_HEAD_TO_END_MM)
         return numpy.where(length > SHORTEST_LINE_WITH_HEAD_MM, _sign_evidence(off), 0.0)
 

@@ -70,14 +70,14 @@ def read_results(
     figures, unknown, strange = list[WrittenNumber](), dict[str, str](), dict[str, Phrase]()
     for text, value, unit in written:
         name = sure.get(text)
-        in_si = unit_in_si(unit, known[name].magnitude_column.unit if name else "")
+        in_si = unit_in_si(unit, known[name].column_to_write.unit if name else "")
         if in_si is None:
             strange[text] = Phrase("check_unit", name=text, unit=unit)
         elif name is None:
             unknown[text] = _nearest_known_name(text, names)
-        elif in_si[1] not in ("", known[name].magnitude_column.unit):
+        elif in_si[1] not in ("", known[name].column_to_write.unit):
             strange[text] = Phrase(
-                "check_other_unit", name=text, unit=unit, right=Phrase(known[name].magnitude_column.unit)
+                "check_other_unit", name=text, unit=unit, right=Phrase(known[name].column_to_write.unit)
             )
         else:
             figures.append(quantity_figure(name, known[name], value * in_si[0]))
@@ -88,7 +88,7 @@ def read_results(
 
 def quantity_figure(name: str, q: Quantity, value: float) -> WrittenNumber:
     """The measurement of a quantity of the catalogue on a drawing."""
-    one = q.magnitude_column
+    one = q.column_to_write
     plan = plan_of(one.end) if one.part else {"omega": "velocity", "epsilon": "acceleration"}.get(q.key, "")
     return WrittenNumber(
         name, value, lambda things: one.read_from_drawing(things, Many()), not one.part, plan, one.value, one.unit

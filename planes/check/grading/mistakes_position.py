@@ -72,7 +72,7 @@ def _other_class_iii_assemblies(w: PlanSteps) -> Iterator[Variant]:
             for p in poses
             if abs(link_origins(ties, p)[cut.link] + p[1 + cut.link] * local - drawn) > SAME_ASSEMBLY_TOLERANCE * size
         ]
-        which = Phrase("assembly_another", count=len(poses), level=_class_of_group(w, cut))
+        which = Phrase("assembly_another", count=len(poses), level=_assur_class_by_basic_link(w, cut))
         for pose in others:
             turned = {turn[0]: cmath.phase(axis) for turn, axis in zip(guess.turns, pose[1:], strict=True)}
             there = here | {guess.places[0]: pose[0] / size} | turned
@@ -81,7 +81,7 @@ def _other_class_iii_assemblies(w: PlanSteps) -> Iterator[Variant]:
             yield from _variant_of_changed_givens(w, "other_assembly", users, there, part, {"which": which})
 
 
-def _class_of_group(w: PlanSteps, cut: CutTrack) -> str:
+def _assur_class_by_basic_link(w: PlanSteps, cut: CutTrack) -> str:
     """The class of the group whose basic link is drawn so."""
     groups = (g for g in w.plans.structure.groups if not isinstance(g, Group))
     return next(g.level for g in groups if cut.side == f"sense_{g.basic}")

@@ -30,7 +30,7 @@ MOST_SHAFT_OFFSET_RATIO = 0.1  # distance of a shaft's end from a head's centre 
 MOST_SHAFT_TURN_RAD = 0.02  # radians, maximum turn of a shaft drawn in pieces
 # minimum length of a shaft in sides of its open head; a shorter one ends exactly in its tip
 LEAST_SHAFT_RATIO, LEAST_EXACT_SHAFT_RATIO, EXACT_TIP_DISTANCE_MM = 1.3, 0.6, 0.3
-LEAST_HEAD_COSINE = 0.94  # minimum cosine of the angle between a head and its stroke
+LEAST_HEAD_ALIGNMENT_COSINE = 0.94  # minimum cosine of the angle between a head and its stroke
 EQUILATERAL_HEAD_TURNS = tuple(
     cmath.rect(1, k * math.tau / 3) for k in range(3)
 )  # possible directions of an equilateral head
@@ -169,7 +169,7 @@ def _join_to_headed_strokes(sketch: ReadDrawing) -> None:
                 break
             gone.add(near[0])
             sketch.strokes[k] = (before, b) if way > 0 else (b, before)
-    kept = sketch.with_strokes_only(k for k in range(len(sketch.strokes)) if k not in gone)
+    kept = sketch.with_some_strokes(k for k in range(len(sketch.strokes)) if k not in gone)
     sketch.strokes, sketch.ways = kept.strokes, kept.ways
 
 
@@ -219,7 +219,7 @@ def _candidate_ends(strokes: Strokes, head: Arrowhead, held: Iterable[int]) -> l
             inside = (
                 -long - SAME_POINT_MM < off.real < -near and abs(off.imag) < MOST_SHAFT_OFFSET_RATIO * long
             )  # only its own shaft ends there
-            if (inside or abs(off) < near) and turn.real > LEAST_HEAD_COSINE * abs(turn):
+            if (inside or abs(off) < near) and turn.real > LEAST_HEAD_ALIGNMENT_COSINE * abs(turn):
                 aside = HEAD_TURN_WEIGHT_MM_PER_RAD * abs(turn.imag) / abs(turn)
                 ends.append((aside - MOST_TIP_TO_END_MM if inside else abs(off) + aside, k, sign))
     return ends

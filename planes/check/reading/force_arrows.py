@@ -38,7 +38,11 @@ NO_HEAD_COST = 1.0  # no head
 MOST_STRAY_ARROW_COSTS = 2.5, 9.0  # maximum cost of an arrow outside the plan, without heads and with them
 LEAST_STRAY_ARROW_COSTS = 0.0, 4.0  # the minimum of it
 COMPUTED_FORCE_ERROR_SHARE = 0.02  # of its length, the error of a force computed from others
-OPPOSITE_NAME_SOFTNESS_MM, MIDDLE_NAME_SHARE, TIP_NAME_STEEPNESS = 0.5, 0.15, 8.0  # for names of opposite vectors
+OPPOSITE_NAME_SOFTNESS_MM, OPPOSITE_NAME_MIDDLE_SHARE, TIP_NAME_STEEPNESS = (
+    0.5,
+    0.15,
+    8.0,
+)  # for names of opposite vectors
 OPPOSITE_VECTORS_GAP_RATIO = 0.2  # maximum distance between opposite vectors, relative to their length
 MEETING_ENDS_MM = 1.0  # ends that meet
 GAP_ERROR_SHARE = 0.7  # share of their distance that is the error of each
@@ -146,7 +150,7 @@ class ForceArrows:
             by_tip = math.log(1 + math.exp(min(-2 * TIP_NAME_STEEPNESS * ahead, 40.0)))
             price += (
                 by_tip
-                if abs(ahead) > MIDDLE_NAME_SHARE
+                if abs(ahead) > OPPOSITE_NAME_MIDDLE_SHARE
                 else one.naming_cost(off[k], [off[back]], OPPOSITE_NAME_SOFTNESS_MM)
             )
         return price + REVERSED_NUMBERS_COST * (not one.word.agrees_with_end_numbers(s, self.sketch.words))

@@ -32,7 +32,7 @@ def without_hatching(sketch: ReadDrawing) -> ReadDrawing:
     for held in (loose, {k for k, ends in enumerate(free) if ends and not sketch.end_with_head(k)}):
         for alike in _parallel_groups(sketch.strokes, sorted(held)):
             gone.update(_strokes_in_even_rows(sketch.strokes, alike, loose))
-    return sketch.with_strokes_only(k for k in range(len(sketch.strokes)) if k not in gone) if gone else sketch
+    return sketch.with_some_strokes(k for k in range(len(sketch.strokes)) if k not in gone) if gone else sketch
 
 
 def _free_end_counts(strokes: Strokes) -> list[int]:

@@ -49,7 +49,7 @@ def read_plan_marks(sketch: ReadDrawing, bench: PreparedPlan) -> ReadPaper:
     if kind == "position":
         sketch = extend_strokes_to_hinges(sketch)
     elif (vectors := vector_strokes(sketch, kind == "force")) and not strokes_with_heads(sketch):
-        sketch = sketch.with_strokes_only(vectors)
+        sketch = sketch.with_some_strokes(vectors)
     return (
         read_force_arrows(sketch, bench)
         if kind == "force"

@@ -114,7 +114,7 @@ def connected_parts(sketch: ReadDrawing, least_mm: float = SMALLEST_PART_MM) -> 
 
 def _part_of_strokes(sketch: ReadDrawing, held: list[int], least_mm: float) -> ReadDrawing | None:
     """Some of the strokes, each once, with the words and circles near them."""
-    part = sketch.with_strokes_only({(sketch.strokes[k], sketch.end_with_head(k)): k for k in held}.values())
+    part = sketch.with_some_strokes({(sketch.strokes[k], sketch.end_with_head(k)): k for k in held}.values())
     strokes, (low, high) = part.strokes, part.box
     if max((high - low).real, (high - low).imag) < least_mm or _is_table(strokes, high - low):
         return None

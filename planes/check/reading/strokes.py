@@ -67,7 +67,7 @@ class ReadDrawing:
         """The end of a stroke that has a head."""
         return self.ways[k] if self.ways else 0
 
-    def with_strokes_only(self, held: Iterable[int]) -> ReadDrawing:
+    def with_some_strokes(self, held: Iterable[int]) -> ReadDrawing:
         """The drawing with some of its strokes."""
         kept = list(held)
         ways = [self.ways[k] for k in kept] if self.ways else []
@@ -120,7 +120,7 @@ def extend_strokes_to_hinges(sketch: ReadDrawing) -> ReadDrawing:
         return next((c for c, r in sketch.rounds if abs(z - c) < r + ENDS_JOINED_BY_EYE_MM / 2), z)
 
     lines = [(on(a), on(b)) for a, b in sketch.strokes]
-    return replace(sketch, strokes=lines).with_strokes_only(k for k, (a, b) in enumerate(lines) if a != b)
+    return replace(sketch, strokes=lines).with_some_strokes(k for k, (a, b) in enumerate(lines) if a != b)
 
 
 def coincident_ends_distance_mm(strokes: Strokes, vectors: Sequence[int]) -> float:

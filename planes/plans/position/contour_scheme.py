@@ -125,7 +125,7 @@ class _Aside:
         own, name = Meaning("own", self.basic.name), f"x_{self.basic.name}°"
         return self.draft.add_step(CutTurn(name, point_place_on_link(self.bodies, self.basic, key), *cut, means=own))
 
-    def mark_in_true_place(self, label: str, aside: str, means: Meaning | None = None) -> str:
+    def transfer_mark_to_true_place(self, label: str, aside: str, means: Meaning | None = None) -> str:
         """A mark of the figure in its true place, by similarity."""
         start = scheme_mark(self.pivot)
         shape = (start, aside), (start, self.like[0]), (start, self.like[1])
@@ -138,14 +138,14 @@ class _Aside:
             SCHEME_PLAN, f"x{link}°{self.pivot}", aside, along, self.transfer_length_name(), helper
         )
         return self.draft.draw_direction_through_marks(
-            f"x_{link}", start, self.mark_in_true_place(f"x{link}′", end, helper), Meaning("own", link)
+            f"x_{link}", start, self.transfer_mark_to_true_place(f"x{link}′", end, helper), Meaning("own", link)
         )
 
     def draw_base_in_place(self) -> None:
         """The base, by a hinge with a lead, or by its own axis."""
         hinges = [lead.outer.point for lead in self.group.leads if lead.outer.kind == "R"]
         if hinges:
-            self.mark_in_true_place(hinges[0], self.mark(hinges[0]))
+            self.transfer_mark_to_true_place(hinges[0], self.mark(hinges[0]))
             self.bodies.draw_missing_points(body_by_two_points(self.bodies, self.base.name, self.pivot, hinges[0]))
             return
         start = scheme_mark(self.pivot)
@@ -156,7 +156,7 @@ class _Aside:
         """The basic link, by its outer hinge and another point, by its axis, or on its guide."""
         b, name, hinge = self.bodies, self.basic.name, self.outer.point
         if key != hinge:
-            self.mark_in_true_place(key, self.mark(key))
+            self.transfer_mark_to_true_place(key, self.mark(key))
         if self.outer.kind == "P":
             place_slider(b, self.outer, name, key, self.along)
         elif key != hinge:

@@ -31,7 +31,7 @@ class Chains:
         self.labels.setdefault(self.plan, {POLE_LABEL})
         self.draft.draw_pole(self.plan)
         if lying:
-            one, two = (tuple(sorted(side, key=self._order_of_lying_vectors(lying))) for side in (one, two))
+            one, two = (tuple(sorted(side, key=self._place_among_lying_vectors(lying))) for side in (one, two))
         start = label_of(lying[0]) if lying else self._start_mark(one, two)
         return self.plan, self._both_chains(one, two, total, start)
 
@@ -46,7 +46,7 @@ class Chains:
                 return [start for start, _ in way]
         return []
 
-    def _order_of_lying_vectors(self, lying: list[str]) -> Callable[[SideTerm], int]:
+    def _place_among_lying_vectors(self, lying: list[str]) -> Callable[[SideTerm], int]:
         """The place of a vector among those; the others come after them."""
 
         def place(term: SideTerm) -> int:

@@ -91,7 +91,7 @@ class CremonaPlan:
         for (one, start), (two, other) in pairs[:1]:
             joint = next(iter({*one} & {*two}), "")
             self.joints[full_mark_name(CREMONA_PLAN, region)] = joint
-            if joint and self.draw_region_by_joint(joint, region):
+            if joint and self.draw_joint_polygon_for_region(joint, region):
                 continue
             along, across = (self.draft.direction_between_marks(SCHEME_PLAN, *m) for m in (one, two))
             self.draft.add_step(
@@ -105,7 +105,7 @@ class CremonaPlan:
             )
         return bool(pairs)
 
-    def draw_region_by_joint(self, joint: str, region: str) -> bool:
+    def draw_joint_polygon_for_region(self, joint: str, region: str) -> bool:
         """The polygon of a joint by which a region is drawn, if that region is its only unknown."""
         terms = self.regions.forces_around_joint(joint)
         if {x for _, *ends in terms for x in ends} - {*self.drawn, region}:

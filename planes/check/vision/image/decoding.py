@@ -120,7 +120,7 @@ def _decode_picture(data: bytes, file: str, page: int = 0) -> DecodedPicture | N
     try:
         pixels: Greys | None = cv2.imdecode(bits, cv2.IMREAD_UNCHANGED) if see_through else None
         solid = pixels is None or pixels.ndim < 3 or pixels.shape[2] != 4
-        grey = decode_one_channel(cv2, bits) if pixels is None or solid else _on_white_paper(cv2, pixels)
+        grey = decode_to_one_channel(cv2, bits) if pixels is None or solid else _on_white_paper(cv2, pixels)
     finally:
         cv2.utils.logging.setLogLevel(log_level)
     return None if grey is None else DecodedPicture(grey, _px_per_mm_of_file(head), _focal_length_of_file(head))
@@ -217,7 +217,7 @@ def _render_pdf_page(data: bytes, file: str, number: int = 0) -> DecodedPicture:
     return DecodedPicture(grey, scale * 72 / 25.4)
 
 
-def decode_one_channel(cv2: ModuleType, data: Greys) -> Greys | None:
+def decode_to_one_channel(cv2: ModuleType, data: Greys) -> Greys | None:
     """The picture encoded as ``data`` in grey, or in the colour without the grid; None if it is no picture."""
     if not _is_partly_coloured(cv2.imdecode(data, cv2.IMREAD_REDUCED_COLOR_2)):
         grey: Greys | None = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
