@@ -95,16 +95,16 @@ def finite_or_none(values: Array) -> tuple[Real, ...]:
 
 
 def diagrams_and_hodographs(
-    scene: Scene, plans: Plans, angles: Sequence[float], whole: bool, naming: Naming
+    scene: Scene, plans: Plans, angles: Sequence[float], full_turn: bool, naming: Naming
 ) -> tuple[tuple[DiagramCurve, ...], tuple[Hodograph, ...]]:
-    """The diagrams and hodographs named in ``sheet:`` of a scene, over the angles of a range or a ``whole`` turn."""
+    """The diagrams and hodographs named in ``sheet:`` of a scene, over the angles of a range or a ``full_turn``."""
     names, loops, _ = (names_under_key(scene.sheet, key) for key in SHEET_CURVE_KEYS)
     if not names and not loops:
         return (), ()
     turn = whole_turn_of(plans, names, loops, scene.file)
     turned = DrawnTurn(turn, Runs(plans, min(angles), max(angles)), naming)
     curves = (turned.curve(c) for c in turn.curves)
-    calm = tuple(replace(c, values=drop_steep_ordinates(c.values, whole)) for c in curves)
+    calm = tuple(replace(c, values=drop_steep_ordinates(c.values, full_turn)) for c in curves)
     return calm, tuple(map(turned.loop, turn.arrows))
 
 

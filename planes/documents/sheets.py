@@ -250,7 +250,7 @@ class TurningMechanism:
         at = ([{name: row[k] for name, row in x.items()} for x in (points, angles)] for k in range(len(works)))
         return [PlacedMechanism(where, how) if ok else None for (where, how), ok in zip(at, works, strict=True)]
 
-    def driven_link_curves(self, rows: Rows, whole: bool) -> tuple[DiagramCurve, ...]:
+    def driven_link_curves(self, rows: Rows, full_turn: bool) -> tuple[DiagramCurve, ...]:
         """Position, from its least, and rates of the driven link, unless the driver is at rest."""
         slides, (place, *rates) = driven_link_and_sliding(self.plans)[1], driven_link_curves(self.plans)
         at = curves_by_name(self.plans)[place].read(rows)
@@ -258,7 +258,7 @@ class TurningMechanism:
             at = unwind_angles(at)
             at[1:][np.abs(np.diff(at)) > LEAST_FLIP_DEG] = np.nan  # it turns over: a gap
         letters, units = ("sva", ("m", "m/s", "m/s²")) if slides else ("φωε", ("°", "rad/s", "rad/s²"))
-        calm = (drop_steep_ordinates(finite_or_none(row), whole) for row in (at, *(rows[rate] for rate in rates)))
+        calm = (drop_steep_ordinates(finite_or_none(row), full_turn) for row in (at, *(rows[rate] for rate in rates)))
         drawn = list(map(DiagramCurve, letters, units, calm))
         least = min((v for v in drawn[0].values if v is not None), default=0.0)
         drawn[0] = replace(drawn[0], values=tuple(None if v is None else v - least for v in drawn[0].values))

@@ -37,9 +37,9 @@ def continuous_runs(path: Sequence[complex | None], across: float = math.inf) ->
     return [(piece, jump) for piece, jump in [*pieces, (run, False)] if len(piece) > 1]
 
 
-def drop_steep_ordinates(values: Sequence[float | None], whole: bool) -> tuple[float | None, ...]:
+def drop_steep_ordinates(values: Sequence[float | None], full_turn: bool) -> tuple[float | None, ...]:
     """A curve without ordinates far from the rest, which grow without bound beside dead points; those are also the ends
-    of a range that is no ``whole`` turn."""
+    of a range that is no ``full_turn``."""
     known = sorted(v for v in values if v is not None)
     if not known:
         return tuple(values)
@@ -47,5 +47,5 @@ def drop_steep_ordinates(values: Sequence[float | None], whole: bool) -> tuple[f
     spread = sorted(abs(v - middle) for v in known)[len(known) * 9 // 10]
     near = [v is not None and (not spread or abs(v - middle) <= MOST_SPREAD_RATIO * spread) for v in values]
     usual = sorted(map(abs, known))[len(known) // 2]
-    calm = [k for k, v in enumerate(values) if v is not None and (whole or abs(v) <= MOST_END_ORDINATE_RATIO * usual)]
+    calm = [k for k, v in enumerate(values) if v is not None and (full_turn or abs(v) <= MOST_END_ORDINATE_RATIO * usual)]
     return tuple(v if near[k] and calm[0] <= k <= calm[-1] else None for k, v in enumerate(values))
