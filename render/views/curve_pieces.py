@@ -47,5 +47,7 @@ def drop_steep_ordinates(values: Sequence[float | None], full_turn: bool) -> tup
     spread = sorted(abs(v - middle) for v in known)[len(known) * 9 // 10]
     near = [v is not None and (not spread or abs(v - middle) <= MOST_SPREAD_RATIO * spread) for v in values]
     usual = sorted(map(abs, known))[len(known) // 2]
-    calm = [k for k, v in enumerate(values) if v is not None and (full_turn or abs(v) <= MOST_END_ORDINATE_RATIO * usual)]
+    calm = [
+        k for k, v in enumerate(values) if v is not None and (full_turn or abs(v) <= MOST_END_ORDINATE_RATIO * usual)
+    ]
     return tuple(v if near[k] and calm[0] <= k <= calm[-1] else None for k, v in enumerate(values))
