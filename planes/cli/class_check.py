@@ -28,15 +28,14 @@ if TYPE_CHECKING:
     from planes.documents.class_work import ClassWork
 
 
-REPORT_SUFFIXES = (".pdf", ".svg", ".png")  # options for one drawing, not for several
-
-
 def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet], alone: bool = False) -> int:
     """Every drawing and practice of a folder: a row for each, on the terminal and in the file of ``-o``; for the pages
     of a single file, ``alone``, the only readable one, if there is one."""
     from planes.documents.class_work import ClassWork
+    from render.files import SUFFIXES_WITH_PICTURE
 
-    refused = alone and Path(args.output or "").suffix.lower() in REPORT_SUFFIXES
+    # a report of one drawing, not of several
+    refused = alone and Path(args.output or "").suffix.lower() in SUFFIXES_WITH_PICTURE
     work = ClassWork(Path(args.drawing).name, args.lang, "" if refused else args.output or "")
     work.tasks, work.command = handed.tasks, _repeating_command(args)
     desk = ClassDesk.from_options(args, handed, work)

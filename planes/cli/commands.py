@@ -41,7 +41,7 @@ def print_warnings(said: Iterable[str], lang: Lang) -> None:
 
 def _sheet_errors(scene: Scene) -> tuple[PlanesError, ...]:
     """The errors of a sheet of the scene, reported before one is drawn."""
-    if not scene.sheet.keys() & {"diagrams", "hodographs", "font"}:
+    if not scene.sheet.keys() & {"diagrams", "hodographs", "paths", "font"}:
         return ()
     from planes.documents.cycle import sheet_entry_errors
 

@@ -13,7 +13,6 @@ from planes.scene.ranges import Span, read_span
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 
-PICTURE_SUFFIXES = (".png", ".svg", ".pdf", ".dxf")
 FILM_SUFFIXES = (".gif", ".mp4")
 MOST_LISTED_POSITIONS = 24  # longest listing, in positions
 
@@ -47,7 +46,9 @@ def _answer_kind(args: Namespace, span: Span | None) -> str:
     """The kind of answer requested."""
     if args.film or (args.output and Path(args.output).suffix.lower() in FILM_SUFFIXES):
         return "film"
-    if args.output and Path(args.output).suffix.lower() not in PICTURE_SUFFIXES:
+    from render.files import DRAWING_SUFFIXES
+
+    if args.output and Path(args.output).suffix.lower() not in DRAWING_SUFFIXES:
         return "curves" if args.show is not None else "table"
     if args.graphical is not None:
         return "graphical_picture" if args.output else "graphical"

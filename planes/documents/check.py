@@ -32,15 +32,13 @@ from planes.words.errors import PlanesError
 from planes.words.names import POLE_LABEL, NameTuple, component_ending_at, plan_kind
 from planes.words.naming import Naming
 from planes.words.units import mu_text
-from render.files import Page, pdf
+from render.files import DRAWING_SUFFIXES, SUFFIXES_WITH_PICTURE, Page, pdf
 from render.page import check_pages
 from render.paper.letters import with_minus_and_decimal_sign
 from render.paper.marks import Mark
 from render.paper.photo import Photo
 from render.sheet import blank_sheet, check_sheet
 from render.sheet.studio_code import blank_back_marks
-
-PAGE_SUFFIXES = (".svg", ".pdf", ".png")
 
 
 def write_blank(asked: Asked, output: str, lang: Lang) -> None:
@@ -50,7 +48,7 @@ def write_blank(asked: Asked, output: str, lang: Lang) -> None:
     if reverse and Path(output).suffix.lower() == ".pdf":
         save_file_or_refuse(pdf.write_pages([(marks, SHEET_MM), (reverse, SHEET_MM)], title, lang), output)
         return
-    _write_page(Page(tuple(marks), SHEET_MM, title, lang), output, (*PAGE_SUFFIXES, ".dxf"))
+    _write_page(Page(tuple(marks), SHEET_MM, title, lang), output, DRAWING_SUFFIXES)
 
 
 def blank_marks(asked: Asked, lang: Lang, *more: str, mark: SheetMark | None = None) -> tuple[list[Mark], str]:
@@ -97,7 +95,7 @@ def _owner_lines(asked: Asked, mark: SheetMark, lang: Lang) -> list[str]:
     return [f"{'. '.join(said)}."] if said else []
 
 
-def _write_page(page: Page, output: str, kinds: NameTuple = PAGE_SUFFIXES) -> None:
+def _write_page(page: Page, output: str, kinds: NameTuple = SUFFIXES_WITH_PICTURE) -> None:
     if Path(output).suffix.lower() not in kinds:
         raise PlanesError(Phrase("check_output", file=output))
     page.write(output)

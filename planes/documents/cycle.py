@@ -38,13 +38,14 @@ from render.paper.typeset import wrap_text
 from render.sheet.composer import Composer
 from render.sheet.single import page_cut_to_view
 from render.views import TITLE_LETTER_MM, View, make_view, stack_views
+from render.views.curve_pieces import drop_steep_ordinates
 from render.views.diagrams import SECTION_COUNT, DiagramCurve, Diagrams
 from render.views.hodographs import Hodograph, hodograph_view
 
 SECTION_WIDTH_MM = 15.0
 DIAGRAM_GAP_MM = 10.0
 HODOGRAPHS_PER_ROW = 2  # hodographs
-SHEET_CURVE_KEYS = ("diagrams", "hodographs")
+SHEET_CURVE_KEYS = ("diagrams", "hodographs", "paths")
 
 
 class DrawnTurn:
@@ -98,28 +99,32 @@ def finite_or_none(values: Array) -> tuple[Real, ...]:
 
 
 def diagrams_and_hodographs(
-    scene: Scene, plans: Plans, angles: Sequence[float], naming: Naming
+    scene: Scene, plans: Plans, angles: Sequence[float], full_turn: bool, naming: Naming
 ) -> tuple[tuple[DiagramCurve, ...], tuple[Hodograph, ...]]:
-    """The diagrams and hodographs named in ``sheet:`` of a scene, over the angles of a turn."""
-    names, loops = (names_under_key(scene.sheet, key) for key in SHEET_CURVE_KEYS)
+    """The diagrams and hodographs named in ``sheet:`` of a scene, over the angles of a range or a ``full_turn``."""
+    names, loops, _ = (names_under_key(scene.sheet, key) for key in SHEET_CURVE_KEYS)
     if not names and not loops:
         return (), ()
     turn = whole_turn_of(plans, names, loops, scene.file)
     turned = DrawnTurn(turn, Runs(plans, min(angles), max(angles)), naming)
-    return tuple(map(turned.curve, turn.curves)), tuple(map(turned.loop, turn.arrows))
+    curves = (turned.curve(c) for c in turn.curves)
+    calm = tuple(replace(c, values=drop_steep_ordinates(c.values, full_turn)) for c in curves)
+    return calm, tuple(map(turned.loop, turn.arrows))
 
 
 def check_diagram_names(scene: Scene, plans: Plans | None) -> None:
-    """Check that every diagram and hodograph named in ``sheet:`` exists, on whichever sheet it is drawn."""
+    """Check that every diagram, hodograph and point with a path named in ``sheet:`` exists, on whichever sheet it is
+    drawn."""
     for key in SHEET_CURVE_KEYS:
         names = names_under_key(scene.sheet, key)
         line = scene.where.get(("sheet", key))
         if names and plans is None:
             raise SceneError(Phrase("cycle_no_mechanism", file=f"sheet.{key}"), scene.file, line)
         if names and plans:
-            there: dict[str, Curve | CycleVector] = {
-                **(curves_by_name if key == "diagrams" else vectors_by_name)(plans)
-            }
+            vectors = vectors_by_name(plans)
+            there: dict[str, Curve | CycleVector] = {**(curves_by_name(plans) if key == "diagrams" else vectors)}
+            if key == "paths":
+                there = {name_index(n): vector for n, vector in vectors.items() if letter_of(n) == "r"}
             for n, name in enumerate(names):
                 try:
                     curve_or_vector_by_name(name, there, plans, f"sheet.{key}")
@@ -128,7 +133,7 @@ def check_diagram_names(scene: Scene, plans: Plans | None) -> None:
 
 
 def sheet_entry_errors(scene: Scene) -> Iterator[PlanesError]:
-    """Entries of ``sheet:`` that do not exist: a font, diagrams, hodographs."""
+    """Entries of ``sheet:`` that do not exist: a font, diagrams, hodographs, paths."""
     for look in (
         lambda: face_of_scene(scene),
         lambda: check_diagram_names(scene, scene_plans(scene) if scene.mechanism else None),

@@ -11,8 +11,8 @@ import numpy as np
 from planes.batch.cycle import Cycle
 from planes.batch.table import columns_of_quantities
 from planes.diagrams.motion import dead_point_positions, grid_of_driven_link
-from planes.diagrams.turn import unwind_angles, working_range_of
-from planes.documents.cycle import check_diagram_names, diagrams_and_hodographs, finite_or_none
+from planes.diagrams.turn import LEAST_FLIP_DEG, unwind_angles, working_range_of
+from planes.documents.cycle import check_diagram_names, diagrams_and_hodographs, finite_or_none, names_under_key
 from planes.geometry.arrays import Array
 from planes.plans import Plans
 from planes.plans.curves import FULL_TURN_DEG, WorkingRange, curves_by_name, driven_link_and_sliding, driven_link_curves
@@ -37,6 +37,7 @@ from render.sheet.project import Project
 from render.sheet.sizes import LOADED_VIEW_KEY, Sizes
 from render.sheet.studio_code import studio_code_view
 from render.views import View
+from render.views.curve_pieces import drop_steep_ordinates
 from render.views.diagrams import SECTION_COUNT, DiagramCurve, section_width_mm
 from render.views.many import Numbered, PlacedMechanism
 
@@ -221,8 +222,9 @@ def project_over_turn(scene: Scene, plans: Plans, composer: Composer, twelve: bo
     rows = motion.column_rows(values)
     turn = motion.placed_mechanisms(rows)
     numbered = motion.numbered_positions(span, turn, dead) if twelve else []
-    asked, loops = diagrams_and_hodographs(scene, plans, values, composer.naming)
-    return Project(composer, values, turn, numbered, span.whole, asked or motion.driven_link_curves(rows), loops)
+    asked, loops = diagrams_and_hodographs(scene, plans, values, span.whole, composer.naming)
+    curves = asked or motion.driven_link_curves(rows, span.whole)
+    return Project(composer, values, turn, numbered, span.whole, curves, loops, names_under_key(scene.sheet, "paths"))
 
 
 class TurningMechanism:
@@ -248,15 +250,18 @@ class TurningMechanism:
         at = ([{name: row[k] for name, row in x.items()} for x in (points, angles)] for k in range(len(works)))
         return [PlacedMechanism(where, how) if ok else None for (where, how), ok in zip(at, works, strict=True)]
 
-    def driven_link_curves(self, rows: Rows) -> tuple[DiagramCurve, ...]:
+    def driven_link_curves(self, rows: Rows, full_turn: bool) -> tuple[DiagramCurve, ...]:
         """Position, from its least, and rates of the driven link, unless the driver is at rest."""
-        slides, (place, rate, quick) = driven_link_and_sliding(self.plans)[1], driven_link_curves(self.plans)
+        slides, (place, *rates) = driven_link_and_sliding(self.plans)[1], driven_link_curves(self.plans)
         at = curves_by_name(self.plans)[place].read(rows)
-        at = at if slides else unwind_angles(at)
+        if not slides:
+            at = unwind_angles(at)
+            at[1:][np.abs(np.diff(at)) > LEAST_FLIP_DEG] = np.nan  # it turns over: a gap
         letters, units = ("sva", ("m", "m/s", "m/s²")) if slides else ("φωε", ("°", "rad/s", "rad/s²"))
-        drawn = map(
-            DiagramCurve, letters, units, map(finite_or_none, (at - np.fmin.reduce(at), rows[rate], rows[quick]))
-        )
+        calm = (drop_steep_ordinates(finite_or_none(row), full_turn) for row in (at, *(rows[rate] for rate in rates)))
+        drawn = list(map(DiagramCurve, letters, units, calm))
+        least = min((v for v in drawn[0].values if v is not None), default=0.0)
+        drawn[0] = replace(drawn[0], values=tuple(None if v is None else v - least for v in drawn[0].values))
         return tuple(drawn)[: 1 if self.plans.at_rest else None]
 
     def numbered_positions(

@@ -70,7 +70,7 @@ def _sliders(m: Mechanism) -> list[Json]:
                     "sign": size,
                     "mark": full_mark_name("position", point),
                     "along": f"∥{guide}",
-                    "name": f"link:{x.name}",
+                    "shows": f"link:{x.name}",
                 }
             )
     return sorted(signs, key=lambda sign: ("large", "block", "small").index(sign["sign"]))
@@ -87,7 +87,7 @@ def _hinges(plans: Plans) -> Iterator[Json]:
     for p in dict.fromkeys([*joined, *centres, *special_points(plans)]):
         hinged = p in rollers or (p in joined and (moving.count(p) > 1 or p in m.frame.points))
         mark = full_mark_name("position", p)
-        yield {"sign": "hinge" if hinged else "point", "mark": mark, "name": mark}
+        yield {"sign": "hinge" if hinged else "point", "mark": mark, "shows": mark}
 
 
 def statics_figure_data(figure: StaticsFigure, plans: Plans) -> Json:

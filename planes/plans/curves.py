@@ -291,19 +291,34 @@ def driven_link_analogues(plans: Plans) -> NameTuple:
 
 
 def driven_link_and_sliding(plans: Plans) -> tuple[str, bool]:
-    """The output link of a mechanism, and whether it slides on the frame: that of the last group."""
+    """The output link of a mechanism, and whether it slides on the frame: of the last group that has one. A link that
+    only keeps its angle to the frame or to the driver is none, unless there is no other."""
     m = plans.mechanism
     structure = plans.structure
-    group = next(g for g in reversed(structure.groups) if not structure.is_driving_cylinder(g))
-    for name in group.output_link_candidates:
-        slides = m.links[name].slides
-        if slides and m.owner_of_guide(slides.guide) == FRAME:
-            return name, True
-    on_frame = [p for p in structure.pairs if p.has_link(FRAME)]
-    grounded = [n for n in group.output_link_candidates if any(p.has_link(n) for p in on_frame)]
-    slid = {n: m.links[n].slides for n in group.output_link_candidates}  # on the driver's guide it only turns with it
-    free = [n for n, slides in slid.items() if not slides or m.owner_of_guide(slides.guide) != m.drive.link]
-    return (grounded or free or [*group.output_link_candidates])[0], False
+    groups = [g for g in reversed(structure.groups) if not structure.is_driving_cylinder(g)]
+    stiff = _links_of_constant_angle(plans, FRAME) | _links_of_constant_angle(plans, m.drive.link)
+    on_frame = {link for p in structure.pairs if p.has_link(FRAME) for link in (p.link, p.other)}
+    for group in groups:
+        for name in group.output_link_candidates:
+            slides = m.links[name].slides
+            if slides and m.owner_of_guide(slides.guide) == FRAME:
+                return name, True
+        turning = [n for n in group.output_link_candidates if n not in stiff]
+        if turning:
+            return next((n for n in turning if n in on_frame), turning[0]), False
+    return groups[0].output_link_candidates[0], False
+
+
+def _links_of_constant_angle(plans: Plans, link: str) -> set[str]:
+    """A link, and those that keep their angle to it: joined to it by guides alone."""
+    alike = {link}
+    waiting = [link]
+    while waiting:
+        one = waiting.pop()
+        guided = {p.other_link_of_pair(one) for p in plans.structure.pairs if p.kind == "P" and p.has_link(one)}
+        waiting += guided - alike
+        alike |= guided
+    return alike
 
 
 @frozen

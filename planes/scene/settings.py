@@ -16,7 +16,7 @@ _SHEET_KEYS_TEXT = """
 title number designation group student teacher checked approved department university company material letter
 scale_note mass reactions mu_convention font lettering format positions date sheet sheets tech role person
 teacher_date tech_date person_date checked_date approved_date revisions inventory inventory_accepted replaces
-duplicate duplicate_accepted reference first_use copied diagrams hodographs colour frame
+duplicate duplicate_accepted reference first_use copied diagrams hodographs paths colour frame
 document_type values studio
 """
 SHEET_KEYS = tuple(_SHEET_KEYS_TEXT.split())
@@ -26,7 +26,7 @@ inventory_accepted replaces duplicate duplicate_accepted reference first_use
 """
 LARGEST_SCALE_MM_PER_SI = 1e20  # mm per SI unit
 SHEET_NUMBER_KEYS = ("mass", "sheet", "sheets")
-SHEET_LIST_KEYS = ("letter", "revisions", "diagrams", "hodographs")
+SHEET_LIST_KEYS = ("letter", "revisions", "diagrams", "hodographs", "paths")
 _KEYS_WITHOUT_CELL = {"gost": ("document_type",), "iso": tuple(_ESKD_ONLY_KEYS_TEXT.split())}
 _MOST_JOINED_FORMATS = {4: 9, 3: 7, 2: 5, 1: 4, 0: 3}  # how many of a format of ГОСТ 2.301 may be joined side by side
 _JOINED_FORMAT_NAMES = tuple(

@@ -48,7 +48,7 @@ def text_with_renamed_part(text: str, kind: str, name: str, to: str) -> Edited:
     law = re.compile(rf"(?<!\w)({letters})_{re.escape(name)}(?!\w)")
 
     def other(path: Path, value: str) -> str:
-        if value == name and path[-1] in valued:
+        if value == name and (path[-1] in valued or path[:2] == ("sheet", "paths")):
             return to
         return law.sub(rf"\1_{to}", value) if path[0] == "loads" else value
 

@@ -1,5 +1,6 @@
 """Drawings written as files: SVG, PDF, PNG, DXF."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -12,8 +13,6 @@ from render.files import dxf, pdf, svg
 from render.files.dxf_entities import Lettered
 from render.paper.marks import Mark
 from render.paper.photo import Photo
-
-DRAWING_SUFFIXES = (".svg", ".pdf", ".png", ".dxf")
 
 
 @dataclass(frozen=True, repr=False)
@@ -38,20 +37,41 @@ class Page:
     def file_contents(self, suffix: str, text: Lettered = "text") -> bytes:
         """The contents of its file in the format of a suffix; the same page gives the same bytes. A PNG carries the
         page as SVG."""
-        match suffix:
-            case ".svg":
-                return svg.write(self.marks, self.size, self.title, lang=self.lang, under=self.under)
-            case ".pdf":
-                return pdf.write(self.marks, self.size, self.title, lang=self.lang, under=self.under)
-            case ".dxf" if find_spec("ezdxf") is None:
-                raise PlanesError(Phrase("needs_ezdxf"))
-            case ".dxf":
-                return dxf.write(self.marks, self.size, self.title, lang=self.lang, text=text)
-            case ".png":
-                picture = pdf.write_png(self.marks, self.size, self.title, under=self.under)
-                return picture if self.under else png_with_drawing(picture, self.file_contents(".svg"))
-        raise PlanesError(Phrase("bad_suffix", file=suffix or "?", known=".svg, .pdf, .png, .dxf"))
+        if suffix not in WRITER_BY_SUFFIX:
+            raise PlanesError(Phrase("bad_suffix", file=suffix or "?", known=DRAWING_SUFFIXES))
+        return WRITER_BY_SUFFIX[suffix](self, text)
 
     def write(self, path: str | Path, text: Lettered = "text") -> None:
         """Write the file, whole or not at all."""
         save_file_or_refuse(self.file_contents(Path(path).suffix.lower(), text), path)
+
+
+def _svg(page: Page, _: Lettered) -> bytes:
+    return svg.write(page.marks, page.size, page.title, lang=page.lang, under=page.under)
+
+
+def _pdf(page: Page, _: Lettered) -> bytes:
+    return pdf.write(page.marks, page.size, page.title, lang=page.lang, under=page.under)
+
+
+def _png(page: Page, text: Lettered) -> bytes:
+    picture = pdf.write_png(page.marks, page.size, page.title, under=page.under)
+    return picture if page.under else png_with_drawing(picture, _svg(page, text))
+
+
+def _dxf(page: Page, text: Lettered) -> bytes:
+    if find_spec("ezdxf") is None:
+        raise PlanesError(Phrase("needs_ezdxf"))
+    return dxf.write(page.marks, page.size, page.title, lang=page.lang, text=text)
+
+
+WRITER_BY_SUFFIX: dict[str, Callable[[Page, Lettered], bytes]] = {
+    ".svg": _svg,
+    ".pdf": _pdf,
+    ".png": _png,
+    ".dxf": _dxf,
+}
+"""The formats of drawings; every command that writes one offers these."""
+DRAWING_SUFFIXES = tuple(WRITER_BY_SUFFIX)
+SUFFIXES_WITH_PICTURE = tuple(s for s in DRAWING_SUFFIXES if s != ".dxf")
+"""The formats that can hold a picture under the marks."""

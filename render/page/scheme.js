@@ -40,10 +40,10 @@ export class Scheme extends Drawing {
     for (const l of scheme.links) this.link(l, there, apart(l) ? " away" : "");
     if (scheme.drawn) this.standing(scheme.drawn, there, !own.length && !told);
     for (const l of scheme.links) if (l.round) this.rounded(l, there(l.points[0]), there(l.round.centre));
-    for (const { sign, mark, name, along, turn, towards } of scheme.signs) {
+    for (const { sign, mark, shows, along, turn, towards } of scheme.signs) {
       const p = there(mark), q = towards && there(towards);
       const angle = along ? live.angle(along) : q ? -heading(p, q) : turn ?? 0;
-      if (p && angle !== null) this.sign(sign, p, angle, (PENS[sign] ?? sign) + (lit.has(name) ? " lit" : ""), name);
+      if (p && angle !== null) this.sign(sign, p, angle, (PENS[sign] ?? sign) + (lit.has(shows) ? " lit" : ""), shows);
     }
     if (told) this.forces(told, frame.terms);
     const made = frame && frame.chapter !== "centres" ? frame.makes : [];

@@ -45,7 +45,7 @@ interface Trace { lines?: string[]; arcs?: string[]; }
 interface Link {
   name: string; points: string[]; slides: string; round: { centre: string; link: string };
 }
-interface Sign { sign: string; mark: string; name?: string; along?: string; turn?: number; towards?: string; }
+interface Sign { sign: string; mark: string; shows?: string; along?: string; turn?: number; towards?: string; }
 interface Guide { name: string; link: string; mark: string; }
 interface Term { name: string; action: string; known: number; start?: string; end?: string; at?: string; minus?: boolean; }
 interface Equation { plan: string; total: Term; closed: boolean; sides: Term[][]; }

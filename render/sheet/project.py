@@ -35,7 +35,8 @@ REDUCED_SCHEME_SIZES_MM = (105.0, 75.0)
 class Project:
     """The views of sheet 1. ``values`` are the driver's positions over its range (``whole``: a turn) and ``turn`` the
     places there; ``numbered`` are the positions of the scheme; ``curves`` and ``loops`` are the diagrams (by default of
-    the driven link) and hodographs; ``reduced`` draws the position with its scheme reduced to so many mm."""
+    the driven link) and hodographs, ``paths`` the points with paths; ``reduced`` draws the position with its scheme
+    reduced to so many mm."""
 
     composer: Composer
     values: Sequence[float] = ()
@@ -44,6 +45,7 @@ class Project:
     whole: bool = True
     curves: Sequence[DiagramCurve] = ()
     loops: Sequence[Hodograph] = ()
+    paths: Sequence[str] = ()
     reduced: Callable[[float], Position] | None = None
     known: dict[float, ManyPositions] = field(default_factory=dict, repr=False)
 
@@ -103,7 +105,7 @@ class Project:
     def many_positions(self, position: Position, mu: float) -> ManyPositions:
         """The numbered positions at a μ, computed only once."""
         if mu not in self.known:
-            self.known[mu] = ManyPositions(position.plans, self.numbered, self.turn, mu)
+            self.known[mu] = ManyPositions(position.plans, self.numbered, self.turn, mu, self.paths)
         return self.known[mu]
 
     def directions_view(self, position: Position) -> View | None:

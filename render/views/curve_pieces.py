@@ -5,9 +5,8 @@ from collections.abc import Sequence
 
 from planes.words.units import standard_mu
 
-# ordinates are clipped at so many times their median at the ends of a range, which are dead points
-MOST_END_ORDINATE_RATIO = 5.0
-MOST_ORDINATE_RATIO = 30.0  # and at so many elsewhere
+MOST_END_ORDINATE_RATIO = 5.0  # to the median, at the ends of a range, which are dead points: the rest is clipped
+MOST_SPREAD_RATIO = 10.0  # to the ninth decile of distances from the median; 7 at most on whole turns of 92 mechanisms
 
 
 def round_value_step(mu: float, apart_mm: float) -> float:
@@ -38,11 +37,17 @@ def continuous_runs(path: Sequence[complex | None], across: float = math.inf) ->
     return [(piece, jump) for piece, jump in [*pieces, (run, False)] if len(piece) > 1]
 
 
-def drop_steep_ordinates(values: Sequence[float | None]) -> tuple[float | None, ...]:
-    """A curve without ordinates far beyond the rest, which grow without bound beside dead points."""
-    sizes = sorted(abs(v) for v in values if v is not None)
-    usual = sizes[len(sizes) // 2] if sizes else 0.0
-    calm = [k for k, v in enumerate(values) if v is not None and abs(v) <= MOST_END_ORDINATE_RATIO * usual]
-    low, high = (calm[0], calm[-1]) if calm else (0, 0)
-    near = [v is not None and abs(v) <= MOST_ORDINATE_RATIO * usual for v in values]
-    return tuple(v if near[k] and low <= k <= high else None for k, v in enumerate(values))
+def drop_steep_ordinates(values: Sequence[float | None], full_turn: bool) -> tuple[float | None, ...]:
+    """A curve without ordinates far from the rest, which grow without bound beside dead points; those are also the ends
+    of a range that is no ``full_turn``."""
+    known = sorted(v for v in values if v is not None)
+    if not known:
+        return tuple(values)
+    middle = known[len(known) // 2]
+    spread = sorted(abs(v - middle) for v in known)[len(known) * 9 // 10]
+    near = [v is not None and (not spread or abs(v - middle) <= MOST_SPREAD_RATIO * spread) for v in values]
+    usual = sorted(map(abs, known))[len(known) // 2]
+    calm = [
+        k for k, v in enumerate(values) if v is not None and (full_turn or abs(v) <= MOST_END_ORDINATE_RATIO * usual)
+    ]
+    return tuple(v if near[k] and calm[0] <= k <= calm[-1] else None for k, v in enumerate(values))

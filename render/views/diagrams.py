@@ -7,7 +7,7 @@ from itertools import cycle
 from planes.plans import Plans
 from planes.plans.curves import driven_link_and_sliding
 from planes.words import say
-from planes.words.frozen import frozen, replace
+from planes.words.frozen import frozen
 from planes.words.lettering import without_index_markup
 from planes.words.naming import Naming
 from planes.words.read_off import read_off_text
@@ -18,7 +18,7 @@ from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.style import figure_letter_height
 from render.paper.symbols import Marks, dot
 from render.paper.typeset import ink_width
-from render.views.curve_pieces import continuous_runs, drop_steep_ordinates, round_value_step, round_values_between
+from render.views.curve_pieces import continuous_runs, round_value_step, round_values_between
 from render.views.senses import marks_with_labels
 
 SECTION_COUNT = 12
@@ -51,6 +51,13 @@ class DiagramCurve:
     places: tuple[float, ...] = ()
     ends: tuple[tuple[float, float], ...] = ()
     place: bool = False
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether it ends where it begins, unlike the angle of a link that turns fully."""
+        first, last = self.values[0], self.values[-1]
+        size = max((abs(v) for v in self.values if v is not None), default=0.0)
+        return first is not None and last is not None and abs(last - first) <= LEAST_VARIATION_RATIO * size
 
 
 @frozen
@@ -118,13 +125,8 @@ class Diagrams:
         marks = list[Mark]()
         lowest = 0.0
         for panel in self.panels:
-            curves = (
-                panel
-                if self.whole or self.to_read
-                else [replace(c, values=drop_steep_ordinates(c.values)) for c in panel]
-            )
-            axes = self.make_axes(curves, lowest if marks else None)
-            marks += self.panel_marks(curves, axes)
+            axes = self.make_axes(panel, lowest if marks else None)
+            marks += self.panel_marks(panel, axes)
             lowest = axes.zero + axes.bottom
         return (*marks, *self.position_numbers(lowest - 8.0 - self.letter))
 
@@ -185,11 +187,11 @@ class Diagrams:
         if curve.ends or self.to_read:
             return [*zip((-1j, 1j), curve.ends, strict=False)]
         angles, values = curve.places or self.angles, curve.values
-        count = len(angles) - 1
-        known = [(v, k) for k, v in enumerate(values[:count] if self.whole else values) if v is not None]
+        count, closed = len(angles) - 1, self.whole and curve.is_closed
+        known = [(v, k) for k, v in enumerate(values[:count] if closed else values) if v is not None]
         ends = []
         for side, (value, k) in zip((-1j, 1j), (min(known), max(known)), strict=True) if known else ():
-            beside = [(k - 1) % count, (k + 1) % count] if self.whole else [max(k - 1, 0), min(k + 1, count)]
+            beside = [(k - 1) % count, (k + 1) % count] if closed else [max(k - 1, 0), min(k + 1, count)]
             if k not in beside and all(values[j] is not None for j in beside):  # it continues outside the range
                 k = k or count  # of a whole turn: there is more room at its end than at its beginning
                 inwards = (SECTION_COUNT * k < count) - (SECTION_COUNT * (count - k) < count)

@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import groupby, pairwise
@@ -47,12 +48,14 @@ class Numbered:
 
 @frozen
 class ManyPositions:
-    """Numbered positions and a finer turn for the paths; ``mu`` is that of the scheme, mm per m."""
+    """Numbered positions and a finer turn for the ``paths`` of these points, or of all hinges between moving links;
+    ``mu`` is that of the scheme, mm per m."""
 
     plans: Plans
     numbered: Sequence[Numbered]
     turn: Sequence[PlacedMechanism | None]
     mu: float
+    paths: Sequence[str] = ()
 
     def place_on_paper(self, result: PlacedMechanism, point: str) -> complex:
         """The place of a point in a position, on paper."""
@@ -147,14 +150,15 @@ class ManyPositions:
         return perpendicular_foot(self.place_on_paper(result, slider.first_point), *self.guide_line(guide, result))
 
     def path_marks(self) -> list[Mark]:
-        """Paths of the moving points, dashed; a point on a frame's guide has none of interest."""
+        """Paths, dashed; of hinges without those on a frame's guide, which are straight."""
         dashed = list[Mark]()
         m = self.plans.mechanism
         straight = {
             p for x in m.links.values() if x.slides and m.owner_of_guide(x.slides.guide) == FRAME for p in x.points
         }
-        fixed = set(m.frame.points) | straight
-        for point in dict.fromkeys(p for link in m.links.values() for p in link.points if p not in fixed):
+        counted = Counter(p for link in m.links.values() for p in link.points)
+        hinges = [p for p, count in counted.items() if count > 1 and p not in straight and p not in m.frame.points]
+        for point in self.paths or hinges:
             for there, places in groupby(self.turn_with_fit, key=lambda one: one[1]):
                 run = [self.place_on_paper(result, point) for result, _ in places if result and there]
                 if len(run) > 2 and max(abs(z - run[0]) for z in run) > 1:

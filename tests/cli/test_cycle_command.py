@@ -151,12 +151,12 @@ def test_the_sheet_draws_what_its_scene_asks_for() -> None:
     scene = loads(text + "sheet: {diagrams: [vq_slide_3, M_1, F_21], hodographs: 'F_21, v_S2'}\n", "scene.yaml")
     assert scene.mechanism
     angles = [5.0 * k for k in range(73)]
-    curves, loops = diagrams_and_hodographs(scene, plans_of(scene.mechanism), angles, Naming("ru"))
+    curves, loops = diagrams_and_hodographs(scene, plans_of(scene.mechanism), angles, True, Naming("ru"))
     assert [(c.name, c.unit) for c in curves] == [("v_{q3}", "m"), ("M_{ур}", "N·m"), ("F_{21}", "N")]
     assert [loop.name for loop in loops] == ["F_{21}", "v_{S2}"]
     assert len(jumps(curves[2])) == 1 and jumps(curves[2])[0][0] == pytest.approx(180, abs=1e-4)
     assert not [a for a, y, z in jumps(curves[0]) if abs(y - z) > 1e-7]
-    assert diagrams_and_hodographs(loads(text, "s"), plans_of(scene.mechanism), angles, Naming("ru")) == ((), ())
+    assert diagrams_and_hodographs(loads(text, "s"), plans_of(scene.mechanism), angles, True, Naming("ru")) == ((), ())
 
 
 @pytest.mark.parametrize(

@@ -198,7 +198,7 @@ DRAWN = {
     "frame": "iso",
     "studio": "https://planes.example.org/",
 }
-OF_SHEET_1 = ("positions", "diagrams", "hodographs")
+OF_SHEET_1 = ("positions", "diagrams", "hodographs", "paths")
 
 
 @pytest.mark.parametrize("key", sorted({*SHEET_KEYS} - {*DRAWN, *OF_SHEET_1}))
@@ -245,7 +245,7 @@ def test_a_setting_of_the_sheet_is_heeded_or_refused(sheet, words) -> None:
 
 
 @pytest.mark.parametrize("number", [None, 1, 2])
-@pytest.mark.parametrize(("key", "name"), [("diagrams", "u_99"), ("hodographs", "F_99")])
+@pytest.mark.parametrize(("key", "name"), [("diagrams", "u_99"), ("hodographs", "F_99"), ("paths", "Z9")])
 def test_an_unknown_diagram_is_refused_on_every_sheet(key, name, number) -> None:
     scene = loads(f"{LAW}sheet:\n  {key}: [{name}]\n", "s.yaml")
     with pytest.raises(SceneError, match=rf"s.yaml:12: sheet.{key}: this mechanism has no quantity {name}; valid"):

@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 
 from planes.lesson.data import lesson_data
-from planes.scene import loads
+from planes.scene import load, loads
+from render.page.lesson_page import lesson_lettering
 from render.page.signs import page_signs
 from render.paper import symbols
 from render.paper.marks import Arc, Line, Mark
@@ -122,6 +123,22 @@ def test_a_mechanism_has_the_signs_of_its_sheet(browser: Any, tmp_path: Path, wi
         if x["slides"]
     ]
     same(drawn, [s for mark, marks in wanted for s in placed(marks, figure["at"][mark], figure["unit"])])
+
+
+@pytest.mark.parametrize("name", ["six-link", "class-four/tray", "statics/portal"])
+def test_a_mark_is_lettered_without_its_plan(name: str) -> None:
+    """A point reads B, not position:B."""
+    data = lesson_data(load(SAMPLES / f"{name}.yaml"), practice=False)
+    for table in lesson_lettering(data).values():
+        read = {name: "".join(text for text, _ in pieces) for name, pieces in table.items()}
+        assert not [text for text in read.values() if ":" in text]
+
+
+def test_the_letters_on_a_scheme_are_those_of_its_points(browser: Any, tmp_path: Path) -> None:
+    with lesson_opened(browser, lesson_written(tmp_path, SAMPLES / "six-link.yaml")) as page:
+        page.evaluate("go(data.frames.findLastIndex(f => f.plan === 'position'))")
+        shown = page.evaluate("[...document.querySelectorAll('#scheme .label')].map(e => e.textContent).join(', ')")
+    assert {"A", "B", "C", "D", "H", "L", "S2"} <= set(shown.split(", "))
 
 
 @pytest.mark.parametrize(("name", "clamped"), [("portal", False), ("cantilever", True)])

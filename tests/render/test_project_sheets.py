@@ -14,7 +14,7 @@ import shapely
 from planes.diagrams.turn import unwind_angles
 from planes.documents.cycle import finite_or_none
 from planes.documents.drawn import draw_sheet
-from planes.documents.sheets import project_over_turn
+from planes.documents.sheets import project_over_turn, sheet_of
 from planes.plans.assur.analysis import analyse_structure
 from planes.scene import load
 from planes.solving import plans_and_requested_results, solve
@@ -111,7 +111,20 @@ def test_twelve_positions_are_numbered_from_an_extreme_one():
     said = words(sheet("kind-2-rrp", 1))
     assert {str(k) for k in range(12)} <= said
     assert "φ0 = 56,69°" in said or any(text.startswith("φ0 = ") for text in said)
-    assert sum(isinstance(m, Line) and m.style == "dash" for m in sheet("kind-2-rrp", 1).marks) >= 2
+
+
+@pytest.mark.parametrize(("points", "count"), [([], 1), (["B", "S1", "S2"], 3)])
+def test_paths_are_of_hinges_or_of_the_points_chosen(points, count):
+    """The slider's hinge moves along a straight guide: the crank's end alone has a path unless others are named."""
+    scene = replace(load(ROOT / "samples" / "kind-2-rrp.yaml"), find=None, sheet={"positions": 12.0, "paths": points})
+    drawn = [m for m in sheet_of(scene, None, number=1).marks if isinstance(m, Line) and m.style == "dash"]
+    assert len(drawn) == count
+
+
+def test_a_path_of_no_point_is_an_error():
+    scene = replace(load(ROOT / "samples" / "kind-2-rrp.yaml"), sheet={"paths": ["Z"]})
+    with pytest.raises(PlanesError, match="Z; valid: A, B, S1, C, S2"):
+        sheet_of(scene, None, number=1)
 
 
 @pytest.mark.slow

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -25,10 +26,24 @@ from render.sheet.composer import Composer
 from render.sheet.module import Module
 from render.sheet.sizes import MU_STEP_RATIOS, Sizes, grow_plan_sizes
 from render.views.curve_pieces import drop_steep_ordinates
+from render.views.diagrams import DiagramCurve, Diagrams
 from tests.helpers import ROOT, sheets
 
 SAMPLES = ROOT / "samples"
 SLIDING, RPR, RRP = (load(SAMPLES / f"{name}.yaml") for name in ("sliding-driver", "kind-3-rpr", "kind-2-rrp"))
+
+KEPT_ANGLE = """\
+planes: 1
+frame: {points: {O: [0, 0], D: [0.3, 0], E: [0.1, -0.2]}}
+links:
+  1: {points: {O: 0, A: 0.1}, guides: {g1: {angle: 90, through: A}}}
+  2: {points: {A: 0, B: 0.3}}
+  3: {points: {D: 0, B: 0.2}}
+  4: {points: {F: 0}, slides: g1, guides: {g4: {angle: 90, through: F}}}
+  5: {points: {E: 0}, slides: g4}
+assembly: {B: left}
+drive: {link: 1, phi: 40, omega: 10}
+"""
 
 
 def sheet(name, number):
@@ -157,16 +172,42 @@ def test_the_range_of_a_rocking_driver_ends_where_it_stops():
 
 
 def test_ends_of_a_range_are_cut_off_and_peaks_within_are_kept():
-    assert drop_steep_ordinates((90.0, 1.0, 2.0, 12.0, 2.0, 1.0, None, 50.0)) == (
+    assert drop_steep_ordinates((90.0, 1.0, 2.0, 8.0, 2.0, 1.0, None, 50.0), False) == (
         None,
         1.0,
         2.0,
-        12.0,
+        8.0,
         2.0,
         1.0,
         None,
         None,
     )
+
+
+def test_a_turn_through_a_dead_point_loses_only_what_grows_without_bound():
+    turn = [math.tan(math.radians(a)) for a in range(720)]
+    kept = drop_steep_ordinates(turn, True)
+    assert kept[0] == turn[0] and kept[719] == turn[719] and kept[90] is None and kept[270] is None
+    assert all(v is None or abs(v) < 100 for v in kept) and kept.count(None) < 20
+    calm = [math.cos(math.radians(a)) + 6 * (a == 40) for a in range(360)]
+    assert None not in drop_steep_ordinates(calm, True)
+
+
+def test_a_link_that_turns_fully_has_no_greatest_angle():
+    """Its angle ends a whole turn from where it begins; the angle of a rocker is least and greatest within the turn."""
+    rows = ([float(a) for a in range(361)], [math.cos(math.radians(a)) for a in range(361)])
+    turning, rocking = (DiagramCurve("φ", "°", tuple(row)) for row in rows)
+    plans = plans_and_requested_results(RRP)[0]
+    drawn = Diagrams(plans, range(361), [[turning]], Naming("en"))
+    assert not drawn.extreme_places(turning)
+    assert [place for _, (place, _) in drawn.extreme_places(rocking)] == [180, 360]
+
+
+def test_a_driven_link_turns_by_itself():
+    """Both links of the last group keep the driver's angle: the diagrams are of the group before."""
+    scene = loads(KEPT_ANGLE)
+    assert solve(scene).positions[0].plans.structure.groups[-1].links == ("4", "5")
+    assert driven_link_and_sliding(plans_and_requested_results(scene)[0]) == ("3", False)
 
 
 @pytest.mark.slow
