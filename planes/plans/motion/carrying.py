@@ -11,7 +11,7 @@ def draw_carried_mark(
     r: Rates, root: Body, start: str, one: BodyPoint, two: BodyPoint, end: str, means: Meaning | None = None
 ) -> str:
     """The mark ``end`` of ``two``, with ``one`` of the same link at ``start``; the link turns as ``root`` does."""
-    d = r.bodies.draft
+    d = r.draft
     scheme = (scheme_mark(one.place), scheme_mark(two.place))
     if root.link.name == FRAME:
         return d.add_step(Same(end, start, means=means))

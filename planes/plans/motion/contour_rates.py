@@ -19,7 +19,7 @@ from planes.plans.motion.carrying import draw_carried_mark
 from planes.plans.motion.driven import terms_of_driven_leg
 from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg, leg_by_outer_pair, leg_of_lead
-from planes.plans.position.bodies import SCHEME_PLAN, Body, BodyPoint
+from planes.plans.position.bodies import Body, BodyPoint, scheme_mark
 from planes.plans.position.contour_scheme import largest_link_size
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, label_of
@@ -34,7 +34,7 @@ class ContourRates:
         self.rates = r
         self.group = g
         self.bodies = r.bodies
-        self.draft = r.bodies.draft
+        self.draft = r.draft
         leads = r.bodies.leads[g.basic]
         self.rod, self.other = (leg_of_lead(r.bodies, g.basic, lead) for lead in leads)
         self.swing = leg_by_outer_pair(r.bodies, g.outer[0], g.base, self.rod.known)
@@ -208,7 +208,7 @@ class ContourRates:
     def points_on_scheme(self, *spots: BodyPoint) -> NamePair:
         """Two points on the scheme."""
         one, two = spots
-        return full_mark_name(SCHEME_PLAN, one.place), full_mark_name(SCHEME_PLAN, two.place)
+        return scheme_mark(one.place), scheme_mark(two.place)
 
     def read_link_rates(self, leg: Leg) -> None:
         """The readings from a link with both ends found."""

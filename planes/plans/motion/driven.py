@@ -3,44 +3,18 @@ drive that is on the frame, and relative to it at the given rate, v_A = v_D + v_
 guide of a cylinder, across the arm of a motor in a hinge; in accelerations with Coriolis."""
 
 from collections.abc import Iterator
-from typing import Protocol
 
 from planes.drafting.equations import Term
 from planes.drafting.steps import Carry, Turn
 from planes.drafting.steps.reckoning import Product
 from planes.plans.assur.groups import Pair
 from planes.plans.motion.legs import Leg, SlideReading
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, BodyPoint
+from planes.plans.motion.rate_plan import RatePlan
+from planes.plans.position.bodies import SCHEME_PLAN, BodyPoint
 from planes.words.names import POLE_LABEL, Meaning, full_mark_name
 
 
-class PlanOfRates(Protocol):
-    """What an inner drive needs from the plan it is drawn on."""
-
-    bodies: Bodies
-    plan: str
-    driven: list[str]
-    slides: dict[str, SlideReading]
-    turning: dict[str, tuple[str, str, str]]
-
-    @property
-    def is_acceleration_plan(self) -> bool: ...
-    @property
-    def letter(self) -> str: ...
-    @property
-    def drive_rate_name(self) -> str: ...
-    @property
-    def hinge_rate_name(self) -> str: ...
-    @property
-    def relative_spin_name(self) -> str: ...
-    def spin(self, link: str) -> str: ...
-    def label(self, name: str) -> str: ...
-    def mark(self, name: str) -> str: ...
-    def image(self, link: str, spot: BodyPoint) -> None: ...
-    def normal(self, leg: Leg, start: str) -> Term: ...
-
-
-def terms_of_driven_leg(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
+def terms_of_driven_leg(r: RatePlan, leg: Leg, drive: Pair) -> Iterator[Term]:
     """The vectors from the pivot's end to the new one: first the given ones, the rotation last."""
     given = [*(_turning_drive_terms if drive.kind == "R" else _sliding_drive_terms)(r, leg, drive)]
     yield from given
@@ -54,9 +28,9 @@ def terms_of_driven_leg(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]
     yield Term(name, end, r.label(leg.new.name), direction=leg.along, action=leg.along)
 
 
-def _sliding_drive_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
+def _sliding_drive_terms(r: RatePlan, leg: Leg, drive: Pair) -> Iterator[Term]:
     """Along the guide, with Coriolis across it."""
-    d = r.bodies.draft
+    d = r.draft
     along = f"∥{drive.guide}"
     if leg.held == drive.link:  # the guide moves against the slider
         along = d.add_step(Turn(f"-{along}", along, 2, means=Meaning("along", drive.guide)))
@@ -69,9 +43,9 @@ def _sliding_drive_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term
     yield _relative_vector_term(r, leg, name, start, r.drive_rate_name, along, f"∥{drive.guide}")
 
 
-def _turning_drive_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term]:
+def _turning_drive_terms(r: RatePlan, leg: Leg, drive: Pair) -> Iterator[Term]:
     """Across the arm from the motor, with Coriolis and the normal component along it."""
-    d = r.bodies.draft
+    d = r.draft
     motor = drive.point
     hinge = leg.new.place
     other = r.bodies.mechanism.link(drive.other_link_of_pair(leg.held))
@@ -97,39 +71,37 @@ def _turning_drive_terms(r: PlanOfRates, leg: Leg, drive: Pair) -> Iterator[Term
     yield _relative_vector_term(r, leg, name, start, value, across, across)
 
 
-def _relative_vector_term(
-    r: PlanOfRates, leg: Leg, name: str, start: str, length: str, along: str, action: str
-) -> Term:
+def _relative_vector_term(r: RatePlan, leg: Leg, name: str, start: str, length: str, along: str, action: str) -> Term:
     return Term(name, start, _end_label_of_leg(r, leg), length, along, action, means=Meaning("relative", leg.driven))
 
 
-def _drive_coriolis_term(r: PlanOfRates, leg: Leg, across: str) -> Term:
+def _drive_coriolis_term(r: RatePlan, leg: Leg, across: str) -> Term:
     """Coriolis: 2ω×v of the drive."""
     name = f"a_{leg.driven}^k"
     means = Meaning("coriolis", leg.driven)
     start = r.label(leg.known.name)
-    value = r.bodies.draft.add_product(name, 2.0, **{f"omega_{leg.turns}": 1, _given_relative_velocity_name(r, leg): 1})
+    value = r.draft.add_product(name, 2.0, **{f"omega_{leg.turns}": 1, _given_relative_velocity_name(r, leg): 1})
     return Term(name, start, f"k_{leg.driven}", value, across, across, means=means)
 
 
-def _given_relative_velocity_name(r: PlanOfRates, leg: Leg) -> str:
+def _given_relative_velocity_name(r: RatePlan, leg: Leg) -> str:
     """The name of the given velocity relative to the turning link."""
     return "v_drive" if leg.drive and leg.drive.kind == "P" else f"v_{leg.driven}"
 
 
-def _end_label_of_leg(r: PlanOfRates, leg: Leg) -> str:
+def _end_label_of_leg(r: RatePlan, leg: Leg) -> str:
     return f"r_{leg.driven}" + ("'" if r.is_acceleration_plan else "")
 
 
-def mark_at_drive_vector_end(r: PlanOfRates, leg: Leg) -> str:
+def mark_at_drive_vector_end(r: RatePlan, leg: Leg) -> str:
     """The mark at the end of the drive's known vector."""
     return full_mark_name(r.plan, _end_label_of_leg(r, leg))
 
 
-def draw_point_under_hinge(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
+def draw_point_under_hinge(r: RatePlan, leg: Leg, drive: Pair) -> None:
     """Draw the point of the turning link under the hinge; measure how the other slides on it or turns."""
     assert leg.spot
-    d = r.bodies.draft
+    d = r.draft
     end = mark_at_drive_vector_end(r, leg)
     known = r.mark(leg.known.name)
     spot = r.mark(leg.spot.name)
@@ -153,10 +125,10 @@ def draw_point_under_hinge(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
     r.slides[drive.link] = SlideReading(drive.guide, value, ends, along, turned if bent else None, under)
 
 
-def _state_other_link_rate(r: PlanOfRates, leg: Leg, drive: Pair) -> None:
+def _state_other_link_rate(r: RatePlan, leg: Leg, drive: Pair) -> None:
     """The other link of a motor turns at the rate of the first plus that of the drive."""
     other = drive.other_link_of_pair(leg.held)
-    d = r.bodies.draft
+    d = r.draft
     sign = 1.0 if other == drive.link else -1.0
     own = [Product(1.0, ((r.spin(leg.turns), 1),))] if leg.turns else []
     d.add_sum(r.spin(other), [*own, Product(sign, ((r.hinge_rate_name, 1),))])

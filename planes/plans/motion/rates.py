@@ -16,8 +16,7 @@ from planes.plans.motion.kinematics import Rates
 from planes.plans.motion.legs import Leg, leg_of_lead
 from planes.plans.motion.slid_rates import SlidContourRates, SlidRates
 from planes.plans.motion.special_points import SpecialPoint, point_and_line_of_lead
-from planes.plans.position.bodies import SCHEME_PLAN, BodyPoint
-from planes.words.names import full_mark_name
+from planes.plans.position.bodies import BodyPoint, scheme_mark
 
 
 class ChainRates:
@@ -28,12 +27,12 @@ class ChainRates:
         self.group = g
         self.last = r.bodies.leads[g.basic][-1]
         self.own = {lead: leg_of_lead(r.bodies, g.basics[k], lead) for k, side in enumerate(g.sides) for lead in side}
-        points, lines = zip(*(point_and_line_of_lead(r.bodies.draft, leg) for leg in self.own.values()), strict=True)
-        pins = tuple(full_mark_name(SCHEME_PLAN, hinge.point) for hinge in g.hinges)
+        points, lines = zip(*(point_and_line_of_lead(r.draft, leg) for leg in self.own.values()), strict=True)
+        pins = tuple(scheme_mark(hinge.point) for hinge in g.hinges)
         sides = tuple(k for k, side in enumerate(g.sides) for _ in side)
         own = partial(CrossInChain, points=points, lines=lines, sides=sides)
         self.crossing = partial(
-            own, pins=pins, joined=g.basic_links_at_hinges, turn=(*g.leads, *g.joining_leads).index(self.last)
+            own, pins=pins, joined=g.basic_links_at_hinges, turn=(g.leads + g.joining_leads).index(self.last)
         )
         self.ends: list[SpecialPoint] = []  # links that act as leads, from the ends of the chain on
         for basic in g.basics:
@@ -106,7 +105,7 @@ class _Triad:
 
     def draw_special_point(self) -> None:
         """Its special point on the scheme."""
-        third, along = point_and_line_of_lead(self.rates.bodies.draft, self.third)
+        third, along = point_and_line_of_lead(self.rates.draft, self.third)
         self.special.draw_special_point(partial(CrossLeads, third=third, third_along=along))
 
     def draw(self) -> None:

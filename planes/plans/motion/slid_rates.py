@@ -29,7 +29,7 @@ class SlidRates:
         self.rates = r
         self.group = g
         self.bodies = r.bodies
-        self.draft = r.bodies.draft
+        self.draft = r.draft
         *leads, self.slid = r.bodies.leads[g.basic]
         self.one, self.two = (leg_of_lead(r.bodies, g.basic, lead) for lead in leads)
 

@@ -24,7 +24,7 @@ class SpecialPoint:
     def __init__(self, r: Rates, basic: str, legs: tuple[Leg, Leg]) -> None:
         self.rates = r
         self.bodies = r.bodies
-        self.draft = r.bodies.draft
+        self.draft = r.draft
         self.basic = basic
         self.legs = legs
         name = r.bodies.special_point_name(basic)
