@@ -4,20 +4,20 @@ Sources: Chebyshev's W = 3n - 2p₁, Reshetov's q = W - 6n + 5p₁ for one-freed
 The class of a mechanism is that of its highest group, and another driver may lower it (Assur).
 """
 
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Literal
 
 from planes.plans.assur.basic_chains import chain_of_basic_links
 from planes.plans.assur.contours import AnyGroup, Contour, Tracked, contour_group_of_links, triad_of_links
-from planes.plans.assur.groups import DYAD_KIND_NAMES, Group, Pair
+from planes.plans.assur.groups import Pair
 from planes.plans.assur.inner_drives import group_moved_by_inner_drive
+from planes.plans.assur.reached import Reached
 from planes.plans.assur.structure import GROUP_CLASSES, Structure
 from planes.plans.assur.unsolvable import Joint, degree_of_freedom_of_links, find_unsolvable_links
 from planes.scene.mechanism import FRAME, Drive, Mechanism
 from planes.words import Phrase
 from planes.words.errors import StructureError
-from planes.words.names import NamePair, NameTuple
+from planes.words.names import NameTuple
 
 
 def analyse_structure(mechanism: Mechanism, file: str = "") -> Structure:
@@ -71,34 +71,8 @@ def _find_structure(mechanism: Mechanism, file: str) -> Structure:
     return Structure(freedom, redundant, drive_pair, groups, mechanism.drive.link)
 
 
-class _Finder:
+class _Finder(Reached):
     """Walks the links from the frame outwards; of several possible dyads it takes the first in the file."""
-
-    def __init__(self, mechanism: Mechanism, file: str) -> None:
-        self.mechanism = mechanism
-        self.file = file
-        self.links = list(mechanism.links)
-        self.holders: dict[str, list[str]] = {}
-        for link in mechanism.bodies:
-            for point in link.points:
-                self.holders.setdefault(point, []).append(link.name)
-        self.slides = [
-            Pair("P", link.name, mechanism.owner_of_guide(link.slides.guide), guide=link.slides.guide)
-            for link in mechanism.links.values()
-            if link.slides
-        ]
-        self.slid: dict[str, list[Pair]] = {}
-        for slide in self.slides:
-            for name in dict.fromkeys((slide.link, slide.other)):
-                self.slid.setdefault(name, []).append(slide)
-        self.left = {link: place for place, link in enumerate(self.links)}  # not solved yet, in the order of the file
-        self.reached: set[str] = set()  # points of solved links
-        self.outer: dict[str, list[Pair]] = {link: [] for link in self.links}  # pairs with solved links
-
-    def error(self, phrase: Phrase, *path: str) -> StructureError:
-        """An error at the line of its subject."""
-        where = self.mechanism.where
-        return StructureError(phrase, self.file, where.get(path, where.get(("links",))))
 
     def pair_count(self) -> int:
         """The number of one-freedom pairs: k - 1 for a hinge of k links, one for each slide."""
@@ -135,25 +109,6 @@ class _Finder:
             raise self.error(Phrase(key, on=drive.on, **details), "drive")
         return fitting[0]
 
-    def between(self, link: str, other: str) -> list[Pair]:
-        """Pairs of a link with another one."""
-        points = (p for p in self.mechanism.link(link).points if other in self.holders[p])
-        slides = (slide for slide in self.slid.get(link, ()) if slide.other_link_of_pair(link) == other)
-        return [*(Pair("R", link, other, point=point) for point in points), *slides]
-
-    def solve(self, link: str) -> None:
-        """Record a link as solved: its hinges not reached before, and its slides, become outer pairs of its
-        neighbours."""
-        self.left.pop(link, None)
-        for point in [p for p in self.mechanism.link(link).points if p not in self.reached]:
-            self.reached.add(point)
-            for other in self.holders[point]:
-                if other in self.left:
-                    self.outer[other].append(Pair("R", other, link, point=point))
-        for slide in self.slid.get(link, ()):
-            if slide.other_link_of_pair(link) in self.left:
-                self.outer[slide.other_link_of_pair(link)].append(slide)
-
     def attach_groups(self, drive: Pair) -> tuple[AnyGroup, ...]:
         """Dyads in the order of attachment, a higher group where no dyad attaches; an error for the rest when nothing
         does."""
@@ -173,35 +128,6 @@ class _Finder:
             groups.append(group)
             solved = group.links_in_solving_order
 
-    def meeting(self) -> Iterator[NamePair]:
-        """Two links, each attached to a solved link, with a common hinge or guide, in the order of the file."""
-        place = {link: k for link, k in self.left.items() if len(self.outer[link]) == 1}
-        for one in place:
-            points = (p for p in self.mechanism.link(one).points if p not in self.reached)
-            mates = {h for point in points for h in self.holders[point]}
-            mates |= {slide.other_link_of_pair(one) for slide in self.slid.get(one, ())}
-            yield from ((one, self.links[k]) for k in sorted(place[m] for m in mates if place.get(m, -1) > place[one]))
-
-    def dyad(self, links: NamePair) -> Group | None:
-        """The two links as a dyad on the solved links, or None."""
-        one, two = links
-        inner = self.unsolved_pairs_between(two, one)
-        return self.classify_dyad(links, self.outer[one][0], inner[0], self.outer[two][0]) if len(inner) == 1 else None
-
-    def classify_dyad(self, links: NamePair, a: Pair, inner: Pair, b: Pair) -> Group:
-        """Kind and working order of a dyad with outer pairs ``a`` of the first link and ``b`` of the second."""
-        letters = a.kind + inner.kind + b.kind
-        one, two = links
-        if letters == "PPP":
-            raise self.error(Phrase("three_slides", one=one, two=two), "links", one)
-        if letters == "PRP" and a.other_link_of_pair(one) == b.other_link_of_pair(two):
-            raise self.error(Phrase("locked_slides", one=one, two=two, owner=a.other_link_of_pair(one)), "links", two)
-        swap = letters in ("PRR", "PPR") or (letters == "RPR" and inner.other == one)
-        if swap:
-            one, two, a, b = two, one, b, a
-        kind = DYAD_KIND_NAMES.index(letters[::-1] if letters in ("PRR", "PPR") else letters) + 1
-        return Group(links, kind, one, two, inner, a, b)
-
     def find_higher_group(self) -> Tracked:
         """The smallest group of links that can only be solved together, if it is of class III and order 3 or IV and
         2."""
@@ -220,10 +146,6 @@ class _Finder:
             if group:
                 return group
         raise self.unsolvable_links_error(names, free)
-
-    def unsolved_pairs_between(self, link: str, other: str) -> list[Pair]:
-        """Pairs between two unsolved links."""
-        return [p for p in self.between(link, other) if p.kind == "P" or p.point not in self.reached]
 
     def links_blocking_solution(self) -> tuple[NameTuple, int]:
         """The links that prevent a solution of the rest, and their degree of freedom."""

@@ -5,36 +5,16 @@ across their hinge and acts like a motor in it. Or the two links of the drive fo
 link that groups fix to the frame (a boom on a locked cylinder) counts as the frame.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from itertools import combinations, permutations, product
-from typing import Protocol
 
 from planes.plans.assur.basic_links import Lead, Triad
 from planes.plans.assur.contours import AnyGroup, Contour
 from planes.plans.assur.groups import Brace, Group, Pair
+from planes.plans.assur.reached import Reached
 from planes.words import Phrase
-from planes.words.errors import StructureError
-from planes.words.names import NamePair
 
 DYAD_KIND_BY_OUTER_PAIRS = {"RR": 1, "RP": 2, "PR": 2, "PP": 4}  # of a dyad with a hinge inside, by its outer pairs
-
-
-class Reached(Protocol):
-    """The links solved so far."""
-
-    @property
-    def links(self) -> Sequence[str]: ...
-    @property
-    def left(self) -> Mapping[str, int]: ...
-    @property
-    def reached(self) -> set[str]: ...
-    @property
-    def outer(self) -> Mapping[str, list[Pair]]: ...
-    def between(self, link: str, other: str) -> list[Pair]: ...
-    def meeting(self) -> Iterator[NamePair]: ...
-    def dyad(self, links: NamePair) -> Group | None: ...
-    def solve(self, link: str) -> None: ...
-    def error(self, phrase: Phrase, *path: str) -> StructureError: ...
 
 
 def group_moved_by_inner_drive(f: Reached, drive: Pair) -> tuple[list[Group], AnyGroup]:
