@@ -9,18 +9,10 @@ from planes.drafting.equations import Term
 from planes.lesson.frame import Frame, Make
 from planes.plans import Plans
 from planes.plans.force.reactions import Reaction
-from planes.plans.position.bodies import SCHEME_PLAN
+from planes.plans.position.bodies import scheme_mark
 from planes.words import Phrase
 from planes.words.frozen import frozen
-from planes.words.names import (
-    NameTuple,
-    force_plan_links,
-    force_plan_name,
-    full_mark_name,
-    label_of,
-    plan_kind,
-    split_value_name,
-)
+from planes.words.names import NameTuple, force_plan_links, force_plan_name, label_of, plan_kind, split_value_name
 from planes.words.records import Json
 
 
@@ -63,7 +55,8 @@ class FreeBodies:
         sought = self.outer(plan)
         balancing = self.balancing_load(plan)
         unknown = tuple(Phrase(f"lesson_free_{r.pair.kind}", name=name) for name, r in sought.items())
-        unknown += (Phrase("lesson_free_size", name=balancing),) if balancing else ()
+        if balancing:
+            unknown += (Phrase("lesson_free_size", name=balancing),)
         carried = [n for n in known if any(n in r.both_reaction_names for r in self.plans.reactions.values())]
         key = "driver" if balancing else "next" if carried else "first"
         why = Phrase(f"why_free_body_{key}", forces=", ".join(f"⟨{n}⟩" for n in carried))
@@ -136,7 +129,7 @@ class FreeBodies:
             for one in self.resolved_reactions(plan):
                 reaction = self.plans.reactions.get(one.force)
                 if reaction:
-                    mark = full_mark_name(SCHEME_PLAN, reaction.pair.point)
+                    mark = scheme_mark(reaction.pair.point)
                     for t in (one.normal, one.tangential):
                         forces.append({"name": t.name, "mark": mark, "along": t.direction, "size": "", "foot": None})
             bodies[plan] = {"about": "", "forces": forces, "couples": couples}

@@ -19,14 +19,14 @@ from planes.plans.other_leads import Restating, plans_with_sharp_leads
 from planes.plans.passive import plans_without_passive_links
 from planes.plans.passive_motion import LinkValues
 from planes.plans.position.assembly import choose_assembly_sides
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, Body
+from planes.plans.position.bodies import Bodies, Body, scheme_mark
 from planes.plans.position.scheme import draw_scheme
 from planes.plans.proving import proofs_of
 from planes.plans.record import STILL_DRIVE_GIVEN, Plans, PointMarks, plans_cut_to_names, plans_with_passive_links
 from planes.scene.mechanism import FRAME, Law, Mechanism
 from planes.words import Phrase, Written
 from planes.words.errors import ProgramError, SceneError, StructureError
-from planes.words.names import full_mark_name, mu_name
+from planes.words.names import mu_name
 
 __all__ = ["STILL_DRIVE_GIVEN", "Plans", "PointMarks", "plans_cut_to_names", "plans_of", "structure_of"]
 
@@ -87,10 +87,7 @@ def _plans_for_scheme(bodies: Bodies) -> Plans:
     placed = ((name, bodies.known[name]) for name in (FRAME, *mechanism.links))
     links = {name: _state_link_values(draft, body, velocity, acceleration) for name, body in placed}
     proofs = proofs_of(statics, velocity, acceleration, zhukovsky)
-    points = {
-        p: PointMarks(full_mark_name(SCHEME_PLAN, p), velocity.mark(p), acceleration.mark(p))
-        for p in mechanism.point_names
-    }
+    points = {p: PointMarks(scheme_mark(p), velocity.mark(p), acceleration.mark(p)) for p in mechanism.point_names}
     program = Program(tuple(draft.steps.values()), proofs)
     return Plans(
         mechanism=mechanism,

@@ -13,7 +13,7 @@ from planes.drafting.steps.reckoning import Calculate
 from planes.plans.force.loads import name_of_force
 from planes.plans.force.reactions import Statics
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME_PLAN
+from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE_LABEL, force_plan_name, full_mark_name
 
@@ -41,7 +41,7 @@ class _Motion:
         self.beside = {SCHEME_PLAN: (), **{r.plan: tuple(r.driven) for r in self.rates}}
 
     def proof_point(self, link: str, name: str) -> Point:
-        marks = full_mark_name(SCHEME_PLAN, name), *(r.mark(name) for r in self.rates)
+        marks = scheme_mark(name), *(r.mark(name) for r in self.rates)
         return Point(self.bodies.mechanism.link(link).points[name], marks)
 
     def frame_motion(self, link: str) -> LinkMotion:

@@ -219,6 +219,6 @@ def plans_cut_to_names(plans: Plans, wanted: list[str]) -> Plans:
         for plan, t in terms
         if t.direction and {full_mark_name(plan, t.start), full_mark_name(plan, t.end)} <= made
     ]
-    program = plans.program.cut_to_names([*wanted, *lying])
+    program = plans.program.cut_to_names(wanted + lying)
     segments = tuple(s for s in plans.segments if {*s.ends} <= program.result_names)
     return replace(plans, program=program, segments=segments)

@@ -35,10 +35,6 @@ class Centres:
         pairs = self.plans.structure.pairs
         return (FRAME, *(x for x in self.plans.mechanism.links if any(p.has_link(x) for p in pairs)))
 
-    def centre_name_of_links(self, one: str, two: str) -> str:
-        """The name of their centre."""
-        return instant_centre_name(one, two, self.plans.mechanism.frame_number)
-
     def draw_centres(self) -> None:
         """Draw those of pairs, then the crossings of two lines, until no more are found."""
         self.record_centres_of_pairs()
@@ -63,7 +59,7 @@ class Centres:
         self, i: str, j: str, along: str = "", lines: tuple[CentreLine, ...] = (), point: str = ""
     ) -> None:
         """Record a centre: at an existing hinge, at infinity, or where its lines cross."""
-        name = self.centre_name_of_links(i, j)
+        name = instant_centre_name(i, j, self.plans.mechanism.frame_number)
         mark = scheme_mark(name)
         means = Meaning("centre", i, j)
         if point:

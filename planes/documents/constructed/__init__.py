@@ -12,20 +12,20 @@ from pathlib import Path
 from planes.documents.sheets import DrawnPosition
 from planes.drafting.program import Program
 from planes.plans import Plans
+from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene import Scene
 from planes.scene.files import save_file_or_refuse
 from planes.solving import Position
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen, replace
-from planes.words.names import POLE_LABEL, NamePair, NameTuple, full_mark_name, label_of, plan_kind, plan_of
+from planes.words.names import POLE_LABEL, NamePair, NameTuple, label_of, plan_kind, plan_of
 from planes.words.naming import Naming
 from render.sheet.composer import Composer, drawn_plans
 from render.sheet.single import plan_view_name
 from render.sheet.sizes import Sizes
 from render.views.plotted import plot_position
 
-SCHEME_PLAN = "position"
 FIGURE_GAP_MM = 30.0  # mm between figures
 
 
@@ -115,9 +115,9 @@ class LiveFigure:
             own = [
                 m
                 for p in self.stated_plans.mechanism.points_without_guide_centre(link)
-                if (m := full_mark_name(SCHEME_PLAN, p)) in self.shown_marks
+                if (m := scheme_mark(p)) in self.shown_marks
             ]
-            sides = list(zip(own, [*own[1:], *own[:1]] if len(own) > 2 else own[1:], strict=False))
+            sides = list(zip(own, own[1:] + own[:1] if len(own) > 2 else own[1:], strict=False))
             yield from (Stretch(*side) for side in sides)
 
 

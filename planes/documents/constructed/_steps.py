@@ -101,7 +101,8 @@ class Translator:
                 return {"at": _coordinates_text(self.figure.pole_places[plan_of(step.makes)])}
             case s.Carry() | s.Turn():
                 turns = [f"{step.quarter % 4} * {RIGHT_ANGLE_FORMULA}"] * bool(step.quarter % 4)
-                turns += [f"{n[step.angle]} * {RADIANS_PER_DEGREE}"] if isinstance(step, s.Turn) and step.angle else []
+                if isinstance(step, s.Turn) and step.angle:
+                    turns.append(f"{n[step.angle]} * {RADIANS_PER_DEGREE}")
                 return {"turns": " + ".join(turns) or "0"}
             case c.Touch():
                 apart = f"Distance[{n[step.start]}, {n[step.end]}]"
@@ -114,7 +115,7 @@ class Translator:
                 beside = [f"Distance[{self.pole_label(m)}, {n[m]}]" for m in step.beside]
                 return {"span": self.span_formula(step), "largest": " + ".join(beside) or "0"}
             case r.Calculate():
-                return {"sum": " + ".join(self.product_formula(term) for term in step.terms) or "0"}
+                return {"sum": " + ".join(map(self.product_formula, step.terms)) or "0"}
             case r.SenseBetween():
                 rates = [f"({n[rate]} * abs({n[sense]}))" if rate else "0" for rate, sense in step.signed_rates]
                 return dict(zip(("one", "two"), rates, strict=True))

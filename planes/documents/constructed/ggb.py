@@ -2,10 +2,11 @@
 
 from collections.abc import Iterator
 
-from planes.documents.constructed import SCHEME_PLAN, LiveFigure
+from planes.documents.constructed import LiveFigure
 from planes.documents.constructed._numbers import GivenNumbers
 from planes.documents.constructed._steps import Labels, Translator
 from planes.geometry.plane import bounding_corners
+from planes.plans.position.bodies import SCHEME_PLAN
 from planes.words import say
 from planes.words.names import (
     POLE_LABEL,

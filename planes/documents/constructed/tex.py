@@ -3,11 +3,12 @@
 import re
 from collections.abc import Iterator
 
-from planes.documents.constructed import SCHEME_PLAN, LiveFigure
+from planes.documents.constructed import LiveFigure
 from planes.drafting.steps.crossings import Cross
 from planes.geometry.plane import bounding_corners
 from planes.lesson import Teller, slot_value
 from planes.lesson.formulas import fill_slots
+from planes.plans.position.bodies import SCHEME_PLAN
 from planes.words.lettering import without_index_markup
 from planes.words.names import POLE_LABEL, force_plan_links, label_of, plan_kind, plan_of
 from render.files.tikz import latex_math, latex_text, tikz_document

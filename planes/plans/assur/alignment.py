@@ -109,7 +109,7 @@ def bodies_of_pairs(group: AnyGroup) -> tuple[tuple[str, ...], ...]:
         return tuple(mates.get(link, (link,)) for link in group.links_in_solving_order)
     if group.brace:
         return *((link,) for link in group.all_links), group.brace.cylinder_links
-    return tuple(group.links_composing(link) for link in group.links)
+    return tuple(map(group.links_composing, group.links))
 
 
 def _pair_kind_variants(group: AnyGroup) -> Iterator[tuple[Sign, ...]]:

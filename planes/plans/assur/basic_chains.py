@@ -71,7 +71,7 @@ class BasicChain(SolvedByLeads):
     @property
     def links_by_force_plan(self) -> tuple[NameTuple, ...]:
         """The links of each force plan, which name it."""
-        return tuple(self.basic_link_with_leads(k) for k in range(len(self.basics)))
+        return tuple(map(self.basic_link_with_leads, range(len(self.basics))))
 
     @property
     def formula_members(self) -> str:
@@ -81,7 +81,7 @@ class BasicChain(SolvedByLeads):
     @property
     def pairs(self) -> tuple[Pair, ...]:
         """Its pairs: for every lead the outer, then the inner one; the hinges of the basic links last."""
-        return *pairs_of_leads(self.leads), *self.hinges
+        return pairs_of_leads(self.leads) + self.hinges
 
     @property
     def inner_pairs(self) -> tuple[Pair, ...]:
@@ -137,7 +137,7 @@ def chain_of_basic_links(names: Sequence[str], between: Between, outer: dict[str
         return None
     if any(lead.pair_letters == "PP" for side in sides for lead in side):
         return None
-    return BasicChain(tuple(names), tuple(basics), tuple(hinges), tuple(tuple(side) for side in sides))
+    return BasicChain(tuple(names), tuple(basics), tuple(hinges), tuple(map(tuple, sides)))
 
 
 def _later_link_first(names: Sequence[str], one: str, two: str) -> NamePair:

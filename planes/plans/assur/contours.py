@@ -59,7 +59,7 @@ class Contour(OnLeads):
     @property
     def pairs(self) -> tuple[Pair, ...]:
         """Its pairs: the outer ones, then both of each rod."""
-        return (*self.outer, *self.inner_pairs)
+        return self.outer + self.inner_pairs
 
     @property
     def inner_pairs(self) -> tuple[Pair, ...]:

@@ -170,7 +170,8 @@ class Group:
         """The group as in the JSON output."""
         pair = self.brace.slide if self.brace else self.drive
         own: Json = {"links": list(self.links), "kind": self.kind, "name": self.pair_letters}
-        own |= {"drive": [pair.other, pair.link]} if pair else {}
+        if pair:
+            own["drive"] = [pair.other, pair.link]
         return own | ({"across": self.drive.point} if self.brace and self.drive else {})
 
     @property

@@ -37,7 +37,7 @@ class BasicLinkForces(LeadForces):
             if lead.slides_on_carrier:  # a slider has no rotation: all its loads pass through its hinge
                 forces += [replace(f, point=lead.point) for f in (*lead.loads, *lead.known)]
             else:
-                forces += [*lead.loads, *lead.known]
+                forces += lead.loads + lead.known
                 couples += lead.couples
         terms = self.statics.moments_about_mark(special, forces, couples, -1.0, arm)
         return self.draft.solve_moment_equation(name, special, links, terms, arm)
@@ -55,7 +55,7 @@ class BasicLinkForces(LeadForces):
         another one, are ``known``. Each reaction is on the first link of its pair."""
         one, two, *others = held
         own = list(self.statics.acting.forces[basic])
-        chain, ends = self.lay_off_force_sequences([[*two.known, *two.loads], known, own, [*one.loads, *one.known]])
+        chain, ends = self.lay_off_force_sequences([two.known + two.loads, known, own, one.loads + one.known])
         x = vector_end_label(one.other_component_name)
         last = Term(one.other_component_name, ends[-1], x, None, one.line, one.line)
         back = Term(two.other_component_name, POLE_LABEL, x, None, two.line, two.line, sign=-1)
@@ -105,7 +105,7 @@ class TriadForces(BasicLinkForces):
     def polygon(self) -> PairEnds:
         """Draw the polygon; each reaction is on the first link of its pair."""
         g = self.group
-        self.drawn = tuple(self.solve_lead_equilibrium(lead) for lead in self.leads)
+        self.drawn = tuple(map(self.solve_lead_equilibrium, self.leads))
         *_, three = self.drawn
         pushed = (
             self.reaction_of_slid_lead(three)
@@ -122,7 +122,7 @@ class TriadForces(BasicLinkForces):
         over = ((d.add_step(Cosine(f"cos_{name}_{held.lead.inner.guide}", held.line, along)), -1),)
         products = [self.force_component_along_guide(f, along) for f in (*held.loads, *held.known)]
         products += self.friction_along_lead(held.lead, held.lead.inner)
-        d.add_sum(name, [replace(p, factors=(*p.factors, *over)) for p in products])
+        d.add_sum(name, [replace(p, factors=p.factors + over) for p in products])
         return held.force_along_lead_line(name)
 
 

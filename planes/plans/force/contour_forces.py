@@ -65,7 +65,7 @@ class ContourForces(LeadForces):
         """Draw the polygons; each reaction is on the first link of its pair."""
         d = self.draft
         g = self.group
-        self.drawn = one, two = tuple(self.solve_lead_equilibrium(lead) for lead in self.leads)
+        self.drawn = one, two = tuple(map(self.solve_lead_equilibrium, self.leads))
         both = self.forces_along_leads(one, two)
         acting = self.statics.acting.forces
         runs = [one.loads, [*one.known, both[0]], [both[1], *two.known], two.loads, list(acting[g.basic])]
@@ -119,8 +119,9 @@ class ContourForces(LeadForces):
         couples = list(self.couples[g.basic])
         for held in (one, two):
             at_hinge = [replace(f, point=held.point) for f in held.loads] if held.slides_on_carrier else held.loads
-            forces += [*at_hinge, *held.known]
-            couples += [] if held.slides_on_carrier else held.couples
+            forces += at_hinge + held.known
+            if not held.slides_on_carrier:
+                couples += held.couples
         if g.outer[1].kind == "P":
             forces += self.guide_friction_on_link(
                 g.outer[1], g.basic, scheme_mark(self.bodies.mechanism.links[g.basic].first_point)
@@ -135,7 +136,8 @@ class ContourForces(LeadForces):
         couples = list(self.couples[g.base])
         for held in (one, two):
             forces += [self.reversed_force_on_base(f, held) for f in held.known]
-            couples += self.turning(held) if held.slides_on_carrier else []
+            if held.slides_on_carrier:
+                couples += self.turning(held)
         if g.outer[0].kind == "P":
             forces += self.guide_friction_on_link(
                 g.outer[0], g.base, scheme_mark(self.bodies.mechanism.links[g.base].first_point)
@@ -184,7 +186,7 @@ class ContourForces(LeadForces):
 
     def unknown_by_equilibrium(self, name: str, side: _Equilibrium, more: list[Force], sign: float, arm: str) -> str:
         """The unknown from an equation of moments about an outer hinge, or of forces along an outer guide."""
-        forces = [*side.forces, *more]
+        forces = side.forces + more
         if side.pair.kind == "P":
             way = f"∥{side.pair.guide}"
             over = ((arm, -1),)

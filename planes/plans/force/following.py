@@ -5,7 +5,7 @@ from functools import cached_property
 from planes.drafting.steps.laws import ByStroke, Follow
 from planes.drafting.steps.reckoning import Protractor, Sense
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies
+from planes.plans.position.bodies import SCHEME_PLAN, Bodies, scheme_mark
 from planes.scene.expressions import names_in_expression
 from planes.scene.load_laws import Coordinate, check_law, coordinates_by_name
 from planes.scene.mechanism import FRAME, Amount, Load, LoadLaw, StrokeLoad
@@ -98,7 +98,7 @@ class LawValues:
             return (self.velocity if c.letter == "v" else self.accelerations).slides[c.of].value
         pair = next(p for p in self.bodies.structure.pairs if p.link == c.of and p.kind == "P")
         start, along = self.bodies.guide_mark_and_direction(pair, pair.other)
-        first = full_mark_name(SCHEME_PLAN, self.bodies.mechanism.links[c.of].first_point)
+        first = scheme_mark(self.bodies.mechanism.links[c.of].first_point)
         return self.bodies.draft.measure_segment(f"s_{c.of}", start, first, along)
 
     def _point_coordinate_value(self, c: Coordinate) -> str:
@@ -108,6 +108,6 @@ class LawValues:
             along = d.draw_direction_at_angle(
                 f"→{c.letter}", 0.0 if c.letter == "x" else 90.0, Meaning("along", c.letter)
             )
-            return d.measure_segment(name, d.draw_pole(SCHEME_PLAN), full_mark_name(SCHEME_PLAN, c.of), along)
+            return d.measure_segment(name, d.draw_pole(SCHEME_PLAN), scheme_mark(c.of), along)
         rates = self.velocity if c.letter == "v" else self.accelerations
         return d.measure_segment(name, full_mark_name(rates.plan, POLE_LABEL), rates.mark(c.of))

@@ -8,7 +8,7 @@ from planes.drafting.steps import Aim, Turn
 from planes.drafting.steps.reckoning import Sense, SenseOf
 from planes.plans.force.following import LawValues
 from planes.plans.motion.kinematics import Rates
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies, BodyPoint
+from planes.plans.position.bodies import Bodies, BodyPoint, scheme_mark
 from planes.scene.mechanism import FRAME, Link, Load, LoadLaw, Mechanism, StrokeLoad
 from planes.words.frozen import frozen
 from planes.words.names import POLE_LABEL, Meaning, NamePair, Quantity, full_mark_name
@@ -135,7 +135,7 @@ class Acting:
         )
 
     def _mass_centre_mark(self, link: Link, quantity: Quantity) -> tuple[str, Quantity, BodyPoint]:
-        return full_mark_name(SCHEME_PLAN, link.mass_centre), quantity, BodyPoint(link.mass_centre, link.mass_centre)
+        return scheme_mark(link.mass_centre), quantity, BodyPoint(link.mass_centre, link.mass_centre)
 
     def _add_inertia_loads(self, link: Link) -> None:
         d = self.bodies.draft
@@ -175,9 +175,7 @@ class Acting:
             along = self._load_direction(name, load)
         if not load.sense:
             size = d.add_product(name, **{size: 1})
-        acting = Force(
-            name, load.link, size, along, full_mark_name(SCHEME_PLAN, point), "load", BodyPoint(point, point)
-        )
+        acting = Force(name, load.link, size, along, scheme_mark(point), "load", BodyPoint(point, point))
         self.forces[load.link].append(acting)
         return size
 

@@ -8,11 +8,11 @@ given.
 from planes.drafting.steps import Turn
 from planes.drafting.steps.reckoning import Product
 from planes.plans.assur.groups import Group, Pair
-from planes.plans.position.bodies import SCHEME_PLAN, Bodies
+from planes.plans.position.bodies import SCHEME_PLAN, Bodies, scheme_mark
 from planes.plans.position.reckoned import OwnPlace, dimension_by_way, dimension_difference, direction_between_points
 from planes.scene.mechanism import Link
 from planes.words.frozen import frozen
-from planes.words.names import Meaning, NamePair, full_mark_name
+from planes.words.names import Meaning, NamePair
 
 
 @frozen
@@ -54,7 +54,7 @@ def aside_of_drive(b: Bodies, g: Group, start: str = "") -> Aside:
     link = b.mechanism.link(g.held_link)
     if pair.kind == "R":
         axis = b.draft.draw_direction_at_angle("→", 0.0, Meaning("given", link.name))
-        return Aside(b, link, pair.point, start or full_mark_name(SCHEME_PLAN, pair.point), axis, pair.point)
+        return Aside(b, link, pair.point, start or scheme_mark(pair.point), axis, pair.point)
     first = link.first_point
     mark, direction = b.guide_mark_and_direction(pair, pair.other_link_of_pair(g.held_link))
     beside = Meaning("guide", pair.guide, first)

@@ -72,7 +72,7 @@ def _scene_assembly_entries(choice: AssemblyChoice, mechanism: Mechanism) -> lis
 def _points_moving_with_choice(group: Group | Triad | Contour, mechanism: Mechanism) -> list[str]:
     """Points that move with the choice: those of the group's links, without its outer hinges."""
     outer = {pair.point for pair in group.pairs if pair not in group.inner_pairs}
-    points = [p for link in (*group.output_link_candidates, *group.links) for p in mechanism.links[link].points]
+    points = [p for link in group.output_link_candidates + group.links for p in mechanism.links[link].points]
     return [p for p in dict.fromkeys(points) if p not in outer]
 
 

@@ -16,12 +16,12 @@ from planes.geometry.plane import greatest_distance
 from planes.geometry.tracks import Pose, Tie, newton_step
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
-from planes.plans.position.bodies import SCHEME_PLAN, AssemblyChoice, Bodies, TrackChoice
+from planes.plans.position.bodies import SCHEME_PLAN, AssemblyChoice, Bodies, TrackChoice, scheme_mark
 from planes.plans.position.branch import Branch, follow_branch
 from planes.scene.mechanism import Assembly
 from planes.words import Phrase
 from planes.words.errors import PlanFailure, SceneError
-from planes.words.names import full_mark_name, mu_name
+from planes.words.names import mu_name
 
 if TYPE_CHECKING:
     from planes.geometry.sextic import Counted
@@ -79,12 +79,9 @@ class Tracks:
                 series_angles_of_pose(pose),
             )
         )
-        program = Program(tuple(self.bodies.draft.steps.values())).cut_to_names([full_mark_name(SCHEME_PLAN, point)])
-        return complex(
-            draw_program(program, {**self.bodies.draft.given, mu_name(SCHEME_PLAN): 1.0})[
-                full_mark_name(SCHEME_PLAN, point)
-            ]
-        )
+        mark = scheme_mark(point)
+        program = Program(tuple(self.bodies.draft.steps.values())).cut_to_names([mark])
+        return complex(draw_program(program, {**self.bodies.draft.given, mu_name(SCHEME_PLAN): 1.0})[mark])
 
     def sense_of_lead_lines(self, pose: Pose) -> float:
         """The sense of the leads' lines about each other."""
@@ -120,7 +117,7 @@ class Tracks:
         leads = self.choice.group.leads
         sharp = self.crossing_sharpness(pose)
         first = sharp.index(max(sharp))
-        self.bodies.leads[self.choice.group.basic] = (*leads[first:], *leads[:first])
+        self.bodies.leads[self.choice.group.basic] = leads[first:] + leads[:first]
 
     def crossing_sharpness(self, pose: Pose) -> list[float]:
         """The sharpness of the crossing of two leads in the special point; in class IV of one lead with its driven

@@ -130,7 +130,7 @@ def place_basic_chain(b: Bodies, g: BasicChain) -> None:
             Hold("hinge", point_place_on_link(b, b.mechanism.links[g.basics[k]], hinge.point), link=k, hinge=pins[k])
         )
     cut = cut_of_basic_link_tracks(b, g, origins[0], tuple(holds))
-    b.leads |= dict.fromkeys(g.basics, (*g.leads, *g.joining_leads))
+    b.leads |= dict.fromkeys(g.basics, g.leads + g.joining_leads)
     for k, pin in enumerate(origins[1:], 1):
         b.draft.add_step(CutTrack(scheme_mark(pin), pins[k], *cut, link=k, hinge=pins[k]))
     for k in range(len(g.basics)):

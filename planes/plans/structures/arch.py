@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 
 from planes.drafting.equations import Equation, Term
 from planes.plans.force.loads import Force
-from planes.plans.position.bodies import SCHEME_PLAN
+from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.free_body import FreeBody
 from planes.scene.structures import Support
-from planes.words.names import POLE_LABEL, NamePair, full_mark_name, vector_end_label
+from planes.words.names import POLE_LABEL, NamePair, vector_end_label
 
 
 @dataclass
@@ -26,7 +26,7 @@ class Arch:
         two = self.last
         d = one.draft
         plan = one.plan
-        (a, across), (b, other) = (self.springing_and_cross_component(x) for x in (one, two))
+        (a, across), (b, other) = map(self.springing_and_cross_component, (one, two))
         both = replace(one, forces=[across, *one.forces, *two.forces, other], chain=())
         both.lay_off_loads()
         start = both.chain[0].end
@@ -55,6 +55,6 @@ class Arch:
         name = f"{s.name}^t"
         along = body.draft.draw_perpendicular(self.line_of_both_hinges(s))
         spot = body.place_of_support(s)
-        crown = full_mark_name(SCHEME_PLAN, self.crown.point)
+        crown = scheme_mark(self.crown.point)
         body.unknown_by_moments(crown, name, body.arm_about_mark(name, spot, along, crown))
         return s, Force(name, body.name, name, along, spot, "tangential")

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from planes.plans.force.loads import Force
-from planes.plans.position.bodies import SCHEME_PLAN
+from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.free_body import FreeBody, Meeting
 from planes.plans.structures.strings import STRING_POLE_LETTER, StringPolygon
 from planes.scene.structures import Framework
@@ -105,7 +105,7 @@ class StraightBeam:
         across = d.draw_perpendicular(axis)
         _, ray, knot = bases[self.beam_part_at(where)]
         passed = self.loads_before_place(where)
-        spot = full_mark_name(SCHEME_PLAN, point)
+        spot = scheme_mark(point)
         marks = []
         for k, through, line in (("·", knot, ray), ("··", polygon.knots[passed], polygon.rays[passed])):
             mark = b.unused_mark(f"{point}{k}")

@@ -8,7 +8,7 @@ from planes.drafting.program import Program
 from planes.drafting.steps.reckoning import Pull
 from planes.geometry.plane import sine_between
 from planes.plans.force.loads import Force, Loads
-from planes.plans.position.bodies import SCHEME_PLAN
+from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.record import Plans
 from planes.plans.scales import unit_scales_of_plans
 from planes.plans.statements.still import plans_of_still_draft
@@ -113,7 +113,7 @@ class FrameworkBuilder(StatedLoads):
         points = self.framework.bodies[name]
         owners = {p: next(n for n, own in self.framework.bodies.items() if p in own) for p in points}
         own = [s for s in self.framework.supports if owners.get(s.point) == name]
-        return [*own, *self.unsolved_hinges_of_body(name)]
+        return own + self.unsolved_hinges_of_body(name)
 
     def unsolved_hinges_of_body(self, name: str) -> list[Support]:
         """The hinges of a body with bodies that are not solved yet."""
@@ -167,9 +167,7 @@ class FrameworkBuilder(StatedLoads):
         name = s.name + beside
         means, ends = (Meaning("against", s.name), (end, start)) if beside else (Meaning("with", s.name), (start, end))
         along = d.draw_direction_through_marks(f"→{name}", *ends, means)
-        return Force(
-            name, body, d.measure_segment(size, start, end), along, full_mark_name(SCHEME_PLAN, s.point), "reaction"
-        )
+        return Force(name, body, d.measure_segment(size, start, end), along, scheme_mark(s.point), "reaction")
 
     def measured_reaction(self, name: str) -> complex:
         """A drawn reaction, N."""

@@ -174,7 +174,7 @@ class CremonaPlan:
                     and (about := self.meeting(member, two))
                 ):
                     self.lay_off_member_force_by_moments(region, member, other, about, part)
-                    self.cuts["".join(member)] = tuple("".join(m) for m in (member, *two))
+                    self.cuts["".join(member)] = tuple(map("".join, (member, *two)))
                     return True
         return False
 

@@ -10,7 +10,7 @@ from planes.drafting.steps.laws import Follow
 from planes.drafting.tools import Tool
 from planes.geometry.arithmetic import Arithmetic
 from planes.plans.force.loads import Couple, Force
-from planes.plans.position.bodies import SCHEME_PLAN, BodyPoint
+from planes.plans.position.bodies import SCHEME_PLAN, BodyPoint, scheme_mark
 from planes.plans.statements.turning import value_name_of_law
 from planes.plans.structures.figure import StaticsFigure
 from planes.scene import Scene
@@ -19,7 +19,7 @@ from planes.scene.mechanism import LoadLaw
 from planes.scene.structures import Framework, StaticLoad
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import Meaning, NamePair, full_mark_name, label_of
+from planes.words.names import Meaning, NamePair, label_of
 
 
 class StatedLoads:
@@ -95,7 +95,7 @@ class StatedLoads:
         turned = self.name_of_number(f"angle_∠{load.name}", angle, Meaning("angle", load.name))
         along = d.add_step(Aim(f"∠{load.name}", turned, means=Meaning("given", load.name)))
         mark = (
-            full_mark_name(SCHEME_PLAN, load.point)
+            scheme_mark(load.point)
             if load.point
             else d.draw_given_mark(SCHEME_PLAN, f"_{load.name}", load.place, Meaning("moved"))
         )

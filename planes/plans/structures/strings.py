@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from planes.drafting.equations import Equation, Term
 from planes.geometry.plane import bounding_corners, sine_between
-from planes.plans.position.bodies import SCHEME_PLAN
+from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.free_body import FreeBody, Meeting
 from planes.scene.structures import Support
 from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, vector_end_label
@@ -68,7 +68,7 @@ class StringPolygon:
     def mark_where_string_meets_line(self, k: int, point: str, along: str) -> str:
         """The mark where a string of a trial meets a line through a point."""
         b = self.body
-        spot = full_mark_name(SCHEME_PLAN, point)
+        spot = scheme_mark(point)
         mark = b.draft.add_step(
             Meeting(b.unused_mark(f"{point}{TRIAL_SUFFIX}"), self.knots[k], self.rays[k], spot, along)
         )
@@ -116,7 +116,7 @@ def pole_for_strings_through(b: FreeBody, pole: complex, points: Sequence[str], 
     of both points."""
     d = b.draft
     plan = b.plan
-    first = full_mark_name(SCHEME_PLAN, points[0])
+    first = scheme_mark(points[0])
     letter = STRING_POLE_LETTER + TRIAL_SUFFIX
     trial_pole = full_mark_name(plan, letter)
     lay_off_pole(b, pole, letter)

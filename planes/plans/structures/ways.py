@@ -7,7 +7,7 @@ from itertools import combinations, permutations
 
 from planes.geometry.plane import sine_between
 from planes.plans.assur.alignment import matrix_determinant
-from planes.plans.position.bodies import SCHEME_PLAN
+from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.plans.structures.beams import StraightBeam
 from planes.plans.structures.free_body import FreeBody
 from planes.plans.structures.strings import (
@@ -23,7 +23,7 @@ from planes.scene.mechanism import LoadLaw
 from planes.scene.structures import Framework, Support
 from planes.words import Phrase
 from planes.words.errors import SceneError
-from planes.words.names import NamePair, full_mark_name, label_of
+from planes.words.names import NamePair, label_of
 
 PARALLEL_LINES_SINE = 1e-9  # the sine of the angle below which lines are parallel; arms relative to the size of a body
 LEAST_DRAWABLE_CROSSING_SINE = 0.05  # a crossing sharper than this can be drawn
@@ -160,10 +160,10 @@ class WayFinder:
             raise self.method_refusal("forces_couple")
         self.draw_string_pole(None)
         polygon = StringPolygon(b)
-        polygon.draw_rays_and_strings(full_mark_name(SCHEME_PLAN, through[0]) if through else b.forces[0].point)
+        polygon.draw_rays_and_strings(scheme_mark(through[0]) if through else b.forces[0].point)
         if through:
             last = str(len(polygon.rays) - 1)
-            b.figure.add_line(SCHEME_PLAN, "string", last, polygon.knots[-1], full_mark_name(SCHEME_PLAN, through[-1]))
+            b.figure.add_line(SCHEME_PLAN, "string", last, polygon.knots[-1], scheme_mark(through[-1]))
         return polygon.resultant_mark_and_direction()
 
     def draw_string_pole(self, line: Support | None) -> None:
