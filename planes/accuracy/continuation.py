@@ -65,7 +65,7 @@ class Curves:
         ahead = [start, *self._places_on_one_side(start, way)]
         closed = len(ahead) > 3 and np.linalg.norm(self.room.shortest_vector(start, ahead[-1])) < 1e-9
         behind = [] if closed else list(self._places_on_one_side(start, -way))
-        self.found.append(np.array([*behind[::-1], *ahead]))
+        self.found.append(np.array(behind[::-1] + ahead))
 
     def settle_on_curve(self, near: Array) -> Array | None:
         """The place on a curve by Newton's steps, each of minimum length."""

@@ -63,7 +63,7 @@ class Sheets:
             at, poses = self._add_new_assemblies(*self._assemblies_from_random_poses(rng))
             while len(at):
                 beside = [self._neighbouring_assemblies(at, poses, *way) for way in ((0, 1), (0, -1), (1, 0), (-1, 0))]
-                at, poses = self._add_new_assemblies(*(np.concatenate(x) for x in zip(*beside, strict=True)))
+                at, poses = self._add_new_assemblies(*map(np.concatenate, zip(*beside, strict=True)))
 
     def _assemblies_from_random_poses(self, rng: np.random.Generator) -> tuple[Indices, Array]:
         """Assemblies found from one pose at every node."""

@@ -209,7 +209,7 @@ def trace_program(
             tool.failures.append((reason, None, holds, {}))
         seen = operations_carrying_nonfinite(tape, gaps)
         rest = [x for x, m in zip(taken, must, strict=True) if m and place_of_number(tape, x) not in seen]
-        tool.fail_unless(are_all_finite(tape, [*gaps, *rest]), None, "no_digits")
+        tool.fail_unless(are_all_finite(tape, gaps + rest), None, "no_digits")
         tool.fail_unless(is_clear_drawing(program, things, tool, forces), None, UNCLEAR_REASON)
     outputs = tuple(place_of_number(tape, x) for x in taken)
     requires = tuple((r, str(getattr(s, "makes", "")), place_of_number(tape, ok)) for r, s, ok, _ in tool.failures)

@@ -205,7 +205,7 @@ class Pool:
         """:class:`PlanesError` where students have different conditions, not only different numbers."""
         first = self.group[0]
         for other in self.group[1:]:
-            names = {n.platform_key: n for n in (*first.given, *other.given)}
+            names = {n.platform_key: n for n in first.given + other.given}
             alone = {*(n.platform_key for n in first.given)} ^ {*(n.platform_key for n in other.given)}
             apart = [names[one].name for one in alone if names[one].unit == "m" and letter_of(one) != "e"]
             if apart or _NUMBER_PATTERN.sub("", first.said) != _NUMBER_PATTERN.sub("", other.said):

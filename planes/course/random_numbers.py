@@ -26,7 +26,7 @@ from planes.words.errors import Contradiction, PlanesError, SceneError
 from planes.words.names import NameTuple
 
 MOST_TRIED_SETS = 1000  # sets of numbers tried before giving up
-TEST_ANGLES_DEG = tuple(float(k) for k in range(0, 360, 2))  # the driver's test angles, degrees
+TEST_ANGLES_DEG = tuple(map(float, range(0, 360, 2)))  # the driver's test angles, degrees
 _DRAWN_DRIVER_ANGLES = tuple(f"{k}" for k in range(0, 360, 15))
 _NUMBER_PATTERN = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 _PERCENT_BY_NAME_PREFIX = (

@@ -113,7 +113,7 @@ def _read_assignments(reader: Reader, node: Node | None, folder: Path) -> tuple[
     if not files:
         where = reader.file if node is not None else str(folder)
         raise SceneError(Phrase("course_no_scenes"), where, None if node is None else node.line)
-    assignments = tuple(_assignment_of_file(f) for f in files)
+    assignments = tuple(map(_assignment_of_file, files))
     names = [a.name for a in assignments]
     if twice := next((n for n in names if names.count(n) > 1), None):
         raise SceneError(Phrase("course_scene_twice", name=twice), reader.file, None if node is None else node.line)

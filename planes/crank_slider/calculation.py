@@ -180,8 +180,10 @@ def _fatigue_of_sections(given: Given, cut: dict[str, Section]) -> tuple[Fatigue
 def _check_not_overstressed(c: Calculation) -> None:
     """A part stressed beyond its strength breaks: that is an error, not a result."""
     stresses = [(s.name, float(s.equivalent.max()), "shaft") for s in c.sections.values()]
-    stresses += [("rod", c.rod.sigma, "rod")] if c.rod else []
-    stresses += [("piston_pin", c.pin.equivalent, "piston_pin")] if c.pin else []
+    if c.rod:
+        stresses.append(("rod", c.rod.sigma, "rod"))
+    if c.pin:
+        stresses.append(("piston_pin", c.pin.equivalent, "piston_pin"))
     for part, stress, key in stresses:
         steel = c.given.materials[key]
         if stress > steel.strength:

@@ -132,7 +132,7 @@ def _write_kinematic_results(w: ChapterWriter, c: Calculation) -> None:
 def worked_force_angle_deg(c: Calculation) -> float:
     """The position whose forces are written out: of those requested, the one with the largest T."""
     asked = c.given.positions or (worked_crank_angle_deg(c),)
-    return max((c.angle(p) for p in asked), key=lambda p: abs(float(c.forces.T[c.at(p)])))
+    return max(map(c.angle, asked), key=lambda p: abs(float(c.forces.T[c.at(p)])))
 
 
 def write_forces(w: ChapterWriter, c: Calculation) -> None:
@@ -242,7 +242,8 @@ def _write_polar_diagram(w: ChapterWriter, c: Calculation) -> None:
     for i in c.steps(len(phi) - 1):
         at = complex(-f.K[i] * KILONEWTONS_PER_NEWTON, f.T[i] * KILONEWTONS_PER_NEWTON)
         clear = all(abs(at - other) > 0.1 * far for other in kept)
-        kept += [at] if clear else []
+        if clear:
+            kept.append(at)
         notes.append((at.real, at.imag, f"{phi[i]:g}°" if clear else ""))
     curve = tuple(plotted_lines(-f.K * KILONEWTONS_PER_NEWTON, {"": f.T * KILONEWTONS_PER_NEWTON}))
     w.figure("f_polar", Chart(w.say("x_out"), w.say("y_T"), curve, tuple(notes), equal=True, height_mm=95))

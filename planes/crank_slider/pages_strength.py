@@ -68,7 +68,7 @@ def write_strength(w: ChapterWriter, c: Calculation) -> None:
             values = (m.strength, m.yields, m.fatigue, m.fatigue_torsion, m.psi, m.psi_torsion)
             rows.append((w.say(f"p_{key}"), m.name, *values))
         sigmas = (f"σ_{{{w.say('sub_B')}}}", f"σ_{{{w.say('sub_Y')}}}", "σ_{−1}", "τ_{−1}", "ψ_{σ}", "ψ_{τ}")
-        w.table("t_material", (*w.words("c_part", "c_steel"), *sigmas), rows)
+        w.table("t_material", w.words("c_part", "c_steel") + sigmas, rows)
         w.write("shaft", c)
         if c.given.shaft:
             _write_bearing_reactions(w, c)

@@ -32,7 +32,7 @@ def summary_lines(c: Calculation, lang: Lang) -> str:
     """The checks and the torque as lines for a terminal."""
     writer = ChapterWriter(lang)
     write_summary(writer, c)
-    mean, power = (writer.number(x) for x in (c.work.mean, c.work.power / 1e3))
+    mean, power = map(writer.number, (c.work.mean, c.work.power / 1e3))
     torque = f"{writer.say('l_mean')} M = {mean} {writer.say('N·m')}"
     lines = [c.scene.title.get(lang, ""), f"{torque}; {power} {writer.say('kW')}"]
     checked = [b for b in writer.blocks if isinstance(b, DocumentTable)][:-1]  # the last lists the text's errors
@@ -57,8 +57,10 @@ def as_json(c: Calculation) -> Json:
         report["balance"] = {**vars(c.balance), "cases": list(map(_fields_without_curve, c.balance.cases))}
     if c.supports:
         report |= {"shaft": _shaft_json(c), "fatigue": c.fatigue}
-    report |= {"rod": c.rod} if c.rod else {}
-    report |= {"piston_pin": c.pin} if c.pin else {}
+    if c.rod:
+        report["rod"] = c.rod
+    if c.pin:
+        report["piston_pin"] = c.pin
     report["checks"] = [
         dict(zip(("name", "found", "low", "high", "holds"), one, strict=True)) for one in checks_with_bounds(c)
     ]

@@ -56,7 +56,7 @@ def animate(scene: Scene, output: str | Path, lang: Lang, frames: int = FRAMES_P
     with using_face(face_of_scene(scene)), progress_bar() as step:
         drawn, round_trip = positions_over_turn(scene, frames, lang)
         pages, size = frames_and_size(scene, drawn, lang)
-        shown = [*pages, *pages[-2:0:-1]] if round_trip else pages
+        shown = pages + pages[-2:0:-1] if round_trip else pages
         data = moving.animation_bytes(shown, size, seconds, suffix, step, scene.title.get(lang) or scene.file, lang)
     save_file_or_refuse(data, output)
 
@@ -171,4 +171,4 @@ def polygon_marks(plotted: Plotted, plan: str, composer: Composer) -> Iterator[M
     polygon.collect_vectors()
     polygon.draw_vectors()
     ground = (*polygon.marks, *polygon.aside, *dot(polygon.mark(POLE_LABEL), 0.7, "plan"))
-    yield from (*ground, *place_labels(polygon.name_labels(), ground).marks)
+    yield from ground + place_labels(polygon.name_labels(), ground).marks

@@ -74,7 +74,7 @@ class Conductor:
             for n in (SCENE_FILE_NAME, KEY_FILE_NAME, *order.files)
         ]
         self.ledger.write_manifest(
-            [*wanted, *self.write_summary_table(settled), *self.write_common_documents(list(orders))]
+            wanted + self.write_summary_table(settled) + self.write_common_documents(list(orders))
         )
         files = [(s, n) for s, order in orders.items() for n in order.files]
         kept = {(s.place, n): self.ledger.entries.get(self.place_in_folder(s, n), Entry()) for s, n in files}

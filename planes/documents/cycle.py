@@ -178,7 +178,7 @@ def cycle_page(
     title = scene.title.get(lang, "")
     turned = DrawnTurn(turn, runs, composer.naming)
     with using_face(face_of_scene(scene)):
-        views = [*_title_lines(title), *_diagram_views(turned, panels), *_hodograph_rows(turned)]
+        views = _title_lines(title) + _diagram_views(turned, panels) + _hodograph_rows(turned)
         return page_cut_to_view(stack_views("cycle", views, DIAGRAM_GAP_MM), title, lang)
 
 

@@ -65,8 +65,8 @@ def draw_sheet(
     """
     suffix = Path(output).suffix.lower()
     others = constructed.format_suffixes()
-    if suffix not in (*DRAWING_SUFFIXES, *others):
-        raise PlanesError(Phrase("bad_suffix", file=output, known=(*DRAWING_SUFFIXES, *others)))
+    if suffix not in DRAWING_SUFFIXES + others:
+        raise PlanesError(Phrase("bad_suffix", file=output, known=DRAWING_SUFFIXES + others))
     if suffix in others:
         if number:
             raise PlanesError(Phrase("constructed_sheet", file=output, known=DRAWING_SUFFIXES))

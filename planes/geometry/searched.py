@@ -54,7 +54,7 @@ def _converged_poses(ties: Sequence[Tie], links: int, count: int) -> list[tuple[
     places: list[tuple[Pose, int]] = []
     while len(rows):
         near = abs(rows - rows[0]).max(axis=1) < SAME_POSE_DISTANCE * (1 + abs(rows[0][0]))
-        places.append((tuple(complex(z) for z in rows[0]), int(near.sum())))
+        places.append((tuple(map(complex, rows[0])), int(near.sum())))
         rows = rows[~near]
     return places
 
@@ -94,7 +94,7 @@ def _affine_value(form: Affine, x: Sequence[Fraction]) -> Fraction:
 
 
 def _coefficient_sum(form: Affine) -> Fraction:
-    return sum((abs(p) for p in form[:-1]), Fraction(0))
+    return sum(map(abs, form[:-1]), Fraction(0))
 
 
 def is_proved_assembly(ties: Sequence[Tie], pose: Pose) -> bool:

@@ -157,7 +157,7 @@ def tie_coefficients(t: Tie, base: Tie) -> tuple[Laurent, Laurent]:
 
 def _exact_cross_product(a: complex, b: complex) -> Laurent:
     """The cross product of two given vectors, exactly."""
-    x, y, u, v = (Fraction(q) for q in (a.real, a.imag, b.real, b.imag))
+    x, y, u, v = map(Fraction, (a.real, a.imag, b.real, b.imag))
     return Laurent({0: (x * v - y * u, Fraction(0))})
 
 

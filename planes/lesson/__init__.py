@@ -88,7 +88,8 @@ class Teller:
             frames.append(self.mark(step))
             solved = ((e.plan, unknown_vectors(e)) for e in self.solved.get(step.makes, ()))
             frames += [self.measured_segments_frame("measured", plan, names) for plan, names in solved if names]
-            frames += self.closing_frames(plan_showing_step(step)) if step.makes in self.ends else []
+            if step.makes in self.ends:
+                frames += self.closing_frames(plan_showing_step(step))
         stated = self.stating.insert_vector_equations(frames + self.frames_of_values(readings, frames), self.make_frame)
         opened = self.bodies.insert_free_bodies(stated, self.make_frame)
         return self.ordered_by_values(
@@ -185,11 +186,13 @@ class Teller:
         last = next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None)
         frames = list[Frame]()
         if not self.plans.has_mechanism:
-            frames += [self.measured_segments_frame("measured", before[-1].plan, (), rates)] if rates and before else []
+            if rates and before:
+                frames.append(self.measured_segments_frame("measured", before[-1].plan, (), rates))
         elif last:
             frames += self.stating.rotation_sense_frames(rates, last.plan, self.make_frame)
             crossed = last is before[-1] and last.key == "cross"
-            frames += [self.measurement_frame(last.plan, rates, before)] if rates or crossed else []
+            if rates or crossed:
+                frames.append(self.measurement_frame(last.plan, rates, before))
         return frames + [f for v in values if v.makes in self.moments for f in self.moment_equation_frames(v)]
 
     def measurement_frame(self, plan: str, rates: list[Calculate], before: list[Frame]) -> Frame:

@@ -70,7 +70,7 @@ class CentreFrames:
         """A centre found by two lines, or by a hinge of three links."""
         if not c.lines:
             return self.make("centre_same", "position", (c.mark,), name=c.name, point=c.point)
-        first, second = map(self.line_phrase, (*c.lines, *c.lines)[:2])
+        first, second = map(self.line_phrase, (c.lines + c.lines)[:2])
         uses = tuple(dict.fromkeys(m for line in c.lines for m in (line.mark, line.other) if m))
         if c.along:
             return self.make("centre_far", "position", uses=uses, name=c.name, first=first)
@@ -91,7 +91,8 @@ class CentreFrames:
             (f"∣⟨{w}⟩∣ · ⟨{far}⟩", f"{value_slot(w, 'a')} · {value_slot(far)}", f"{w}*{far}") for w, far in check.sides
         )
         rows = tuple(Row(check.name, letters, numbers, value_slot(both, "a")) for letters, numbers, both in sides)
-        rows += (self.reading(check.name, "velocity"),) if check.read else ()
+        if check.read:
+            rows += (self.reading(check.name, "velocity"),)
         key = "centre_slider" if check.slides else "centre_speed" if check.read else "centre_equal"
         uses = (check.centre.mark,)
         return self.make(key, "position", uses=uses, rows=rows, name=check.centre.name, link=check.slides)

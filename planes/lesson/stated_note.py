@@ -70,7 +70,8 @@ class StaticsNote(StatedNote):
         figure = self.position.plans.figure
         assert figure
         blocks = [*self.opening_blocks(), *(Paragraph(x.told(self.lang)) for x in figure.counted), *self.plan_blocks()]
-        blocks += [self.numbered_figure("beam", self.say("beam_diagrams"))] if figure.moments else []
+        if figure.moments:
+            blocks.append(self.numbered_figure("beam", self.say("beam_diagrams")))
         return [*blocks, *self.vectors_table()]
 
     def plan_heading(self, plan: str) -> str:

@@ -218,7 +218,7 @@ class LawReader:
             return word
         if word in self.stated and word in self.known and not self._is_drive_parameter(word):
             raise ExpressionError(Phrase("law_parameter", name=word, meant=self.known[word][0].coordinate_in_words))
-        if word in self.own or (word not in self.stated and self._is_name_of_sort(word, "drive")):
+        if word in self.own or (word not in self.stated and any(m.sort == "drive" for m in self.known.get(word, ()))):
             return self.drive.kind
         if word not in self.stated:
             return word
@@ -231,6 +231,3 @@ class LawReader:
         """Whether a parameter gives the drive and has the name of the same coordinate of the driven link."""
         owners = {"drive": {self.drive.link}, "link": {self.drive.turning}, "slider": {self.drive.link}, "point": ()}
         return name in self.own | self.driven and any(m.of in owners[m.sort] for m in self.known[name])
-
-    def _is_name_of_sort(self, name: str, sort: Sort) -> bool:
-        return any(meaning.sort == sort for meaning in self.known.get(name, ()))

@@ -36,7 +36,7 @@ def check_outline(reader: Reader, table: SourceTable) -> None:
     alone = vectors or ("equations" in table.entries and not {"frame", "links"} & table.entries.keys())
     kind = "points" if "points" in table.entries else "vectors" if alone else "frame"
     own = KEYS_BY_SCENE_KIND[kind]
-    other = next((key for key in table.entries if key not in (*COMMON_KEYS, *own)), None)
+    other = next((key for key in table.entries if key not in COMMON_KEYS + own), None)
     if other:
         if vectors == "mu":
             raise reader.error_by_key("mu_place", table.lines["mu"])

@@ -75,7 +75,7 @@ def read_span(text: str, option: str = "--phi") -> Span:
     except ValueError:
         hint = Phrase("decimal_no_comma") if "," in text else ""
         raise SceneError(Phrase("range_not_number", option=option, text=repr(text), hint=hint)) from None
-    if len(numbers) not in (1, 3) or not all(math.isfinite(n) for n in numbers):
+    if len(numbers) not in (1, 3) or not all(map(math.isfinite, numbers)):
         raise SceneError(Phrase("range_parts", option=option, text=repr(text)))
     if len(numbers) == 1:
         return _require_near_angles(Span(numbers[0], 0.0, 1), text, option)

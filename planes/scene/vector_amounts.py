@@ -132,7 +132,7 @@ def _replace_carets_in_names(text: str, named: Iterable[str]) -> str:
 def read_amount(text: str, parameters: Mapping[str, float], named: Iterable[str]) -> VectorAmount | float:
     """A number, or the amount that the plans will give; :class:`ExpressionError` in words."""
     total = _Sum.as_sum(AmountParser(text, parameters, tuple(named)).parse_expression())
-    if not all(math.isfinite(c) for c in total.terms.values()):
+    if not all(map(math.isfinite, total.terms.values())):
         raise AmountParser(text, parameters, tuple(named)).error_quoting_expression(Phrase("value_large"))
     plain = total.number is not None and sum(abs(p) for f in total.terms for _, p in f) < 2
     if plain and total.number is not None:

@@ -201,7 +201,8 @@ class Solved:
             one["vectors"] = {n: polar_json(complex(*xy)) for n, xy in one.get("vectors", {}).items()}
         if not self.plans.depends_on_drive:
             return {**head, **listed[0]}
-        head |= {"structure": self.plans.structure.json()} if self.plans.has_mechanism else {}
+        if self.plans.has_mechanism:
+            head["structure"] = self.plans.structure.json()
         return {**head, "positions": listed, "failed": self.failed}
 
 

@@ -16,7 +16,8 @@ def structure_report_text(structure: Structure, lang: Lang = "en", frame: str = 
     for g in structure.groups:
         lines.append(f"{say('group', lang)} {', '.join(g.all_links)}: {g.group_description.told(lang)}")
     lines += [capitalize_first_letter(way) for way in class_lowering_drivers_text(structure, lang, frame)]
-    lines += [say("passive", lang, links=", ".join(structure.passive))] if structure.passive else []
+    if structure.passive:
+        lines.append(say("passive", lang, links=", ".join(structure.passive)))
     return "\n".join(lines)
 
 

@@ -34,7 +34,8 @@ def solve_report_text(solved: Solved, lang: Lang = "en") -> str:
     moves = solved.plans.has_mechanism
     naming = Naming(lang, **scene_lettering(solved.scene, solved.plans))
     lines = [solved.scene.title.get(lang, "")]
-    lines += [f"W = {s.W}, q = {s.q}, {s.formula_with_frame_number(naming.frame)}"] if moves else []
+    if moves:
+        lines.append(f"W = {s.W}, q = {s.q}, {s.formula_with_frame_number(naming.frame)}")
     for p in solved.positions:
         lines += position_table_lines(p, lang, naming) + own_equation_lines(p, solved.scene, lang)
     if some := next((p for p in solved.positions if "errors" in p.results), None):

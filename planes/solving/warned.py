@@ -28,11 +28,10 @@ def accuracy_warnings(
     rough, none = _doubtful_results_and_reactions(reader, wanted, given)
     naming = replace(reader.stated.default_naming, lang=lang)
     for key, names in (("faint", [*_faint_vector_names(reader), *none]), ("doubtful", rough)):
-        said += (
-            [say(key, lang, makes=", ".join(terminal_spelling(naming.lettered_vector(name)) for name in names))]
-            if names
-            else []
-        )
+        if names:
+            said.append(
+                say(key, lang, makes=", ".join(terminal_spelling(naming.lettered_vector(name)) for name in names))
+            )
     return said
 
 

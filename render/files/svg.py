@@ -76,7 +76,7 @@ class _Sheet(Writer):
 
     def _path_data(self, lines: Iterable[Sequence[complex]], closed: bool = False) -> str:
         end = "Z" if closed else ""
-        return "".join("M" + "L".join(self._xy_text(z) for z in line) + end for line in lines)
+        return "".join("M" + "L".join(map(self._xy_text, line)) + end for line in lines)
 
     def _add_path(self, path: str, style: str, dashes: Sequence[float]) -> Path:
         used = pen_of_style(style)

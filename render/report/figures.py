@@ -104,7 +104,8 @@ class DocumentSetter:
         views = []
         for names in block.views:
             held = [v for name in names if (v := _view_by_name(name, block, composer, plotted, len(names) == 1))]
-            views += [stack_views(held[0].key, held) if held[1:] else held[0]] if held else []
+            if held:
+                views.append(stack_views(held[0].key, held) if held[1:] else held[0])
         if block.scales:
             caption += ": " + "; ".join(_name_with_mu(names[0], composer, plotted) for names in block.views)
         return views_in_rows(views), caption

@@ -78,9 +78,7 @@ def write(blocks: Sequence[Block], naming: Naming) -> bytes:
         pieces, Filled(TEXT_WIDTH_PT - FRAME_PADDING_PT, PAGE_SIZE_PT[1] - 2 * TOP_BOTTOM_MARGIN_PT - FRAME_PADDING_PT)
     )
     paper.multiBuild(
-        [*first, *story],
-        onFirstPage=_leave_title_page_blank if first else _draw_page_number,
-        onLaterPages=_draw_page_head,
+        first + story, onFirstPage=_leave_title_page_blank if first else _draw_page_number, onLaterPages=_draw_page_head
     )
     return data.getvalue()
 

@@ -78,7 +78,7 @@ class CrossInChain(ByLeads, Cross):
 
     @property
     def sharp_directions(self) -> NameTuple:
-        return *self.points, *self.pins, *self.lines
+        return self.points + self.pins + self.lines
 
     def crossing_sharpnesses(self, env: Env) -> tuple[Real, ...]:
         products = [self._lines_to_basic_link(env, side, last)[1] for last, side in enumerate(self.sides)]

@@ -35,8 +35,8 @@ class Settle(Step):
 
     @cached_property
     def _names_read_by_plan(self) -> tuple[Read, ...]:
-        own = {step.makes for step in (*self.plan, *self.fed)}
-        names = (read for step in (*self.plan, *self.fed) for read in step.input_names() if read[0] not in own)
+        own = {step.makes for step in self.plan + self.fed}
+        names = (read for step in self.plan + self.fed for read in step.input_names() if read[0] not in own)
         return tuple(dict.fromkeys(names))
 
     def input_names(self) -> tuple[Read, ...]:

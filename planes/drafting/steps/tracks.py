@@ -39,7 +39,7 @@ class Hold:
     def input_names(self) -> Iterator[Read]:
         """Names of its inputs."""
         turn = directions if self.kind == "line" else values
-        yield from (*places(self.local), *marks(self.place), *values(self.reach), *turn(self.turn), *places(self.hinge))
+        yield from places(self.local) + marks(self.place) + values(self.reach) + turn(self.turn) + places(self.hinge)
 
     def lead_tie(self, env: Env, mu: Real, ar: Arithmetic) -> Tie:
         """The lead in its current position, in mm."""
@@ -111,7 +111,7 @@ class CutTrack(Step):
     hinge: str = ""
 
     def input_names(self) -> tuple[Read, ...]:
-        own = (*places(self.local), *values(self.mu, self.side), *places(self.hinge))
+        own = places(self.local) + values(self.mu, self.side) + places(self.hinge)
         held = (read for hold in self.holds for read in hold.input_names())
         return tuple(dict.fromkeys((*held, *self.guess.input_names(), *own)))
 
