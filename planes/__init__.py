@@ -82,7 +82,8 @@ class _Verb:
 
     def __init__(self, act: Callable[..., Any], room: str) -> None:
         update_wrapper(self, act)
-        self._act, self._room = act, room
+        self._act = act
+        self._room = room
 
     def __call__(self, *given: Any, **named: Any) -> Any:
         return self._act(*given, **named)

@@ -90,7 +90,8 @@ def _run_command(args: argparse.Namespace) -> int:
 
 def _report_written_file(args: argparse.Namespace) -> None:
     """Which file was written, and how large it is, a sheet with its format; then what must be known of it."""
-    output, lang = getattr(args, "output", None), args.lang or home_lang()
+    output = getattr(args, "output", None)
+    lang = args.lang or home_lang()
     if output and sys.stderr and os.path.isfile(output):
         words = {"file": output, "size": math.ceil(os.path.getsize(output) / 1000), "made": getattr(args, "made", "")}
         remarks = (say("note_warning", lang, text=text) for text in getattr(args, "remarks", ()))

@@ -60,10 +60,8 @@ def drawing_data_from_options(args: Namespace) -> Known:
 def judge_table(args: Namespace, scene: Scene, value: float | None) -> Outcome | None:
     """The judgement of a table with results only, which needs no plan; None for any other table."""
     plan = args.plan or known_plans(scene_plans(scene))[0]
-    asked, paper = (
-        question_from_options(args, scene, plan, value, requested_scale(args, plan)),
-        read_table(args.drawing),
-    )
+    asked = question_from_options(args, scene, plan, value, requested_scale(args, plan))
+    paper = read_table(args.drawing)
     if not paper.results or paper.spots or paper.segments:
         return None
     return judge(replace(asked, answers=main_answer_names(scene, value, args.plan or "")), paper)

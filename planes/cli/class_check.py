@@ -37,7 +37,8 @@ def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet], a
     # a report of one drawing, not of several
     refused = alone and Path(args.output or "").suffix.lower() in SUFFIXES_WITH_PICTURE
     work = ClassWork(Path(args.drawing).name, args.lang, "" if refused else args.output or "")
-    work.tasks, work.command = handed.tasks, _repeating_command(args)
+    work.tasks = handed.tasks
+    work.command = _repeating_command(args)
     desk = ClassDesk.from_options(args, handed, work)
     with progress_bar() as step:
         for number, sheet in enumerate(sheets, 1):
@@ -83,11 +84,9 @@ class ClassDesk:
         from planes.documents.class_sorting import preview_sheet
         from planes.documents.class_work import outcome_inputs_hash
 
-        seen, source, task = (
-            None,
-            outcome_inputs_hash(sheet, _outcome_options(self.args)) if self.work.ledger else "",
-            None,
-        )
+        seen = None
+        source = outcome_inputs_hash(sheet, _outcome_options(self.args)) if self.work.ledger else ""
+        task = None
         if self.work.reuse_earlier_row(sheet.name, source, self.sorter.handed.tasks):
             return
         if sheet.is_exercise:
@@ -105,7 +104,8 @@ class ClassDesk:
                     if name := self.sorter.actual_owner(task, asked, one.found):
                         one.found.notes.append(Phrase("check_anothers_work", name=name))
         except PlanesError as error:
-            one.refused, one.picture = error, seen.picture if seen else b""
+            one.refused = error
+            one.picture = seen.picture if seen else b""
         if seen and seen.blanks > 1:
             for number in range(1, seen.blanks + 1):
                 self.judge_sheet(replace(sheet, page=number))

@@ -130,7 +130,8 @@ def structure(args: Namespace) -> int:
         print(json_text({**links.json(), "self_aligning": variant and variant.json()}))
     else:
         reports = [structure_report_text(links, args.lang, scene.frame_number)]
-        reports += [alignment_report(variant, args.lang)] if variant else []
+        if variant:
+            reports.append(alignment_report(variant, args.lang))
         print(*reports, sep="\n\n")
     return 0
 
@@ -153,7 +154,8 @@ def sheet(args: Namespace) -> int:
         print_warnings(said, args.lang)
     drawn = draw_sheet(scene, values, args.output, args.lang, args.sheet, args.view, args.text or "text")
     print_warnings(drawn.said, args.lang)
-    args.made, args.remarks = drawn.size and f"{drawn.size}, ", drawn.remarks
+    args.made = drawn.size and f"{drawn.size}, "
+    args.remarks = drawn.remarks
     return 0
 
 

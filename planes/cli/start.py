@@ -73,7 +73,9 @@ def equations(args: Namespace) -> int:
 
 def template_in_language(template: str, lang: Lang) -> str:
     """A template, whose title and comments are in Russian and English, in the requested language."""
-    first, others, lines = "ru" in fallback_languages(lang), TEMPLATE_FOLDER / f"{lang}.json", []
+    first = "ru" in fallback_languages(lang)
+    others = TEMPLATE_FOLDER / f"{lang}.json"
+    lines = []
     own = json.loads(others.read_text("utf-8")) if others.exists() else {}
     for line in _TITLE_PATTERN.sub(lambda m: f"title: {own.get(m[1], m[1]) if first else m[2]}", template).splitlines():
         body, mark, remark = line.rpartition("# ")

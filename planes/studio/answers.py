@@ -32,7 +32,8 @@ MISSING_PART_SENTENCES, TOOLS_BY_MISSING_PART = (
 
 def answer_to_message(message: Json) -> Json:
     """The answer to a message; errors of the text are in its ``problems``."""
-    text, lang = str(message.get("text", ""))[:MOST_SCENE_LETTERS], message_lang(message)
+    text = str(message.get("text", ""))[:MOST_SCENE_LETTERS]
+    lang = message_lang(message)
     act = ANSWERS_BY_MESSAGE_KIND.get(str(message.get("ask")))
     own: Json = {"id": message.get("id"), "ask": message.get("ask"), "problems": []}
     if act is None:

@@ -47,7 +47,9 @@ def motion_of_points(scene: Scene) -> Json:
     be drawn; ``round``: it turns without end. A driver that does not is sampled once more, between its ends."""
     plans, _ = plans_and_requested_results(scene, shown=True)
     drive = drive_number_and_range(plans)
-    turns, start, reach = drive["symbol"] == "φ", drive["from"], drive["to"] - drive["from"]
+    turns = drive["symbol"] == "φ"
+    start = drive["from"]
+    reach = drive["to"] - drive["from"]
     step = reach / PICTURE_POSITION_COUNT if not drive["held"] else 0.0
     values = [start + step * k for k in range(PICTURE_POSITION_COUNT)] if step else [drive["at"]]
     places, works = point_places_at(plans, values)

@@ -56,7 +56,9 @@ def _is_sketch(x: Any) -> bool:
     """A sketch: points with places, links of those points, guides with places; every name used must be defined."""
     if not isinstance(x, dict) or not all(isinstance(x.get(k), dict) for k in ("points", "guides", "links")):
         return False
-    points, guides, links = x["points"], x["guides"], x["links"]
+    points = x["points"]
+    guides = x["guides"]
+    links = x["links"]
 
     def named(some: Any) -> bool:
         return isinstance(some, list) and all(_is_name_in_table(p, points) for p in some)

@@ -66,7 +66,8 @@ def _differ_only_in_places(old: Json, sketch: Json) -> bool:
 
 def _with_sketch_parts(edited: Edited, sketch: Json, was: Json | None) -> Edited:
     """Frame, links and drive as drawn; what has not changed stays as written."""
-    old, new = dict(_sketch_part_texts(was)) if was else {}, dict(_sketch_part_texts(sketch))
+    old = dict(_sketch_part_texts(was)) if was else {}
+    new = dict(_sketch_part_texts(sketch))
     for path, _, _ in walk_nodes(parse_yaml(edited.text, "")):
         part = path[:1] in (("frame",), ("links",)) and path[-2:-1] in (("points",), ("guides",), ("links",))
         if part and not any(p[: len(path)] == path for p in new):
@@ -96,7 +97,8 @@ def _sketch_part_texts(sketch: Json) -> Iterator[tuple[tuple[str, ...], str]]:
         if g["link"] == FRAME:
             yield ("frame", "guides", name), _frame_guide_text(g)
     for name, link in sketch["links"].items():
-        first, axis = link["points"][0], link_axis(name, sketch, points)
+        first = link["points"][0]
+        axis = link_axis(name, sketch, points)
         local = {p: (points[p] - points[first]) * axis.conjugate() for p in link["points"]}
         for p, z in local.items():
             yield ("links", name, "points", p), _place_text(z)
@@ -148,7 +150,8 @@ def _frame_guide_text(g: Json) -> str:
 
 def _link_guide_text(g: Json, local: dict[str, complex], origin: complex, axis: complex) -> str:
     """A guide of a link, through one of its points if possible."""
-    along, z = guide_direction(g) * axis.conjugate(), (complex(*g["at"]) - origin) * axis.conjugate()
+    along = guide_direction(g) * axis.conjugate()
+    z = (complex(*g["at"]) - origin) * axis.conjugate()
     angle = hand_set_number_text(math.degrees(cmath.phase(along)))
     for p, place in local.items():
         if abs(((place - z) * along.conjugate()).imag) < SAME_PLACE_M:
@@ -158,7 +161,8 @@ def _link_guide_text(g: Json, local: dict[str, complex], origin: complex, axis: 
 
 def _drive_text(drive: Json, sketch: Json, points: dict[str, complex]) -> str:
     """The drive at the position in which its link is drawn."""
-    kind, name = drive["kind"], drive["link"]
+    kind = drive["kind"]
+    name = drive["link"]
     on = drive.get("on")
     if kind == "phi":
         base = link_axis(on, sketch, points) if on else 1 + 0j
@@ -168,7 +172,8 @@ def _drive_text(drive: Json, sketch: Json, points: dict[str, complex]) -> str:
         guide = sketch["guides"][link["slides"]]
         place = _place_on_guide(points[link["points"][0]], guide).real
     against = f" on: {on}," if on else ""
-    position, rate = hand_set_number_text(place), hand_set_number_text(drive["rate"])
+    position = hand_set_number_text(place)
+    rate = hand_set_number_text(drive["rate"])
     return f"{{link: {name},{against} {kind}: {position}, {DRIVE_RATE_KEYS[kind][0]}: {rate}}}"
 
 

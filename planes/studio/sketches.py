@@ -82,7 +82,8 @@ def _link_axis_direction(x: Link, m: Mechanism, places: dict[str, complex]) -> c
     if x.name == FRAME:
         return 1 + 0j
     if x.slides:
-        body, guide = m.link(m.owner_of_guide(x.slides.guide)), m.guide(x.slides.guide)
+        body = m.link(m.owner_of_guide(x.slides.guide))
+        guide = m.guide(x.slides.guide)
         turn = math.radians(guide.angle_deg + (x.slides.angle_deg or 0.0))
         return _link_axis_direction(body, m, places) * cmath.rect(1.0, turn)
     base = x.first_point

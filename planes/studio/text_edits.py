@@ -33,7 +33,8 @@ class Edited:
         if depth < len(path):
             return self.with_value(path, f"[{value}]")
         if isinstance(node, yaml.SequenceNode) and node.flow_style is False and node.value:
-            first, last = node.value[0].start_mark, _node_end(node.value[-1])
+            first = node.value[0].start_mark
+            last = _node_end(node.value[-1])
             at = self._line_end(last.index)
             return self._with_replaced_span(at, at, f"\n{' ' * (first.column - 2)}- {value}", last.line + 1)
         at = node.end_mark.index - 1
@@ -53,9 +54,11 @@ class Edited:
         k = keys.index(path[-1])
         if len(parts) == 1:
             return self.without_key(path[:-1]) if len(path) > 1 else Edited("", (1,))
-        start, end = parts[k][0].start_mark, parts[k][1].end_mark
+        start = parts[k][0].start_mark
+        end = parts[k][1].end_mark
         if not parent.flow_style:
-            begin, last = self.text.rfind("\n", 0, start.index) + 1, self._line_end(_node_end(parts[k][1]).index)
+            begin = self.text.rfind("\n", 0, start.index) + 1
+            last = self._line_end(_node_end(parts[k][1]).index)
             return self._with_replaced_span(begin, min(last + 1, len(self.text)), "", start.line)
         if k + 1 < len(parts):
             return self._with_replaced_span(start.index, parts[k + 1][0].start_mark.index, "", start.line)
@@ -78,7 +81,8 @@ class Edited:
         if node.start_mark is None:  # the text is empty
             return Edited(f"{key}: {value}\n", (1,))
         if not isinstance(node, yaml.MappingNode) or not node.value:
-            start, end = node.start_mark.index, node.end_mark.index
+            start = node.start_mark.index
+            end = node.end_mark.index
             line = self.text[self.text.rfind("\n", 0, start) + 1 : start]
             if line[:1].strip():  # a top-level value: a line for each of its keys
                 return self._with_replaced_span(
@@ -90,7 +94,8 @@ class Edited:
             end = node.end_mark
             return self._with_replaced_span(end.index - 1, end.index - 1, f", {key}: {value}", end.line)
         last = _node_end(node.value[-1][1])
-        at, indent = self._line_end(last.index), " " * node.value[0][0].start_mark.column
+        at = self._line_end(last.index)
+        indent = " " * node.value[0][0].start_mark.column
         return self._with_replaced_span(at, at, f"\n{indent}{key}: {value}", self.text.count("\n", 0, at) + 1)
 
     def _line_end(self, at: int) -> int:

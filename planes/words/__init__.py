@@ -24,7 +24,8 @@ class Sentences(dict[str, str]):
 
     def __init__(self, own: dict[str, str], other: Lang) -> None:
         super().__init__(own)
-        self.other, self.borrowed = other, set[str]()
+        self.other = other
+        self.borrowed = set[str]()
 
     def __missing__(self, key: str) -> str:
         if not self.other:
@@ -104,7 +105,8 @@ class Phrase:
     __slots__ = ("key", "parts")
 
     def __init__(self, key: str, /, **parts: object) -> None:
-        self.key, self.parts = key, parts
+        self.key = key
+        self.parts = parts
 
     def told(self, lang: Lang = "en", form: str = "") -> str:
         """The text in a language."""

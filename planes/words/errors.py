@@ -71,7 +71,8 @@ class SceneError(PlanesError, ValueError):
 
     def __init__(self, phrase: Told, file: str = "", line: int | None = None) -> None:
         self.place = error_place_prefix(file, line)
-        self.file, self.line = file, line
+        self.file = file
+        self.line = line
         super().__init__(phrase.for_python_scene() if file[:1] == "<" and isinstance(phrase, Phrase) else phrase)
 
 
@@ -105,7 +106,8 @@ class _Reasoned(PlanesError, ArithmeticError):
     """``reason`` is a key of the table of words, with names and ``numbers``."""
 
     def __init__(self, reason: str, **numbers: object) -> None:
-        self.reason, self.numbers = reason, numbers
+        self.reason = reason
+        self.numbers = numbers
         super().__init__(Phrase(reason, **numbers))
 
 
@@ -171,7 +173,8 @@ def quoted_excerpt(text: str) -> str:
 def list_valid_choices(given: str, names: Iterable[str], what: str = "valid") -> Told:
     """Words that list the valid choices: "; valid: a, b; did you mean a?". Time and length are bounded whatever the
     list and its names. ``what`` is their key."""
-    known, given = [name for name in islice(names, 2000) if len(name) <= MOST_OFFERED_NAMES], given[:MOST_OFFERED_NAMES]
+    known = [name for name in islice(names, 2000) if len(name) <= MOST_OFFERED_NAMES]
+    given = given[:MOST_OFFERED_NAMES]
     if not known:
         return ""
     near = _suggest_name(given, known)

@@ -47,8 +47,10 @@ def _make_initialiser(cls: type) -> Callable[..., None]:
     lines = []
     known: dict[str, Any] = {"put": object.__setattr__}
     for one in sorted(fields(cls), key=lambda f: bool(f.kw_only)):
-        heads += ["*"] if one.kw_only and "*" not in heads else []
-        name, value = one.name, one.name
+        if one.kw_only and "*" not in heads:
+            heads.append("*")
+        name = one.name
+        value = one.name
         if one.default_factory is not MISSING:
             known[f"_{name}"] = one.default_factory
             value = f"_{name}() if {name} is ... else {name}"
@@ -59,7 +61,8 @@ def _make_initialiser(cls: type) -> Callable[..., None]:
         else:
             heads.append(name)
         lines.append(f" put(self, {name!r}, {value})")
-    lines += [" self.__post_init__()"] if hasattr(cls, "__post_init__") else []
+    if hasattr(cls, "__post_init__"):
+        lines.append(" self.__post_init__()")
     exec(f"def __init__(self, {', '.join(heads)}):\n" + "\n".join(lines or [" pass"]), known)
     made: Callable[..., None] = known["__init__"]
     made.__qualname__ = f"{cls.__qualname__}.__init__"

@@ -78,7 +78,8 @@ def name_in_words(name: str) -> Told:
 
 def line_in_words(along: str, start: str) -> Phrase:
     """A line through a mark, or the guide itself."""
-    mark, (_, parallel, guide) = label_of(start), written_direction(along).partition("∥")
+    mark = label_of(start)
+    _, parallel, guide = written_direction(along).partition("∥")
     point, sign, other = next((mark.partition(s) for s in "°⊥" if s in mark), ("", "", ""))
     if parallel and sign and written_direction(other) == guide:
         if sign == "°" and point:

@@ -97,7 +97,7 @@ def plan_kind(plan: str) -> str:
     return plan.partition(":")[0]
 
 
-def force_plan_links(plan: str) -> tuple[str, ...]:
+def force_plan_links(plan: str) -> NameTuple:
     """The links in equilibrium on a force plan: 2 and 3 of "force:2-3"."""
     return tuple(plan.partition(":")[2].split("-"))
 
@@ -146,7 +146,7 @@ def name_index(name: str) -> str:
     return name.partition("_")[2]
 
 
-def guide_end_letters(guide: str) -> tuple[str, str]:
+def guide_end_letters(guide: str) -> NamePair:
     """The letters at the ends of a guide: x and x of "x-x"; for a single name, that name and ""."""
     first, _, second = guide.partition("-")
     return first, second

@@ -55,7 +55,8 @@ class Naming:
         """A mark of a velocity or acceleration plan: s2' -> s_{2}′, n_CB -> n_{CB}, the pole of accelerations π."""
         if label == "p":
             return "π" if plan == "acceleration" else "p"
-        primes, label = len(label) - len(label.rstrip("'′")), label.rstrip("'′")
+        primes = len(label) - len(label.rstrip("'′"))
+        label = label.rstrip("'′")
         return with_number_as_subscript(label) + PRIME_SIGN * primes
 
     def lettered_vector(self, name: str) -> str:
@@ -72,10 +73,12 @@ class Naming:
         if letter == "arm":
             return f"h_{{{without_index_markup(self.lettered_vector(index))}}}"
         if letter in ("MZ", "FZ"):
-            letter, part = letter[0], say("lever_letter", self.lang)
+            letter = letter[0]
+            part = say("lever_letter", self.lang)
         letter, analogue = letter_and_analogue_index(letter)
         if letter in ("F", "R") and index:
-            letter, index = "R" if self.from_on else letter, self.reaction_link_pair(index)
+            letter = "R" if self.from_on else letter
+            index = self.reaction_link_pair(index)
         elif letter == "I":
             letter = "Φ"
         elif letter == "M" and index == self.driver:
@@ -102,9 +105,11 @@ class Naming:
         """An arm of a force by its name in the program: h_G_2_C -> h_{G2}, h_G_2_B^B -> h_{G2}^{B}, H_G_2 -> H_{G2};
         of a reaction R_12 from 1 on 2 H_{12}."""
         about = arm.removeprefix(f"{arm[0]}_{force}").partition("^")[2]
-        index, letter = without_index_markup(self.lettered_vector(force)), arm[0]
+        index = without_index_markup(self.lettered_vector(force))
+        letter = arm[0]
         if self.from_on and force.startswith("F_"):
-            index, letter = index.removeprefix("R"), "H"
+            index = index.removeprefix("R")
+            letter = "H"
         return f"{letter}_{{{index}}}" + (f"^{{{without_index_markup(self.lettered_point(about))}}}" if about else "")
 
     def reaction_link_pair(self, index: str) -> str:
@@ -138,7 +143,8 @@ class Naming:
         """A curve's name as a letter with its index in _{…}: v_C_x, vq_slide_3, F_21, F_11_10, F_50_arm."""
         head, *index = name.split("_")
         last = index.pop() if index[1:] and index[-1] in _COMPONENT_SUFFIXES else ""
-        axis, subject = last if last in ("x", "y") else "", "".join(index[1:] if index[:1] == ["slide"] else index)
+        axis = last if last in ("x", "y") else ""
+        subject = "".join(index[1:] if index[:1] == ["slide"] else index)
         if head == "r":
             return f"{axis or 'r'}_{{{subject}}}"
         if head == "u":
@@ -176,9 +182,8 @@ class Naming:
         letter, _, index = name.partition("_")
         ways = [self.lettered_vector(component_ending_at(name)), self.lettered_name(name)]
         letter, index = (f"{letter}T", index[1:]) if letter in "PM" and index.startswith("T") else (letter, index)
-        ways += (
-            [self.lettered_vector(f"{letter}_F_{index}")] if letter in _FRICTION_LETTERS and index[:1].isdigit() else []
-        )
+        if letter in _FRICTION_LETTERS and index[:1].isdigit():
+            ways.append(self.lettered_vector(f"{letter}_F_{index}"))
         balancing = name.startswith(("M_", "MZ_", "Fb_", "FbZ_")) and name.partition("_")[2] == self.driver
         if balancing or name.startswith(("coriolis_", "r_")) or name.rpartition("_")[2] in _COMPONENT_SUFFIXES:
             ways += [self.lettered_curve(name), self.typed_name(name)]
@@ -192,7 +197,8 @@ class Naming:
     @cached_property
     def other_namings(self) -> tuple["Naming", ...]:
         """Namings of the same scene under the other convention, in other languages, with the frame's number and 0."""
-        frames, orders = dict.fromkeys((self.frame, "0")), (self.from_on, not self.from_on)
+        frames = dict.fromkeys((self.frame, "0"))
+        orders = (self.from_on, not self.from_on)
         ways = product(dict.fromkeys((self.lang, *available_languages())), frames, orders)
         return tuple(replace(self, lang=lang, frame=frame, from_on=order) for lang, frame, order in ways)
 
@@ -206,7 +212,10 @@ class Names:
     lettering of the scene's own sheets and of the program takes precedence."""
 
     def __init__(self, known: Iterable[str], naming: Naming, poles: bool = True, more: Ways | None = None) -> None:
-        self.known, self.naming, self.poles, self.more = dict.fromkeys(known), naming, poles, more or {}
+        self.known = dict.fromkeys(known)
+        self.naming = naming
+        self.poles = poles
+        self.more = more or {}
 
     @cached_property
     def _names_by_spelling(self) -> Ways:

@@ -83,7 +83,8 @@ def _read_mu_fully(text: str, plan: str) -> tuple[float, str, Convention]:
         raise UnitError(Phrase("mu_scale", mu=brief, plan=Phrase(f"scale_{plan}"), units=allowed_mu_units(plan)))
     if len(text) > 60 or not (match := _NUMBER_PATTERN.match(text)):
         raise UnitError(Phrase("mu_not_number", mu=brief, units=allowed_mu_units(plan)))
-    number, unit = _read_positive_number(match[1], brief), text[match.end() :]
+    number = _read_positive_number(match[1], brief)
+    unit = text[match.end() :]
     plan_read, size, inverse = _meaning_of_unit(unit, plan, brief)
     mu = _checked_mu(1.0, 1.0, number * size, brief) if inverse else _checked_mu(1.0, number, size, brief)
     return mu, plan_read, "unit_per_mm" if inverse else "mm_per_unit"
@@ -143,7 +144,9 @@ def _base_unit_powers(unit: str) -> dict[str, int] | None:
     if "".join(t[0] for t in tokens) != text:
         return None
     total: Counter[str] = Counter()
-    signs, sign, ready = [1], 1, True
+    signs = [1]
+    sign = 1
+    ready = True
     for token in tokens:
         if token[1]:
             if not ready:
@@ -153,7 +156,8 @@ def _base_unit_powers(unit: str) -> dict[str, int] | None:
         elif token[0] in "·/":
             if ready:
                 return None
-            sign, ready = (-signs[-1] if token[0] == "/" else signs[-1]), True
+            sign = -signs[-1] if token[0] == "/" else signs[-1]
+            ready = True
         elif token[0] == "(" and ready:
             signs.append(sign)
         elif token[0] == ")" and not ready and len(signs) > 1:
@@ -180,7 +184,8 @@ def mu_number(mu: float, convention: Convention = "mm_per_unit") -> str:
 
 def mu_unit_text(unit: str, lang: str, inverse: bool = False) -> str:
     """Millimetres for a unit, or the inverse: mm/(m/s); in Russian with one stroke (ГОСТ 8.417): мм·с/м, м/(с·мм)."""
-    mm, (above, _, below) = say("mm", lang), unit.partition("/")
+    mm = say("mm", lang)
+    above, _, below = unit.partition("/")
     if below and say("one_stroke", lang):
         return f"{above}/({below}·{mm})" if inverse else f"{mm}·{below}/{above}"
     unit = f"({unit})" if below or "·" in unit else unit
@@ -211,7 +216,8 @@ def standard_scale(largest_m: float, fit_mm: float) -> float:
         return 1000.0
     scales = [1000.0 / n for n in _STANDARD_REDUCTIONS if 10000 % n == 0] + [1000.0 * n for n in _STANDARD_ENLARGEMENTS]
     hundreds = math.floor(limit * (1.0 + 1e-12) / 1e5)
-    scales += [1e5 * hundreds] if hundreds else []
+    if hundreds:
+        scales.append(1e5 * hundreds)
     fits = [scale for scale in scales if scale <= limit * (1.0 + 1e-12)]
     return max(fits) if fits else standard_mu(largest_m, fit_mm)
 

@@ -26,7 +26,8 @@ def progress_bar(**how: Any) -> Iterator[Callable[[int, int], None] | None]:
         with tqdm(leave=False, **how) as shown:
 
             def step(done: int, count: int) -> None:
-                shown.total, shown.n = count, done
+                shown.total = count
+                shown.n = done
                 shown.refresh()
 
             yield step
@@ -51,7 +52,8 @@ def waiting_clock() -> Iterator[None]:
 
 
 def _show_clock(over: Event) -> None:
-    begun, shown = time.monotonic(), False
+    begun = time.monotonic()
+    shown = False
     while not over.wait(CLOCK_STEP_S):
         passed = time.monotonic() - begun
         if passed >= CLOCK_DELAY_S and not _BAR_IS_SHOWN.is_set():

@@ -15,7 +15,8 @@ def box_around_lines(lines: Iterable[tuple[Sequence[complex], float]]) -> Box:
         return 0.0, 0.0, 0.0, 0.0
     z = numpy.array([z for line, _ in held for z in line])
     half = numpy.repeat([half for _, half in held], [len(line) for line, _ in held])
-    x, y = z.real, z.imag
+    x = z.real
+    y = z.imag
     return float((x - half).min()), float((y - half).min()), float((x + half).max()), float((y + half).max())
 
 

@@ -80,7 +80,8 @@ def form_lines(size: Size) -> Iterator[Segment]:
     yield from title_block_lines(_FORM_DATA, _title_block_corner(size))
     for bottom, rows in _side_columns(size):
         yield from _side_column_lines(bottom, [high for _, high in rows])
-    top, right = size[1] - EDGE_MARGIN_MM, LEFT_MARGIN_MM + TOP_CELL_SIZE_MM[0]
+    top = size[1] - EDGE_MARGIN_MM
+    right = LEFT_MARGIN_MM + TOP_CELL_SIZE_MM[0]
     yield complex(LEFT_MARGIN_MM, top - TOP_CELL_SIZE_MM[1]), complex(right, top - TOP_CELL_SIZE_MM[1]), "thick"
     yield complex(right, top - TOP_CELL_SIZE_MM[1]), complex(right, top), "thick"
 
@@ -100,13 +101,15 @@ def _title_block_corner(size: Size) -> Size:
 
 def _side_columns(size: Size) -> tuple[tuple[float, list[tuple[str, float]]], ...]:
     """The start of the lower and the upper column of graphs beside the frame, and their rows."""
-    lower, upper = _FORM_DATA["lower"], _FORM_DATA["upper"]
+    lower = _FORM_DATA["lower"]
+    upper = _FORM_DATA["upper"]
     return (EDGE_MARGIN_MM, lower), (size[1] - EDGE_MARGIN_MM - sum(high for _, high in upper), upper)
 
 
 def _side_column_lines(bottom: float, heights: list[float]) -> Iterator[Segment]:
     """Lines of a column of graphs beside the frame."""
-    left, top = LEFT_MARGIN_MM - WORD_COLUMN_WIDTH_MM - VALUE_COLUMN_WIDTH_MM, bottom + sum(heights)
+    left = LEFT_MARGIN_MM - WORD_COLUMN_WIDTH_MM - VALUE_COLUMN_WIDTH_MM
+    top = bottom + sum(heights)
     for x in (left, left + WORD_COLUMN_WIDTH_MM):
         yield complex(x, bottom), complex(x, top), "thick"
     for k in range(len(heights) + 1):
@@ -116,9 +119,9 @@ def _side_column_lines(bottom: float, heights: list[float]) -> Iterator[Segment]
 
 def printed_words(size: Size, lang: Lang) -> Iterator[tuple[str, Cell]]:
     """The printed words of the form, each with its cell."""
-    texts, beside = (
-        sentence_table(lang, "form1"),
-        _side_column_cells(size, LEFT_MARGIN_MM - WORD_COLUMN_WIDTH_MM - VALUE_COLUMN_WIDTH_MM, WORD_COLUMN_WIDTH_MM),
+    texts = sentence_table(lang, "form1")
+    beside = _side_column_cells(
+        size, LEFT_MARGIN_MM - WORD_COLUMN_WIDTH_MM - VALUE_COLUMN_WIDTH_MM, WORD_COLUMN_WIDTH_MM
     )
     for key, cell in (
         *title_block_cells(_FORM_DATA["words"], _title_block_corner(size)),

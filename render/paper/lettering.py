@@ -69,9 +69,13 @@ def bezier_points(a: complex, b: complex, c: complex, e: complex, tolerance: flo
     bend = max(abs(a - 2 * b + c), abs(b - 2 * c + e))
     n = max(3, math.ceil(math.sqrt(0.75 * bend / tolerance)))
     at = {k / n for k in range(1, n)}
-    p, q, r = b - a, c - b, e - c
+    p = b - a
+    q = c - b
+    r = e - c
     for u, v, w in ((p.real, q.real, r.real), (p.imag, q.imag, r.imag)):
-        aa, bb, root = u - 2 * v + w, v - u, v * v - u * w
+        aa = u - 2 * v + w
+        bb = v - u
+        root = v * v - u * w
         if abs(aa) < 1e-9:
             roots = [-u / (2 * bb)] if abs(bb) > 1e-9 else []
         else:
@@ -79,7 +83,8 @@ def bezier_points(a: complex, b: complex, c: complex, e: complex, tolerance: flo
         for t in roots:
             if 0.02 < t < 0.98:
                 at = {s for s in at if abs(s - t) > 0.25 / n} | {t}
-    second, third = q - p, r - 2 * q + p
+    second = q - p
+    third = r - 2 * q + p
     return [a + t * (3 * p + t * (3 * second + t * third)) for t in sorted(at)] + [e]
 
 
@@ -90,8 +95,10 @@ def _quarter_oval_points(a: complex, e: complex, level: bool, tolerance: float) 
 
 def _oval_path(x0: float, y0: float, x1: float, y1: float) -> str:
     """Path of a closed oval, with short straight sides if it is taller than wide."""
-    x, half = (x0 + x1) / 2, 0.25 * max(0.0, y1 - y0 - (x1 - x0))
-    low, high = (y0 + y1) / 2 - half, (y0 + y1) / 2 + half
+    x = (x0 + x1) / 2
+    half = 0.25 * max(0.0, y1 - y0 - (x1 - x0))
+    low = (y0 + y1) / 2 - half
+    high = (y0 + y1) / 2 + half
     return f"{x},{y0} h{x1},{low} {x1},{high} v{x},{y1} h{x0},{high} {x0},{low} v{x},{y0}"
 
 
@@ -137,7 +144,8 @@ def _glyph_width_and_paths(char: str, fineness: int, slant: bool) -> tuple[float
         _glyph_polylines(GLYPH_PATHS.get(SAME_SHAPED_CHARACTERS.get(base, base), _MISSING_GLYPH_PATH), 0.2 / fineness)
     )
     across = [z.real for line in lines for z in line]
-    left, right = min(across), max(across)
+    left = min(across)
+    right = max(across)
     edge = complex(0.5 * size, 0.5 * size + rise)
     moved = [[size * (z - left) + edge for z in line] for line in lines]
     shear = SLANT_SHEAR if slant else 0.0
@@ -166,7 +174,8 @@ def _letter_gap(left: str, right: str) -> float:
         return LETTER_GAP_PENS / 2
     if left.isdigit() and right.isdigit():
         return LETTER_GAP_PENS
-    width, other = _glyph_width_and_paths(left, 5, False)[0], _ink_extents_by_row(right)
+    width = _glyph_width_and_paths(left, 5, False)[0]
+    other = _ink_extents_by_row(right)
     near = (
         width - high + other[row + k][0]
         for row, (_, high) in _ink_extents_by_row(left).items()
@@ -183,7 +192,9 @@ def _clean_text(text: str) -> str:
 @lru_cache(maxsize=4096)
 def _line_width_and_places(text: str) -> tuple[float, tuple[tuple[str, float], ...]]:
     """Total width in d and the place of every character."""
-    x, blank, last = 0.0, 0.0, ""
+    x = 0.0
+    blank = 0.0
+    last = ""
     placed = []
     for char in _clean_text(text):
         if char.isspace():
@@ -192,7 +203,9 @@ def _line_width_and_places(text: str) -> tuple[float, tuple[tuple[str, float], .
         if last:
             x += blank or _letter_gap(last, char)
         placed.append((char, x))
-        x, blank, last = x + _glyph_width_and_paths(char, 5, False)[0], 0.0, char
+        x = x + _glyph_width_and_paths(char, 5, False)[0]
+        blank = 0.0
+        last = char
     return x, tuple(placed)
 
 
@@ -206,7 +219,8 @@ def letter_strokes(text: str, height_mm: float, slant: bool = False) -> tuple[Po
     """
     if not 0 < height_mm < math.inf:
         raise ValueError(f"letter height must be a positive number of mm, not {height_mm!r}")
-    d, fineness = height_mm * PEN_WIDTH_RATIO, max(2, math.ceil(height_mm))
+    d = height_mm * PEN_WIDTH_RATIO
+    fineness = max(2, math.ceil(height_mm))
     paths = (
         (x, line)
         for char, x in _line_width_and_places(text)[1]
@@ -222,14 +236,16 @@ Extent = tuple[float, float, float, float, float]
 def _character_box(char: str, fineness: int, slant: bool) -> Extent:
     """Left, low, right and top of the pen path of a character in d, and half the width of its pen."""
     z = [z for line in _glyph_width_and_paths(char, fineness, slant)[1] for z in line]
-    x, y = [one.real for one in z], [one.imag for one in z]
+    x = [one.real for one in z]
+    y = [one.imag for one in z]
     return min(x), min(y), max(x), max(y), 0.5 * _character_size(char)
 
 
 def character_boxes(text: str, height_mm: float, slant: bool = False) -> list[Extent]:
     """Left, low, right and top of the pen path of every character of one line of text, and half the width of its pen,
     in mm."""
-    d, fineness = height_mm * PEN_WIDTH_RATIO, max(2, math.ceil(height_mm))
+    d = height_mm * PEN_WIDTH_RATIO
+    fineness = max(2, math.ceil(height_mm))
     every = ((x, _character_box(char, fineness, slant)) for char, x in _line_width_and_places(text)[1])
     return [((x + left) * d, low * d, (x + right) * d, top * d, half * d) for x, (left, low, right, top, half) in every]
 

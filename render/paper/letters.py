@@ -56,9 +56,12 @@ def sentence_html(
 ) -> str:
     """The HTML of a plain sentence: its names lettered, its commands unbroken, the names of files (of ``links``) linked
     to their addresses."""
-    lettered, end, links = "", 0, links or {}
+    lettered = ""
+    end = 0
+    links = links or {}
     for match in re.finditer(name_search_pattern([*names, *links]), text):
-        name, command = match[0], match[1]
+        name = match[0]
+        command = match[1]
         lettered += escape(text[end : match.start()])
         if command:
             lettered += f'<span class="command">{escape(name)}</span>'
@@ -73,7 +76,8 @@ def sentence_html(
 def names_for_script(names: Iterable[str], lettering: Json) -> dict[str, dict[str, list[tuple[str, str]]]]:
     """Names for a page's script, in every language: pieces of text, each lowered ("sub"), raised or neither. After the
     first language only the differences."""
-    namings, names = [Naming(lang, **lettering) for lang in available_languages()], dict.fromkeys(names)
+    namings = [Naming(lang, **lettering) for lang in available_languages()]
+    names = dict.fromkeys(names)
     pole = {"acceleration:p": [("π", "")]}
     first, *rest = [
         pole | {name: [(p.text, p.shift) for p in split_indices(n.lettered_name(name), True)] for name in names}
@@ -117,6 +121,8 @@ def value_with_unit(value: str, key: str, lang: Lang) -> str:
 
 def mu_with_unit(mu: float, key: str, naming: Naming) -> str:
     """μ with its unit: 20 mm/(m/s), or inverted; for plain numbers in mm."""
-    per, lang, inverse = unit_text(key, naming.lang), naming.lang, naming.convention == "unit_per_mm"
+    per = unit_text(key, naming.lang)
+    lang = naming.lang
+    inverse = naming.convention == "unit_per_mm"
     plain = f"1/{say('mm', lang)}" if inverse else say("mm", lang)
     return f"{number_text(1 / mu if inverse else mu, lang)} {mu_unit_text(per, lang, inverse) if per else plain}"

@@ -92,8 +92,10 @@ def open_font(path: str) -> Font:
 @lru_cache(maxsize=4096)
 def _lay_out_line(text: str, path: str) -> tuple[float, tuple[Polyline, ...]]:
     """Width of the ink and the outlines of a line of text, in heights of capitals."""
-    own, spare = open_font(path), open_font(str(dejavu_file()))
-    x, lines = 0.0, list[Polyline]()
+    own = open_font(path)
+    spare = open_font(str(dejavu_file()))
+    x = 0.0
+    lines = list[Polyline]()
     for char in unicodedata.normalize("NFC", text).strip():
         if unicodedata.category(char) == "Cf":
             continue
@@ -133,7 +135,8 @@ TRIAL_TEXT = "АЯабёжщэяABZabyz0123456789.,+−=()′μωεφ"
 
 def face_of_scene(scene: Scene) -> Face:
     """The face of a scene's sheets; for a missing font a :class:`SceneError` suggests similar ones."""
-    slanted, font = scene.sheet.get("lettering") == "slanted", str(scene.sheet.get("font") or "").strip()
+    slanted = scene.sheet.get("lettering") == "slanted"
+    font = str(scene.sheet.get("font") or "").strip()
     if not font:
         return Face("", slanted)
     path, name = _font_from_file(scene, font) if font.lower().endswith(FONT_SUFFIXES) else _installed_font(scene, font)

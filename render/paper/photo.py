@@ -51,9 +51,12 @@ def fade_photo(photo: Photo, field: Box) -> Photo | None:
 
     x0, y0, x1, y1 = photo.box
     image = Image.open(io.BytesIO(photo.data)).convert("L")
-    kx, ky = image.width / (x1 - x0), image.height / (y1 - y0)
-    left, right = math.ceil(max(field[0] - x0, 0) * kx), math.floor(min(field[2] - x0, x1 - x0) * kx)
-    above, below = math.ceil(max(y1 - field[3], 0) * ky), math.floor(min(y1 - field[1], y1 - y0) * ky)
+    kx = image.width / (x1 - x0)
+    ky = image.height / (y1 - y0)
+    left = math.ceil(max(field[0] - x0, 0) * kx)
+    right = math.floor(min(field[2] - x0, x1 - x0) * kx)
+    above = math.ceil(max(y1 - field[3], 0) * ky)
+    below = math.floor(min(y1 - field[1], y1 - y0) * ky)
     if right - left < LEAST_PHOTO_SIDE_PX or below - above < LEAST_PHOTO_SIDE_PX:
         return None
     box = (x0 + left / kx, y1 - below / ky, x0 + right / kx, y1 - above / ky)
@@ -89,7 +92,8 @@ def dark_areas(photo: Photo, lines: Sequence[tuple[complex, complex]]) -> Iterat
     reach = max(round(grey.width / size[0]) | 1, 3)
     darkest = np.asarray(grey.filter(ImageFilter.MinFilter(reach)).resize(size, Image.Resampling.NEAREST), float)
     rows, columns = np.nonzero(1 - (255 - darkest) / 255 / BLACK_INK_DARKNESS < MOST_PENCIL_BRIGHTNESS)
-    wide, high = (x1 - x0) / size[0], (y1 - y0) / size[1]
+    wide = (x1 - x0) / size[0]
+    high = (y1 - y0) / size[1]
     cells = x0 + (columns + 0.5) * wide + 1j * (y1 - (rows + 0.5) * high)
     for a, b in lines:
         along = direction_between(a, b) if a != b else 1 + 0j

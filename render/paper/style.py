@@ -123,7 +123,8 @@ def fit_dash_pattern(pattern: tuple[float, ...], length_mm: float, closed: bool 
     """
     if not pattern:
         return ()
-    period, ends = sum(pattern), 0.0 if closed else pattern[0]
+    period = sum(pattern)
+    ends = 0.0 if closed else pattern[0]
     stretch = length_mm / (max(1, round((length_mm - ends) / period)) * period + ends)
     return tuple(part * stretch for part in pattern) if stretch > LEAST_PATTERN_STRETCH else ()
 

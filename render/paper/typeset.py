@@ -196,7 +196,8 @@ def _lay_out_runs(text: str, height: float, face: Face) -> tuple[Run, ...]:
     if not 0 < height < math.inf:
         raise ValueError(f"the text {text!r} needs a letter height above 0 mm, not {height}")
     runs = []
-    x, gap = 0.0, 0.0
+    x = 0.0
+    gap = 0.0
     for part in bases_with_indices(text):
         before, after = (height * blank for blank in _blank_width_ratios(part.base, face))
         x += before or gap
@@ -238,7 +239,8 @@ def _ink_bounds(text: str, height: float, face: Face, narrow: float = 1.0) -> Bo
 
 def _set_indices(part: Indexed, x: float, height: float, face: Face, runs: list[Run]) -> float:
     """Set the indices of a base at x; returns the x at the end of the wider one. They lean with a slanted base."""
-    size, ends = min(height, max(INDEX_HEIGHT_RATIO * height, LEAST_LETTER_MM)), [x]
+    size = min(height, max(INDEX_HEIGHT_RATIO * height, LEAST_LETTER_MM))
+    ends = [x]
     for index, level in ((part.lower, -INDEX_DROP_RATIO), (part.upper, INDEX_RISE_RATIO)):
         if index.strip():
             lean = lettering.SLANT_SHEAR * level * height if face.slanted else 0.0
