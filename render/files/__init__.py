@@ -11,7 +11,7 @@ from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
 from render.files import dxf, pdf, svg
 from render.files.dxf_entities import Lettered
-from render.paper.marks import Mark
+from render.paper.marks import Mark, Size
 from render.paper.photo import Photo
 
 
@@ -21,7 +21,7 @@ class Page:
     it."""
 
     marks: tuple[Mark, ...]
-    size: tuple[float, float]
+    size: Size
     title: str = ""
     lang: Lang = "ru"
     warnings: tuple[str, ...] = ()

@@ -35,7 +35,7 @@ from render.files.dxf_signs import DIMENSION_STYLE_NAME, insert_dimensions, inse
 from render.paper import form1, style
 from render.paper.ink import require_finite_marks, visible_marks
 from render.paper.iso7200 import FORMS_BY_NAME
-from render.paper.marks import Face, Line, Mark, Text
+from render.paper.marks import Face, Line, Mark, Size, Text
 from render.paper.style import LAYERS_FROM_LOWEST, PEN_BY_STYLE, dxf_line_weight, pen_of_style
 from render.paper.typeset import plain_text
 
@@ -57,9 +57,7 @@ STYLE_OF_LAYER = dict.fromkeys(map(str, LAYERS_FROM_LOWEST), "thin") | {
 """The line type and width of each layer; a mark has its own only where it differs."""
 
 
-def write(
-    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: Lang = "ru", text: Lettered = "text"
-) -> bytes:
+def write(marks: Iterable[Mark], size_mm: Size, title: str, *, lang: Lang = "ru", text: Lettered = "text") -> bytes:
     """The sheet as a DXF file (R2010) in millimetres, 1:1."""
     import ezdxf
 
@@ -88,9 +86,7 @@ def write(
     return out.getvalue().encode()
 
 
-def _add_marks(
-    document: Drawing, marks: tuple[Mark, ...], size: tuple[float, float], lang: Lang, text: Lettered
-) -> None:
+def _add_marks(document: Drawing, marks: tuple[Mark, ...], size: Size, lang: Lang, text: Lettered) -> None:
     """The form as one block, recognised signs as blocks, the rest unchanged."""
     form = [m for m in marks if m.layer == "frame"]
     filled = any(isinstance(m, Text) for m in form)
@@ -140,7 +136,7 @@ def _define_styles(document: Drawing, marks: Iterable[Mark], lang: Lang) -> None
     document.dimstyles.new(DIMENSION_STYLE_NAME, dxfattribs=looks).copy_to_header(document)
 
 
-def _print_setup(document: Drawing, size: tuple[float, float]) -> None:
+def _print_setup(document: Drawing, size: Size) -> None:
     """The layout of the paper: its format, no margins, and the whole drawing in true size."""
     paper = document.paperspace("Layout1")
     paper.page_setup(size=size, margins=(0, 0, 0, 0), units="mm", scale=(1, 1))
@@ -148,9 +144,7 @@ def _print_setup(document: Drawing, size: tuple[float, float]) -> None:
     paper.add_viewport(middle, size, middle, size[1], dxfattribs={"layer": "VIEWPORT"})
 
 
-def insert_form(
-    document: Drawing, marks: Sequence[Mark], size: tuple[float, float], lang: Lang, text: Lettered
-) -> None:
+def insert_form(document: Drawing, marks: Sequence[Mark], size: Size, lang: Lang, text: Lettered) -> None:
     """Frame, title block and side columns as one block, each cell an attribute; a filled cell is also a text.
 
     Cells lettered in strokes are not attributes.

@@ -14,7 +14,7 @@ from planes.words.frozen import frozen
 from render.files.dxf_entities import Entities, mtext_with_indices, rounded_xy, scaled_block
 from render.paper import symbols
 from render.paper.ink import is_circle
-from render.paper.marks import Arc, Arrow, Line, Mark, Text
+from render.paper.marks import Arc, Arrow, Line, Mark, Size, Text
 from render.paper.style import DOT_RADIUS_MM, HINGE_LEG_LENGTH_MM, HINGE_RADIUS_MM
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ class Sign:
     name: str
     at: complex
     turn_deg: float
-    size: tuple[float, float]
+    size: Size
     layer: str
     marks: tuple[Mark, ...]
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from render.files import pdf, svg
-from render.paper.marks import Mark
+from render.paper.marks import Mark, Size
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -26,7 +26,7 @@ Step = Callable[[int, int], None] | None
 
 def animation_bytes(
     frames: Sequence[Sequence[Mark]],
-    size_mm: tuple[float, float],
+    size_mm: Size,
     seconds: float,
     suffix: str,
     step: Step = None,
@@ -49,9 +49,7 @@ def animation_bytes(
     return _gif_bytes(pictures, seconds) if suffix == ".gif" else _mp4_bytes(pictures, seconds)
 
 
-def _frame_pictures(
-    frames: Sequence[Sequence[Mark]], size_mm: tuple[float, float], wide: int, step: Step
-) -> "list[Image]":
+def _frame_pictures(frames: Sequence[Sequence[Mark]], size_mm: Size, wide: int, step: Step) -> "list[Image]":
     from PIL.Image import open as opened
 
     pictures = []

@@ -19,7 +19,7 @@ from planes.scene.carried import PNG_SIGNATURE, png_chunk
 from render.files.tags import Tags
 from render.files.writer import Lines, Writer, fitted_dashes
 from render.paper.ink import arc_dashes, group_by_layer, is_circle, require_finite_marks
-from render.paper.marks import Arc, Mark, Text
+from render.paper.marks import Arc, Mark, Size, Text
 from render.paper.outlines import dejavu_file
 from render.paper.photo import Photo
 from render.paper.style import BLACK_COLOUR, CAPITALS_HEIGHT_RATIO, PAPER_COLOUR, pen_of_style
@@ -37,12 +37,10 @@ COLOURED_PAGE_PATTERN = re.compile(rb"/Subtype /Image|^(\S+) (?!\1 \1 )\S+ \S+ (
 """A picture, or a colour of a line or a fill, in a page that is not compressed."""
 _INVISIBLE_TEXT_MODE, _ROUND_CAP_OR_JOIN, _BUTT_CAP, _NON_ZERO_FILL = 3, 1, 0, 1
 
-PdfPage = tuple[Iterable[Mark], tuple[float, float]]
+PdfPage = tuple[Iterable[Mark], Size]
 
 
-def write(
-    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: str = "ru", under: Photo | None = None
-) -> bytes:
+def write(marks: Iterable[Mark], size_mm: Size, title: str, *, lang: str = "ru", under: Photo | None = None) -> bytes:
     """The sheet as a PDF file with one page, with a picture ``under`` it."""
     return write_pages([(marks, size_mm)], title, lang, under)
 
@@ -179,7 +177,7 @@ class _Page(Writer):
 
 
 def write_png(
-    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, dpi: float = 200, under: Photo | None = None
+    marks: Iterable[Mark], size_mm: Size, title: str, *, dpi: float = 200, under: Photo | None = None
 ) -> bytes:
     """The sheet as a PNG file at ``dpi`` pixels per inch, with a picture ``under`` it."""
     return png_of_pdf(write_pages([(marks, size_mm)], title, under=under, words=False), dpi)

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from render.files.writer import Lines, Writer, fitted_dashes
 from render.paper.ink import arc_dashes, group_by_layer, is_circle, require_finite_marks
-from render.paper.marks import Arc, Arrow, Mark, Text
+from render.paper.marks import Arc, Arrow, Mark, Size, Text
 from render.paper.photo import Photo
 from render.paper.style import BLACK_COLOUR, CAPITALS_HEIGHT_RATIO, PAPER_COLOUR, pen_of_style
 from render.paper.typeset import lay_out_text
@@ -30,9 +30,7 @@ if TYPE_CHECKING:
 FONT_FAMILIES = "DejaVu Sans, Arial, sans-serif"
 
 
-def write(
-    marks: Iterable[Mark], size_mm: tuple[float, float], title: str, *, lang: str = "ru", under: Photo | None = None
-) -> bytes:
+def write(marks: Iterable[Mark], size_mm: Size, title: str, *, lang: str = "ru", under: Photo | None = None) -> bytes:
     """The sheet as an SVG file, UTF-8, with a picture ``under`` it."""
     return _Sheet(size_mm, title, lang).file_bytes(require_finite_marks(marks, size_mm), under)
 
@@ -47,7 +45,7 @@ class _Sheet(Writer):
 
     group: Group
 
-    def __init__(self, size_mm: tuple[float, float], title: str, lang: str) -> None:
+    def __init__(self, size_mm: Size, title: str, lang: str) -> None:
         import svgwrite
 
         self.width, self.height = size_mm

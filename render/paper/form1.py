@@ -14,13 +14,13 @@ from typing import Any, Literal
 from planes.words import Lang, sentence_table
 from planes.words.frozen import frozen, replace
 from planes.words.records import Json
+from render.paper.marks import Size
 
 LEFT_MARGIN_MM, EDGE_MARGIN_MM = 20.0, 5.0  # margins of the frame: left, all others
 TITLE_BLOCK_SIZE_MM = (185.0, 55.0)  # the title block
 TOP_CELL_SIZE_MM = (70.0, 14.0)  # graph 26
 
 Segment = tuple[complex, complex, Literal["thick", "thin"]]
-Size = tuple[float, float]
 
 
 @frozen

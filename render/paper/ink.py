@@ -14,11 +14,11 @@ import numpy as np
 import shapely
 
 from planes.geometry.arrays import Array, Complexes
-from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Polyline, Shape, Text
+from render.paper.marks import Arc, Arrow, Hatch, Layer, Line, Mark, Polyline, Shape, Size, Text
 from render.paper.style import LAYERS_FROM_LOWEST, arrowhead_corners, arrowhead_size, fit_dash_pattern, pen_of_style
 
 
-def require_finite_marks(marks: Iterable[Mark], size_mm: tuple[float, float]) -> tuple[Mark, ...]:
+def require_finite_marks(marks: Iterable[Mark], size_mm: Size) -> tuple[Mark, ...]:
     """The marks, after a check that all their numbers and the size of the sheet in mm are finite."""
     if not all(0 < side < math.inf for side in size_mm):
         sides = f"{size_mm[0]} × {size_mm[1]} mm"

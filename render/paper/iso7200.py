@@ -15,7 +15,8 @@ from pathlib import Path
 from planes.words import Lang, sentence_table
 from planes.words.records import Json
 from render.paper import form1
-from render.paper.form1 import Cell, Form, Segment, Size, title_block_cells, title_block_lines
+from render.paper.form1 import Cell, Form, Segment, title_block_cells, title_block_lines
+from render.paper.marks import Size
 
 LEFT_MARGIN_MM, EDGE_MARGIN_MM, BORDER_WIDTH_MM = 20.0, 10.0, 5.0
 TITLE_BLOCK_SIZE_MM = (180.0, 36.0)

@@ -17,6 +17,8 @@ Layer = Literal[
 ]
 """From the lowest to the topmost: a paper-white disc hides only layers beneath it."""
 Anchor = Literal["start", "middle", "end"]
+Size = tuple[float, float]
+"""Width and height."""
 Polyline = tuple[complex, ...]
 
 
