@@ -19,7 +19,6 @@ from planes.plans.assur.groups import Pair
 from planes.plans.force.lead_forces import Ends, HeldLead, LeadForces, PairEnds
 from planes.plans.force.loads import Force, name_of_force
 from planes.plans.force.reactions import Reaction, Statics
-from planes.plans.force.rubbing import draw_with_settled_friction
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.words.names import POLE_LABEL, NameTuple, force_plan_name, label_of, vector_end_label
 
@@ -84,15 +83,16 @@ class BasicLinkForces(LeadForces):
 class TriadForces(BasicLinkForces):
     """The plan of one triad."""
 
+    group: Triad
+
     def __init__(self, statics: Statics, group: Triad) -> None:
         super().__init__(statics, group)
-        self.group = group
         self.special = "" if group.is_on_slides else scheme_mark(self.bodies.special_point_name(group.basic))
 
     def draw(self) -> None:
         self.draft.draw_pole(self.plan)
         pairs = self.group.pairs
-        rubs = draw_with_settled_friction(self, lambda s: TriadForces(s, self.group), pairs, pairs)
+        rubs = self.settle_friction(pairs, pairs)
         ends = self.polygon()
         reactions = [r for held in self.drawn for r in self.read_lead_reactions(held, ends, rubs)]
         if self.group.is_on_slides:
@@ -129,9 +129,10 @@ class TriadForces(BasicLinkForces):
 class ChainForces(BasicLinkForces):
     """The plans of a chain of basic links with their leads."""
 
+    group: BasicChain
+
     def __init__(self, statics: Statics, group: BasicChain) -> None:
         super().__init__(statics, group)
-        self.group = group
         self.last = self.leads[-1]
         self.special = [scheme_mark(self.bodies.special_point_name(basic)) for basic in group.basics]
         self.plans = [force_plan_name(*links) for links in group.links_by_force_plan]
@@ -141,7 +142,7 @@ class ChainForces(BasicLinkForces):
         for plan in self.plans:
             self.draft.draw_pole(plan)
         pairs = self.group.pairs
-        rubs = draw_with_settled_friction(self, lambda s: ChainForces(s, self.group), pairs, pairs)
+        rubs = self.settle_friction(pairs, pairs)
         ends = self.polygon()
         for hinge, reaction in self.found.items():
             self.statics.record_reaction(hinge, reaction.plan, *ends[hinge], rubs.grips.get(hinge))

@@ -4,23 +4,22 @@ Its transverse force comes from moments about its near hinge. Its axial force co
 the braced hinge, where nothing else is unknown. Then its polygon is closed, and that of the far link.
 """
 
-from planes.plans.assur.groups import Brace, Pair
+from planes.plans.assur.groups import Group, Pair
 from planes.plans.force.loads import Force, name_of_force
 from planes.plans.force.reactions import Reaction, Statics
-from planes.plans.force.rubbing import Rubs, draw_with_settled_friction
+from planes.plans.force.rubbing import RubbingPlan
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.words.names import POLE_LABEL, NamePair, force_plan_name, full_mark_name, vector_end_label
 
 
-class BraceForces:
+class BraceForces(RubbingPlan):
     """The plans of a driving cylinder and of the link on its far side."""
 
-    def __init__(self, statics: Statics, hinge: Pair, brace: Brace) -> None:
-        self.statics = statics
-        self.hinge = hinge
-        self.brace = brace
-        self.bodies = statics.bodies
-        self.draft = statics.bodies.draft
+    def __init__(self, statics: Statics, group: Group) -> None:
+        assert group.drive and group.brace
+        super().__init__(statics, group)
+        self.hinge = hinge = group.drive
+        self.brace = brace = group.brace
         links = self.bodies.mechanism.links
         self.plans = force_plan_name(*(x for x in links if x in brace.cylinder_links)), force_plan_name(hinge.link)
         self.couples = {x: list(statics.acting.couples[x]) for x in (*brace.cylinder_links, hinge.link)}
@@ -31,7 +30,7 @@ class BraceForces:
         s = self.statics
         pairs = (self.brace.far, self.brace.near, self.hinge)
         driver = self.bodies.mechanism.drive.link
-        rubs = draw_with_settled_friction(self, lambda s: BraceForces(s, self.hinge, self.brace), pairs)
+        rubs = self.settle_friction(pairs)
         ends = self.polygon()
         for pair, plan in zip(pairs, (self.plans[0], *self.plans), strict=True):
             reaction = s.record_reaction(pair, plan, *ends[pair], rubs.grips.get(pair))
@@ -40,11 +39,6 @@ class BraceForces:
             s.pass_reaction_on(reaction, pair.other)
             if pair.has_link(driver):
                 s.pass_reaction_on(reaction, driver)
-
-    def rub(self, rubs: Rubs) -> None:
-        """Apply the friction couples of hinges to the cylinder and the far link."""
-        for link, couples in self.couples.items():
-            couples += rubs.friction_couples_on_link(link)
 
     def polygon(self) -> dict[Pair, NamePair]:
         """Draw both polygons: the cylinder's, closed by the reaction of its near hinge, and that of the far link,

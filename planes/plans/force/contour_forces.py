@@ -14,8 +14,7 @@ from planes.plans.assur.contours import Contour
 from planes.plans.assur.groups import Pair
 from planes.plans.force.lead_forces import HeldLead, LeadForces, PairEnds
 from planes.plans.force.loads import Couple, Force, name_of_force
-from planes.plans.force.reactions import Reaction, Statics
-from planes.plans.force.rubbing import draw_with_settled_friction
+from planes.plans.force.reactions import Reaction
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen, replace
@@ -35,14 +34,12 @@ class _Equilibrium:
 class ContourForces(LeadForces):
     """The plan of one contour."""
 
-    def __init__(self, statics: Statics, group: Contour) -> None:
-        super().__init__(statics, group)
-        self.group = group
+    group: Contour
 
     def draw(self) -> None:
         self.draft.draw_pole(self.plan)
         pairs = self.group.pairs
-        rubs = draw_with_settled_friction(self, lambda s: ContourForces(s, self.group), pairs, pairs)
+        rubs = self.settle_friction(pairs, pairs)
         ends = self.polygon()
         reactions = [r for held in self.drawn for r in self.read_lead_reactions(held, ends, rubs)]
         base, basic = self.group.outer

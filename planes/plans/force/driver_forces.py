@@ -1,6 +1,6 @@
 """The force plan of the primary mechanism: the frame's reaction and the balancing load."""
 
-from planes.drafting.equations import Equation, Term
+from planes.drafting.equations import Chain, Equation, Term
 from planes.drafting.steps.settling import Fed
 from planes.plans.force.hinges import hinge_friction
 from planes.plans.force.loads import Force, name_of_force
@@ -30,7 +30,7 @@ class DriverForces:
         balance = self.turning if self.pair.kind == "R" else self.balance_sliding_driver
         balance(*self.statics.lay_off_forces(self.plan, self.forces), name_of_force(self.link, self.pair.other))
 
-    def turning(self, terms: tuple[Term, ...], start: str, key: str) -> None:
+    def turning(self, terms: Chain, start: str, key: str) -> None:
         """F_10 closes the polygon; the balancing moment by moments about the pivot."""
         self.draft.draw_closing_vector(self.plan, terms, key, start)
         ends = full_mark_name(self.plan, start), full_mark_name(self.plan, POLE_LABEL)
@@ -63,7 +63,7 @@ class DriverForces:
         d.name_segment(self.plan, name, POLE_LABEL, f"{key}^b")
         self.statics.beside_force = f"{key}^b", end, full_mark_name(self.plan, POLE_LABEL)
 
-    def balance_sliding_driver(self, terms: tuple[Term, ...], start: str, key: str) -> None:
+    def balance_sliding_driver(self, terms: Chain, start: str, key: str) -> None:
         """The guide's reaction meets the balancing force, which acts along the guide."""
         guide = f"∥{self.pair.guide}"
         normal = self.draft.draw_perpendicular(guide)

@@ -17,7 +17,7 @@ from planes.plans.assur.groups import Pair
 from planes.plans.force.hinges import Slip
 from planes.plans.force.loads import Couple, Force, name_of_force
 from planes.plans.force.reactions import Reaction, Statics
-from planes.plans.force.rubbing import Rubs
+from planes.plans.force.rubbing import RubbingPlan, Rubs
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE_LABEL, Meaning, NameTuple, force_plan_name, full_mark_name
@@ -53,13 +53,11 @@ class HeldLead:
         return Force(size, self.lead.link, size, self.line, self.point, "tangential")
 
 
-class LeadForces:
+class LeadForces(RubbingPlan):
     """The force plan of a group whose basic link is supported by leads."""
 
     def __init__(self, statics: Statics, group: Tracked) -> None:
-        self.statics = statics
-        self.bodies = statics.bodies
-        self.draft = statics.bodies.draft
+        super().__init__(statics, group)
         self.plan = force_plan_name(*group.links_by_force_plan[0])
         self.leads = self.bodies.leads[group.basic]
         self.couples = {x: list(statics.acting.couples[x]) for x in group.all_links}
@@ -68,8 +66,7 @@ class LeadForces:
     def rub(self, rubs: Rubs) -> None:
         """Apply the friction couples of hinges, and the friction of guides, to the links."""
         self.slips = rubs.slips
-        for link, couples in self.couples.items():
-            couples += rubs.friction_couples_on_link(link)
+        super().rub(rubs)
 
     def lay_off_force_sequences(self, runs: Iterable[list[Force]]) -> tuple[list[Term], list[str]]:
         """Sequences of forces laid off from the pole: their terms, and the start label of each sequence, with that of

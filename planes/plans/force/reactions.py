@@ -8,7 +8,7 @@ proves true is kept. None, or two different ones, means self-locking.
 from dataclasses import dataclass, field, replace
 from itertools import product
 
-from planes.drafting.equations import MomentTerms, Term
+from planes.drafting.equations import Chain, MomentTerms, Term
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Choose, Lean, Product, Trial
 from planes.plans.assur.groups import Pair
@@ -17,7 +17,16 @@ from planes.plans.force.loads import Acting, Couple, Force, force_pair_index, na
 from planes.plans.position.bodies import Bodies
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, label_of, mu_name, vector_end_label
+from planes.words.names import (
+    POLE_LABEL,
+    Meaning,
+    NamePair,
+    NameTriple,
+    full_mark_name,
+    label_of,
+    mu_name,
+    vector_end_label,
+)
 
 
 @frozen
@@ -67,7 +76,7 @@ class Statics:
     reactions: dict[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
     balancing_force: str = ""  # of a turning driver, where requested
-    beside_force: tuple[str, str, str] | None = None  # the frame's reaction that goes with it, and its marks
+    beside_force: NameTriple | None = None  # the frame's reaction that goes with it, and its marks
     centres: dict[str, str] = field(default_factory=dict)  # the point about which each force's arm was taken first
 
     def moments_about_mark(
@@ -87,7 +96,7 @@ class Statics:
             name += f"^{centre.lstrip('°')}"
         return self.bodies.draft.draw_arm(f.name, f.point, f.along, about, f.link, name)
 
-    def lay_off_forces(self, plan: str, forces: list[Force], start: str = POLE_LABEL) -> tuple[tuple[Term, ...], str]:
+    def lay_off_forces(self, plan: str, forces: list[Force], start: str = POLE_LABEL) -> tuple[Chain, str]:
         """Forces laid off one after another on a plan from the mark with that label, each to a mark with its name;
         returns their terms, and the label reached."""
         chain = list[Term]()

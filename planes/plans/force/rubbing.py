@@ -1,10 +1,10 @@
 """Force plans with friction in their pairs: drawn aside, first without friction, until they reproduce it."""
 
-from collections.abc import Callable, Iterable, Mapping
-from typing import Protocol
+from collections.abc import Iterable, Mapping
 
 from planes.drafting.steps.reckoning import SizeOf
 from planes.drafting.steps.settling import Fed
+from planes.plans.assur.contours import AnyGroup
 from planes.plans.assur.groups import Pair
 from planes.plans.force.hinges import Grip, Slip, guide_friction, hinge_friction, settle_friction_values
 from planes.plans.force.loads import Couple, name_of_force
@@ -25,34 +25,43 @@ class Rubs:
         return [grip.couple_on_link(link) for pair, grip in self.grips.items() if pair.has_link(link)]
 
 
-class RubbingPlan(Protocol):
-    """A plan of some links; each reaction is on the first link of its pair."""
+class RubbingPlan:
+    """The plan of a group with friction in its pairs; the ``couples`` of each link act on it, loads and friction."""
 
-    statics: Statics
+    couples: Mapping[str, list[Couple]]
 
-    def rub(self, rubs: Rubs) -> None: ...
-    def polygon(self) -> Mapping[Pair, NamePair]: ...
+    def __init__(self, statics: Statics, group: AnyGroup) -> None:
+        self.statics = statics
+        self.group = group
+        self.bodies = statics.bodies
+        self.draft = statics.bodies.draft
 
+    def rub(self, rubs: Rubs) -> None:
+        """Apply the friction couples of hinges to the links."""
+        for link, couples in self.couples.items():
+            couples += rubs.friction_couples_on_link(link)
 
-def draw_with_settled_friction(
-    plan: RubbingPlan, make: Callable[[Statics], RubbingPlan], hinges: Iterable[Pair], guides: Iterable[Pair] = ()
-) -> Rubs:
-    """Draw a plan with the friction of these pairs, at the values to which trial plans converge."""
-    acting = plan.statics.acting
-    grips = {p: grip for p in hinges if (grip := hinge_friction(acting, p))}
-    rubs = Rubs(grips, {p: slip for p in guides if (slip := guide_friction(acting, p))})
-    if rubs.grips or rubs.slips:
-        plan.rub(rubs)
-        trial = make(plan.statics.copy_for_trial())
-        trial.rub(rubs)
-        settle_friction_values(acting, (*_friction_from_trial(trial, rubs),), trial.statics.bodies.draft)
-    return rubs
+    def polygon(self) -> Mapping[Pair, NamePair]:
+        """Draw the polygons; each reaction is on the first link of its pair."""
+        raise NotImplementedError
+
+    def settle_friction(self, hinges: Iterable[Pair], guides: Iterable[Pair] = ()) -> Rubs:
+        """Apply the friction of these pairs, at the values to which trial plans converge."""
+        acting = self.statics.acting
+        grips = {p: grip for p in hinges if (grip := hinge_friction(acting, p))}
+        rubs = Rubs(grips, {p: slip for p in guides if (slip := guide_friction(acting, p))})
+        if rubs.grips or rubs.slips:
+            self.rub(rubs)
+            trial = type(self)(self.statics.copy_for_trial(), self.group)
+            trial.rub(rubs)
+            settle_friction_values(acting, (*_friction_from_trial(trial, rubs),), trial.draft)
+        return rubs
 
 
 def _friction_from_trial(trial: RubbingPlan, rubs: Rubs) -> Iterable[Fed]:
     """The results of a trial plan: couples by the reactions of hinges, friction by the normal forces of guides."""
     ends = trial.polygon()
-    d = trial.statics.bodies.draft
+    d = trial.draft
     for pair, grip in rubs.grips.items():
         yield Fed(grip.couple, grip.factor, d.measure_segment(f"|{name_of_force(pair.link, pair.other)}|", *ends[pair]))
     for pair, slip in rubs.slips.items():

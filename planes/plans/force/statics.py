@@ -9,7 +9,7 @@ the kinds with an unloaded link; here any load may act on any link.
 from collections.abc import Mapping
 from dataclasses import replace
 
-from planes.drafting.equations import Equation, Term
+from planes.drafting.equations import Chain, Equation, Term
 from planes.plans.assur.basic_chains import BasicChain
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.groups import Group, Pair
@@ -20,7 +20,7 @@ from planes.plans.force.driver_forces import DriverForces
 from planes.plans.force.hinges import Grip
 from planes.plans.force.loads import Couple, Force, name_of_force
 from planes.plans.force.reactions import Reaction, Statics, cross_reactions_with_friction
-from planes.plans.force.rubbing import Rubs, draw_with_settled_friction
+from planes.plans.force.rubbing import RubbingPlan, Rubs
 from planes.plans.position.bodies import SCHEME_PLAN, scheme_mark
 from planes.scene.mechanism import FRAME
 from planes.words.names import POLE_LABEL, NamePair, NameTuple, force_plan_name, full_mark_name, vector_end_label
@@ -40,19 +40,18 @@ def draw_all_force_plans(statics: Statics) -> None:
             case _:
                 ContourForces(statics, group).draw()
     for group in structure.class_two_groups:
-        if group.drive and group.brace:
-            BraceForces(statics, group.drive, group.brace).draw()
+        if group.brace:
+            BraceForces(statics, group).draw()
     DriverForces(statics).draw_driver_polygon()
 
 
-class _GroupForces:
+class _GroupForces(RubbingPlan):
     """The plan of one group."""
 
+    group: Group
+
     def __init__(self, statics: Statics, group: Group) -> None:
-        self.statics = statics
-        self.group = group
-        self.bodies = statics.bodies
-        self.draft = statics.bodies.draft
+        super().__init__(statics, group)
         self.plan = force_plan_name(*group.balanced_links)
         acting = statics.acting
         self.loads = {x: [f for part in group.loaded_links(x) for f in acting.forces[part]] for x in group.links}
@@ -62,7 +61,7 @@ class _GroupForces:
     def draw_group_force_plan(self) -> None:
         """The plan, with the friction in hinges if there is any; its reactions are passed on."""
         self.draft.draw_pole(self.plan)
-        self.grips = draw_with_settled_friction(self, lambda s: _GroupForces(s, self.group), self.group.pairs).grips
+        self.grips = self.settle_friction(self.group.pairs).grips
         self.read_group_reactions(self.polygon())
 
     def rub(self, rubs: Rubs) -> None:
@@ -101,9 +100,7 @@ class _GroupForces:
             ),
         }
 
-    def state_crossing_equations(
-        self, rays: dict[str, Term], first: tuple[Term, ...], last: tuple[Term, ...], x: str
-    ) -> None:
+    def state_crossing_equations(self, rays: dict[str, Term], first: Chain, last: Chain, x: str) -> None:
         """State the equations of the kind: the two lines that cross at X, and the closing side."""
         kind = self.group.kind
         if kind in (1, 2, 4):
@@ -117,7 +114,7 @@ class _GroupForces:
             self.solve((*last, rays["last"]), replace(rays["inner"], name=on_last, sign=-1), x)
             self.close_with_last_reaction((*first, replace(rays["inner"], drawn=True)), rays["first"])
 
-    def solve(self, chain: tuple[Term, ...], back: Term, x: str) -> None:
+    def solve(self, chain: Chain, back: Term, x: str) -> None:
         """Cross two known lines at X; inclined ones by trial."""
         pairs = [p for p in self.group.pairs if p.kind == "P" and p.guide in self.bodies.mechanism.friction]
         if not pairs:
@@ -127,7 +124,7 @@ class _GroupForces:
         drawn = (*chain[:-1], leant.get(chain[-1].name, chain[-1]))
         self.draft.measure_equation_results(Equation(self.plan, (drawn, (leant.get(back.name, back),))))
 
-    def close_with_last_reaction(self, chain: tuple[Term, ...], last: Term) -> None:
+    def close_with_last_reaction(self, chain: Chain, last: Term) -> None:
         """The remaining reaction closes the polygon: both its length and direction are measured."""
         self.draft.draw_closing_vector(self.plan, chain, last.name, *last.end_marks)
 
