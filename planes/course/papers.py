@@ -18,7 +18,7 @@ from planes.scene import Scene
 from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vectors import AlongVector, Statement
 from planes.solving import Position, drive_position_in_words
-from planes.solving.document import Block, DocumentTable, DrawnViews, Figure, Heading, Paragraph
+from planes.solving.document import Block, Blocks, DocumentTable, DrawnViews, Figure, Heading, Paragraph
 from planes.solving.given import GivenTable
 from planes.words import Lang, Phrase, say, with_decimal_sign
 from planes.words.errors import PlanFailure, SceneError
@@ -36,7 +36,7 @@ _WORK_KEYS = ("structure", "position", "velocity", "acceleration", "force", "lev
 
 def task_sheet_blocks(
     scene: Scene, drawn: Position, shown: Position, heads: Sequence[str], lang: Lang, plans: Sequence[str] = ()
-) -> Iterator[Block]:
+) -> Blocks:
     """The sheet of a task: whose it is (``heads``), the scheme as ``shown``, the numbers, the loads, what is to do:
     the ``plans`` asked for, all if none is."""
     yield Heading(heads[0], 0)
@@ -95,7 +95,7 @@ def conditions_in_words(scene: Scene, drawn: Position, lang: Lang) -> str:
     return " ".join([*([say("task_amounts", lang, amounts=amounts)] if amounts else []), *said])
 
 
-def stated_equation_blocks(scene: Scene, drawn: Position, lang: Lang) -> Iterator[Block]:
+def stated_equation_blocks(scene: Scene, drawn: Position, lang: Lang) -> Blocks:
     """The equations of stated vectors, or bodies with their supports and loads, and the results to find."""
     of_bodies = drawn.plans.figure is not None
     names = [f"asked {plan}" for plan in dict.fromkeys(e.plan for e in drawn.plans.equations)]
@@ -149,7 +149,7 @@ def work_sentences(scene: Scene, drawn: Position, lang: Lang, asked: Sequence[st
         yield say("task_find", lang, names=tuple(f"⟨{name}⟩" for name in names_to_find(scene)))
 
 
-def answer_key_blocks(scene: Scene, drawn: Position, heads: Sequence[str], lang: Lang) -> Iterator[Block]:
+def answer_key_blocks(scene: Scene, drawn: Position, heads: Sequence[str], lang: Lang) -> Blocks:
     """The key: the numbers, the measurements on every plan, the results."""
     yield Heading(say("key_title", lang, title=heads[0]), 0)
     yield from (Paragraph(line) for line in heads[1:] if line)

@@ -7,7 +7,7 @@ from planes.course.numbers import main_answers
 from planes.course.papers import parameter_unit
 from planes.course.students import Share
 from planes.scene import loads
-from planes.solving.document import Block, DocumentTable, Heading, Paragraph
+from planes.solving.document import Blocks, DocumentTable, Heading, Paragraph
 from planes.words import Lang, say
 from planes.words.frozen import frozen
 from planes.words.lettering import parameter_lettering
@@ -76,7 +76,7 @@ def variant_text(row: StudentRow, lang: Lang) -> str:
     return row.share.variant or say("sum_own", lang)
 
 
-def as_blocks(rows: Sequence[StudentRow], title: str, lang: Lang) -> Iterator[Block]:
+def as_blocks(rows: Sequence[StudentRow], title: str, lang: Lang) -> Blocks:
     """Two tables for each assignment: numbers and answers."""
     yield Heading(title or say("sum_title", lang), 0)
     for name, lines in rows_by_assignment(rows).items():
@@ -105,6 +105,6 @@ def _answer_text(value: float | None, lang: Lang) -> str:
 
 def _table_blocks(
     key: str, head: tuple[str, ...], whose: list[tuple[str, str]], cells: Iterator[tuple[str, ...]], lang: Lang
-) -> Iterator[Block]:
+) -> Blocks:
     if whose and len(head) > len(whose[0]):
         yield DocumentTable(say(key, lang), (head, *(w + c for w, c in zip(whose, cells, strict=True))))

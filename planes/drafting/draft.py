@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
 
 from planes.drafting.dimensions import Dimension
-from planes.drafting.equations import Equation, Moments, MomentTerms, Term
+from planes.drafting.equations import Chain, Equation, Moments, MomentTerms, Term
 from planes.drafting.steps import Aim, LayOff, Put, Step, Through, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Calculate, Drop, Measure, Product
@@ -23,6 +23,7 @@ from planes.words.names import (
     REPEATED_DIRECTION_SUFFIX,
     Meaning,
     NamePair,
+    NameTriple,
     NameTuple,
     Quantity,
     full_mark_name,
@@ -62,7 +63,7 @@ class Draft:
         self.moments: list[Moments] = []
         self.segments: list[Segment] = []
         self.laws: dict[str, Law] = {}  # givens valid only at the drive's position in the file
-        self.rays: dict[tuple[str, str, str], str] = {}  # (plan, label, label) -> direction
+        self.rays: dict[NameTriple, str] = {}  # (plan, label, label) -> direction
 
     def copy_for_trial(self) -> "Draft":
         """A copy of this draft that can be continued without changing it."""
@@ -228,7 +229,7 @@ class Draft:
         if equation.total and equation.chains[0]:
             self.name_segment(equation.plan, equation.chains[0][0].start, equation.chains[0][-1].end, equation.total)
 
-    def _lay_off_known_terms(self, plan: str, chain: tuple[Term, ...]) -> tuple[str, list[Term]]:
+    def _lay_off_known_terms(self, plan: str, chain: Chain) -> tuple[str, list[Term]]:
         """Lay off the known terms; returns the mark reached and the terms still open."""
         mark = full_mark_name(plan, chain[0].start) if chain else ""
         unknown = []
@@ -279,7 +280,7 @@ class Draft:
         elif one.length and two.length:
             self.add_step(CrossArcs(mark, start, one.length, other, two.length, mu, side))
 
-    def _lay_off_of_mark(self, mark: str) -> tuple[str, str, str] | None:
+    def _lay_off_of_mark(self, mark: str) -> NameTriple | None:
         """How a mark was laid off, if it was: the start mark, the direction, the length."""
         step = self.steps[mark]
         return (step.start, step.along, step.length) if isinstance(step, LayOff) else None

@@ -47,6 +47,7 @@ class Term:
 
 
 SignedTerm = tuple[int, Term]
+Chain = tuple[Term, ...]
 
 
 @frozen
@@ -58,7 +59,7 @@ class Equation:
     """
 
     plan: str
-    chains: tuple[tuple[Term, ...], tuple[Term, ...]]
+    chains: tuple[Chain, Chain]
     total: str | None = None
     side: str | None = None
 
@@ -78,7 +79,7 @@ class Equation:
             raise EquationError(why)
 
     @property
-    def all_terms(self) -> tuple[Term, ...]:
+    def all_terms(self) -> Chain:
         """All terms, those of the first chain first."""
         return self.chains[0] + self.chains[1]
 

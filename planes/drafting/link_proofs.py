@@ -9,6 +9,7 @@ from planes.geometry import plane
 from planes.geometry.arithmetic import Point as Complex
 from planes.geometry.arithmetic import Real
 from planes.words.frozen import frozen
+from planes.words.names import NameTriple
 
 PLAN_DERIVATIVE_ORDER = {"position": 0, "velocity": 1, "acceleration": 2}
 
@@ -118,7 +119,7 @@ class Balanced(Proof):
     """All forces on a link have zero sum and zero moment: ``forces`` (size, direction, point), sides of ``reactions``
     (start, end, ±1, point, couple), ``couples`` (value, ±1)."""
 
-    forces: tuple[tuple[str, str, str], ...]
+    forces: tuple[NameTriple, ...]
     reactions: tuple[tuple[str, str, int, str, str], ...]
     couples: tuple[tuple[str, int], ...]
     reason = "link_unbalanced"

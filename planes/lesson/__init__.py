@@ -30,6 +30,7 @@ from planes.words import Phrase, Told, Written
 from planes.words.names import (
     POLE_LABEL,
     NamePair,
+    NameTriple,
     NameTuple,
     full_mark_name,
     label_of,
@@ -57,7 +58,7 @@ class Teller:
         rates = (rate for link in plans.links.values() for rate in (link.omega, link.epsilon))
         self.rates = {*rates, *plans.values.values()}
         self.moments = {m.unknown: i for i, m in enumerate(plans.moments)}
-        self.spans: dict[str, tuple[str, str, str]] = {}  # segments measured only for the lesson
+        self.spans: dict[str, NameTriple] = {}  # segments measured only for the lesson
         self.trials = drawing.program.trial_marks | {c.mark for c in plans.centres}  # no frames of the scheme
         drawn = {
             p: [s.makes for s in own if s.makes not in self.trials]

@@ -10,7 +10,7 @@ from typing import Any
 from planes.batch.symbols import Num
 from planes.batch.tape import Tape
 from planes.batch.tracing import given_on_tape, given_values_by_name
-from planes.drafting.tools import Env, Thing
+from planes.drafting.tools import Env, Things
 from planes.geometry.arithmetic import Arithmetic, Point, Real
 from planes.plans import Plans
 from planes.plans.position.reckoned import OwnPlace, SceneDimensions, recompute_dimension
@@ -46,7 +46,7 @@ def dimensions_used(how: tuple[Any, ...]) -> Iterator[tuple[str, Any]]:
 class FreeNumbers:
     """The free numbers of a scene, by name: the givens of its program, or the numbers these are computed from."""
 
-    def __init__(self, plans: Plans, given: Mapping[str, Thing]) -> None:
+    def __init__(self, plans: Plans, given: Things) -> None:
         self.plans = plans
         self.given = given
         self.plain = {n: z for n, z in given.items() if n not in plans.reckoned}
@@ -146,7 +146,7 @@ def direction_deg(z: complex) -> float:
 class _FreeDimensions(SceneDimensions):
     """The dimensions as the free numbers make them."""
 
-    def __init__(self, free: FreeNumbers, things: Mapping[str, Thing], own: Mapping[str, Any], ar: Arithmetic) -> None:
+    def __init__(self, free: FreeNumbers, things: Things, own: Mapping[str, Any], ar: Arithmetic) -> None:
         super().__init__(free.plans.mechanism, free.plans.passive)
         self.free = free
         self.things = things

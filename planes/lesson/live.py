@@ -12,7 +12,7 @@ from planes.check.grading.plan_steps import PlanSteps
 from planes.check.grading.prepared_plan import catalogue_mistakes, known_plans
 from planes.drafting.drawing import Drawing, draw_steps
 from planes.drafting.steps import Step
-from planes.drafting.tools import Env, Thing, names_for_step_sentence
+from planes.drafting.tools import Env, Thing, Things, names_for_step_sentence
 from planes.geometry.arrays import Floats
 from planes.lesson import slot_value
 from planes.lesson.formulas import sentence_in_lesson_languages, value_slot
@@ -35,7 +35,7 @@ rounding."""
 class _KeepingTool(TracingTool):
     """Continues from marks as stored, not from its own results."""
 
-    kept: Mapping[str, Thing] = field(default_factory=dict)
+    kept: Things = field(default_factory=dict)
 
     def draw_by_other_steps(self, step: Step, way: Sequence[Step], things: Env) -> Thing:
         made = super().draw_by_other_steps(step, way, things)
@@ -72,7 +72,7 @@ class Live:
         self.slips = [slip for slip, _ in visible]
         wrong = {str(k): z for k, (_, z) in enumerate(visible)}
         made = (s.makes for s in program.steps if s.kind == "mark" and s.makes not in program.trial_marks)
-        self.things: dict[str, Mapping[str, Thing]] = {
+        self.things: dict[str, Things] = {
             "marks": {name: drawn[name] for name in made if plan_of(name) != "motion"} | self.feet,
             "turned": {d: drawn[d] for d in page_directions(lesson) if d in drawn},
             "values": {
@@ -85,7 +85,7 @@ class Live:
             "slips": wrong,
         }
 
-    def continuing_tool(self, kept: Mapping[str, Thing] = MappingProxyType({})) -> _KeepingTool:
+    def continuing_tool(self, kept: Things = MappingProxyType({})) -> _KeepingTool:
         """Another tool that continues the tape; marks that are ``kept`` stay, whatever they depend on."""
         return _KeepingTool(
             PlainRecording(),
@@ -113,7 +113,7 @@ class Live:
                 if mark in made:
                     yield practice.mistake_at_mark(variant, mark), made[mark]
 
-    def evaluate_on_tape(self, things: Mapping[str, Thing], given: Mapping[str, Floats]) -> dict[str, complex]:
+    def evaluate_on_tape(self, things: Things, given: Mapping[str, Floats]) -> dict[str, complex]:
         """Marks and values of the tape with those numbers."""
         places = {n: self._tape_coordinates(z) for n, z in things.items()}
         numbers = compute_places(
@@ -135,7 +135,7 @@ class Live:
             where = value_slot(plans.drive_given_name, "k") + "°" * turns
             yield sentence_in_lesson_languages("at", name="φ" if turns else "s", value=where, why=why, nearest="")
 
-    def tape_and_places(self, things: Mapping[str, Mapping[str, Thing]]) -> tuple[Json, Json]:
+    def tape_and_places(self, things: Mapping[str, Things]) -> tuple[Json, Json]:
         """The tape, and the places on it of all results by group and name: one for a number, two for a mark."""
         old = {group: {n: self._tape_coordinates(z) for n, z in them.items()} for group, them in things.items()}
         exported_tape, new = export_operations(

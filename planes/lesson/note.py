@@ -24,7 +24,7 @@ from planes.plans.statements.of_scene import names_to_find
 from planes.scene import Scene
 from planes.scene.mechanism import FRAME
 from planes.solving import Position, drive_position_in_words
-from planes.solving.document import Block, Cover, DocumentTable, DrawnViews, Figure, Formula, Heading, Paragraph
+from planes.solving.document import Block, Blocks, Cover, DocumentTable, DrawnViews, Figure, Formula, Heading, Paragraph
 from planes.solving.given import GivenTable
 from planes.solving.own_equations import own_equation_rows
 from planes.solving.structure_text import alignment_report, class_lowering_drivers_text, group_equilibrium_sentence
@@ -68,14 +68,14 @@ class Note:
         """The whole note."""
         return [*self.opening_blocks(), *self.structure_blocks(), *self.plan_blocks(), *self.result_blocks()]
 
-    def answer_blocks(self) -> Iterator[Block]:
+    def answer_blocks(self) -> Blocks:
         """The results, without the derivation."""
         return iter([*self.structure_blocks(), *self.result_blocks()])
 
     def say(self, key: str, **names: object) -> str:
         return say(key, self.lang, **names)
 
-    def numbered_table(self, key: str, head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> Iterator[Block]:
+    def numbered_table(self, key: str, head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> Blocks:
         """A numbered table, unless it is empty."""
         if rows:
             self.tables += 1
@@ -91,7 +91,7 @@ class Note:
         """The figure of a plan, or of the scheme."""
         return self.numbered_figure("scheme" if plan == "position" else plan, self.plan_caption(plan))
 
-    def opening_blocks(self) -> Iterator[Block]:
+    def opening_blocks(self) -> Blocks:
         """Title, task and given numbers."""
         plans = self.position.plans
         drive = self.position.plans.drive
@@ -125,7 +125,7 @@ class Note:
         """The results that the task asks for."""
         return names_to_find(self.scene)
 
-    def structure_blocks(self) -> Iterator[Block]:
+    def structure_blocks(self) -> Blocks:
         """Degree of freedom, groups, formula."""
         s = self.position.plans.structure
         n = len(self.position.plans.mechanism.links)
@@ -147,7 +147,7 @@ class Note:
             )
             yield Paragraph(" ".join([told_of, *group_equilibrium_sentence(g, self.lang)]))
 
-    def self_aligning_blocks(self) -> Iterator[Block]:
+    def self_aligning_blocks(self) -> Blocks:
         """The variant without redundant constraints, where there is one."""
         try:
             variant = self_aligning_variant(self.position.plans, self.scene.file)
@@ -158,7 +158,7 @@ class Note:
         yield Paragraph(f"{numbers}: {'; '.join(pair.strip() for pair in pairs)}.")
         yield self.numbered_figure("self-aligning", self.say("note_aligned"))
 
-    def plan_blocks(self) -> Iterator[Block]:
+    def plan_blocks(self) -> Blocks:
         """Every plan with its equations, its steps in words, and its figure."""
         numbers = count(1)
         for plan, chapter in groupby(self.frames, key=lambda frame: frame.chapter):
@@ -181,7 +181,7 @@ class Note:
             if plan == "velocity" and self.scene.find is None:
                 yield from self.transfer_blocks()
 
-    def free_body_figures(self, plan: str) -> Iterator[Block]:
+    def free_body_figures(self, plan: str) -> Blocks:
         """The free body of a force polygon: first the mechanism with its loads, then the links with their forces and
         arms; for the lever its forces."""
         plans = self.position.plans
@@ -204,7 +204,7 @@ class Note:
             plan_scale_text(plan, self.lang, self.scene.mu_convention), self.position.scales.__getitem__, self.lang
         )
 
-    def transfer_blocks(self) -> Iterator[Block]:
+    def transfer_blocks(self) -> Blocks:
         """Analogues of velocities and ratios, by segments of the velocity plan."""
         rows = [tuple(row) for row in TransferFunctions(self.position, self.naming).transfer_rows()]
         head = tuple(map(self.say, ("quantity", "note_by_segments", "value", "note_unit")))
@@ -224,7 +224,7 @@ class Note:
             return self.say("note_scheme", mu=mu)
         return self.say("note_plan", plan=plan_phrase(plan), mu=mu)
 
-    def frame_blocks(self, frame: Frame, index: int) -> Iterator[Block]:
+    def frame_blocks(self, frame: Frame, index: int) -> Blocks:
         """A frame in words, its lines of reckoning set apart."""
         lead, *after = ROW_PATTERN.split(frame.marked[self.lang])
         yield Paragraph(
@@ -252,7 +252,7 @@ class Note:
         """A value by its name."""
         return float(slot_value(name, self.teller, self.position.drawing))
 
-    def balancing_comparison(self) -> Iterator[Block]:
+    def balancing_comparison(self) -> Blocks:
         """The balancing load found in two ways."""
         plans = self.position.plans
         drawing = self.position.drawing
@@ -266,7 +266,7 @@ class Note:
             self.say("note_difference", found=own, check=other, unit=unit_of_name(plans.balancing), percent=shown)
         )
 
-    def result_blocks(self) -> Iterator[Block]:
+    def result_blocks(self) -> Blocks:
         """Tables of the results, and warnings about them."""
         p = self.position
         angle = self.say("note_angle")
@@ -295,7 +295,7 @@ class Note:
                 yield Paragraph(f"{self.say(f.quantity.group)}: {size}.")
         yield from self.result_warnings()
 
-    def reactions_table(self) -> Iterator[Block]:
+    def reactions_table(self) -> Blocks:
         """The table of reactions, unless all are zero."""
         forces = list(self.position.of("reactions").items())
         if any(max(abs(f.vector.real), abs(f.vector.imag)) > LEAST_NONZERO_VALUE for _, f in forces):
@@ -305,7 +305,7 @@ class Note:
         for name, f in self.position.of("bearings").items():
             yield Paragraph(self.say("note_bearing", name=f"⟨{name}⟩", force=self.number_cell(f)))
 
-    def result_warnings(self) -> Iterator[Block]:
+    def result_warnings(self) -> Blocks:
         """Warnings about the results."""
         names = ", ".join(f"⟨{name}⟩" for name in unreliable_rate_names(self.position))
         by_hand = [self.say("unsure_by_hand", names=names)] if names else []

@@ -14,7 +14,7 @@ from planes.drafting.drawing import Drawing
 from planes.drafting.steps import Image, LayOff, Similar, Turn
 from planes.drafting.steps.crossings import Cross, CrossArc, CrossArcs
 from planes.drafting.steps.reckoning import Choose
-from planes.drafting.tools import Env, Thing
+from planes.drafting.tools import Env, Things
 from planes.geometry.arrays import Floats
 from planes.lesson.choices import CHOICE_KINDS, Choices
 from planes.lesson.formulas import in_lesson_languages, sentence_in_lesson_languages
@@ -23,7 +23,7 @@ from planes.lesson.reckoning import displayed_name
 from planes.lesson.scheme import moment_arms
 from planes.words import Phrase, sentence_table
 from planes.words.frozen import frozen
-from planes.words.names import letter_of, mu_name
+from planes.words.names import NameTriple, letter_of, mu_name
 from planes.words.records import Json
 
 Progress = Callable[[int, int], None]
@@ -70,9 +70,9 @@ CONSTRUCTED_STEP_TYPES = Cross | CrossArc | CrossArcs | Choose | Similar | Image
 class Practice(Choices):
     """The items of one lesson; ``values`` are its numbers by the names in slots."""
 
-    given: Mapping[str, Thing]
+    given: Things
     values: Mapping[str, float]
-    spans: Mapping[str, tuple[str, str, str]]
+    spans: Mapping[str, NameTriple]
 
     def practice_items(self) -> list[Json]:
         """The questions, in the order of the lesson: choices (:class:`Choices`), the known data of an equation's

@@ -2,7 +2,7 @@
 between words about this mechanism."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from itertools import count
 
@@ -15,7 +15,7 @@ from planes.plans.curves import curves_by_name, driven_link_analogues, driven_li
 from planes.plans.force.loads import names_of_loads
 from planes.plans.measuring import counted_structure_numbers
 from planes.scene.mechanism import FRAME
-from planes.solving.document import Block, Chart, Figure, Heading, Paragraph, PlottedLine
+from planes.solving.document import Block, Blocks, Chart, Figure, Heading, Paragraph, PlottedLine
 from planes.words import put_decimal_signs, sentence_table
 from planes.words.frozen import replace
 from planes.words.lettering import without_index_markup
@@ -76,7 +76,7 @@ class Questions(Note):
         )
         return [*shown, *getattr(self, f"of_{key}", tuple)()] or [*self.scene_sentence(f"reply_{key}_none")]
 
-    def scene_sentence(self, key: str, **more: object) -> Iterator[Block]:
+    def scene_sentence(self, key: str, **more: object) -> Blocks:
         """A sentence about the scene, if there is one for the key."""
         if key in sentence_table("en", "questions"):
             yield Paragraph(self.say(key, **self.scene_names, **more))
@@ -118,7 +118,7 @@ class Questions(Note):
         link = self.naming.link_number
         return ", ".join(f"⟨{p.point or p.guide}⟩ ({link(p.other)}–{link(p.link)})" for p in pairs)
 
-    def lesson_frames_blocks(self, keys: str, results: str) -> Iterator[Block]:
+    def lesson_frames_blocks(self, keys: str, results: str) -> Blocks:
         """The frames of some keys on the plans of motion; and lines of calculation, those of a vector with its
         direction."""
         given = set[str]()
@@ -137,7 +137,7 @@ class Questions(Note):
         Note.balancing_comparison,
     )
 
-    def of_link(self) -> Iterator[Block]:
+    def of_link(self) -> Blocks:
         yield from (Paragraph(f"{n} — {self.say(f'link_kind_{self.link_kind(n)}')}.") for n in self.m.links)
 
     def link_kind(self, name: str) -> str:
@@ -152,18 +152,18 @@ class Questions(Note):
         rounds = self.cycle_summary.grid.turns_fully(curves_by_name(self.position.plans)[f"phi_{name}"])
         return "lever" if link.guides else "crank" if rounds else "rocker"
 
-    def of_pair(self) -> Iterator[Block]:
+    def of_pair(self) -> Blocks:
         for kind in "RP":
             if some := self.pairs_text(p for p in self.s.pairs if p.kind == kind):
                 yield Paragraph(f"{self.say(f'pair_kind_{kind}')}: {some}.")
 
-    def of_groups(self) -> Iterator[Block]:
+    def of_groups(self) -> Blocks:
         for g, classed in zip(self.s.groups, self.group_blocks(), strict=True):
             outer = [p for p in group_pairs(g) if {p.link, p.other} - {*g.all_links}]
             yield classed
             yield from self.scene_sentence("reply_join", order=len(outer), pairs=self.pairs_text(outer))
 
-    def of_extremes(self) -> Iterator[Block]:
+    def of_extremes(self) -> Blocks:
         first = self.s.groups[0]
         kind = first.kind if isinstance(first, Group) and self.m.drive.rotates else 0
         yield from self.scene_sentence(f"reply_extremes_{kind}")
@@ -171,7 +171,7 @@ class Questions(Note):
             line = re.sub(r"(\w+_\w+)(?= =)", r"⟨\1⟩", line.replace("= -", "= −"))
             yield Paragraph(put_decimal_signs(line, self.lang))
 
-    def of_graph(self) -> Iterator[Block]:
+    def of_graph(self) -> Blocks:
         plans = self.position.plans
         grid = self.cycle_summary.grid
         unit = "°" if plans.drive.rotates else self.say("m")
@@ -183,23 +183,23 @@ class Questions(Note):
             )
             yield Figure(Chart(over, label, (PlottedLine(grid.places, grid.curve_values(curve)),), height_mm=40))
 
-    def of_coriolis(self) -> Iterator[Block]:
+    def of_coriolis(self) -> Blocks:
         for link, slide in self.position.plans.acceleration_slides.items():
             owner = self.naming.link_number(self.m.owner_of_guide(slide.guide))
             key = f"reply_coriolis_{'turns' if slide.coriolis else 'still'}"
             yield from self.scene_sentence(key, link=link, guide=f"⟨{slide.guide}⟩", owner=owner)
 
-    def of_external(self) -> Iterator[Block]:
+    def of_external(self) -> Blocks:
         yield self.numbered_figure("loaded", self.say("loaded"))
 
-    def of_stages(self) -> Iterator[Block]:
+    def of_stages(self) -> Blocks:
         for plan in self.position.plans.force_plans:
             for f in self.frames:
                 if f.plan == plan and f.key in ("free_body", "equation"):
                     yield from self.frame_blocks(f, 0)
             yield self.plan_figure(plan)
 
-    def of_reactions(self) -> Iterator[Block]:
+    def of_reactions(self) -> Blocks:
         rubbing = ", ".join((*self.m.friction, *self.m.journals))
         yield from self.scene_sentence("reply_friction" if rubbing else "reply_no_friction", pairs=rubbing)
         yield from self.reactions_table()

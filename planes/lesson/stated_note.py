@@ -1,12 +1,12 @@
 """The explanatory note of a scene of vectors: no structure, no mechanism, only the vectors and values found."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from planes.lesson.note import Note
 from planes.plans.statements.of_scene import names_to_find
 from planes.scene import Scene
 from planes.solving import Position
-from planes.solving.document import Block, Heading, Paragraph
+from planes.solving.document import Block, Blocks, Heading, Paragraph
 from planes.solving.text_tables import ZERO_RESULT_RATIO, largest_equilibrium_result
 from planes.words import Lang
 from planes.words.units import number_text
@@ -22,7 +22,7 @@ class StatedNote(Note):
     def document_blocks(self) -> list[Block]:
         return [*self.opening_blocks(), *self.plan_blocks(), *self.vectors_table()]
 
-    def answer_blocks(self) -> Iterator[Block]:
+    def answer_blocks(self) -> Blocks:
         return self.vectors_table()
 
     def wanted_results(self) -> Sequence[str]:
@@ -40,7 +40,7 @@ class StatedNote(Note):
             if t.known_part_count == 2 and not t.drawn
         }
 
-    def vectors_table(self) -> Iterator[Block]:
+    def vectors_table(self) -> Blocks:
         """The results of a scene of vectors."""
         yield Heading(self.say("note_results"))
         vectors, values = (self.position.of(group).values() for group in ("vectors", "values"))

@@ -15,7 +15,7 @@ from planes.plans import Plans
 from planes.plans.force.loads import name_of_force
 from planes.words import Phrase
 from planes.words.frozen import frozen, replace
-from planes.words.names import force_plan_links, full_mark_name, plan_kind, split_value_name
+from planes.words.names import NameTriple, force_plan_links, full_mark_name, plan_kind, split_value_name
 
 VECTOR_LETTERS_BY_PLAN = {"velocity": "v", "acceleration": "a"}
 
@@ -133,7 +133,7 @@ class Stating:
         return GuidedPoint(point, "", frame.name, line.line_name) if point and line.line_name in frame.guides else None
 
     @cached_property
-    def links_by_point_pair(self) -> dict[str, tuple[str, str, str]]:
+    def links_by_point_pair(self) -> dict[str, NameTriple]:
         """The link with both points of "CB", and these; a point under a slider is on its link too."""
         own = {x.name: {*x.points} for x in self.plans.mechanism.links.values()}
         for under in self.guided_points_by_motion.values():

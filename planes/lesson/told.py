@@ -1,12 +1,11 @@
 """A scene drawn in its given position, with the frames of its lesson."""
 
-from collections.abc import Mapping
 from functools import cached_property
 
 from planes.drafting.drawing import Drawing, draw_program
 from planes.drafting.equations import Equation, Term
 from planes.drafting.instruments import InLists
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Things
 from planes.geometry.listed import Listed
 from planes.lesson import Teller, slot_value
 from planes.lesson.formulas import in_lesson_languages
@@ -34,7 +33,7 @@ class SceneLesson:
 
     scene: Scene
     plans: Plans
-    given: Mapping[str, Thing]
+    given: Things
     drawing: Drawing
     knobs: Knobs
     teller: Teller

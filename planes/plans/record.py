@@ -26,6 +26,7 @@ from planes.words.names import (
     HELPER_MARK_KINDS,
     Meaning,
     NamePair,
+    NameTriple,
     NameTuple,
     force_plan_links,
     force_plan_name,
@@ -71,7 +72,7 @@ class Plans:
     reactions: Mapping[str, Reaction] = field(default_factory=dict)
     balancing: str = ""
     balancing_force: str = ""  # on a turning driver, beside the moment
-    beside_force: tuple[str, str, str] | None = None  # the frame's reaction to it by name, and its marks
+    beside_force: NameTriple | None = None  # the frame's reaction to it by name, and its marks
     zhukovsky: str = ""
     at_rest: bool = False
     laws: Mapping[str, SceneError] = field(default_factory=dict)

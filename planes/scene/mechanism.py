@@ -12,7 +12,7 @@ from typing import Literal
 
 from planes.scene.written_numbers import WrittenNumbers
 from planes.words.frozen import field, frozen
-from planes.words.names import NamePair, NameTuple
+from planes.words.names import NamePair, NameTriple, NameTuple
 
 FRAME = "0"
 DRIVE_RATE_KEYS = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
@@ -129,7 +129,7 @@ class Drive:
         return turned if self.rotates else "s"
 
     @property
-    def motion_names(self) -> tuple[str, str, str]:
+    def motion_names(self) -> NameTriple:
         """Names of its position, velocity and acceleration: phi_1, omega_1, epsilon_1; of a slider s_1, v_1, a_1; where
         it moves no link, phi or s."""
         if self.link == FRAME:

@@ -3,7 +3,7 @@
 In every text _{…} and ^{…} are indices, ⟨…⟩ the name of a vector or a value. The layout is decided elsewhere.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from planes.geometry.arrays import Array
 from planes.scene import Scene
@@ -140,3 +140,4 @@ class Figure:
 
 
 Block = Cover | Heading | Paragraph | Formula | DocumentTable | Figure
+Blocks = Iterator[Block]

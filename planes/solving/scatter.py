@@ -5,12 +5,12 @@ from collections.abc import Mapping
 from planes.drafting.drawing import draw_program
 from planes.drafting.instruments import DRAUGHTSMEN_COUNT, Pencil
 from planes.drafting.program import Program
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Things
 from planes.words.names import NamePair
 
 
 def length_scatter_mm(
-    program: Program, given: Mapping[str, Thing], repeated: str, pencil: Pencil, spans: Mapping[str, NamePair]
+    program: Program, given: Things, repeated: str, pencil: Pencil, spans: Mapping[str, NamePair]
 ) -> dict[str, float]:
     """Standard deviation, in mm, of the length between marks over many draughtsmen with the same pencil; a single
     drawing is ``repeated`` for each of them."""

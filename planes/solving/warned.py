@@ -1,10 +1,10 @@
 """Warnings about the numbers of one position: blunt crossings, loads at standstill, lost digits."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from planes.drafting.clearness import ZERO_FORCE_RATIO, has_wide_length_range, is_clear_drawing
-from planes.drafting.tools import Thing
+from planes.drafting.tools import Things
 from planes.plans.measuring import BLUNT_CROSSING_SINE, DrawingReader, plan_name_in_words
 from planes.plans.quantities import Quantity, results_wanted
 from planes.words import Lang, Written, say
@@ -13,9 +13,7 @@ from planes.words.lettering import terminal_spelling
 from planes.words.names import name_index
 
 
-def accuracy_warnings(
-    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Thing], lang: Lang
-) -> list[str]:
+def accuracy_warnings(reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Things, lang: Lang) -> list[str]:
     """The sentences, grouped by kind."""
     blunt = _blunt_mark_warnings(reader, lang).items()
     passive = reader.stated.structure.passive
@@ -60,7 +58,7 @@ def _faint_vector_names(reader: DrawingReader) -> Iterator[str]:
 
 
 def _doubtful_results_and_reactions(
-    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Mapping[str, Thing]
+    reader: DrawingReader, wanted: Sequence[Quantity] | None, given: Things
 ) -> tuple[Sequence[str], Sequence[str]]:
     """Results of an exact drawing with less than three digits, and reactions with none; the running bound is computed
     only in case of doubt."""

@@ -21,6 +21,7 @@ Line = Literal["along", "across", "towards", "with", "against", "leaning", "down
 Quantity = Literal[Mark, Loading, Size, Line]
 NameTuple = tuple[str, ...]
 NamePair = tuple[str, str]
+NameTriple = tuple[str, str, str]
 """The ends of a vector, a point and its link, two links: which two, the name of the value says."""
 
 # drawn but never a question to the student
@@ -65,7 +66,7 @@ class Meaning:
 _DIRECTION_SIGNS = {"along": "∥", "across": "⊥", "leaning": "∠ρ ⊥", "with": "+", "against": "-", "down": "↓"}
 
 
-def split_value_name(name: str) -> tuple[str, str, str]:
+def split_value_name(name: str) -> NameTriple:
     """The name of a value taken apart: its letter, its subject and its component: a, CB and n of a_CB^n."""
     base, _, part = name.strip("|‖").partition("^")
     letter, _, index = base.partition("_")

@@ -16,6 +16,7 @@ from planes.words.names import HELPER_MARK_KINDS, Meaning, NamePair
 Kind = Literal["mark", "direction", "value", "place"]
 INPUT_KINDS: tuple[Kind, ...] = get_args(Kind)
 Read = tuple[str, Kind]
+Reads = tuple[Read, ...]
 
 
 @frozen
@@ -26,7 +27,7 @@ class Step:
     means: Meaning | None = field(default=None, kw_only=True, compare=False, repr=False)
     kind: ClassVar[Kind] = "mark"
     guards: ClassVar[bool] = False  # a position that fails it gives no results at all, and it is never sliced away
-    needs: ClassVar[tuple[Read, ...]] = ()  # the fields that name its inputs, one or several, with their kind
+    needs: ClassVar[Reads] = ()  # the fields that name its inputs, one or several, with their kind
 
     @property
     def quantity_represented(self) -> str:
@@ -44,7 +45,7 @@ class Step:
         proper."""
         return self.quantity_represented in ("guide", "moved", "trial", "centre")
 
-    def input_names(self) -> tuple[Read, ...]:
+    def input_names(self) -> Reads:
         """Names of its inputs, each with its kind."""
         needed = [(getattr(self, field) or (), kind) for field, kind in self.needs]
         return tuple([(n, kind) for names, kind in needed for n in ((names,) if isinstance(names, str) else names)])
@@ -54,7 +55,7 @@ class Step:
         raise NotImplementedError
 
 
-def _inputs_of_kind(kind: Kind, *names: str | None) -> tuple[Read, ...]:
+def _inputs_of_kind(kind: Kind, *names: str | None) -> Reads:
     return tuple((n, kind) for n in names if n)
 
 

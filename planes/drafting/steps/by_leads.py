@@ -9,7 +9,7 @@ from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Point, Real
 from planes.words.frozen import frozen
-from planes.words.names import NamePair, NameTuple
+from planes.words.names import NamePair, NameTriple, NameTuple
 
 LEANING_LEADS_REASON = "leads_lean"
 """Reason for other plans: two leads that meet in a special point are too nearly parallel."""
@@ -47,7 +47,7 @@ class CrossLeads(ByLeads, Cross):
     needs = marks("start", "other", "third") + directions("along", "across", "third_along")
 
     @property
-    def sharp_directions(self) -> tuple[str, str, str]:
+    def sharp_directions(self) -> NameTriple:
         return self.along, self.across, self.third_along
 
     def crossing_sharpnesses(self, env: Env) -> tuple[Real, Real, Real]:

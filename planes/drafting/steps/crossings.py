@@ -1,10 +1,11 @@
 """Intersections of two lines, a line and an arc, or two arcs, and the tangent to a circle: the steps that can fail."""
 
-from planes.drafting.steps import Read, Step, directions, marks, values
+from planes.drafting.steps import Reads, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Point, Real
 from planes.words.frozen import frozen
+from planes.words.names import NameTriple
 
 
 @frozen
@@ -60,9 +61,9 @@ class CrossArc(TwoPlaces):
     radius: str
     mu: str
     side: str
-    arm: tuple[str, str, str] | None = None
+    arm: NameTriple | None = None
 
-    def input_names(self) -> tuple[Read, ...]:
+    def input_names(self) -> Reads:
         hub, ray, length = self.arm or (None, None, None)
         lines = directions(self.along, ray)
         return marks(self.start, self.centre, hub) + lines + values(self.radius, self.mu, self.side, length)

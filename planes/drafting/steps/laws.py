@@ -1,6 +1,6 @@
 """Steps for numbers that a scene gives as laws: evaluated in every position from known quantities."""
 
-from planes.drafting.steps import Read, Step, values
+from planes.drafting.steps import Reads, Step, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real, Truth
 from planes.scene.law_expressions import LawParser, fold_angle_into_turn, interpolate_table, is_within_table
@@ -29,7 +29,7 @@ class Follow(Step):
     line: str = field(default="", compare=False)  # line of the scene, for whoever has to change the law
     kind = "value"
 
-    def input_names(self) -> tuple[Read, ...]:
+    def input_names(self) -> Reads:
         return values(*dict.fromkeys([value for _, value in self.of] + [self.stroke]))
 
     def draw(self, env: Env, tool: Tool) -> Thing:

@@ -2,7 +2,7 @@
 
 from functools import reduce
 
-from planes.drafting.steps import Read, Step, directions, marks, values
+from planes.drafting.steps import Reads, Step, directions, marks, values
 from planes.drafting.tools import Env, Thing, Things, Tool
 from planes.geometry import plane
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
@@ -112,7 +112,7 @@ class Calculate(Step):
     terms: tuple[Product, ...]
     kind = "value"
 
-    def input_names(self) -> tuple[Read, ...]:
+    def input_names(self) -> Reads:
         return values(*dict.fromkeys(name for t in self.terms for name, _ in t.factors))
 
     def draw(self, env: Env, tool: Tool) -> Thing:
@@ -240,7 +240,7 @@ class Choose(Step):
     size: str
     mu: str
 
-    def input_names(self) -> tuple[Read, ...]:
+    def input_names(self) -> Reads:
         pushes = tuple(dict.fromkeys(p for t in self.trials for p in t.pushes))
         return marks(*(t.mark for t in self.trials)) + values(*pushes, self.mu) + marks(self.size)
 

@@ -2,7 +2,7 @@
 
 from functools import cached_property, reduce
 
-from planes.drafting.steps import Read, Step, values
+from planes.drafting.steps import Reads, Step, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Real
 from planes.words.frozen import frozen
@@ -34,12 +34,12 @@ class Settle(Step):
     kind = "value"
 
     @cached_property
-    def _names_read_by_plan(self) -> tuple[Read, ...]:
+    def _names_read_by_plan(self) -> Reads:
         own = {step.makes for step in self.plan + self.fed}
         names = (read for step in self.plan + self.fed for read in step.input_names() if read[0] not in own)
         return tuple(dict.fromkeys(names))
 
-    def input_names(self) -> tuple[Read, ...]:
+    def input_names(self) -> Reads:
         return self._names_read_by_plan
 
     @cached_property

@@ -10,7 +10,7 @@ ends of the range.
 from collections.abc import Iterator
 from itertools import chain
 
-from planes.drafting.steps import Read, Step, directions, marks, places, values
+from planes.drafting.steps import Read, Reads, Step, directions, marks, places, values
 from planes.drafting.tools import Env, Thing, Tool
 from planes.geometry.arithmetic import Arithmetic, Point, Real, Truth
 from planes.geometry.tracks import Pose, Tie, TieKind, link_origins, newton_step
@@ -110,7 +110,7 @@ class CutTrack(Step):
     link: int = 0
     hinge: str = ""
 
-    def input_names(self) -> tuple[Read, ...]:
+    def input_names(self) -> Reads:
         own = places(self.local) + values(self.mu, self.side) + places(self.hinge)
         held = (read for hold in self.holds for read in hold.input_names())
         return tuple(dict.fromkeys((*held, *self.guess.input_names(), *own)))

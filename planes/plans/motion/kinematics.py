@@ -6,7 +6,7 @@ a_XY^r with a^k = 2ω×v_XY (Coriolis).
 
 from collections.abc import Iterable
 
-from planes.drafting.equations import Equation, Term
+from planes.drafting.equations import Chain, Equation, Term
 from planes.plans.assur.groups import Group
 from planes.plans.motion.driven import draw_point_under_hinge, mark_at_drive_vector_end, terms_of_driven_leg
 from planes.plans.motion.legs import Leg, SlideReading, legs_of_group
@@ -35,14 +35,14 @@ class Rates(RatePlan):
         for link in group.all_links:
             self.draw_link_point_images(link)
 
-    def solve(self, new: str, one: tuple[Term, ...], two: tuple[Term, ...], legs: Iterable[Leg]) -> None:
+    def solve(self, new: str, one: Chain, two: Chain, legs: Iterable[Leg]) -> None:
         """A new point by two chains, and the readings from its legs."""
         self.draft.draw_equation(Equation(self.plan, (one, two), self.letter + new))
         self.driven.append(self.mark(new))
         for leg in legs:
             self.measure_leg_rates(leg)
 
-    def terms_to_new_point(self, leg: Leg) -> tuple[Term, ...]:
+    def terms_to_new_point(self, leg: Leg) -> Chain:
         """The terms from the pole through the known point to the new one."""
         self.image(leg.link, leg.known)
         known = self.label(leg.known.name)

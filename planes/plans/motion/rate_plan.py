@@ -10,7 +10,7 @@ from planes.plans.position.bodies import SCHEME_PLAN, Bodies, Body, BodyPoint, s
 from planes.plans.position.braces import far_link_relative_rate
 from planes.plans.position.reckoned import OwnPlace
 from planes.scene.mechanism import FRAME
-from planes.words.names import POLE_LABEL, Meaning, full_mark_name
+from planes.words.names import POLE_LABEL, Meaning, NameTriple, full_mark_name
 
 
 @dataclass
@@ -20,13 +20,13 @@ class RatePlan:
 
     bodies: Bodies
     plan: str
-    turning: dict[str, tuple[str, str, str]] = field(default_factory=dict)
+    turning: dict[str, NameTriple] = field(default_factory=dict)
     slides: dict[str, SlideReading] = field(default_factory=dict)
     driven: list[str] = field(default_factory=list)
 
     @property
     def draft(self) -> Draft:
-        """What it is drawn with."""
+        """The draft of the plan."""
         return self.bodies.draft
 
     @property

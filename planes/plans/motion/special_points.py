@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from planes.drafting.draft import Draft
-from planes.drafting.equations import Term
+from planes.drafting.equations import Chain, Term
 from planes.drafting.steps import Turn
 from planes.drafting.steps.crossings import Cross
 from planes.plans.motion.kinematics import Rates
@@ -42,7 +42,7 @@ class SpecialPoint:
         one, two = self.legs
         self.rates.solve(self.spot.name, self.terms_to_special_point(one), self.terms_to_special_point(two), ())
 
-    def terms_to_special_point(self, leg: Leg) -> tuple[Term, ...]:
+    def terms_to_special_point(self, leg: Leg) -> Chain:
         """The terms from the pole through the lead's support to S; both tangential components are one."""
         r = self.rates
         s = self.spot.name

@@ -1,6 +1,6 @@
 """Position plans of dyads, each by arcs and lines (засечки), as vector equations for the drafting core."""
 
-from planes.drafting.equations import Equation, Term
+from planes.drafting.equations import Chain, Equation, Term
 from planes.drafting.steps.crossings import Touch
 from planes.plans.assur.basic_links import Triad
 from planes.plans.assur.contours import Contour
@@ -39,7 +39,7 @@ def assembly_side_name(b: Bodies, key: str, group: Group | Triad | Contour) -> s
 
 
 def draw_meeting_point(
-    b: Bodies, key: str, group: Group | Triad | Contour, ends: tuple[tuple[Term, ...], tuple[Term, ...]], label: str
+    b: Bodies, key: str, group: Group | Triad | Contour, ends: tuple[Chain, Chain], label: str
 ) -> None:
     """Draw the point that both ends of a group reach, on the chosen side unless both move along lines."""
     one, two = ends

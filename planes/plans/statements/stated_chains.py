@@ -3,14 +3,13 @@
 from collections.abc import Callable
 from itertools import pairwise, permutations
 
-from planes.drafting.equations import Term
+from planes.drafting.equations import Chain, Term
 from planes.drafting.steps import Image, Similar
 from planes.plans.statements.stated_vectors import StatedVectors
 from planes.scene.vector_equations import Side, SideTerm, rate_vector_end_marks, term_end_marks
 from planes.scene.vectors import Similarity
 from planes.words.names import POLE_LABEL, full_mark_name, label_of, plan_of, vector_end_label
 
-Chain = tuple[Term, ...]
 MOST_REORDERED_VECTORS = 5  # vectors that are tried in every order
 
 

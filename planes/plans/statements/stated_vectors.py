@@ -15,7 +15,15 @@ from planes.scene.mechanism import LoadLaw
 from planes.scene.vector_amounts import VectorAmount
 from planes.scene.vector_equations import SideTerm
 from planes.scene.vectors import AlongVector, Amount, Similarity, Statement, VectorGiven
-from planes.words.names import Meaning, NamePair, NameTuple, full_mark_name, split_value_name, vector_end_label
+from planes.words.names import (
+    Meaning,
+    NamePair,
+    NameTriple,
+    NameTuple,
+    full_mark_name,
+    split_value_name,
+    vector_end_label,
+)
 
 _POINT_PAIR_PATTERN = re.compile(r"([^\W\d_]\d*)([^\W\d_]\d*)")
 _MEANING_BY_COMPONENT = {"n": "normal", "k": "coriolis"}
@@ -41,7 +49,7 @@ class StatedVectors:
         self.values: dict[str, str] = {}
         self.used: set[str] = set()
         self.leaned: dict[str, str] = {}  # those whose direction or quotient is taken, by the user of it
-        self.quotients: list[tuple[str, str, str]] = []  # the dividend, the divisor, and the name of that number
+        self.quotients: list[NameTriple] = []  # the dividend, the divisor, and the name of that number
 
     def given_data(self, name: str) -> VectorGiven:
         """The data of a vector in the scene."""

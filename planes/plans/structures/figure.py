@@ -10,7 +10,7 @@ from planes.scene.mechanism import FRAME, Drive, Link, Mechanism
 from planes.scene.structures import Framework, StaticLoad, Support
 from planes.words import Phrase
 from planes.words.frozen import frozen
-from planes.words.names import NamePair
+from planes.words.names import NamePair, NameTriple
 
 LineKind = Literal["string", "ray", "closing", "action", "culmann", "trial"]
 
@@ -34,13 +34,13 @@ class StaticsFigure:
     supports: tuple[Support, ...] = ()
     points: Mapping[str, complex] = field(default_factory=dict)  # by name, m
     spread: tuple[StaticLoad, ...] = ()
-    members: tuple[tuple[str, str, str], ...] = ()  # of a truss, by the names of their forces
+    members: tuple[NameTriple, ...] = ()  # of a truss, by the names of their forces
     numbered: frozenset[str] = frozenset()  # bodies, where there are several
     pole: complex | None = None  # the pole of its string polygon in the scene, N
     strokes: list[FigureLine] = field(default_factory=list)
-    results: list[tuple[str, str, str]] = field(default_factory=list)
+    results: list[NameTriple] = field(default_factory=list)
     moments: list[NamePair] = field(default_factory=list)  # of a beam: points with bending moments by name
-    shears: list[tuple[str, str, str]] = field(default_factory=list)  # and shear forces between two points
+    shears: list[NameTriple] = field(default_factory=list)  # and shear forces between two points
     knots: list[str] = field(default_factory=list)  # lettered points where lines of action meet
     said: dict[str, str] = field(default_factory=dict)  # reasons for the places of marks: keys of words
     poles: list[str] = field(default_factory=list)  # start marks of rays, which are not vectors of a plan

@@ -8,7 +8,7 @@ intersections (Culmann). Several loads are first reduced to their resultant, by 
 from dataclasses import dataclass, field, replace
 
 from planes.drafting.draft import Draft
-from planes.drafting.equations import Equation, Term
+from planes.drafting.equations import Chain, Equation, Term
 from planes.drafting.steps.crossings import Cross
 from planes.drafting.steps.reckoning import Product
 from planes.plans.force.loads import Couple, Force
@@ -17,8 +17,6 @@ from planes.plans.structures.figure import StaticsFigure
 from planes.scene.structures import Support
 from planes.words.frozen import frozen
 from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, label_of, vector_end_label
-
-Chain = tuple[Term, ...]
 
 
 @frozen
@@ -62,12 +60,10 @@ class FreeBody:
 
     def append_force(self, force: Force) -> None:
         """Lay off one more known force."""
-        f = force
         end = vector_end_label(force.name)
+        action = self.line_of_action_text(force.along)
         self.chain += (
-            Term(
-                f.name, self.reached, end, f.size, f.along, self.line_of_action_text(f.along), means=f.meaning_of_mark
-            ),
+            Term(force.name, self.reached, end, force.size, force.along, action, means=force.meaning_of_mark),
         )
         self.draft.lay_off_known_vector(self.plan, self.chain[-1])
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from planes.scene.structures import Framework
-from planes.words.names import POLE_LABEL
+from planes.words.names import POLE_LABEL, NameTriple
 
 REGION_LETTERS = POLE_LABEL + "abcdefghijklmnoqrstuvwxyz"
 """First letter of the regions: that before the first force is the pole of the plan."""
@@ -101,7 +101,7 @@ class Regions:
         """The middle of a region's corners."""
         return sum(self.framework.points[a] for a, _ in face) / len(face)
 
-    def forces_around_joint(self, joint: str) -> list[tuple[str, str, str]]:
+    def forces_around_joint(self, joint: str) -> list[NameTriple]:
         """Every force at a joint clockwise: its name, and the regions before and after it."""
         ordered = [(f.name, self.before[f.name], self.after[f.name]) for f in self.ordered if f.joint == joint]
         left = []
