@@ -61,9 +61,16 @@ class FreeBody:
     def append_force(self, force: Force) -> None:
         """Lay off one more known force."""
         end = vector_end_label(force.name)
-        action = self.line_of_action_text(force.along)
         self.chain += (
-            Term(force.name, self.reached, end, force.size, force.along, action, means=force.meaning_of_mark),
+            Term(
+                force.name,
+                self.reached,
+                end,
+                force.size,
+                force.along,
+                self.line_of_action_text(force.along),
+                means=force.meaning_of_mark,
+            ),
         )
         self.draft.lay_off_known_vector(self.plan, self.chain[-1])
 
