@@ -62,7 +62,7 @@ class Loops:
 
     def constraint_residuals(self, q: Array, value: float) -> Array:
         """The residuals of the constraints, the drive's last."""
-        residuals: list[float] = []
+        residuals = []
         for pair in self.plans.structure.pairs:
             residuals += self._hinge_residuals(q, pair) if pair.kind == "R" else self._slider_residuals(q, pair)
         return np.array([*residuals, self.drive_position(q) - value])
@@ -98,7 +98,7 @@ class Loops:
 
     def constraint_jacobian(self, q: Array) -> Array:
         """Derivatives of the constraints."""
-        rows: list[Array] = []
+        rows = []
         for pair in self.plans.structure.pairs:
             rows += self._hinge_slopes(q, pair) if pair.kind == "R" else self._slider_slopes(q, pair)[1:]
         return np.array([*rows, self._drive_slope(q)])[:, : -len(FRAME_POSE)]
@@ -161,7 +161,7 @@ class Loops:
     def _constraint_second_derivatives(self, q: Array, v: Array) -> Array:
         """The second derivatives of the constraints at zero acceleration of the pose: exact, centripetal and Coriolis
         terms."""
-        bends: list[float] = []
+        bends = []
         for pair in self.plans.structure.pairs:
             bend = self._pair_second_derivative(q, v, pair)
             bends += [bend.real, bend.imag] if pair.kind == "R" else [bend.imag, 0.0]
@@ -196,7 +196,7 @@ class Loops:
 
     def start_pose(self, number: Callable[[str], Point]) -> Array:
         """A start pose, taken from a drawing."""
-        q: list[float] = []
+        q = []
         for link in self.links:
             first = self.plans.mechanism.link(link).first_point
             angle = math.radians(float(number(self.plans.links[link].angle)))

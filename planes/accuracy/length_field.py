@@ -152,7 +152,7 @@ class LengthField:
     @cached_property
     def assembly_sheets(self) -> dict[str, Sheets]:
         """The assemblies on the grid for every track of several links in hinges."""
-        sheets = dict[str, Sheets]()
+        sheets = {}
         for step in self.steps_with_several_solutions:
             if isinstance(step, CutTrack) and _cuts_chain_track(step):
                 size = self.base[step.guess.size]
@@ -163,7 +163,7 @@ class LengthField:
     @cached_property
     def openings_on_grid(self) -> dict[str, Array]:
         """For every step its opening on the grid, or its closure at angles all round."""
-        grids = dict[str, Array]()
+        grids = {}
         around = np.exp(2j * math.pi * np.arange(GRID_ANGLES) / GRID_ANGLES)[:, None]
         for step in (s for s in self.steps_with_several_solutions if not _cuts_chain_track(s)):
             if isinstance(step, CutTrack):

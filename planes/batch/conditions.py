@@ -16,7 +16,7 @@ SUSPECTED_GAP_RATIO = 1e-12
 
 def operations_carrying_nonfinite(tape: Tape, numbers: Iterable[Real]) -> set[int]:
     """The places of all operations that carry an infinity or NaN into one of these numbers."""
-    carriers = set[int]()
+    carriers = set()
     stack = [x.at for x in numbers if isinstance(x, Num)]
     while stack:
         place = stack.pop()
@@ -37,7 +37,7 @@ def prove_plans_together(
         together.setdefault((proof.reason, proof.plan), []).append(proof)
     holds = dict[str, Truth]()
     shown = Facts(things, ar)
-    gaps = list[Real]()
+    gaps = []
     for (reason, plan), proofs in together.items():
         sizes = [shown.mark(step.makes) for step in program.mark_steps_by_plan.get(plan, ())]
         size = sum(map(squared_length, sizes or [size for proof in proofs for size in proof.term_magnitudes(shown)]))

@@ -126,7 +126,7 @@ def llvm_module_text(
     condition that fails (0: all hold); it returns 0 if all of these are 0. The places ``rough`` may be rounded as suits
     the machine."""
     head = Lines("c")
-    names = dict[int, str]()
+    names = {}
     for k, place in enumerate(fixed):
         pointer = head(f"getelementptr inbounds double, ptr %fixed, i64 {k}")
         loaded = head(f"load double, ptr {pointer}, align 8")

@@ -43,7 +43,7 @@ class Tape:
 
     def places_needed(self, wanted: list[int], stop: frozenset[int] = frozenset()) -> list[int]:
         """The places that the wanted ones need, in order, going no further back than ``stop``."""
-        places = set[int]()
+        places = set()
         stack = list(wanted)
         while stack:
             place = stack.pop()

@@ -120,7 +120,7 @@ def figure_origins_and_size(
 ) -> tuple[dict[str, complex], tuple[float, float]]:
     """The origin of each figure, with so many in a row; and the size of the whole."""
     names = list(cells)
-    corners = dict[str, complex]()
+    corners = {}
     y = 0.0
     wide = 0.0
     for row in (names[k : k + columns] for k in range(0, len(names), columns)):

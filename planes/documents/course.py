@@ -142,7 +142,7 @@ class Desk:
 
     def task(self) -> bytes:
         """The sheet of the task, its scheme drawn in another position; one page, if possible."""
-        made = list[bytes]()
+        made = []
         for size in SCHEME_SIZES_MM:
             shown = self.scheme_to_show({**PLAN_FIT_MM, "position": size}, size < SCHEME_SIZES_MM[0])
             sheet = task_sheet_blocks(

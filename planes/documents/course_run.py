@@ -167,7 +167,7 @@ class Conductor:
 
     def make_missing_documents(self, orders: dict[Share, Order]) -> None:
         """Every document that does not exist yet."""
-        todo: list[tuple[Share, Order]] = []
+        todo = []
         for share, order in orders.items():
             left = tuple(
                 n

@@ -67,7 +67,7 @@ def _no_force_vanishes(program: Program, things: Things, tool: Tool, sides: Iter
     """Whether no force vanishes, or nearly so, beside others."""
     ar = tool.ar
     ok = True
-    largest = dict[str, Real]()
+    largest = {}
     for start, end in sides:
         plan = plan_of(start)
         if plan not in largest:

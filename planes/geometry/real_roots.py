@@ -17,7 +17,7 @@ def isolate_real_roots(poly: Line) -> list[tuple[Fraction, Fraction]] | None:
     more = [-((lead - 2 - q.bit_length()) // k) for k, q in enumerate(reversed(poly[:-1]), 1)]
     edge = 3 << max(0, *more, 0)  # no root exceeds twice the largest |a/lead|^(1/k) (M. Fujiwara)
     start = _stretch_unknown(_shift_unknown(poly, -edge), 2 * edge)
-    ranges = list[tuple[Fraction, Fraction]]()
+    ranges = []
     left = [(start, Fraction(-edge), Fraction(2 * edge), 0)]
     while left:
         here, low, wide, depth = left.pop()

@@ -44,7 +44,7 @@ def sturm_chain(poly: Polynomial) -> list[Polynomial]:
 def divide_polynomials(poly: Polynomial, by: Polynomial) -> tuple[Polynomial, Polynomial]:
     """The quotient and the remainder of two polynomials."""
     rest = list(poly)
-    quotient = list[Fraction]()
+    quotient = []
     while len(rest) >= len(by):
         factor = rest[-1] / by[-1]
         shift = len(rest) - len(by)

@@ -134,7 +134,7 @@ def _resultant_in_u(tracks: list[Plane]) -> Line:
     values = [
         _determinant(_sylvester_matrix(*(_polynomial_in_y(track, u) for track in tracks))) for u in range(degree + 1)
     ]
-    differences = list[Fraction]()
+    differences = []
     table = values
     factorial = 1
     for k in range(degree + 1):

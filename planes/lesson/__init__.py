@@ -78,7 +78,7 @@ class Teller:
         names = ", ".join(f"⟨{name_without_plan(p.makes)}⟩" for p in put if not p.is_auxiliary_mark)
         key = "points" if self.plans.figure else "fixed"
         frames = [self.make_frame(key, "position", tuple(p.makes for p in put), names=names)] if put else []
-        readings = list[Step]()
+        readings = []
         for step in self.drawing.program.steps:
             if step.makes in self.moments or step.makes in self.rates:
                 readings.append(step)
@@ -101,7 +101,7 @@ class Teller:
         """The frames in an order in which every number is found before it is used, and each frame that finds one comes
         just before its first use."""
         reckoning = self.reckoning
-        ordered = list[Frame]()
+        ordered = []
         for f in frames:
             if steps := reckoning.steps_of_missing_values(f):
                 arms = self.plans.moments[f.moments].terms if f.moments is not None else ()
@@ -185,7 +185,7 @@ class Teller:
         moment equation alone."""
         rates = [v for v in values if v.makes not in self.moments and isinstance(v, Calculate)]
         last = next((f for f in reversed(before) if f.plan in ("velocity", "acceleration")), None)
-        frames = list[Frame]()
+        frames = []
         if not self.plans.has_mechanism:
             if rates and before:
                 frames.append(self.measured_segments_frame("measured", before[-1].plan, (), rates))

@@ -175,7 +175,7 @@ def _vector_segments(plans: Plans, drawing: Drawing) -> list[dict[str, str]]:
 
 def _lines_and_arcs_of_marks(drawing: Drawing) -> Json:
     """For each crossed mark, the marks on its lines, or the centres of its arcs."""
-    traces: Json = {}
+    traces = {}
     for step in drawing.program.steps:
         name = step.makes
         if isinstance(step, Choose):

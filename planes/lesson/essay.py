@@ -100,7 +100,7 @@ def data_of_essay_pages(number: int) -> Json:
         lesson_data(loads(RAFT_SCENE_TEXT, "raft") if name == "raft" else load(str(TEMPLATE_FOLDER / f"{name}.yaml")))
     )
     frames = data["frames"]
-    paragraphs = list[Json]()
+    paragraphs = []
     for k, (view, frame, *knobs) in enumerate(map(str.split, shown), 1):
         said = {
             lang: _with_names_of_givens(text, data["values"])

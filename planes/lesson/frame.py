@@ -65,7 +65,7 @@ Make = Callable[..., Frame]  # a frame with its words in every language
 
 def with_chapters(frames: list[Frame]) -> list[Frame]:
     """The frames, each with its plan; a separate chapter includes the frames that find its values."""
-    frames_with_chapters = list[Frame]()
+    frames_with_chapters = []
     here = "position"
     for f, after in zip_longest(frames, frames[1:]):
         own = after.chapter if f.key == "found_values" and after else f.chapter

@@ -39,7 +39,7 @@ class FreeBodies:
         """The frames with each force polygon preceded by the free bodies of its links, and its pole after its
         equation."""
         opened = list[Frame]()
-        waiting = dict[str, Frame]()
+        waiting = {}
         for f in frames:
             if f.key == "pole" and plan_kind(f.plan) == "force" and self.plans.has_mechanism:
                 waiting[f.plan] = f
@@ -121,7 +121,7 @@ class FreeBodies:
     @cached_property
     def forces_by_polygon(self) -> Json:
         """For a page: by polygon the forces on its links, and both components of the resolved reactions."""
-        bodies: Json = {}
+        bodies = {}
         for plan in self.plans.force_plans:
             known = [*self.known_forces(plan)]
             forces = [{**f, "foot": None} for f in known if "mark" in f]

@@ -31,7 +31,7 @@ class Knobs(FreeNumbers):
         """Each with its name, its unit and its value in the scene; ``tied`` are those that change with it in
         proportion; one that ``stays`` is never drawn anew at random: guides, and points of a straight line."""
         used = {*self.plans.program.given_names, *self.own}
-        knobs = list[Json]()
+        knobs = []
         for name, value in self.values_in_scene.items():
             given, _, axis = name.partition(".")
             plan = next((p for p in self.plans.plan_names if mu_name(p) == given), None)

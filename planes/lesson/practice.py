@@ -77,8 +77,8 @@ class Practice(Choices):
     def practice_items(self) -> list[Json]:
         """The questions, in the order of the lesson: choices (:class:`Choices`), the known data of an equation's
         vectors (``known``), a sense (``sense``), numbers (``number``), marks (``mark``)."""
-        asked = set[object]()
-        items = list[Json]()
+        asked = set()
+        items = []
         for k, f in enumerate(self.frames):
             for kind, name in self.questions_of_frame(f):
                 question = kind, displayed_name(str(name))

@@ -121,7 +121,7 @@ class Questions(Note):
     def lesson_frames_blocks(self, keys: str, results: str) -> Blocks:
         """The frames of some keys on the plans of motion; and lines of calculation, those of a vector with its
         direction."""
-        given = set[str]()
+        given = set()
         for f in self.frames:
             rows = [r for r in f.rows if r.numbers and r.name not in given and re.match(results, r.name)]
             given |= {r.name for r in rows}

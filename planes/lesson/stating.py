@@ -38,8 +38,8 @@ class Stating:
 
     def insert_vector_equations(self, frames: list[Frame], make: Make) -> list[Frame]:
         """The frames, each vector equation before the first frame that draws one of its vectors."""
-        frames_with_equations = list[Frame]()
-        stated_equations = set[int]()
+        frames_with_equations = []
+        stated_equations = set()
         for f in frames:
             new = (
                 f.equation not in stated_equations and f.plan != "position" and self.plans.has_mechanism

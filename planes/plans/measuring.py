@@ -67,7 +67,7 @@ class DrawingReader:
 
     def measurements_by_plan(self, names: set[str] | None = None, errors: dict[str, float] | None = None) -> Json:
         """The measurements on each plan: μ, segments in mm and in SI, sharpness of the crossings."""
-        out: Json = {}
+        out = {}
         for plan in self.stated.plan_names:
             if plan in ("lever", "motion"):
                 continue

@@ -20,8 +20,8 @@ def read_friction(
     radii = {name: guide.radius for link in bodies for name, guide in link.round_guides.items()}
     slid = set(_guides_slid_on(links))
     hinges = set(_hinge_points(bodies))
-    guides = dict[str, float]()
-    journals = dict[str, Journal]()
+    guides = {}
+    journals = {}
     for name, entry in table.entries.items():
         what = Phrase("friction_of", name=name[:60])
         if name in hinges and isinstance(entry, SourceTable):

@@ -141,7 +141,7 @@ class FrameworkReader:
 
     def read_members(self) -> Iterator[NamePair]:
         """The members of a truss: [AB, BC] or [[A1, B], …]."""
-        seen = set[frozenset[str]]()
+        seen = set()
         for k, entry in self.numbered_entries("members"):
             what = Phrase("entry", number=k, what=section_in_words("members"))
             ends = (

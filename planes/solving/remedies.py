@@ -22,7 +22,6 @@ from planes.solving.nearest import can_be_drawn
 from planes.words import Lang, Written, say
 from planes.words.errors import PlanFailure
 from planes.words.names import mu_name, plan_kind
-from planes.words.records import Json
 from planes.words.units import mu_text
 
 FAR_NEIGHBOUR_DEG, NEAR_NEIGHBOUR_DEG = 5.0, 0.01
@@ -33,7 +32,7 @@ MOST_NEIGHBOUR_DIFFERENCE_RATIO = 0.25  # relative: neighbours that extrapolate 
 def remedy_positions(solved: Solved) -> None:
     """Correct what can be corrected: positions at given scales too large for blunt crossings, and failed positions."""
     solved.positions = [position_at_released_scales(solved, p) for p in solved.positions]
-    left: list[Json] = []
+    left = []
     for failure in solved.failed:
         between = interpolate_position(solved, failure[drive_position_key(solved.plans)], failure["error"])
         if between:

@@ -152,7 +152,7 @@ def _slides_table(p: Position, lang: Lang, e: Json | None) -> list[str]:
     fast = _largest_magnitude(moving, "v")
     quick = _largest_magnitude(moving, "a")
     for n, v in slides.items():
-        numbers: list[str] = []
+        numbers = []
         for k, most in (("v", fast), ("a", quick)):
             numbers += [number_cell(v[k].number, most) if k in v else "", *error_cell(e, "slides", n, k)]
         turn = [_magnitude_and_direction(v.get("coriolis"), quick)[0], *error_cell(e, "slides", n, "coriolis")]
@@ -218,7 +218,7 @@ def _reactions_table(reactions: dict[str, Measured], lang: Lang, e: Json | None,
 
 def _derived_values_table(p: Position, lang: Lang, naming: Naming, *groups: str) -> list[str]:
     """Transfer functions; weights and inertia; normal forces, friction and its power: each with its ±."""
-    lines: list[str] = []
+    lines = []
     for group in groups:
         rows = []
         e = p.results.get("errors")
@@ -233,7 +233,7 @@ def _derived_values_table(p: Position, lang: Lang, naming: Naming, *groups: str)
 
 
 def _balancing_load_lines(p: Position, lang: Lang, naming: Naming) -> list[str]:
-    lines: list[str] = []
+    lines = []
     for what, unit in (("moment", "N·m"), ("force", "N")):
         moment = p.number(f"balancing_{what}")
         check = p.number(f"zhukovsky_{what}")
@@ -260,7 +260,7 @@ def relative_difference(value: float, check: float) -> float:
 
 def stated_vector_tables(p: Position, lang: Lang, naming: Naming) -> list[str]:
     """The vectors of a scene of vectors, plan by plan, and the values computed from them."""
-    lines = list[str]()
+    lines = []
     e = p.results.get("errors")
     vectors = p.of("vectors")
     for plan in p.plans.plan_names:

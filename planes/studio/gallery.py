@@ -26,7 +26,7 @@ OWN_SCENE_FOLDERS = (Path(__file__).with_name("classics"), Path(__file__).parent
 def gallery_entries(more: Iterable[str]) -> list[Json]:
     """The gallery: an entry for every scene with a mechanism that works, of those that come with the program and of
     ``more`` folders and their subfolders; names are those of files, each once."""
-    rows: dict[str, Json] = {}
+    rows = {}
     for path in (file for folder in (*OWN_SCENE_FOLDERS, *map(Path, more)) for file in sorted(folder.rglob("*.yaml"))):
         try:
             text = read_file_text(path)

@@ -44,7 +44,7 @@ class Sign:
 def insert_signs(document: Drawing, marks: Sequence[Mark]) -> list[Mark]:
     """Insert the signs recognised among the marks as blocks; returns the remaining marks."""
     space = document.modelspace()
-    gone = set[int]()
+    gone = set()
     for sign in recognise_signs(marks):
         name, share, scales = (
             scaled_block(SLIDER_BLOCK, *sign.size) if sign.name == SLIDER_BLOCK else (sign.name, 1.0, {})

@@ -95,7 +95,7 @@ def _lay_out_line(text: str, path: str) -> tuple[float, tuple[Polyline, ...]]:
     own = open_font(path)
     spare = open_font(str(dejavu_file()))
     x = 0.0
-    lines = list[Polyline]()
+    lines = []
     for char in unicodedata.normalize("NFC", text).strip():
         if unicodedata.category(char) == "Cf":
             continue

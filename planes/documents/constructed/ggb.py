@@ -62,7 +62,7 @@ def unique_labels(figure: LiveFigure, numbers: GivenNumbers) -> Labels:
     """A unique label for each name of the program."""
     names = [*numbers.free_values, *_names_of_computed(numbers), *(s.makes for s in figure.shown_program.steps)]
     labels = Labels()
-    taken = set[str]()
+    taken = set()
     for name in names:
         label = wanted = _geogebra_label(figure, name)
         count = 1

@@ -112,7 +112,7 @@ class _Finder(Reached):
     def attach_groups(self, drive: Pair) -> tuple[AnyGroup, ...]:
         """Dyads in the order of attachment, a higher group where no dyad attaches; an error for the rest when nothing
         does."""
-        groups: list[AnyGroup] = []
+        groups = []
         solved: NameTuple = (FRAME, drive.link)
         if drive.other != FRAME:
             self.solve(FRAME)

@@ -117,7 +117,7 @@ def chain_of_basic_links(names: Sequence[str], between: Between, outer: dict[str
     if len(left) < 2 or len(names) != 2 * len(left) + 2:
         return None
     basics = [left.pop(0)]
-    hinges = list[Pair]()
+    hinges = []
     while left:
         ways = [
             (n, pairs[0]) for n in left for x in basics if len(pairs := between(*_later_link_first(names, n, x))) == 1

@@ -20,7 +20,7 @@ DYAD_KIND_BY_OUTER_PAIRS = {"RR": 1, "RP": 2, "PR": 2, "PP": 4}  # of a dyad wit
 def group_moved_by_inner_drive(f: Reached, drive: Pair) -> tuple[list[Group], AnyGroup]:
     """The group that the drive moves, after the stationary dyads that support it; :class:`StructureError` if it cannot
     be drawn."""
-    still = list[Group]()
+    still = []
     while dyad := next((g for two in f.meeting() if not any(map(drive.has_link, two)) and (g := f.dyad(two))), None):
         still.append(dyad)
         for link in dyad.links_in_solving_order:

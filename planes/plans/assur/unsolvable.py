@@ -36,7 +36,7 @@ def find_unsolvable_links(links: Sequence[str], joints: Sequence[Joint]) -> tupl
     """Over-constrained links if there are any; otherwise the smallest group of more than two that must be solved
     together; otherwise empty."""
     room: dict[Freedoms, int] = {(link,): 3 for link in links}
-    holds: Holds = []
+    holds = []
     for number, joint in enumerate(joints):
         own = () if joint.solved else ((str(number), "joint"),)
         room |= dict.fromkeys(own, 2)
@@ -55,7 +55,7 @@ def _match_constraints_to_freedoms(
     takers: dict[Freedoms, list[int]] = {whose: [] for whose in room}
     taken: dict[int, Freedoms] = {}
     for new in range(len(holds)):
-        asked: dict[Freedoms, int] = {}
+        asked = {}
         queue = [new]
         free = None
         for constraint in queue:  # constraints in the way must find another freedom

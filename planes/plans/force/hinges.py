@@ -7,7 +7,6 @@ same holds, in groups of class III, for the force of friction on a guide, by the
 """
 
 from planes.drafting.draft import Draft
-from planes.drafting.steps import Step
 from planes.drafting.steps.reckoning import Product, Sense, SenseBetween
 from planes.drafting.steps.settling import Fed, Settle
 from planes.plans.assur.groups import Pair
@@ -85,7 +84,7 @@ def settle_friction_values(acting: Acting, fed: tuple[Fed, ...], trial: Draft) -
     reactions."""
     d = acting.bodies.draft
     needed = {f.size for f in fed}
-    steps = list[Step]()
+    steps = []
     for step in reversed([s for name, s in trial.steps.items() if name not in d.steps]):
         if step.makes in needed:
             needed.update(name for name, _ in step.input_names())

@@ -99,7 +99,7 @@ class Statics:
     def lay_off_forces(self, plan: str, forces: list[Force], start: str = POLE_LABEL) -> tuple[Chain, str]:
         """Forces laid off one after another on a plan from the mark with that label, each to a mark with its name;
         returns their terms, and the label reached."""
-        chain = list[Term]()
+        chain = []
         for f in forces:
             end = vector_end_label(f.name)
             chain.append(Term(f.name, start, end, f.size, f.along, f.along, means=f.meaning_of_mark))

@@ -167,7 +167,7 @@ class ContourRates:
     def lay_off_known_parts(self, leg: Leg, start: str, plan: str) -> tuple[str, list[Term]]:
         """The known parts of a lead's rate on a false plan, from the assumed place of its first point; and their
         terms."""
-        terms = list[Term]()
+        terms = []
         mark = start
         for term in self.known_part_of_leg(leg):
             end = f"{term.end.removesuffix(chr(39))},{plan}" + ("'" if term.end.endswith("'") else "")

@@ -156,7 +156,7 @@ def _fit_branch_series(way: _Way, spots: list[Waypoint], count: int) -> Branch |
     low = spots[0].value
     high = spots[-1].value
     values = [s.value for s in spots]
-    places = list[complex]()
+    places = []
     turns = [list[float]() for _ in way.start.pose[1:]]
     for j in range(count):  # from the highest position of the drive down
         tau = math.pi * (1 - math.cos(math.pi * (j + 0.5) / count)) / 2

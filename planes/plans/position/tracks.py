@@ -161,7 +161,7 @@ def choose_triad_assembly(b: Bodies, program: Program, choice: TrackChoice) -> N
         return
     if not said or any(assembly.near is None for _, assembly in said):
         raise tracks.error(_assembly_choice_question(tracks, counted, said[0][0] if said else choice.key))
-    chosen = dict[str, Pose]()
+    chosen = {}
     for key, assembly in said:
         places = {tracks.place_of_point(pose, key): pose for pose in counted.poses}
         if len(places) < len(counted.poses):

@@ -76,7 +76,7 @@ class StraightBeam:
             for p in stops
             if not self.is_inside_distributed_load(p)
         ]
-        shears = list[Shear]()
+        shears = []
         for one, other in pairwise(stops):
             if not self.has_distributed_load_between(one, other):
                 middle = self.middle_distance_along(one, other)

@@ -72,7 +72,7 @@ class FrameworkBuilder(StatedLoads):
     def shared_hinges(self) -> dict[str, NamePair]:
         """The points two bodies share."""
         bodies = self.framework.bodies
-        hinges = dict[str, NamePair]()
+        hinges = {}
         for point in self.framework.points:
             owners = [name for name, points in bodies.items() if point in points]
             if len(owners) > 2:

@@ -74,7 +74,7 @@ class Regions:
         left = dict.fromkeys(side for a, b in self.framework.members for side in ((a, b), (b, a)))
         faces = list[list[Side]]()
         while left:
-            face = list[Side]()
+            face = []
             side = next(iter(left))
             while side in left:
                 face.append(side)

@@ -124,7 +124,7 @@ def pole_for_strings_through(b: FreeBody, pole: complex, points: Sequence[str], 
     trial.draw_rays_and_strings(first)
     cuts = [0, before, len(b.forces)] if len(points) == 3 else [0, len(b.forces)]
     ends = [POLE_LABEL, *(t.end for t in b.chain)]
-    parted = list[NamePair]()
+    parted = []
     for n, (low, high) in enumerate(pairwise(cuts)):
         means = Meaning("along", f"R{TRIAL_SUFFIX}{n + 1}")
         chord = d.draw_direction_through_marks(
