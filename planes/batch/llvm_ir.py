@@ -10,6 +10,7 @@ from pathlib import Path
 from string import Template
 
 from planes.batch.tape import TEST_OPERATIONS, Tape
+from planes.words.frozen import field, frozen
 
 LONGEST_ROW_POSITIONS = 2048
 """Largest number of positions in a block: a row of every input and output."""
@@ -75,14 +76,14 @@ class Lines:
         return name
 
 
+@frozen
 class LoopText:
     """The loop under construction: places of the tape to names in the loop."""
 
-    def __init__(self, tape: Tape, names: dict[int, str], rough: frozenset[int]) -> None:
-        self.tape = tape
-        self.names = names
-        self.rough = rough
-        self.lines = Lines()
+    tape: Tape
+    names: dict[int, str]
+    rough: frozenset[int]
+    lines: Lines = field(default_factory=Lines)
 
     def value_name(self, place: int) -> str:
         """The name of a place in the loop, or the constant itself."""

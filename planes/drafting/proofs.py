@@ -21,13 +21,13 @@ MOST_AGREEMENT_GAP_RATIO = 1e-9  # relative: within this, two ways to a number a
 VectorRow = tuple[str, str, str, int, str]  # its start and end, its direction, its sign, its length
 
 
+@frozen
 class Facts:
     """The data of a drawing, as proofs read them: whatever several of them need is computed once."""
 
-    def __init__(self, things: Things, ar: Arithmetic) -> None:
-        self.things = things
-        self.ar = ar
-        self.known: dict[tuple[str, ...], Any] = {}
+    things: Things
+    ar: Arithmetic
+    known: dict[tuple[str, ...], Any] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Thing:
         return self.things[name]

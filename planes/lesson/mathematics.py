@@ -6,6 +6,7 @@ from collections.abc import Callable
 from planes.lesson.formulas import fill_slots, unit_of_name, value_slot
 from planes.lesson.rows import Row, row_remark
 from planes.words import say
+from planes.words.frozen import frozen
 from planes.words.naming import Naming
 from planes.words.units import RAISED_DIGITS, number_in_tex
 
@@ -14,13 +15,13 @@ TOKEN_PATTERN = re.compile(rf"⟨([^⟩]*)⟩|(−?\d[\d.,]*(?:·10[{RAISED_DIGI
 WORD_INDEX_PATTERN = re.compile(r"[^\W\d_]*[А-яЁёІіЎўЄєЇїҐґ][\w. ]*")
 
 
+@frozen
 class Typesetter:
     """Sets lines of reckoning of one plan; ``read`` gives a value by its name."""
 
-    def __init__(self, read: Read, naming: Naming, plan: str = "") -> None:
-        self.read = read
-        self.naming = naming
-        self.plan = plan
+    read: Read
+    naming: Naming
+    plan: str = ""
 
     def typeset_row(self, row: Row) -> tuple[str, ...]:
         """``head = letters = numbers = value unit`` in pieces, each but the first with the sign it begins with."""

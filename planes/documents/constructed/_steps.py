@@ -10,6 +10,7 @@ from planes.documents.constructed._numbers import RADIANS_PER_DEGREE, number_lit
 from planes.drafting import steps as s
 from planes.drafting.steps import crossings as c
 from planes.drafting.steps import reckoning as r
+from planes.words.frozen import field, frozen
 from planes.words.names import POLE_LABEL, full_mark_name, plan_of
 from render.files.ggb import HIDDEN_ASPECT, PALE_COLOUR, Aspect, GeogebraFile, Kind
 
@@ -25,15 +26,15 @@ place end in _x and _y; the others are made by ``Translator.parts``. Vectors sho
 numbers below that share of the largest are zero."""
 
 
+@frozen
 class Translator:
     """Writes one step after another into a construction; ``left`` are those that stay numbers."""
 
-    def __init__(self, figure: LiveFigure, made: GeogebraFile, labels: Labels, looks: Callable[[str], Aspect]) -> None:
-        self.figure = figure
-        self.made = made
-        self.labels = labels
-        self.looks = looks
-        self.left: list[s.Step] = []
+    figure: LiveFigure
+    made: GeogebraFile
+    labels: Labels
+    looks: Callable[[str], Aspect]
+    left: list[s.Step] = field(default_factory=list)
 
     def write_step(self, step: s.Step) -> None:
         """One step."""
