@@ -5,7 +5,7 @@ carried to first order.
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -22,14 +22,14 @@ from planes.plans.columns import Column
 from planes.plans.measuring import DrawingReader
 from planes.plans.quantities import Measured, Quantity, nested_json, quantities_asked_for, results_with_intermediates
 from planes.solving import Position, Solved
-from planes.words.names import mu_name
+from planes.words.names import NumbersByName, mu_name
 from planes.words.records import finite_or_none
 
 
 class Spread(Margins):
     """Standard deviations over draughtsmen with the same pencil, carried to every column by first-order slopes."""
 
-    def __init__(self, cycle: Ready, pencil: Pencil, mus: Mapping[str, float]) -> None:
+    def __init__(self, cycle: Ready, pencil: Pencil, mus: NumbersByName) -> None:
         errors = pencil.point_mm, math.radians(pencil.ray_deg), pencil.ruler_mm / math.sqrt(12.0)
         given = {**cycle.given, **mus}
         takes = [c.read_from_drawing for c in cycle.columns]

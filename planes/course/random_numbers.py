@@ -23,7 +23,7 @@ from planes.scene.source import parse_yaml as parse_text
 from planes.solving import solve
 from planes.words import Phrase
 from planes.words.errors import Contradiction, PlanesError, SceneError
-from planes.words.names import NameTuple
+from planes.words.names import NameTuple, NumbersByName
 
 MOST_TRIED_SETS = 1000  # sets of numbers tried before giving up
 TEST_ANGLES_DEG = tuple(map(float, range(0, 360, 2)))  # the driver's test angles, degrees
@@ -68,7 +68,7 @@ def parameter_choices(text: str, file: str, draw: Mapping[str, ParameterChoice] 
     return {name: values_of[name] for name in own if name in values_of}
 
 
-def _default_choices(table: SourceTable, plain: Mapping[str, float]) -> dict[str, ParameterChoice]:
+def _default_choices(table: SourceTable, plain: NumbersByName) -> dict[str, ParameterChoice]:
     """The parameters drawn by default: the driver's position, lengths and coordinates, its speed, loads."""
     at = entries_of_table(table.entries.get("drive")).get("phi")
     angle = at.text if isinstance(at, SourceScalar) else ""

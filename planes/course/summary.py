@@ -11,7 +11,7 @@ from planes.solving.document import Blocks, DocumentTable, Heading, Paragraph
 from planes.words import Lang, say
 from planes.words.frozen import frozen
 from planes.words.lettering import parameter_lettering
-from planes.words.names import NamePair
+from planes.words.names import NamePair, NumbersByName
 from planes.words.records import csv_text as csv_of
 from planes.words.units import number_text
 
@@ -25,7 +25,7 @@ class StudentRow:
     share: Share
     group: str
     title: Mapping[str, str]
-    numbers: Mapping[str, float]
+    numbers: NumbersByName
     found: Mapping[NamePair, float]
     fault: str
 

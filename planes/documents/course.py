@@ -37,7 +37,7 @@ from planes.solving.document import Block
 from planes.solving.given import GIVEN_NUMBER_DIGITS
 from planes.words import Lang, Phrase
 from planes.words.frozen import frozen
-from planes.words.names import NameTuple, plan_kind
+from planes.words.names import NameTuple, NumbersByName, plan_kind
 from render.files import Page, pdf
 from render.page.lesson_page import whole_lesson_page
 from render.paper.letters import BRACKETED_NAME_PATTERN
@@ -158,7 +158,7 @@ class Desk:
         """The position of the drive in which the scheme is shown, chosen over all that can be drawn."""
         return clearest_driver_angle(scene_plans(self.scene), self.drawn_position.at)
 
-    def scheme_to_show(self, fits: Mapping[str, float] | None = None, smaller: bool = False) -> Position:
+    def scheme_to_show(self, fits: NumbersByName | None = None, smaller: bool = False) -> Position:
         """The scheme in that position, at the scene's own μ unless it must be ``smaller``."""
         scene = replace(self.scene, mu={**self.scene.mu, "position": None}) if smaller else self.scene
         return solve_position(scene, self.drawn_position.plans, [], self.shown_drive_position, None, self.lang, fits)

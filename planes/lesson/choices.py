@@ -4,7 +4,7 @@ A choice is data: the options, each with the reason why it is wrong, or none if 
 size of the plan.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 
 from planes.drafting.drawing import Drawing
@@ -15,7 +15,7 @@ from planes.lesson.free_bodies import FreeBodies, links_phrase
 from planes.plans import Plans
 from planes.plans.scales import largest_fitting_scale
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, force_plan_links, full_mark_name, label_of, mu_name, plan_kind
+from planes.words.names import POLE_LABEL, NumbersByName, force_plan_links, full_mark_name, label_of, mu_name, plan_kind
 from planes.words.records import Json
 from planes.words.units import UNIT_OF_PLAN
 
@@ -35,7 +35,7 @@ class Choices:
     drawing: Drawing
     frames: Sequence[Frame]
     equations: Sequence[Json]
-    fit_mm: Mapping[str, float]
+    fit_mm: NumbersByName
 
     def options_of_choice(self, kind: str, what: str | int, frame: int) -> Json | None:
         """The options of a choice, by its kind; None where there is nothing to choose."""

@@ -23,7 +23,7 @@ from planes.lesson.reckoning import displayed_name
 from planes.lesson.scheme import moment_arms
 from planes.words import Phrase, sentence_table
 from planes.words.frozen import frozen
-from planes.words.names import NameTriple, letter_of, mu_name
+from planes.words.names import NameTriple, NumbersByName, letter_of, mu_name
 from planes.words.records import Json
 
 Progress = Callable[[int, int], None]
@@ -71,7 +71,7 @@ class Practice(Choices):
     """The items of one lesson; ``values`` are its numbers by the names in slots."""
 
     given: Things
-    values: Mapping[str, float]
+    values: NumbersByName
     spans: Mapping[str, NameTriple]
 
     def practice_items(self) -> list[Json]:

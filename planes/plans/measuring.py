@@ -3,7 +3,6 @@ words."""
 
 import cmath
 import math
-from collections.abc import Mapping
 
 from planes.drafting.draft import Segment
 from planes.drafting.drawing import Drawing
@@ -15,7 +14,7 @@ from planes.scene import Scene
 from planes.words import Lang, capitalize_first_letter
 from planes.words.errors import PlanFailure
 from planes.words.lettering import plan_phrase
-from planes.words.names import full_mark_name, label_of, mu_name, plan_kind
+from planes.words.names import NumbersByName, full_mark_name, label_of, mu_name, plan_kind
 from planes.words.records import Json
 from planes.words.units import UNIT_OF_PLAN, mu_text
 
@@ -25,7 +24,7 @@ BLUNT_CROSSING_SINE = math.sin(math.radians(15))
 class DrawingReader:
     """Reads one drawing."""
 
-    def __init__(self, stated: Plans, drawing: Drawing, scales: Mapping[str, float]) -> None:
+    def __init__(self, stated: Plans, drawing: Drawing, scales: NumbersByName) -> None:
         self.stated = stated
         self.drawing = drawing
         self.scales = scales

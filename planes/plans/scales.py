@@ -10,7 +10,7 @@ from planes.drafting.drawing import Drawing, draw_program, draw_until_failure
 from planes.drafting.program import Program
 from planes.geometry.arithmetic import Real
 from planes.plans import Plans
-from planes.words.names import POLE_LABEL, label_of, mu_name, plan_kind
+from planes.words.names import POLE_LABEL, NumbersByName, label_of, mu_name, plan_kind
 from planes.words.units import standard_mu, standard_scale
 
 PLAN_FIT_MM = {"position": 150.0, "velocity": 100.0, "acceleration": 100.0, "force": 140.0, "motion": 100.0}
@@ -39,7 +39,7 @@ def plan_sizes_on_format(sheet: Mapping[str, object], plans: Plans) -> dict[str,
     return {kind: share * mm for kind, mm in PLAN_FIT_MM.items()}
 
 
-def scale_leaders(sizes: Mapping[str, float], fit_mm: Mapping[str, float] = PLAN_FIT_MM) -> dict[str, str]:
+def scale_leaders(sizes: NumbersByName, fit_mm: NumbersByName = PLAN_FIT_MM) -> dict[str, str]:
     """For each plan, given the sizes in SI, the plan whose μ it shares. Force plans share one, since forces are carried
     from one to another: that of the largest plan. Those too small at it share the μ of the largest among them."""
     forces = sorted((p for p in sizes if plan_kind(p) == "force"), key=lambda p: -sizes[p])
@@ -68,7 +68,7 @@ def plan_scales(
     plans: Plans,
     said: Mapping[str, float | None],
     given: Mapping[str, object] | None = None,
-    fit_mm: Mapping[str, float] = PLAN_FIT_MM,
+    fit_mm: NumbersByName = PLAN_FIT_MM,
 ) -> dict[str, float]:
     """μ of every plan of one position (names to mm per SI unit). Raises the same errors as drawing that position.
 

@@ -32,7 +32,7 @@ from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_o
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
-from planes.words.names import CREMONA_PLAN, NameTuple, with_latin_letters
+from planes.words.names import CREMONA_PLAN, NameTuple, NumbersByName, with_latin_letters
 from planes.words.records import Pictured
 from planes.words.units import Convention
 
@@ -45,9 +45,9 @@ class ReadWith:
 
     variant: str | None = None
     variants: NameTuple = ()
-    parameters: Mapping[str, float] = field(default_factory=nothing)
+    parameters: NumbersByName = field(default_factory=nothing)
     source: str = field(default="", compare=False)
-    changed: Mapping[str, float] = field(default_factory=nothing, compare=False)
+    changed: NumbersByName = field(default_factory=nothing, compare=False)
 
 
 @frozen
@@ -86,12 +86,12 @@ class Scene(Pictured):
         return self.reading.variants
 
     @property
-    def parameters(self) -> Mapping[str, float]:
+    def parameters(self) -> NumbersByName:
         """The parameters it was read with."""
         return self.reading.parameters
 
     @cached_property
-    def used(self) -> Mapping[str, float]:
+    def used(self) -> NumbersByName:
         """The parameters in use, directly or through one another."""
         return parameter_values_in_use(self.reading.source, self.file, self.parameters)
 

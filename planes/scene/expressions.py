@@ -13,7 +13,7 @@ from planes.geometry.arithmetic import Real, acos_deg, asin_deg, atan2_deg, atan
 from planes.scene.unit_words import UNIT_FACTORS, unit_at_start
 from planes.words import Phrase, Written
 from planes.words.errors import ExpressionError, list_valid_choices, quoted_excerpt
-from planes.words.names import NamePair
+from planes.words.names import NamePair, NumbersByName
 
 MAX_EXPRESSION_LENGTH = 1000
 MAX_EXPRESSION_DEPTH = 40
@@ -39,7 +39,7 @@ _FUNCTIONS: dict[str, tuple[Callable[..., float], int, int]] = {
 RESERVED_NAMES = ("pi", *_FUNCTIONS)  # reserved: no parameter may have these names
 
 
-def evaluate_expression(text: str, names: Mapping[str, float], valid: Iterable[str] | None = None) -> float:
+def evaluate_expression(text: str, names: NumbersByName, valid: Iterable[str] | None = None) -> float:
     """The finite value of an expression over named numbers, or an ExpressionError in words.
 
     ``valid`` are the names a message offers, where they are more than ``names``.

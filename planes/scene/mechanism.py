@@ -12,7 +12,7 @@ from typing import Literal
 
 from planes.scene.written_numbers import WrittenNumbers
 from planes.words.frozen import field, frozen
-from planes.words.names import NamePair, NameTriple, NameTuple
+from planes.words.names import NamePair, NameTriple, NameTuple, NumbersByName
 
 FRAME = "0"
 DRIVE_RATE_KEYS = {"phi": ("omega", "epsilon"), "s": ("velocity", "acceleration")}
@@ -221,7 +221,7 @@ class Mechanism:
     drive: Drive
     loads: tuple[Load, ...] = ()
     gravity: float | None = None
-    friction: Mapping[str, float] = field(default_factory=nothing)
+    friction: NumbersByName = field(default_factory=nothing)
     journals: Mapping[str, Journal] = field(default_factory=nothing)  # by point or circular guide
     assembly: Mapping[str, Assembly] = field(default_factory=nothing)
     where: Where = field(default_factory=nothing, compare=False)

@@ -15,7 +15,7 @@ from planes.scene.reader import MAX_NAME_LENGTH, Reader, has_no_value, part_in_w
 from planes.scene.source import Items, Node, SourceScalar, SourceTable, parse_yaml
 from planes.words import Phrase
 from planes.words.errors import ExpressionError, PlanesError, list_valid_choices, quoted_excerpt
-from planes.words.names import with_latin_letters
+from planes.words.names import NumbersByName, with_latin_letters
 
 LATIN_SPELLING_OF_VARIANTS = dict(zip("АБВГДЕ", "ABVGDE", strict=True))
 """Russian letters of variants, by their Latin spelling."""
@@ -60,7 +60,7 @@ def require_finite_numbers(value: Any, name: str, several: bool = True) -> Any:
 
 
 def variant_with_numbers(
-    reader: Reader, node: Node | None, chosen: SourceTable | None, numbers: Mapping[str, float]
+    reader: Reader, node: Node | None, chosen: SourceTable | None, numbers: NumbersByName
 ) -> SourceTable:
     """The chosen variant with the user's numbers for some parameters."""
     known = entries_of_table(node)
@@ -226,7 +226,7 @@ def parameters_depending_on(names: Iterable[str], uses: Uses) -> set[str]:
     return names_reachable_from(names, users)
 
 
-def parameter_values_in_use(text: str, file: str, values: Mapping[str, float]) -> Mapping[str, float]:
+def parameter_values_in_use(text: str, file: str, values: NumbersByName) -> NumbersByName:
     """Those of the ``values`` that the mechanism of a scene, or its vectors, depend on, directly or through one
     another; all of them where the scene has no text."""
     entries = parse_yaml(text, file).entries if text else {}

@@ -10,6 +10,7 @@ from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.scene.written_numbers import WrittenNumbers
 from planes.words import Phrase, Told
 from planes.words.errors import ExpressionError, SceneError, list_valid_choices, quoted_excerpt
+from planes.words.names import NumbersByName
 
 LARGEST_SCENE_NUMBER = 1e50  # the largest number of a scene: products of several stay far from overflow
 # the largest angle: beyond it a double has too few digits for the position within the turn
@@ -21,9 +22,9 @@ _NAME_PATTERN = re.compile(r"[\w'′″-]*\w[\w'′″-]*")
 class Reader:
     """Reads nodes of one file with one set of parameters."""
 
-    def __init__(self, file: str, parameters: Mapping[str, float] | None = None) -> None:
+    def __init__(self, file: str, parameters: NumbersByName | None = None) -> None:
         self.file = file
-        self.parameters: Mapping[str, float] = parameters or {}
+        self.parameters: NumbersByName = parameters or {}
         self.taken: set[str] = set()  # names of points, in Latin letters
         self.written = WrittenNumbers()
 

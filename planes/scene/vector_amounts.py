@@ -8,6 +8,7 @@ from planes.geometry.arithmetic import Real
 from planes.scene.expressions import ExpressionParser
 from planes.words import Phrase
 from planes.words.frozen import frozen
+from planes.words.names import NumbersByName
 
 Factors = tuple[tuple[str, int], ...]
 MOST_AMOUNT_TERMS = 200
@@ -77,7 +78,7 @@ def _product_of_factors(f: Factors, g: Factors) -> Factors:
 class AmountParser(ExpressionParser):
     """Parses an amount that has no value yet; ``named`` are the names found on plans."""
 
-    def __init__(self, text: str, parameters: Mapping[str, float], named: Iterable[str]) -> None:
+    def __init__(self, text: str, parameters: NumbersByName, named: Iterable[str]) -> None:
         names: dict[str, Real] = {n: _Sum({((n, 1),): 1.0}, x) for n, x in parameters.items()}
         names |= {name_without_caret(n): _Sum({((n, 1),): 1.0}, None) for n in named}
         super().__init__(_replace_carets_in_names(text, named), names, [*parameters, *named])
@@ -129,7 +130,7 @@ def _replace_carets_in_names(text: str, named: Iterable[str]) -> str:
     return text
 
 
-def read_amount(text: str, parameters: Mapping[str, float], named: Iterable[str]) -> VectorAmount | float:
+def read_amount(text: str, parameters: NumbersByName, named: Iterable[str]) -> VectorAmount | float:
     """A number, or the amount that the plans will give; :class:`ExpressionError` in words."""
     total = _Sum.as_sum(AmountParser(text, parameters, tuple(named)).parse_expression())
     if not all(map(math.isfinite, total.terms.values())):

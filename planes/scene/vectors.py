@@ -16,7 +16,7 @@ from planes.scene.vector_equations import VECTOR_NAME_PATTERN, VectorEquation, r
 from planes.words import Phrase, Told
 from planes.words.errors import EquationError, ExpressionError, SceneError, list_valid_choices, quoted_excerpt
 from planes.words.frozen import field, frozen, replace
-from planes.words.names import NamePair, split_reversal_sign
+from planes.words.names import NamePair, NumbersByName, split_reversal_sign
 
 VECTOR_KEYS = ("value", "direction", "perpendicular_to", "near", "similar", "ratio", "angle", "as")
 _VECTOR_NAME_REGEX = re.compile(VECTOR_NAME_PATTERN)
@@ -61,7 +61,7 @@ class Statement:
     vectors: Mapping[str, VectorGiven] = field(default_factory=nothing)
     equations: tuple[VectorEquation, ...] = ()
     values: Mapping[str, Amount] = field(default_factory=nothing)
-    parameters: Mapping[str, float] = field(default_factory=nothing)
+    parameters: NumbersByName = field(default_factory=nothing)
     quantity: str | None = None
     statics: Framework | None = None
     drive: Drive | None = None  # the variable of the laws among them

@@ -1,7 +1,7 @@
 """Solve a scene for one or many positions of its drive: the output of ``planes solve``, as plain dictionaries."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from operator import attrgetter
 from pathlib import Path
@@ -31,7 +31,7 @@ from planes.solving.warned import accuracy_warnings
 from planes.words import Lang, Phrase, Written
 from planes.words.errors import PlanFailure, ProgramError, SceneError
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, label_of, split_value_name
+from planes.words.names import POLE_LABEL, NumbersByName, label_of, split_value_name
 from planes.words.records import Json, Pictured, Tabulated
 
 _GET_VECTOR, _GET_NUMBER = attrgetter("vector"), attrgetter("number")
@@ -50,7 +50,7 @@ class Position(Pictured, Tabulated):
     at: float
     plans: Plans
     drawing: Drawing
-    scales: Mapping[str, float]
+    scales: NumbersByName
     found: tuple[Measured, ...]
     results: Json
 
@@ -270,7 +270,7 @@ def solve_position(
     value: float,
     instrument: Instrument | None,
     lang: Lang,
-    fit_mm: Mapping[str, float] | None = None,
+    fit_mm: NumbersByName | None = None,
 ) -> Position:
     """One position drawn at its scales and measured. An open μ is the largest with which the plan fits ``fit_mm``, or
     the sheet named in the scene."""

@@ -3,7 +3,7 @@ are enough to draw it again."""
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cached_property
 
 from planes.plans import Plans
@@ -18,7 +18,7 @@ from planes.solving.given_rows import GivenRow, are_numbers_equal, gives_same_qu
 from planes.words import say
 from planes.words.frozen import frozen
 from planes.words.lettering import parameter_lettering
-from planes.words.names import letter_of, plan_kind
+from planes.words.names import NumbersByName, letter_of, plan_kind
 from planes.words.naming import Naming
 from planes.words.units import UNIT_OF_PLAN, number_text, unit_of_parameter
 
@@ -36,7 +36,7 @@ class GivenTable:
 
     position: Position
     naming: Naming
-    parameters: Mapping[str, float]
+    parameters: NumbersByName
     steady: bool = False
 
     @property

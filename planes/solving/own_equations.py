@@ -14,7 +14,7 @@ from planes.scene.vector_equations import SideTerm, VectorEquation
 from planes.words import Lang, Phrase, say
 from planes.words.errors import SceneError, list_valid_choices
 from planes.words.frozen import frozen
-from planes.words.names import POLE_LABEL, full_mark_name, mu_name, plan_kind, plan_of, split_value_name
+from planes.words.names import POLE_LABEL, NumbersByName, full_mark_name, mu_name, plan_kind, plan_of, split_value_name
 from planes.words.read_off import read_off_text
 from planes.words.records import Json
 from planes.words.units import UNIT_OF_PLAN, number_text
@@ -67,7 +67,7 @@ class OwnEquation:
 
 
 def check_own_equations(
-    plans: Plans, drawing: Drawing, scales: Mapping[str, float], equations: Iterable[VectorEquation], file: str
+    plans: Plans, drawing: Drawing, scales: NumbersByName, equations: Iterable[VectorEquation], file: str
 ) -> Iterator[OwnEquation]:
     """Each equation, in the order of the file; the result of one is known to those after it. Raises :class:`SceneError`
     where a vector does not belong to the mechanism, or two vectors of an equation are unknown."""
@@ -98,7 +98,7 @@ def plan_kind_of_vector(name: str) -> str:
     return {"v": "velocity", "a": "acceleration"}.get(split_value_name(name)[0], "force")
 
 
-def mechanism_vectors(plans: Plans, drawing: Drawing, scales: Mapping[str, float]) -> Iterator[tuple[str, complex]]:
+def mechanism_vectors(plans: Plans, drawing: Drawing, scales: NumbersByName) -> Iterator[tuple[str, complex]]:
     """Every vector of the mechanism by name: of points, of one point relative to another, components as on its plans,
     forces on links, reactions from either side."""
 

@@ -19,7 +19,7 @@ from planes.studio.text_edits import Edited
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
-from planes.words.names import given_name_without_suffix, is_scale, plan_of_scale
+from planes.words.names import NumbersByName, given_name_without_suffix, is_scale, plan_of_scale
 from planes.words.units import mu_text
 
 TRIAL_STEP_SHARE = 1e-3  # relative: trial change of a number
@@ -51,7 +51,7 @@ def changeable_numbers(text: str) -> dict[str, float]:
     return {name: value for name, value in knobs.values_in_scene.items() if name in names}
 
 
-def text_with_numbers(text: str, wanted: Mapping[str, float], said: Mapping[str, str] = MappingProxyType({})) -> Edited:
+def text_with_numbers(text: str, wanted: NumbersByName, said: Mapping[str, str] = MappingProxyType({})) -> Edited:
     """The text with the mechanism's numbers as wanted, in the figures of a hand where it ``said`` them (310*0.001);
     :class:`PlanesError` where no number of the text can achieve that."""
     edited = Edited(text)
@@ -78,10 +78,10 @@ def _numbers_in_text(text: str) -> list[NumberInText]:
     return numbers + [NumberInText(path, 0.0) for path in OPTIONAL_NUMBER_PATHS if path not in there]
 
 
-Slopes = Mapping[NumberInText, Mapping[str, float]]
+Slopes = Mapping[NumberInText, NumbersByName]
 
 
-def _text_solved_for_numbers(edited: Edited, wanted: Mapping[str, float], said: Mapping[str, str]) -> Edited:
+def _text_solved_for_numbers(edited: Edited, wanted: NumbersByName, said: Mapping[str, str]) -> Edited:
     """One number after another, by Newton's steps in the numbers of the text that change it; some are already right
     through an expression."""
     home = changeable_numbers(edited.text)
@@ -131,14 +131,12 @@ def _numbers_that_affect(name: str, slopes: Slopes, chosen: Mapping[str, NumberI
     return [f for f, moved in slopes.items() if moved.get(name) and f not in chosen.values()]
 
 
-def _rank_of_number(
-    figure: NumberInText, moved: Mapping[str, float], wanted: Mapping[str, float]
-) -> tuple[bool, int, bool]:
+def _rank_of_number(figure: NumberInText, moved: NumbersByName, wanted: NumbersByName) -> tuple[bool, int, bool]:
     """Zeros stay; then numbers that change the fewest others, the parameters first."""
     return not figure.value, len(moved.keys() - wanted.keys()), figure.path[0] != "parameters"
 
 
-def _rates_of_numbers(edited: Edited, figure: NumberInText, home: Mapping[str, float]) -> dict[str, float]:
+def _rates_of_numbers(edited: Edited, figure: NumberInText, home: NumbersByName) -> dict[str, float]:
     """The numbers of the mechanism that change with one of the text, and their rates."""
     step = TRIAL_STEP_SHARE * (abs(figure.value) or 1.0)
     try:
@@ -148,7 +146,7 @@ def _rates_of_numbers(edited: Edited, figure: NumberInText, home: Mapping[str, f
     return {n: (there[n] - v) / step for n, v in home.items() if n in there and abs(there[n] - v) > 1e-9 * abs(step)}
 
 
-def _text_reaching_values(edited: Edited, chosen: Sequence[NumberInText], wanted: Mapping[str, float]) -> Edited:
+def _text_reaching_values(edited: Edited, chosen: Sequence[NumberInText], wanted: NumbersByName) -> Edited:
     """The text with numbers that give the wanted ones, as closely as their digits allow."""
     values = [f.value for f in chosen]
 

@@ -4,6 +4,7 @@ people type are converted to these by :mod:`planes.words.naming`."""
 
 import re
 import unicodedata
+from collections.abc import Mapping
 from functools import lru_cache
 from typing import Literal
 
@@ -21,8 +22,9 @@ Line = Literal["along", "across", "towards", "with", "against", "leaning", "down
 Quantity = Literal[Mark, Loading, Size, Line]
 NameTuple = tuple[str, ...]
 NamePair = tuple[str, str]
-NameTriple = tuple[str, str, str]
 """The ends of a vector, a point and its link, two links: which two, the name of the value says."""
+NameTriple = tuple[str, str, str]
+NumbersByName = Mapping[str, float]
 
 # drawn but never a question to the student
 HELPER_MARK_KINDS = ("guide", "moved", "foot", "trial", "special", "false", "centre")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 
 from planes.drafting.drawing import SHAKEN_DRAWING_SEEDS, Drawing, draw_until_failure
 from planes.drafting.instruments import Shaken
@@ -11,7 +11,7 @@ from planes.geometry.arithmetic import Arithmetic
 from planes.plans.statements.stated_vectors import StatedVectors, VectorState
 from planes.scene.vector_equations import Side, SideTerm, VectorEquation
 from planes.words import Phrase
-from planes.words.names import NameTriple, mu_name, plan_of
+from planes.words.names import NameTriple, NumbersByName, mu_name, plan_of
 
 CLOSED_GAP_RATIO = 1e-4  # of the largest vector: the number of digits in given numbers
 LEAST_CERTAIN_RATIO = 1e-6  # of the largest vector of a plan: larger ones exceed rounding
@@ -70,7 +70,7 @@ def _closing_gap(drawing: Drawing, value: complex, given: VectorState) -> float:
     return float(abs(plane.cross(way, value)) if length is None else abs(value - way * length))
 
 
-def uncertain_vectors(vectors: StatedVectors, drawing: Drawing, given: Mapping[str, float]) -> Iterator[NameTriple]:
+def uncertain_vectors(vectors: StatedVectors, drawing: Drawing, given: NumbersByName) -> Iterator[NameTriple]:
     """Divisions by zero, and directions or magnitudes taken from a vector without a correct digit: the key of the
     sentence, the name, and the source."""
     yield from (
