@@ -19,7 +19,8 @@ from planes.plans.assur.groups import Pair
 from planes.scene.mechanism import FRAME
 from planes.words.frozen import frozen
 
-NEWTON_TOLERANCE, MOST_NEWTON_STEPS = 1e-12, 50
+NEWTON_TOLERANCE = 1e-12
+MOST_NEWTON_STEPS = 50
 FRAME_POSE = (0.0, 0.0, 0.0)  # the pose of the frame
 
 

@@ -19,7 +19,8 @@ from planes.plans import Plans
 from planes.words.errors import PlanFailure
 from planes.words.frozen import frozen
 
-COMPARED_POSITIONS, DIFFERENCE_STEP = 48, 1e-3
+COMPARED_POSITIONS = 48
+DIFFERENCE_STEP = 1e-3
 Work = Callable[[Array], Array]
 Triple = tuple[complex, complex, complex]  # place, velocity, acceleration
 

@@ -22,7 +22,8 @@ from planes.words.frozen import frozen
 
 Kind = Literal["end", "change", "infinite"]
 FIFTY_DIGITS = Digits(50)
-EDGE_HALVINGS, MOST_NARROWING_ROUNDS = 170, 180
+EDGE_HALVINGS = 170
+MOST_NARROWING_ROUNDS = 180
 LIMIT_CLOSENESS_FACTOR = 1000  # times: this much closer to a predicted limit than the positions around it
 BLUNT_OPENNESS = 0.3  # openness below which a closer look pays
 # openness that a closer look must reach, and the openness of a missing place

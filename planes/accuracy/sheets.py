@@ -13,11 +13,13 @@ from planes.accuracy.continuation import Curves, Room
 from planes.geometry.arrays import Array, Booleans, Indices
 from planes.geometry.tracks import Pose, Tie, carrier_links, link_origins, newton_step
 
-START_POSES_PER_NODE, STEPS_PER_START_POSE = 12, 30  # start poses at every node, and the number of steps from each
+START_POSES_PER_NODE = 12  # start poses at every node
+STEPS_PER_START_POSE = 30  # steps from each of them
 MOST_ASSEMBLIES_PER_NODE = 48  # assemblies of a node
 NEWTON_STEPS_PER_NODE = 8  # steps from one node to the next
 MOST_STEP_CHANGE = 0.6  # of the links' size, and radians: largest change in a step
-MOST_SETTLED_STEP, SAME_POSE_DISTANCE = 1e-9, 1e-6
+MOST_SETTLED_STEP = 1e-9
+SAME_POSE_DISTANCE = 1e-6
 FARTHEST_HINGE_SIZES = 1e6  # of the links' size: a hinge may lie anywhere
 ON_CURVE_DISTANCE_STEPS = 3.0  # steps of the grid: a fold this close to a curve is on it
 

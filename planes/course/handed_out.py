@@ -21,7 +21,9 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError, SceneError
 from planes.words.frozen import field, frozen
 
-OUTPUT_FOLDER_NAME, TEACHER_FOLDER_NAME, SCENE_FILE_NAME = "out", "teacher", "scene.yaml"
+OUTPUT_FOLDER_NAME = "out"
+TEACHER_FOLDER_NAME = "teacher"
+SCENE_FILE_NAME = "scene.yaml"
 _PLAN_WORD_BEGINNINGS = {
     "velocity": "velocit|скорост|швидк|хуткас",
     "acceleration": "accel|ускор|прискор|паскар",

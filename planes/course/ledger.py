@@ -51,7 +51,8 @@ def _library_version(name: str) -> str:
         return "-"
 
 
-MANIFEST_FILE_NAME, JOURNAL_FILE_NAME = "manifest.json", ".journal"
+MANIFEST_FILE_NAME = "manifest.json"
+JOURNAL_FILE_NAME = ".journal"
 DRAFT_FILE_NAME = f"{JOURNAL_FILE_NAME}{DRAFT_SUFFIX}"  # the file being written
 
 

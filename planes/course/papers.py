@@ -188,7 +188,8 @@ def segment_table(drawn: Position, name: str, lang: Lang, convention: Convention
     return DocumentTable(f"{plan_name_in_words(name, lang)}, μ = {mu}", (head, *rows)) if rows else None
 
 
-TRIED_ANGLE_STEP_DEG, LEAST_ANGLE_APART_DEG = 15, 30.0
+TRIED_ANGLE_STEP_DEG = 15
+LEAST_ANGLE_APART_DEG = 30.0
 CLEAR_DISTANCE_RATIO = 4.0  # points a quarter of the mechanism apart are as clear as links at a right angle
 
 

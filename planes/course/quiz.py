@@ -23,7 +23,8 @@ from planes.words.records import Json
 
 PUPIL_PENCIL = Pencil(skill.STUDENT_SKILL.point_mm, skill.STUDENT_SKILL.ray_deg, skill.RULER_RESOLUTION_MM)
 """A student's pencil: it sets the tolerance of answers."""
-TOLERANCE_SIGMAS, LEAST_TOLERANCE_SHARE = 2.0, 0.03
+TOLERANCE_SIGMAS = 2.0
+LEAST_TOLERANCE_SHARE = 0.03
 """What is let pass: two standard deviations of that pencil, or this part of the value."""
 _PLANS_BY_LETTER = {"v": "velocity", "omega": "velocity", "a": "acceleration", "epsilon": "acceleration"}
 """The plans that main answers are found by; others are loads."""

@@ -32,7 +32,8 @@ FRAMES_PER_TURN = 60
 """Positions of a whole turn: one every 6°."""
 LEFT_OUT_END_SHARE = 0.05
 """Part of a limited range left out at each end, where velocities grow without bound."""
-FIGURE_GAP_MM, MARGIN_MM = 12.0, 6.0
+FIGURE_GAP_MM = 12.0
+MARGIN_MM = 6.0
 TITLE_LINE_SPACING = 1.6
 """The line spacing of a title, in letter heights."""
 SLIDE_ASPECT_RATIO = 16 / 9

@@ -30,7 +30,8 @@ from planes.words.records import csv_text
 from render.page import check_pages
 
 MOST_LISTED_MISTAKES = 8  # mistakes of a class that are listed
-INDEX_FILE_NAME, MOST_FILE_NAME_BYTES = "index.html", 200
+INDEX_FILE_NAME = "index.html"
+MOST_FILE_NAME_BYTES = 200
 
 
 @dataclass

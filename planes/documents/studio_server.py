@@ -28,9 +28,12 @@ from planes.words import Lang, available_languages, say
 from planes.words.names import NameTuple
 from render.page.studio_page import COMMAND_OF_DOWNLOAD, answer_as_json, studio_files
 
-HOST, COOKIE_NAME = "127.0.0.1", "planes"
-MOST_MESSAGE_BYTES, MOST_DRAWING_BYTES = 300_000, 40_000_000
-MOST_MAKING_SECONDS, MOST_FILES_MADE_AT_ONCE = 90, 2  # limits for making a file: seconds, and how many at once
+HOST = "127.0.0.1"
+COOKIE_NAME = "planes"
+MOST_MESSAGE_BYTES = 300_000
+MOST_DRAWING_BYTES = 40_000_000
+MOST_MAKING_SECONDS = 90  # seconds for making a file
+MOST_FILES_MADE_AT_ONCE = 2  # files made at once
 MADE_FILE_TYPES = {
     "pdf": "application/pdf",
     "svg": "image/svg+xml",

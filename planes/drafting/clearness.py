@@ -16,7 +16,8 @@ from planes.geometry.arithmetic import Real, Truth
 from planes.geometry.plane import squared_length
 from planes.words.names import Meaning, NamePair, plan_kind, plan_of
 
-BLUNT_SHARPNESS, LEAST_CLEAR_SHARPNESS = 0.1, 0.01
+BLUNT_SHARPNESS = 0.1
+LEAST_CLEAR_SHARPNESS = 0.01
 """A sharpness of ``BLUNT`` or more costs no digits; the product of all must be at least ``CLEAR`` of that. The error of
 an acceleration is about 5e-15 over the third power of a sharpness: where lines of one group meet at 1e-3, less than
 1e-5."""

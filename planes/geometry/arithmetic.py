@@ -16,7 +16,8 @@ from planes.geometry.arrays import Array
 
 VELTKAMP_SPLITTER = 134217729.0  # 2²⁷ + 1 splits a number of 53 bits in half (Veltkamp)
 SINGLE_VELTKAMP_SPLITTER = 4097.0  # 2¹² + 1 one of 24
-EPS, SINGLE_EPS = 2.0**-52, 2.0**-23
+EPS = 2.0**-52
+SINGLE_EPS = 2.0**-23
 N = TypeVar("N", float, Array)
 
 

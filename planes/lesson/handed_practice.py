@@ -18,7 +18,8 @@ from planes.words.records import Json
 
 Numbers = Mapping[str, complex]  # marks and values of the lesson's tape
 Given = Mapping[str, float]
-CODE_HEAD, MOST_FILE_BYTES = "planes-practice", 200_000
+CODE_HEAD = "planes-practice"
+MOST_FILE_BYTES = 200_000
 
 
 @frozen

@@ -26,7 +26,8 @@ from planes.words.names import full_mark_name, mu_name, plan_of
 from planes.words.records import Json
 
 LEAST_MISTAKE_OFFSET_MM = 0.3  # a wrong place closer than this to the right one is no mistake
-MOST_SUCCESSIVE_PLANS, SETTLED_TOLERANCE_RATIO = 4, 1e3
+MOST_SUCCESSIVE_PLANS = 4
+SETTLED_TOLERANCE_RATIO = 1e3
 """Successive plans of a page, which shows four digits, and the tolerance of the last of them, relative to the root of
 rounding."""
 

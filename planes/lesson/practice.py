@@ -47,7 +47,8 @@ SENTENCE_PLACEHOLDERS = [
 VALUE_MISTAKE_SENTENCES = {
     m: f"mistake_{m}" for m in ("mm_for_value", "mu_inverted", "omega_without_mu_l", "sense_wrong")
 }
-SENSE_PREFIX, MOMENT_LETTERS = "↺", ("M", "MI")
+SENSE_PREFIX = "↺"
+MOMENT_LETTERS = ("M", "MI")
 LENGTH_MISTAKE_SENTENCES = {m: f"lesson_{m}" for m in ("value_for_mm", "value_over_mu")}
 """Errors of calculation: in values, in lengths laid off."""
 JUDGING_TOLERANCES: Json = {

@@ -130,12 +130,10 @@ class Questions(Note):
                 continue
             yield from (self.numbered_formula(r, f.plan) for r in rows)
 
-    of_surplus, of_analytic, of_determinate, of_last = (
-        Note.self_aligning_blocks,
-        Note.transfer_blocks,
-        Note.group_blocks,
-        Note.balancing_comparison,
-    )
+    of_surplus = Note.self_aligning_blocks
+    of_analytic = Note.transfer_blocks
+    of_determinate = Note.group_blocks
+    of_last = Note.balancing_comparison
 
     def of_link(self) -> Blocks:
         yield from (Paragraph(f"{n} — {self.say(f'link_kind_{self.link_kind(n)}')}.") for n in self.m.links)

@@ -10,13 +10,12 @@ from typing import Any, TypeVar
 from planes.drafting.drawing import draw_program
 from planes.drafting.program import Program
 from planes.drafting.steps.by_leads import LEAST_FAIR_SHARPNESS_RATIO, ByLeads
-from planes.plans.assur.basic_links import Lead
+from planes.plans.assur.basic_links import Leads
 from planes.plans.position.bodies import SCHEME_PLAN, Bodies
 from planes.words.errors import PlanFailure
 from planes.words.names import mu_name
 
 Stated = TypeVar("Stated", bound=Any)  # the plans of a mechanism
-Leads = tuple[Lead, ...]
 
 
 @dataclass(frozen=True, eq=False)

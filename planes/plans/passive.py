@@ -27,7 +27,8 @@ DRIVER_SHIFT_RATIO = 0.1
 DRIVER_POSITIONS_EACH_SIDE = 21  # driver positions on either side where the distances are checked
 LEAST_ASSEMBLED_POSITIONS = 5  # of them, those at which the mechanism must assemble
 DISTANCE_TOLERANCE_RATIO = 1e-9  # relative to the mechanism's size
-MOST_PASSIVE_LINKS, MOST_PASSIVE_CHOICES = 2, 40  # passive links left out together, and how many such choices are tried
+MOST_PASSIVE_LINKS = 2  # passive links left out together
+MOST_PASSIVE_CHOICES = 40  # choices of them that are tried
 
 
 def plans_without_passive_links(

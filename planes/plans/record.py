@@ -10,12 +10,13 @@ from planes.drafting.equations import Equation, Moments
 from planes.drafting.program import Program
 from planes.drafting.tools import Thing, Things
 from planes.geometry.arithmetic import Real
+from planes.plans.assur.basic_links import Leads
 from planes.plans.assur.structure import Structure
 from planes.plans.centres import Centre, Check
 from planes.plans.force.loads import Loads
 from planes.plans.force.reactions import Reaction
 from planes.plans.motion.legs import SlideReading
-from planes.plans.other_leads import Leads, Restating
+from planes.plans.other_leads import Restating
 from planes.plans.passive_motion import LinkValues, passive_link_values
 from planes.plans.position.decimals import AsWritten, Lost
 from planes.plans.structures.figure import StaticsFigure

@@ -9,7 +9,8 @@ import struct
 import zlib
 
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
-_DRAWING_CHUNK_KIND, _PIXEL_CHUNK_KIND = b"plAN", b"IDAT"
+_DRAWING_CHUNK_KIND = b"plAN"
+_PIXEL_CHUNK_KIND = b"IDAT"
 _COMPRESSION_LEVEL = 4  # of 9: a twelfth more bytes than 9 in a quarter of the time
 _DIGEST_BYTES = hashlib.sha256().digest_size
 

@@ -65,7 +65,8 @@ class _Sum:
     def __rsub__(self, other: float) -> "_Sum":
         return _Sum.as_sum(other) - self
 
-    __radd__, __rmul__ = __add__, __mul__
+    __radd__ = __add__
+    __rmul__ = __mul__
 
 
 def _product_of_factors(f: Factors, g: Factors) -> Factors:

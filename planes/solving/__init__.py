@@ -34,7 +34,8 @@ from planes.words.frozen import frozen
 from planes.words.names import POLE_LABEL, NumbersByName, label_of, split_value_name
 from planes.words.records import Json, Pictured, Tabulated
 
-_GET_VECTOR, _GET_NUMBER = attrgetter("vector"), attrgetter("number")
+_GET_VECTOR = attrgetter("vector")
+_GET_NUMBER = attrgetter("number")
 MOST_SUGGESTED_POSITIONS = 20  # for how many failed positions the nearest working one is looked for
 
 

@@ -24,7 +24,8 @@ from planes.words.errors import PlanFailure
 from planes.words.names import mu_name, plan_kind
 from planes.words.units import mu_text
 
-FAR_NEIGHBOUR_DEG, NEAR_NEIGHBOUR_DEG = 5.0, 0.01
+FAR_NEIGHBOUR_DEG = 5.0
+NEAR_NEIGHBOUR_DEG = 0.01
 MOST_PLAN_SIZE_RATIO = 2.0  # times its usual size on the paper: a larger plan does not fit
 MOST_NEIGHBOUR_DIFFERENCE_RATIO = 0.25  # relative: neighbours that extrapolate further apart than this are useless
 

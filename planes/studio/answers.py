@@ -23,10 +23,8 @@ from planes.words.errors import PlanesError, SceneError
 from planes.words.records import Json
 
 MOST_SCENE_LETTERS = 200_000  # longest scene, in letters
-MISSING_PART_SENTENCES, TOOLS_BY_MISSING_PART = (
-    ("part_missing", "part_empty"),
-    {"frame": "fix", "links": "link", "drive": "drive"},
-)
+MISSING_PART_SENTENCES = ("part_missing", "part_empty")
+TOOLS_BY_MISSING_PART = {"frame": "fix", "links": "link", "drive": "drive"}
 """Sentences about what a mechanism lacks, and the tool of the canvas that draws it."""
 
 

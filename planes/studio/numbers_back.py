@@ -23,7 +23,8 @@ from planes.words.names import NumbersByName, given_name_without_suffix, is_scal
 from planes.words.units import mu_text
 
 TRIAL_STEP_SHARE = 1e-3  # relative: trial change of a number
-MOST_NEWTON_ROUNDS, CONVERGENCE_SHARE = 8, 1e-9
+MOST_NEWTON_ROUNDS = 8
+CONVERGENCE_SHARE = 1e-9
 SAME_AS_WRITTEN_SHARE = 1e-4  # relative: closer than this two numbers are the same as written
 HAND_SET_DIGITS = 5  # digits written for a number set by hand
 ALL_DIGITS = 17  # all that a number has

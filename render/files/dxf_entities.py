@@ -37,7 +37,9 @@ LINE_TYPE_OF_STYLE = {
     "phantom": "DIVIDE2",
     "dash": "DASHED2",
 }  # LibreCAD knows line types by their names
-ARROW_BLOCK, LETTERS_BLOCK, PATH_BLOCK = "ARROW", "LETTERS", "PATH"
+ARROW_BLOCK = "ARROW"
+LETTERS_BLOCK = "LETTERS"
+PATH_BLOCK = "PATH"
 LENGTH_TOLERANCE_MM = 1e-6
 LEAST_PROSE_LETTERS = 40  # letters in a text that is no label
 Lettered = Literal["text", "pieces", "strokes"]

@@ -25,7 +25,10 @@ _SAME_PLACE_MM = 1e-3
 _MOST_SUPPORT_REACH_MM = 4 * HINGE_LEG_LENGTH_MM  # largest distance of a support's parts from its hinge
 _MOST_TEXT_DISTANCE_MM = 3.0  # largest distance of a dimension's text from the point between its arrows
 
-HINGE_BLOCK, SUPPORT_BLOCK, SLIDER_BLOCK, POINT_BLOCK = "HINGE", "SUPPORT", "SLIDER", "POINT"
+HINGE_BLOCK = "HINGE"
+SUPPORT_BLOCK = "SUPPORT"
+SLIDER_BLOCK = "SLIDER"
+POINT_BLOCK = "POINT"
 
 
 @frozen

@@ -10,7 +10,8 @@ from planes.words.frozen import frozen
 
 Kind = Literal["numeric", "point", "vector", "line", "conic", "segment", "text"]
 ZIP_TIMESTAMP = (1980, 1, 1, 0, 0, 0)
-WINDOW_SIZE_PX, PX_PER_MM = (1400, 800), 3.0
+WINDOW_SIZE_PX = (1400, 800)
+PX_PER_MM = 3.0
 GEOGEBRA_XML_FRAME = (
     '<geogebra format="5.0" version="5.2.850.0" app="classic" platform="w"><euclidianView>'
     '<size width="{wide}" height="{high}"/>'
@@ -18,7 +19,10 @@ GEOGEBRA_XML_FRAME = (
     '<evSettings axes="false" grid="false" gridIsBold="false" pointCapturing="0"/></euclidianView><kernel>'
     '<continuous val="false"/><decimals val="4"/><angleUnit val="degree"/><coordStyle val="0"/></kernel></geogebra>'
 )
-INK_COLOUR, PALE_COLOUR, BLUE_COLOUR, RED_COLOUR = (0, 0, 0), (150, 150, 150), (20, 60, 160), (180, 30, 30)
+INK_COLOUR = (0, 0, 0)
+PALE_COLOUR = (150, 150, 150)
+BLUE_COLOUR = (20, 60, 160)
+RED_COLOUR = (180, 30, 30)
 
 
 @frozen

@@ -35,7 +35,10 @@ COMPRESSION_LEVEL = 3  # of 9: a fifth more bytes than 6 in half the time
 PNG_UP_FILTER = 2  # filter of a PNG's row
 COLOURED_PAGE_PATTERN = re.compile(rb"/Subtype /Image|^(\S+) (?!\1 \1 )\S+ \S+ (?:rg|RG)$", re.M)
 """A picture, or a colour of a line or a fill, in a page that is not compressed."""
-_INVISIBLE_TEXT_MODE, _ROUND_CAP_OR_JOIN, _BUTT_CAP, _NON_ZERO_FILL = 3, 1, 0, 1
+_INVISIBLE_TEXT_MODE = 3
+_ROUND_CAP_OR_JOIN = 1
+_BUTT_CAP = 0
+_NON_ZERO_FILL = 1
 
 PdfPage = tuple[Iterable[Mark], Size]
 

@@ -16,7 +16,8 @@ from planes.words.frozen import frozen, replace
 from planes.words.records import Json
 from render.paper.marks import Size
 
-LEFT_MARGIN_MM, EDGE_MARGIN_MM = 20.0, 5.0  # margins of the frame: left, all others
+LEFT_MARGIN_MM = 20.0  # margin of the frame on the left
+EDGE_MARGIN_MM = 5.0  # all its other margins
 TITLE_BLOCK_SIZE_MM = (185.0, 55.0)  # the title block
 TOP_CELL_SIZE_MM = (70.0, 14.0)  # graph 26
 
@@ -66,7 +67,8 @@ and beneath it. Beside the frame: graphs 19–23 from the lower corner up and 24
 with its height."""
 SIDE_CELL_KEYS: tuple[str, ...] = tuple(key for key, _ in (*_FORM_DATA["lower"], *_FORM_DATA["upper"]))
 """Graphs 19–25."""
-WORD_COLUMN_WIDTH_MM, VALUE_COLUMN_WIDTH_MM = 5.0, 7.0  # the two columns of graphs 19–25
+WORD_COLUMN_WIDTH_MM = 5.0  # the columns of graphs 19–25: their words
+VALUE_COLUMN_WIDTH_MM = 7.0  # and their values
 
 
 def cell_prompt(key: str, lang: Lang) -> str:

@@ -9,13 +9,11 @@ from dataclasses import replace
 from planes.words.names import letter_of
 from render.paper.marks import Arrow, Line, Mark
 
-VELOCITY_COLOUR, ACCELERATION_COLOUR, LOAD_COLOUR, INERTIA_COLOUR, REACTION_COLOUR = (
-    "#0072B2",
-    "#D55E00",
-    "#009E73",
-    "#B0548A",
-    "#2E86B8",
-)
+VELOCITY_COLOUR = "#0072B2"
+ACCELERATION_COLOUR = "#D55E00"
+LOAD_COLOUR = "#009E73"
+INERTIA_COLOUR = "#B0548A"
+REACTION_COLOUR = "#2E86B8"
 _COLOUR_OF_LETTER = {
     "v": VELOCITY_COLOUR,
     "a": ACCELERATION_COLOUR,

@@ -18,7 +18,9 @@ from render.paper import form1
 from render.paper.form1 import Cell, Form, Segment, title_block_cells, title_block_lines
 from render.paper.marks import Size
 
-LEFT_MARGIN_MM, EDGE_MARGIN_MM, BORDER_WIDTH_MM = 20.0, 10.0, 5.0
+LEFT_MARGIN_MM = 20.0
+EDGE_MARGIN_MM = 10.0
+BORDER_WIDTH_MM = 5.0
 TITLE_BLOCK_SIZE_MM = (180.0, 36.0)
 GRID_FIELD_LENGTH_MM = 50.0
 CENTRING_MARK_INSIDE_MM = 5.0  # how far a centring mark, 10 mm long in all, extends into the drawing space

@@ -78,7 +78,8 @@ BASE_HATCH_SPACING_MM = 1.6  # between its strokes
 WHEEL_RADIUS_MM = 0.9  # radius of a roller's wheels
 CLAMP_WALL_LENGTH_MM = 14.0  # of a clamp
 HALF_ROUND_GUIDE_LENGTH_MM = 26.0  # of a circular guide on each side of its slider, along it
-ROUND_HATCHING_DEPTH_MM, ROUND_HATCH_SPACING_MM = 3.0, 2.4  # of its hatching
+ROUND_HATCHING_DEPTH_MM = 3.0  # of its hatching
+ROUND_HATCH_SPACING_MM = 2.4
 
 
 def is_large_format() -> bool:

@@ -29,7 +29,8 @@ from render.paper.style import (
 )
 
 Marks = tuple[Mark, ...]
-PLATE_HATCH_SPACING_MM, GUSSET_SIDE_MM = 3.0, 4.5
+PLATE_HATCH_SPACING_MM = 3.0
+GUSSET_SIDE_MM = 4.5
 MOST_PARALLEL_SINE = 0.2  # the sine of an angle at which lines count as parallel
 
 

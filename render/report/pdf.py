@@ -32,7 +32,9 @@ from render.report.math_line import MathLine, break_formula
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
 
-LEFT_MARGIN_PT, RIGHT_MARGIN_PT, TOP_BOTTOM_MARGIN_PT = 25 * mm, 10 * mm, 20 * mm
+LEFT_MARGIN_PT = 25 * mm
+RIGHT_MARGIN_PT = 10 * mm
+TOP_BOTTOM_MARGIN_PT = 20 * mm
 PAGE_SIZE_PT = (210 * mm, 297 * mm)
 TEXT_WIDTH_PT = PAGE_SIZE_PT[0] - LEFT_MARGIN_PT - RIGHT_MARGIN_PT
 MOST_FIGURE_HEIGHT_PT = 170 * mm  # of a figure

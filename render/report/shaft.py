@@ -13,7 +13,9 @@ SPAN_LENGTH_MM = 92.0  # length of the span
 FORCE_LENGTH_MM = 15.0  # forces are not to scale
 FORCE_DIRECTIONS = {"up": 1j, "down": -1j, "across": cmath.rect(0.9, math.radians(35.0))}
 """The symbol of a force: in the plane of the crank, or perpendicular to the paper, which is drawn obliquely."""
-COUNTERWEIGHT_RADIUS_MM, MASS_RADIUS_MM, BEARING_RADIUS_MM = 3.0, 1.6, 1.5  # radii
+COUNTERWEIGHT_RADIUS_MM = 3.0
+MASS_RADIUS_MM = 1.6
+BEARING_RADIUS_MM = 1.5
 NAME_LETTER_MM = 3.5
 
 

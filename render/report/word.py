@@ -23,8 +23,10 @@ from render.report.html import is_number
 from render.report.omml import word_equation
 
 COLUMN_WIDTH_MM = 165.0  # width of text, between margins of 30 and 15 mm
-MOST_FIGURE_WIDTH_PT, MOST_FIGURE_HEIGHT_PT = COLUMN_WIDTH_MM * 72 / 25.4, 540.0  # of a figure, points
-TEXT_SIZE_PT, TABLE_TEXT_SIZE_PT = 14, 12  # of text, and of tables
+MOST_FIGURE_WIDTH_PT = COLUMN_WIDTH_MM * 72 / 25.4  # of a figure, points
+MOST_FIGURE_HEIGHT_PT = 540.0
+TEXT_SIZE_PT = 14  # of text, points
+TABLE_TEXT_SIZE_PT = 12  # of tables, points
 FIRST_LINE_INDENT_MM = 12.5
 
 

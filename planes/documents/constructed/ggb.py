@@ -24,8 +24,10 @@ LABEL_LETTERS_BY_PLAN = {"position": "P", "velocity": "V", "acceleration": "A", 
 GREEK_LABEL_LETTERS = {"omega": "ω", "epsilon": "ε", "mu": "μ", "angle": "α", "phi": "φ", "": "n"}
 SIGN_SPELLINGS = str.maketrans({"'": "p", "′": "p", "⊥": "n", "∥": "p", "→": "to", "−": "m", "-": "m", "↓": "down"})
 AXIS_NAMES = ("x", "y", "z")
-FIRST_SLIDER_PX, SLIDER_STEP_PX = 40 + 40j, 40j  # px from the upper left corner
-PICTURE_MARGIN_MM, ROOM_ABOVE_FIGURES_MM = 40.0, 120.0
+FIRST_SLIDER_PX = 40 + 40j  # px from the upper left corner
+SLIDER_STEP_PX = 40j  # px to the next one
+PICTURE_MARGIN_MM = 40.0
+ROOM_ABOVE_FIGURES_MM = 120.0
 LENGTH_SLIDER_SHARE = 0.5  # relative range of the slider for a length
 FULL_TURN_DEG = 360.0
 

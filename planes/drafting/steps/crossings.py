@@ -17,7 +17,8 @@ class Cross(Step):
     other: str
     across: str
     supposed: bool = False
-    far, same = "parallel", "coincident"  # the reasons for its absence
+    far = "parallel"  # the reasons for its absence
+    same = "coincident"
     needs = marks("start", "other") + directions("along", "across")
 
     def crossing_and_sharpness(self, env: Env, tool: Tool) -> tuple[Point, Real, Real]:

@@ -11,7 +11,8 @@ from planes.words.frozen import field, frozen
 from planes.words.lettering import name_in_words
 from planes.words.names import NamePair
 
-TABLE_END_SLACK, TABLE_END_SLACK_BY_HAND = 1e-9, 0.05  # of a table's length: dead points are at its ends
+TABLE_END_SLACK = 1e-9  # of a table's length: dead points are at its ends
+TABLE_END_SLACK_BY_HAND = 0.05  # the same in drawings by hand
 
 
 @frozen

@@ -7,7 +7,7 @@ Two leads of a basic link at an end of the chain turn it into a lead of the next
 
 from collections.abc import Sequence
 
-from planes.plans.assur.basic_links import Lead, SolvedByLeads, pairs_of_leads
+from planes.plans.assur.basic_links import Lead, Leads, SolvedByLeads, pairs_of_leads
 from planes.plans.assur.groups import Between, Pair
 from planes.words import Phrase
 from planes.words.frozen import frozen
@@ -22,7 +22,7 @@ class BasicChain(SolvedByLeads):
     links: NameTuple
     basics: NameTuple
     hinges: tuple[Pair, ...]
-    sides: tuple[tuple[Lead, ...], ...]
+    sides: tuple[Leads, ...]
     level = "III"
 
     @property
@@ -36,12 +36,12 @@ class BasicChain(SolvedByLeads):
         return len(self.leads)
 
     @property
-    def leads(self) -> tuple[Lead, ...]:
+    def leads(self) -> Leads:
         """All its leads."""
         return tuple(lead for side in self.sides for lead in side)
 
     @property
-    def joining_leads(self) -> tuple[Lead, ...]:
+    def joining_leads(self) -> Leads:
         """The links between basic links: leads, from the special point of one to the common hinge."""
         return tuple(
             Lead(self.basics[k], h, h) for h, (k, _) in zip(self.hinges, self.basic_links_at_hinges, strict=True)

@@ -39,6 +39,9 @@ class Lead:
         return self.outer.kind + self.inner.kind
 
 
+Leads = tuple[Lead, ...]
+
+
 def pairs_of_leads(leads: Iterable[Lead]) -> tuple[Pair, ...]:
     """The pairs of leads: the outer, then the inner one of each."""
     return tuple(p for lead in leads for p in (lead.outer, lead.inner))
@@ -67,7 +70,7 @@ class OnLeads(SolvedByLeads):
 
     links: NameTuple
     basic: str
-    leads: tuple[Lead, ...]
+    leads: Leads
     order: NameTuple
 
     @property

@@ -8,7 +8,7 @@ from planes.drafting.dimensions import Dimension
 from planes.drafting.draft import Draft
 from planes.drafting.steps import Similar
 from planes.drafting.steps.tracks import Hold, SeriesGuess
-from planes.plans.assur.basic_links import Lead, Triad
+from planes.plans.assur.basic_links import Lead, Leads, Triad
 from planes.plans.assur.contours import Contour, Tracked
 from planes.plans.assur.groups import Group, Pair
 from planes.plans.assur.structure import Structure
@@ -100,7 +100,7 @@ class Bodies:
     draft: Draft
     file: str = ""
     choices: list[AssemblyChoice | TrackChoice] = field(default_factory=list)
-    leads: dict[str, tuple[Lead, ...]] = field(default_factory=dict)  # of a basic link: the first two meet in S
+    leads: dict[str, Leads] = field(default_factory=dict)  # of a basic link: the first two meet in S
     known: dict[str, Body] = field(default_factory=dict)
     labels: dict[str, str] = field(default_factory=dict)
     placers: dict[Lead, Callable[[], None]] = field(default_factory=dict)  # of leads with a drive inside, drawn aside

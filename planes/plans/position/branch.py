@@ -16,7 +16,8 @@ from planes.geometry.tracks import Pose, Tie
 from planes.words.errors import PlanFailure
 from planes.words.frozen import frozen
 
-DRIVE_STEP_DEG, FULL_TURN_DEG = 1.0, 360.0  # of the drive, degrees
+DRIVE_STEP_DEG = 1.0  # of the drive, degrees
+FULL_TURN_DEG = 360.0
 SLIDING_STEPS_EACH_SIDE = 360  # of a sliding drive to either side, each one ninetieth of the link's size
 STEP_HALVINGS = 40
 MOST_STEP_CORRECTION = 0.02  # the largest correction of a step, of the link's size and radians

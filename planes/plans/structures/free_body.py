@@ -23,7 +23,8 @@ from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, la
 class Meeting(Cross):
     """Cross two lines of forces, or of strings."""
 
-    far, same = "forces_parallel", "forces_on_one_line"
+    far = "forces_parallel"
+    same = "forces_on_one_line"
 
 
 @dataclass

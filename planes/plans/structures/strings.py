@@ -17,7 +17,8 @@ from planes.words.names import POLE_LABEL, Meaning, NamePair, full_mark_name, ve
 
 STRING_POLE_LETTER = "O"  # the letter of the pole in every textbook
 TRIED_POLE_DIRECTIONS = 24  # directions in which a pole is tried
-NEAR_POLE_DISTANCE_RATIO, FAR_POLE_DISTANCE_RATIO = 0.6, 1.2  # distance from the middle of the polygon, of its size
+NEAR_POLE_DISTANCE_RATIO = 0.6  # distance from the middle of the polygon, of its size
+FAR_POLE_DISTANCE_RATIO = 1.2  # the same for a far pole
 CLOSING_LINE_LETTER = "z"
 TRIAL_SUFFIX = "′"  # suffix of a trial's letters
 
