@@ -29,7 +29,9 @@ from render.labels.nearness import boxes_overlap
 from render.labels.surroundings import OVERLAP_COST, Surroundings
 from render.paper.style import NEXT_LARGER_LETTER_MM
 
-AMBIGUITY_COST = 8.0  # cost of being nearer to another label's point than to its own
+# of being nearer to what another label names than to its own; by so much nearer it costs more than a short leader
+AMBIGUITY_COST = 8.0
+WRONG_PLACE_MM, WRONG_PLACE_COST = 1.5, 40.0
 CLOSENESS_COST = 3.0  # cost of being beside another label, farther away than necessary
 MOST_MOVES = 1000  # how often labels of one board are asked to make room for others
 # of a label that needs a leader line: the nearest free ones; more where those are not enough
@@ -81,7 +83,8 @@ class Board:
         self.options = [candidates_beside(label, NEAR_DISTANCES_MM) for label in labels]
         self.costs = self.around.candidate_costs(self.options)
         for k in range(len(labels)):
-            self.costs[k] += AMBIGUITY_COST * self._ambiguous_candidates(k)
+            nearer = self._mm_nearer_to_others(k)
+            self.costs[k] += np.select([nearer > WRONG_PLACE_MM, nearer > 0], [WRONG_PLACE_COST, AMBIGUITY_COST])
         self.chosen, self.wide = dict[int, int](), dict[int, int]()
         self._list_candidates()
 
@@ -96,15 +99,15 @@ class Board:
         for k, option in self.chosen.items():
             self._put_label(k, option)
 
-    def _ambiguous_candidates(self, k: int) -> Booleans:
-        """Which candidates of label k are nearer to what another label names than to their own."""
+    def _mm_nearer_to_others(self, k: int) -> Array:
+        """How much nearer the candidates of label k are to what another label names than to their own, mm."""
         own, box = self.labels[k], self.options[k].boxes
         others = [z for j, label in enumerate(self.labels) if j != k and label.at != own.at for z in sampled(label.at)]
         if not others:
-            return np.zeros(len(box), dtype=bool)
+            return np.zeros(len(box))
         away = box_point_distances(box, np.array(others)).min(axis=1)
-        stray: Booleans = away < distance_to_own_object(self.options[k], own.at, own.also)
-        return stray
+        nearer: Array = distance_to_own_object(self.options[k], own.at, own.also) - away
+        return nearer
 
     def choose_places(self) -> None:
         """Each label takes the cheapest remaining place, the important and the most crowded first."""
@@ -193,8 +196,11 @@ class Board:
         return bool(costs.min() < OVERLAP_COST)
 
     def offer_farther_places(self) -> bool:
-        """Give overlapping labels places farther away, with leader lines; False if none is left to give."""
+        """Give overlapping and ambiguous labels places farther away, with leader lines; False if none is left to
+        give."""
+        astray = [k for k, own in self.chosen.items() if k not in self.wide and self.costs[k][own] >= WRONG_PLACE_COST]
         late = [k for k in self.overlapping_labels() if self.wide.get(k, 0) < len(FAR_PLACE_COUNTS)]
+        late += [k for k in astray if k not in late]
         if not late:
             return False
         far = [candidates_far_off(self.labels[k], FAR_DISTANCES_MM) for k in late]
@@ -212,6 +218,8 @@ class Board:
             self.options[k] = join_candidates([self.options[k], some])
             self.costs[k] = np.concatenate([self.costs[k], cost[rows] + more])
         self._list_candidates()
+        for k in astray:
+            self._move_to_cheapest(k)
         return True
 
     def leave_out_repeated_labels(self) -> bool:

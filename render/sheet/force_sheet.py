@@ -11,7 +11,7 @@ from planes.words.names import POLE_LABEL, force_plan_links, full_mark_name, mu_
 from render.sheet.composer import Composer
 from render.sheet.sizes import LOADED_VIEW_KEY, SINGLE_LINKS_VIEW_KEY
 from render.views import View, make_view, put_views_in_row
-from render.views.arms import with_unplaced_arm_names
+from render.views.arms import with_unseen_arm_names
 from render.views.loading import Loading
 from render.views.moments import Lever
 from render.views.plotted import Plotted, plot_position, plot_with_single_links, scheme_mu
@@ -63,15 +63,15 @@ class ForceSheet:
         c = self.composer
 
         def make() -> View:
-            loading = Loading(position, c.naming, links)
+            loading = Loading(position, c.naming, links, position.plans.moment_equations_on_links(links))
             loading.draw_loads(carried=True)
             loading.draw_reactions(plan)
             driver = links == (position.plans.structure.driver,)
             if driver:
                 loading.draw_balancing_load(*links)
-            loading.draw_arms(position.plans.moment_equations_on_links(links))
+            loading.draw_arms()
             drawn = Scheme(position, c.naming, links, False).drawn_marks(False, loading.marks, loading.named)
-            drawn = with_unplaced_arm_names(loading.named, drawn, c.lang)
+            drawn = with_unseen_arm_names(loading.named, loading.short_arms, drawn, c.lang)
             alone = "loaded_driver" if driver else "loaded_link"
             key = "loaded_group" if len(links) > 1 else alone
             title = c.title_with_mu(position, key, links="–".join(map(c.naming.link_number, links)))

@@ -2,11 +2,13 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Self
 
 from planes.drafting.drawing import Drawing
 from planes.drafting.steps.reckoning import Drop
 from planes.geometry.plane import direction_between, perpendicular_foot
 from planes.words import Lang, say
+from planes.words.frozen import frozen
 from render.labels import Label
 from render.paper.marks import Line, Mark, Text
 from render.paper.symbols import Marks
@@ -19,19 +21,38 @@ ARM_NAME_PREFIX = "arm "  # prefix of its label's name
 HALF_BREAK_GAP_MM = 2.5  # half the gap of a break along its line
 
 
+@frozen
+class Arm:
+    """An arm of a ``force`` at its ``point`` from a place to the ``foot`` on its line of action, with its name."""
+
+    force: str
+    name: str
+    point: complex
+    about: complex
+    foot: complex
+
+    @classmethod
+    def of_step(cls, drawing: Drawing, step: Drop, force: str, name: str) -> Self:
+        """The arm that a step measures."""
+        point, along, about = (complex(drawing[x]) for x in (step.point, step.along, step.about))
+        return cls(force, name, point, about, perpendicular_foot(about, point, along))
+
+
 @dataclass
 class Arms:
     """Arms with their lines of action; an arm shared by two forces is drawn once, with both names."""
 
     marks: list[Mark] = field(default_factory=list)
     named: list[Label] = field(default_factory=list)
+    short: list[str] = field(default_factory=list)  # names of those too short to see
 
-    def add_arm(self, point: complex, along: complex, about: complex, text: str, force: str) -> None:
-        """Add the arm about a place of the force at ``point``, unless it is too short to see."""
-        ends = about, perpendicular_foot(about, point, along)
-        if abs(ends[1] - about) < LEAST_ARM_MM:
+    def add_arm(self, arm: Arm) -> None:
+        """Add an arm; of one too short to see only its name."""
+        ends, text = (arm.about, arm.foot), arm.name
+        if abs(arm.foot - arm.about) < LEAST_ARM_MM:
+            self.short.append(text)
             return
-        self.marks.append(Line((point, ends[1]), "construction", "construction"))
+        self.marks.append(Line((arm.point, arm.foot), "construction", "construction"))
         for k, other in enumerate(self.named):
             if isinstance(other.at, tuple) and all(
                 abs(a - b) < EQUAL_ARM_MM for a, b in zip(other.at, ends, strict=True)
@@ -40,7 +61,7 @@ class Arms:
                     self.named[k] = replace(other, text=f"{other.text} = {text}")
                 return
         self.marks.append(Line(ends, "thin", "dimension"))
-        self.named.append(Label(text, ends, NAME_LETTER_MM, name=f"{ARM_NAME_PREFIX}{force}", told=True))
+        self.named.append(Label(text, ends, NAME_LETTER_MM, name=f"{ARM_NAME_PREFIX}{arm.force}", told=True))
 
 
 def arm_steps_by_result(drawing: Drawing) -> dict[str, Drop]:
@@ -62,12 +83,12 @@ def line_with_break(start: complex, end: complex) -> list[Mark]:
     ]
 
 
-def with_unplaced_arm_names(named: Iterable[Label], marks: Sequence[Mark], lang: Lang) -> Marks:
-    """A figure with the names of the arms beneath it that have no room in it, and are in their equation."""
+def with_unseen_arm_names(named: Iterable[Label], short: Sequence[str], marks: Sequence[Mark], lang: Lang) -> Marks:
+    """A figure with the names of the arms beneath it that have no room in it, or are too ``short`` to see."""
     there = {m.name for m in marks if isinstance(m, Text)}
     missing = [x.text for x in named if x.name.startswith(ARM_NAME_PREFIX) and x.name not in there]
-    return (
-        (*marks, *remark_texts(f"({say('arms_unlettered', lang, names=', '.join(missing))})", marks))
-        if missing
-        else (*marks,)
-    )
+    drawn = (*marks,)
+    for key, names in (("arms_unlettered", missing), ("arms_short", short)):
+        if names:
+            drawn = (*drawn, *remark_texts(f"({say(key, lang, names=', '.join(dict.fromkeys(names)))})", drawn))
+    return drawn

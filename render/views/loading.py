@@ -2,9 +2,11 @@
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import product
 
 from planes.drafting.equations import Moments
+from planes.geometry.plane import direction_between
 from planes.plans.force.loads import name_of_force
 from planes.solving import Position
 from planes.words import say
@@ -15,15 +17,17 @@ from render.labels import Label
 from render.paper.marks import Arc, Arrow, Line, Mark
 from render.paper.style import SLIDER_BLOCK_SIZE_MM
 from render.paper.symbols import unit_vector
-from render.views.arms import HALF_BREAK_GAP_MM, Arms, arm_steps_by_result, line_with_break
-from render.views.plotted import Ends, Places, scheme_mu, shift_clear_of_others
+from render.views.arms import HALF_BREAK_GAP_MM, Arm, Arms, arm_steps_by_result, line_with_break
+from render.views.plotted import Ends, Places, lines_overlap, scheme_mu, shift_clear_of_others
 from render.views.senses import freest_turn_arrow
 
 LEAST_FORCE_ARROW_MM = 15.0  # shortest arrow of a force; forces are not to scale
 FORCE_LENGTH_STEP_MM = 6.0  # extra length of the next force with the same point and direction
 FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM = 1.5, 1.2  # lateral shift, and the least distance from another force or a rod
+MOST_SHIFT_ARM_RATIO = 0.25  # of a shift to the force's arm in the figure, which would seem another
 LEAST_INCLINED_DISTANCE_MM = 0.4  # least distance where they are slightly inclined
 REACTION_TIP_GAP_MM = 1.6  # from the tip of a reaction to its point of application: the radius of a hinge
+FARTHER_ALONG_MM = (6.0, 12.0, 18.0, 24.0, 30.0)  # from a force's point to an arrow on its line of action
 COUPLE_RADIUS_MM = 6.5  # radius of a couple's curved arrow
 HALF_TANGENT_LENGTH_MM = 5.0  # half the length of the tangent to a friction circle
 NAME_LETTER_MM = 3.5
@@ -40,31 +44,49 @@ class Arrows:
     upon: list[Ends] = field(default_factory=list)
     taken: list[tuple[complex, complex]] = field(default_factory=list)
 
-    def place_force_arrow(self, point: complex, way: complex, from_outside: bool = False) -> Ends:
-        """Start and end of a force: longer if others of its point are on the same side, and shifted beside them."""
-        side = -way if from_outside else way
-        like = sum(abs(p - point) < 0.5 and (s * side.conjugate()).real > 0.9 for p, s in self.taken)
-        self.taken.append((point, side))
-        near, far = (
-            point + REACTION_TIP_GAP_MM * side * from_outside,
-            point + (LEAST_FORCE_ARROW_MM + FORCE_LENGTH_STEP_MM * like) * side,
-        )
-        near, far = shift_clear_of_others(
-            (near, far), self.upon, FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM, LEAST_INCLINED_DISTANCE_MM
-        )
+    def place_force_arrow(
+        self, point: complex, way: complex, from_outside: bool = False, arm: float = math.inf
+    ) -> tuple[complex, complex, complex]:
+        """Start and end of a force, and which of them is far from its point. It is longer if others of its point are on
+        the same side, and shifted beside them; one with an ``arm`` (mm) in the figure keeps to its line of action: it
+        is drawn on the other side of its point, or farther along."""
+        side, tries = -way if from_outside else way, list[tuple[Ends, float]]()
+        for along in (side, -side):
+            outside = (along * way.conjugate()).real < 0
+            like = sum(abs(p - point) < 0.5 and (s * along.conjugate()).real > 0.9 for p, s in self.taken)
+            near = point + REACTION_TIP_GAP_MM * along * outside
+            far = point + (LEAST_FORCE_ARROW_MM + FORCE_LENGTH_STEP_MM * like) * along
+            tries.append(((near, far), 0.0))
+            tries += [((near + d * along, point + (LEAST_FORCE_ARROW_MM + d) * along), d) for d in FARTHER_ALONG_MM]
+        reach = MOST_SHIFT_ARM_RATIO * arm
+        clear = (FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM, LEAST_INCLINED_DISTANCE_MM)
+        shifted = shift_clear_of_others(tries[0][0], self.upon, *clear)
+        if abs(shifted[0] - tries[0][0][0]) > reach:
+            free = (ends for ends, _ in sorted(tries, key=lambda one: one[1]) if self.is_clear(ends))
+            shifted = next(free, tries[0][0])
+        near, far = shifted
+        self.taken.append((point, direction_between(near, far)))
         self.upon.append((near, far))
-        return (far, near) if from_outside else (near, far)
+        outside = ((far - near) * way.conjugate()).real < 0
+        return (far, near, far) if outside else (near, far, far)
+
+    def is_clear(self, ends: Ends) -> bool:
+        """Whether an arrow overlaps no other line."""
+        limits = LEAST_FORCE_DISTANCE_MM, LEAST_INCLINED_DISTANCE_MM
+        return not any(lines_overlap(ends, other, *limits) for other in self.upon)
 
 
 @dataclass
 class Loading:
-    """The forces on some links, drawn over their scheme."""
+    """The forces on some links, drawn over their scheme, with their arms in moment ``equations``."""
 
     position: Position
     naming: Naming
     links: tuple[str, ...]
+    equations: list[Moments] = field(default_factory=list)
     marks: list[Mark] = field(default_factory=list)
     named: list[Label] = field(default_factory=list)
+    short_arms: list[str] = field(default_factory=list)
     arrows: Arrows = field(init=False)
 
     def __post_init__(self) -> None:
@@ -219,9 +241,9 @@ class Loading:
 
     def draw_force(self, name: str, point: complex, way: complex, from_outside: bool = False) -> None:
         """An arrow from its point (a load), or with its head there (a reaction), clear of the rods and forces there."""
-        start, end = self.arrows.place_force_arrow(point, way, from_outside)
+        arm = min((abs(arm.foot - arm.about) for arm in self.arms if arm.force == name), default=math.inf)
+        start, end, far = self.arrows.place_force_arrow(point, way, from_outside, arm)
         self.marks.append(Arrow(start, end, "vector", "force", name))
-        far = start if from_outside else end
         ends = far, (start + end) / 2
         self.named.append(Label(self.naming.lettered_vector(name), ends, NAME_LETTER_MM, name=name, also=(far,)))
 
@@ -241,17 +263,25 @@ class Loading:
             Label(self.naming.lettered_vector(name), middle, NAME_LETTER_MM, clear=0.4, name=name, also=ends)
         )
 
-    def draw_arms(self, equations: list[Moments]) -> None:
-        """Thin perpendiculars from the moment point to the lines of action, which are extended to meet them."""
-        drops, drawn = arm_steps_by_result(self.drawing), Arms()
+    @cached_property
+    def arms(self) -> list[Arm]:
+        """The arms in the moment equations."""
+        drops, arms = arm_steps_by_result(self.drawing), list[Arm]()
         sizes = {f.name: float(self.drawing[f.size]) for f in self.plans.acting.every if f.size in self.drawing}
-        for name, arm in (term for equation in equations for term in equation.terms):
+        for name, arm in (term for equation in self.equations for term in equation.terms):
             step = drops.get(arm)
             if step and step.makes in self.drawing and self.is_above_noise(sizes.get(name, math.inf)):
-                point, along, about = (complex(self.drawing[x]) for x in (step.point, step.along, step.about))
-                drawn.add_arm(point, along, about, self.naming.lettered_arm(name, arm), name)
+                arms.append(Arm.of_step(self.drawing, step, name, self.naming.lettered_arm(name, arm)))
+        return arms
+
+    def draw_arms(self) -> None:
+        """Thin perpendiculars from the moment point to the lines of action, which are extended to meet them."""
+        drawn = Arms()
+        for arm in self.arms:
+            drawn.add_arm(arm)
         self.marks += drawn.marks
         self.named += drawn.named
+        self.short_arms += drawn.short
 
 
 def _sign_of(value: object) -> float:

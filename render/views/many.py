@@ -183,11 +183,13 @@ class ManyPositions:
         return [say(key, lang, numbers=", ".join(numbers)) for key, numbers in groups if numbers]
 
     def position_labels(self) -> list[Label]:
-        """Numbers of the positions at the end of the crank, or beneath a sliding driver; of extreme ones at sliders of
-        the frame, or at the ends of rockers if there are none."""
+        """Numbers of the positions at the end of the crank, in its hinge if it has one, or beneath a sliding driver;
+        of extreme ones at sliders of the frame, or at the ends of rockers if there are none."""
         drive, pair = self.plans.drive, self.plans.structure.drive_pair
         link, numbers = self.plans.mechanism.links[drive.link], list[Label]()
+        hinged = {p for x in self.plans.mechanism.links.values() if x is not link for p in x.points}
         ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
+        ends.sort(key=lambda p: p not in hinged)
         for one, result in self.drawn_positions():
             z = (
                 self.place_on_paper(result, ends[0])
@@ -252,8 +254,8 @@ class ManyPositions:
         ]
 
     def stroke_dimensions(self, lang: Lang) -> list[Size]:
-        """The strokes of sliders on the frame's guides, in true mm, outside everything drawn; none where the ends of
-        the range are not drawn."""
+        """The strokes of sliders on the frame's guides, in true mm, outside everything drawn and each other; none where
+        the ends of the range are not drawn."""
         sizes, shown = list[Size](), [r for r in self.turn if r]
         if not all(map(self.fits_on_paper, shown)):
             return sizes
@@ -262,7 +264,10 @@ class ManyPositions:
                 continue
             through, along = self.guide_line(slides.guide, shown[0])
             at = [((self.place_on_paper(r, link.first_point) - through) * along.conjugate()).real for r in shown]
-            ways = ((z - through) * along.conjugate() for z in self.sample_points)
+            others = [
+                a + share * (b - a) for a, b in (one.ends for one in sizes) for share in (0.0, 0.25, 0.5, 0.75, 1.0)
+            ]
+            ways = ((z - through) * along.conjugate() for z in (*self.sample_points, *others))
             beside = [0.0, *(w.imag for w in ways if min(at) < w.real < max(at))]
             off = min(min(beside) - STROKE_CLEARANCE_MM, max(beside) + STROKE_CLEARANCE_MM, key=abs)
             ends = (through + min(at) * along, through + max(at) * along)

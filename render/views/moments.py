@@ -18,10 +18,10 @@ from planes.words.lettering import without_index_markup
 from planes.words.names import POLE_LABEL, full_mark_name
 from planes.words.naming import Naming
 from planes.words.read_off import fixed_decimals_text, read_off_text
-from render.labels import Label, Labelled
+from render.labels import Label
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import Marks, dot
-from render.views.arms import Arms, arm_steps_by_result, with_unplaced_arm_names
+from render.views.arms import Arm, Arms, arm_steps_by_result, with_unseen_arm_names
 from render.views.formulas import Setter, Word
 from render.views.loading import Arrows
 from render.views.plotted import Ends, group_names_by_place, plot_position, scheme_mu
@@ -181,11 +181,12 @@ class Lever:
         places = group_names_by_place(letters)  # letters of coinciding marks share one label
         named = [Label(", ".join(n), z, 5.0, clear=0.8, priority=1, name=n[0]) for z, n in places]
         marks += dot(0j, 0.8, "plan")
-        forces, names = self.force_and_arm_marks(lines)
-        named += names
-        return with_unplaced_arm_names(named, marks_with_labels(named, [*marks, *forces]), self.naming.lang)
+        loaded = self.forces_and_arms(lines)
+        named += loaded.named
+        drawn = marks_with_labels(named, [*marks, *loaded.marks])
+        return with_unseen_arm_names(named, loaded.short, drawn, self.naming.lang)
 
-    def force_and_arm_marks(self, lines: list[Ends]) -> Labelled:
+    def forces_and_arms(self, lines: list[Ends]) -> Arms:
         """Arrows of the forces at their images, not to scale, and their arms about the pole."""
         drawing, marks, named = self.position.drawing, list[Mark](), list[Label]()
         drops = arm_steps_by_result(drawing)
@@ -198,10 +199,11 @@ class Lever:
             size = float(drawing[name]) if name in drawing else 1.0
             if size == 0:
                 continue
-            point, along = complex(drawing[step.point]), complex(drawing[step.along]) * (1 if size >= 0 else -1)
-            start, end = arrows.place_force_arrow(point, along)
+            drawn = Arm.of_step(drawing, step, name, self.naming.lettered_arm(name, arm))
+            along = complex(drawing[step.along]) * (1 if size >= 0 else -1)
+            start, end, far = arrows.place_force_arrow(drawn.point, along, arm=abs(drawn.foot - drawn.about))
             marks.append(Arrow(start, end, "vector", "force", name))
-            ends = (start + end) / 2, end
-            named.append(Label(self.naming.lettered_vector(name), ends, 3.5, name=name, also=(end,)))
-            arms.add_arm(point, along, 0j, self.naming.lettered_arm(name, arm), name)
-        return [*marks, *arms.marks], [*named, *arms.named]
+            ends = (start + end) / 2, far
+            named.append(Label(self.naming.lettered_vector(name), ends, 3.5, name=name, also=(far,)))
+            arms.add_arm(drawn)
+        return Arms([*marks, *arms.marks], [*named, *arms.named], arms.short)

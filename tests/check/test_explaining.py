@@ -23,6 +23,7 @@ from tests.other_means import Spoilt, lines_of, places
 
 SIX = confusion.bench("six-link", "velocity")
 ACCELERATION, FORCE = (confusion.bench("six-link", plan) for plan in ("acceleration", "force:2-3"))
+RRR_FORCE = confusion.bench("kind-1-rrr", "force:2-3")
 
 
 def ink_of(bench: confusion.PreparedPlan, spoilt: Spoilt, turn: complex = 1 + 0j, pole: complex = 0j) -> SheetInk:
@@ -97,6 +98,25 @@ def test_sides_laid_in_another_order_are_right() -> None:
     ink = drawn([(complex(p), complex(q)) for p, q in zip(a[0], b[0], strict=True) if abs(p - q) > 0.5])
     seen = Explanation(plan, ink, 0j)
     assert seen.likeliest_drawing is seen.right_drawing and seen.likeliest_drawing.cover > 0.95
+
+
+@pytest.mark.few(3)
+@pytest.mark.parametrize("seed", range(10))
+def test_sides_laid_by_hand_in_any_order_are_right(seed: int) -> None:
+    """Every side ends half a millimetre beside its place, and the next begins there: long sides are not sought first,
+    and none is laid over ink that another has drawn."""
+    rng, plan = random.Random(seed), PlanLines((FORCE, RRR_FORCE)[seed % 2])
+    row = plan.mark_positions(Hypothesis(), {}, 1)
+    assert row is not None
+    a, b = plan.line_ends(row)
+    sides, order = (b - a)[0, : len(plan.sides)].tolist(), [*range(len(plan.sides))]
+    rng.shuffle(order)
+    path = [0j]
+    for k in order[:-1]:
+        path.append(path[-1] + sides[k] + complex(rng.gauss(0, 0.4), rng.gauss(0, 0.4)))
+    ink = drawn([*zip(path, [*path[1:], 0j], strict=True)])
+    seen = Explanation(plan, ink, 0j)
+    assert seen.likeliest_drawing is seen.right_drawing
 
 
 def test_many_drawings_at_once_are_those_drawn_one_by_one() -> None:

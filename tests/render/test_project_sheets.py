@@ -16,7 +16,7 @@ from planes.documents.cycle import finite_or_none
 from planes.documents.drawn import draw_sheet
 from planes.documents.sheets import project_over_turn, sheet_of
 from planes.plans.assur.analysis import analyse_structure
-from planes.scene import load
+from planes.scene import load, loads
 from planes.solving import plans_and_requested_results, solve
 from planes.words.errors import PlanesError
 from planes.words.naming import Naming
@@ -119,6 +119,25 @@ def test_paths_are_of_hinges_or_of_the_points_chosen(points, count):
     scene = replace(load(ROOT / "samples" / "kind-2-rrp.yaml"), find=None, sheet={"positions": 12.0, "paths": points})
     drawn = [m for m in sheet_of(scene, None, number=1).marks if isinstance(m, Line) and m.style == "dash"]
     assert len(drawn) == count
+
+
+def test_strokes_of_parallel_guides_are_not_drawn_upon_each_other():
+    guides = "{g1: {angle: 0, through: [0, 0.2]}, g2: {angle: 0, through: [0, 0.21]}}"
+    scene = loads(f"""\
+planes: 1
+frame: {{points: {{O: [0, 0]}}, guides: {guides}}}
+links:
+  1: {{points: {{O: 0, A: 0.05, D: [0, 0.05]}}}}
+  2: {{points: {{A: 0, B: 0.3}}}}
+  3: {{points: {{B: 0}}, slides: g1}}
+  4: {{points: {{D: 0, E: 0.3}}}}
+  5: {{points: {{E: 0}}, slides: g2}}
+assembly: {{B: ahead, E: ahead}}
+drive: {{link: 1, phi: 40, omega: 10}}
+sheet: {{positions: 12}}
+""")
+    drawn = [m for m in sheet_of(scene, None, number=1).marks if isinstance(m, Text) and m.name == "stroke"]
+    assert len(drawn) == 2 and abs(drawn[0].place.imag - drawn[1].place.imag) > 5
 
 
 def test_a_path_of_no_point_is_an_error():

@@ -28,7 +28,7 @@ from render.paper.letters import lettered_pieces
 from render.paper.marks import Line, Text
 from render.paper.typeset import lay_out_text, plain_text
 from render.views import remark_texts
-from render.views.arms import Arms
+from render.views.arms import Arm, Arms
 from render.views.loading import Arrows
 from render.views.table_grid import TableGrid
 from tests.helpers import ROOT
@@ -184,18 +184,33 @@ def test_cells_keep_clear_of_the_rules(letter: float, cell: str) -> None:
 @pytest.mark.parametrize("turn", [0.0, 0.03, 0.05])
 def test_forces_that_slant_but_slightly_are_not_drawn_upon_each_other(turn: float) -> None:
     arrows, far = Arrows(), 60 + 0j
-    one = arrows.place_force_arrow(0j, 1 + 0j)
+    one = arrows.place_force_arrow(0j, 1 + 0j)[:2]
     arrows.upon[0] = one = (one[0], far)  # a long one
-    two = arrows.place_force_arrow(10 - 0.2j, cmath.rect(1, turn))
+    two = arrows.place_force_arrow(10 - 0.2j, cmath.rect(1, turn))[:2]
     lines = [shapely.LineString([(z.real, z.imag) for z in ends]) for ends in (one, two)]
     assert lines[0].buffer(0.3).intersection(lines[1]).length < 4
 
 
+def test_a_force_keeps_to_its_line_of_action_where_its_arm_is_short() -> None:
+    """Three weights on a vertical rod: shifted sideways, they would have other arms, or other signs."""
+    rod = (0j, 40j)
+    free, kept = Arrows([rod]), Arrows([rod])
+    aside = [free.place_force_arrow(20j, -1j) for _ in range(3)]
+    along = [kept.place_force_arrow(20j, -1j, arm=3.0) for _ in range(3)]
+    assert len({round(start.real, 6) for start, _, _ in aside}) == 3
+    assert {round(z.real, 6) for start, end, _ in along for z in (start, end)} == {0.0}
+    assert all((end - start).imag < 0 for start, end, _ in along)  # each still points downwards
+    lines = sorted((min(s.imag, e.imag), max(s.imag, e.imag)) for s, e, _ in along)
+    assert lines[0][1] <= 0.0  # the first clear of the rod
+
+
 def test_an_arm_of_two_forces_is_drawn_once() -> None:
     arms = Arms()
-    arms.add_arm(5 + 5j, 1j, 0j, "h_{G2}", "G_2")
-    arms.add_arm(5 + 9j, 1j, 0j, "h_{G3}", "G_3")
-    arms.add_arm(5 + 9j, 1 + 0j, 0j, "h_{P3}", "P_3")
+    arms.add_arm(Arm("G_2", "h_{G2}", 5 + 5j, 0j, 5 + 0j))
+    arms.add_arm(Arm("G_3", "h_{G3}", 5 + 9j, 0j, 5 + 0j))
+    arms.add_arm(Arm("P_3", "h_{P3}", 5 + 9j, 0j, 9j))
+    arms.add_arm(Arm("Q_3", "h_{Q3}", 1 + 9j, 0j, 1 + 0j))
+    assert arms.short == ["h_{Q3}"]
     assert [x.text for x in arms.named] == ["h_{G2} = h_{G3}", "h_{P3}"]
     assert [m.layer for m in arms.marks if isinstance(m, Line)].count("dimension") == 2
 

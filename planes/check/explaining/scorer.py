@@ -167,7 +167,8 @@ class Scorer:
         best, most = shares[0][0], -math.inf
         for share, h in shares if len(shares) > 1 else ():
             self.plan.share = share
-            score = self.settle_hypothesis(h).score - w.PRINT_SCALE_COST * (share != 1)
+            tried = [h, *side_order_hypotheses(self.plan, self.ink, self.pole)[:1]]
+            score = max(self.settle_hypothesis(one).score for one in tried) - w.PRINT_SCALE_COST * (share != 1)
             best, most = (share, score) if score > most else (best, most)
         return best
 
