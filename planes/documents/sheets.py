@@ -227,6 +227,12 @@ def project_over_turn(scene: Scene, plans: Plans, composer: Composer, twelve: bo
     return Project(composer, values, turn, numbered, span.whole, curves, loops, names_under_key(scene.sheet, "paths"))
 
 
+def _above_least(values: Sequence[float | None]) -> tuple[float | None, ...]:
+    """Values from the least of them."""
+    least = min((v for v in values if v is not None), default=0.0)
+    return tuple(None if v is None else v - least for v in values)
+
+
 class TurningMechanism:
     """Places of points, and positions and rates of links, at any positions of the drive: all drawn at once."""
 
@@ -258,10 +264,8 @@ class TurningMechanism:
             at = unwind_angles(at)
             at[1:][np.abs(np.diff(at)) > LEAST_FLIP_DEG] = np.nan  # it turns over: a gap
         letters, units = ("sva", ("m", "m/s", "m/s²")) if slides else ("φωε", ("°", "rad/s", "rad/s²"))
-        calm = (drop_steep_ordinates(finite_or_none(row), full_turn) for row in (at, *(rows[rate] for rate in rates)))
-        drawn = list(map(DiagramCurve, letters, units, calm))
-        least = min((v for v in drawn[0].values if v is not None), default=0.0)
-        drawn[0] = replace(drawn[0], values=tuple(None if v is None else v - least for v in drawn[0].values))
+        calm = [drop_steep_ordinates(finite_or_none(row), full_turn) for row in (at, *(rows[rate] for rate in rates))]
+        drawn = map(DiagramCurve, letters, units, (_above_least(calm[0]), *calm[1:]))
         return tuple(drawn)[: 1 if self.plans.at_rest else None]
 
     def numbered_positions(

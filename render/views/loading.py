@@ -1,6 +1,7 @@
 """Forces and couples on a scheme: arrows at their points, curved arrows of couples, arms with their lines of action."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import product
@@ -27,7 +28,7 @@ FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM = 1.5, 1.2  # lateral shift, and the lea
 MOST_SHIFT_ARM_RATIO = 0.25  # of a shift to the force's arm in the figure, which would seem another
 LEAST_INCLINED_DISTANCE_MM = 0.4  # least distance where they are slightly inclined
 REACTION_TIP_GAP_MM = 1.6  # from the tip of a reaction to its point of application: the radius of a hinge
-FARTHER_ALONG_MM = (6.0, 12.0, 18.0, 24.0, 30.0)  # from a force's point to an arrow on its line of action
+FARTHER_ALONG_STEP_MM, MOST_STEPS_ALONG = 6.0, 5  # from a force's point to an arrow on its line of action
 COUPLE_RADIUS_MM = 6.5  # radius of a couple's curved arrow
 HALF_TANGENT_LENGTH_MM = 5.0  # half the length of the tangent to a friction circle
 NAME_LETTER_MM = 3.5
@@ -50,25 +51,27 @@ class Arrows:
         """Start and end of a force, and which of them is far from its point. It is longer if others of its point are on
         the same side, and shifted beside them; one with an ``arm`` (mm) in the figure keeps to its line of action: it
         is drawn on the other side of its point, or farther along."""
-        side, tries = -way if from_outside else way, list[tuple[Ends, float]]()
-        for along in (side, -side):
-            outside = (along * way.conjugate()).real < 0
-            like = sum(abs(p - point) < 0.5 and (s * along.conjugate()).real > 0.9 for p, s in self.taken)
-            near = point + REACTION_TIP_GAP_MM * along * outside
-            far = point + (LEAST_FORCE_ARROW_MM + FORCE_LENGTH_STEP_MM * like) * along
-            tries.append(((near, far), 0.0))
-            tries += [((near + d * along, point + (LEAST_FORCE_ARROW_MM + d) * along), d) for d in FARTHER_ALONG_MM]
-        reach = MOST_SHIFT_ARM_RATIO * arm
-        clear = (FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM, LEAST_INCLINED_DISTANCE_MM)
-        shifted = shift_clear_of_others(tries[0][0], self.upon, *clear)
-        if abs(shifted[0] - tries[0][0][0]) > reach:
-            free = (ends for ends, _ in sorted(tries, key=lambda one: one[1]) if self.is_clear(ends))
-            shifted = next(free, tries[0][0])
+        places = [*self._places_on_line(point, way, from_outside), *self._places_on_line(point, way, not from_outside)]
+        near, far = places[0]
+        clear = FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM, LEAST_INCLINED_DISTANCE_MM
+        shifted = shift_clear_of_others((near, far), self.upon, *clear)
+        if abs(shifted[0] - near) > MOST_SHIFT_ARM_RATIO * arm:
+            by_distance = sorted(places, key=lambda ends: round(abs(ends[0] - point) / FARTHER_ALONG_STEP_MM))
+            shifted = next(filter(self.is_clear, by_distance), places[0])
         near, far = shifted
         self.taken.append((point, direction_between(near, far)))
         self.upon.append((near, far))
-        outside = ((far - near) * way.conjugate()).real < 0
-        return (far, near, far) if outside else (near, far, far)
+        return (far, near, far) if ((far - near) * way.conjugate()).real < 0 else (near, far, far)
+
+    def _places_on_line(self, point: complex, way: complex, from_outside: bool) -> Iterator[Ends]:
+        """Places of an arrow on one side of its point: at it, longer than others there, and farther along."""
+        side = -way if from_outside else way
+        like = sum(abs(p - point) < 0.5 and (s * side.conjugate()).real > 0.9 for p, s in self.taken)
+        near = point + REACTION_TIP_GAP_MM * side * from_outside
+        yield near, point + (LEAST_FORCE_ARROW_MM + FORCE_LENGTH_STEP_MM * like) * side
+        for k in range(1, MOST_STEPS_ALONG + 1):
+            off = k * FARTHER_ALONG_STEP_MM * side
+            yield near + off, point + LEAST_FORCE_ARROW_MM * side + off
 
     def is_clear(self, ends: Ends) -> bool:
         """Whether an arrow overlaps no other line."""

@@ -149,16 +149,19 @@ class ManyPositions:
         """The foot of the perpendicular from a slider's first point to its guide."""
         return perpendicular_foot(self.place_on_paper(result, slider.first_point), *self.guide_line(guide, result))
 
-    def path_marks(self) -> list[Mark]:
-        """Paths, dashed; of hinges without those on a frame's guide, which are straight."""
-        dashed = list[Mark]()
+    @property
+    def points_with_paths(self) -> Sequence[str]:
+        """The chosen points; by default the hinges without those on a frame's guide, whose paths are straight."""
         m = self.plans.mechanism
-        straight = {
-            p for x in m.links.values() if x.slides and m.owner_of_guide(x.slides.guide) == FRAME for p in x.points
-        }
+        sliders = (x for x in m.links.values() if x.slides and m.owner_of_guide(x.slides.guide) == FRAME)
+        plain = {*m.frame.points, *(p for x in sliders for p in x.points)}
         counted = Counter(p for link in m.links.values() for p in link.points)
-        hinges = [p for p, count in counted.items() if count > 1 and p not in straight and p not in m.frame.points]
-        for point in self.paths or hinges:
+        return self.paths or [p for p, count in counted.items() if count > 1 and p not in plain]
+
+    def path_marks(self) -> list[Mark]:
+        """Paths, dashed."""
+        dashed = list[Mark]()
+        for point in self.points_with_paths:
             for there, places in groupby(self.turn_with_fit, key=lambda one: one[1]):
                 run = [self.place_on_paper(result, point) for result, _ in places if result and there]
                 if len(run) > 2 and max(abs(z - run[0]) for z in run) > 1:

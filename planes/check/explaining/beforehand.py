@@ -99,19 +99,11 @@ def _likeliest_order(
     long sides are not laid first for what they gain."""
     a, b = plan.line_ends(drawn)
     sides = (b - a)[0, : len(plan.sides)]
-    moves = w.SIDE_END_MOVE_MM * numpy.r_[0, numpy.exp(0.25j * math.pi * numpy.arange(8))]
     beams: list[tuple[float, tuple[int, ...], tuple[complex, ...]]] = [(0.0, (), (pole,))]
     for n in range(len(sides)):
         grown = [(score, order, path, k) for score, order, path in beams for k in range(len(sides)) if k not in order]
         paths, step = numpy.array([path for _, _, path, _ in grown]), sides[[k for *_, k in grown]]
-        start, step = paths[:, -1:] + 0 * moves, numpy.where(abs(step) > 0.1, step, 1)[:, None]
-        share = ink.drawn_shares(start, start + step + moves, w.COARSE_SAMPLES_PER_LINE, 2)
-        values = -abs(step) * (w.DRAWN_LINE_GAIN_PER_MM + w.MISSING_LINE_COST_PER_MM) * (1 - share)
-        values = values - w.DRAWING_ERROR_WEIGHT * abs(moves / w.DRAWING_SIGMA_MM) ** 2
-        best, rows = values.argmax(axis=1), numpy.arange(len(grown))
-        ends = (start + step + moves)[rows, best]
-        value = values[rows, best] - w.OVERLAP_COST_PER_MM * _length_over_others(paths, ends)
-        value = value * (abs(step[:, 0]) > w.SHORTEST_LINE_MM)
+        value, ends = _side_losses(ink, paths, step)
         value -= w.SIDE_OUT_OF_TURN_COST * (numpy.array([k for *_, k in grown]) != n)
         if words:
             value -= w.MISPLACED_NAME_WEIGHT * numpy.array(
@@ -124,6 +116,19 @@ def _likeliest_order(
         beams = [(score + more, (*order, k), (*path, end)) for (score, order, path, k), more, end in longer]
         beams = sorted(beams, key=lambda beam: -beam[0])[: w.ORDER_BEAM_WIDTH]
     return w.DRAWN_LINE_GAIN_PER_MM * float(abs(sides).sum()) + beams[0][0], beams[0][1]
+
+
+def _side_losses(ink: SheetInk, paths: Complexes, sides: Complexes) -> tuple[Array, Complexes]:
+    """What each next side loses of its score, and its end where it was most likely drawn."""
+    moves = w.SIDE_END_MOVE_MM * numpy.r_[0, numpy.exp(0.25j * math.pi * numpy.arange(8))]
+    start, step = paths[:, -1:] + 0 * moves, numpy.where(abs(sides) > 0.1, sides, 1)[:, None]
+    share = ink.drawn_shares(start, start + step + moves, w.COARSE_SAMPLES_PER_LINE, 2)
+    values = -abs(step) * (w.DRAWN_LINE_GAIN_PER_MM + w.MISSING_LINE_COST_PER_MM) * (1 - share)
+    values = values - w.DRAWING_ERROR_WEIGHT * abs(moves / w.DRAWING_SIGMA_MM) ** 2
+    best, rows = values.argmax(axis=1), numpy.arange(len(paths))
+    ends = (start + step + moves)[rows, best]
+    value = values[rows, best] - w.OVERLAP_COST_PER_MM * _length_over_others(paths, ends)
+    return value * (abs(step[:, 0]) > w.SHORTEST_LINE_MM), ends
 
 
 def _length_over_others(paths: Complexes, ends: Complexes) -> Array:
