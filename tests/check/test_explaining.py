@@ -100,7 +100,7 @@ def test_sides_laid_in_another_order_are_right() -> None:
     assert seen.likeliest_drawing is seen.right_drawing and seen.likeliest_drawing.cover > 0.95
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(10))
 def test_sides_laid_by_hand_in_any_order_are_right(seed: int) -> None:
     """Every side ends half a millimetre beside its place, and the next begins there: long sides are not sought first,

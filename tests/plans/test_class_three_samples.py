@@ -55,7 +55,7 @@ def accepted(sample: str, plan: str) -> tuple[str, ...]:
     return ("right", "right_as_seen") if unread else ("right",)
 
 
-@pytest.mark.few(1, slow=10)
+@pytest.mark.few(0, slow=10)
 @pytest.mark.parametrize("sample", SAMPLES)
 @pytest.mark.parametrize("plan", ["velocity", "acceleration", "force"])
 def test_its_own_view_is_right_and_with_one_step_spoiled_not(sample: str, plan: str, tmp_path: Path) -> None:
