@@ -29,8 +29,8 @@ from render.labels.nearness import boxes_overlap
 from render.labels.surroundings import OVERLAP_COST, Surroundings
 from render.paper.style import NEXT_LARGER_LETTER_MM
 
-# of being nearer to what another label names than to its own; by so much nearer it costs more than a short leader
-AMBIGUITY_COST = 8.0
+AMBIGUITY_COST = 8.0  # cost of being nearer to what another label names than to its own
+# by so much nearer, once all have places, costs more than a short leader
 WRONG_PLACE_MM, WRONG_PLACE_COST = 1.5, 40.0
 CLOSENESS_COST = 3.0  # cost of being beside another label, farther away than necessary
 MOST_MOVES = 1000  # how often labels of one board are asked to make room for others
@@ -83,8 +83,7 @@ class Board:
         self.options = [candidates_beside(label, NEAR_DISTANCES_MM) for label in labels]
         self.costs = self.around.candidate_costs(self.options)
         for k in range(len(labels)):
-            nearer = self._mm_nearer_to_others(k)
-            self.costs[k] += np.select([nearer > WRONG_PLACE_MM, nearer > 0], [WRONG_PLACE_COST, AMBIGUITY_COST])
+            self.costs[k] += AMBIGUITY_COST * (self._mm_nearer_to_others(k) > 0)
         self.chosen, self.wide = dict[int, int](), dict[int, int]()
         self._list_candidates()
 
@@ -196,13 +195,25 @@ class Board:
         return bool(costs.min() < OVERLAP_COST)
 
     def offer_farther_places(self) -> bool:
-        """Give overlapping and ambiguous labels places farther away, with leader lines; False if none is left to
-        give."""
-        astray = [k for k, own in self.chosen.items() if k not in self.wide and self.costs[k][own] >= WRONG_PLACE_COST]
+        """Give overlapping labels places farther away, with leader lines; False if none is left to give."""
         late = [k for k in self.overlapping_labels() if self.wide.get(k, 0) < len(FAR_PLACE_COUNTS)]
-        late += [k for k in astray if k not in late]
+        self._add_far_places(late)
+        return bool(late)
+
+    def lead_labels_to_their_own(self) -> None:
+        """Move labels that are by far nearer to what others name, where there is room, to places with leader lines."""
+        near = {k: self._mm_nearer_to_others(k) > WRONG_PLACE_MM for k in self.chosen if k not in self.wide}
+        astray = [k for k, wrong in near.items() if wrong[self.chosen[k]]]
+        for k in astray:
+            self.costs[k] = self.costs[k] + WRONG_PLACE_COST * near[k]
+        self._add_far_places(astray)
+        for k in astray:
+            self._move_to_cheapest(k)
+
+    def _add_far_places(self, late: Sequence[int]) -> None:
+        """Add the cheapest places farther away to those of some labels."""
         if not late:
-            return False
+            return
         far = [candidates_far_off(self.labels[k], FAR_DISTANCES_MM) for k in late]
         times = [self.wide.get(k, 0) for k in late]
         costs = self.around.costs_of_cheapest(far, [FAR_PLACE_COUNTS[n] for n in times])
@@ -218,9 +229,6 @@ class Board:
             self.options[k] = join_candidates([self.options[k], some])
             self.costs[k] = np.concatenate([self.costs[k], cost[rows] + more])
         self._list_candidates()
-        for k in astray:
-            self._move_to_cheapest(k)
-        return True
 
     def leave_out_repeated_labels(self) -> bool:
         """Leave out labels whose text is elsewhere too, to make room for others; False if none overlaps."""

@@ -9,6 +9,7 @@ from planes.geometry.arrays import Array, Complexes, Indices
 from planes.words.frozen import frozen
 from render.labels.candidates import LEAST_INK_DISTANCE_MM, Candidates, join_candidates
 from render.labels.footprints import Bounds, InkedShapes
+from render.labels.nearness import Shapes
 from render.paper.ink import xy_coordinates
 
 OVERLAP_COST = 200.0  # cost of one overlap, more than all minor costs together
@@ -16,6 +17,7 @@ OUTSIDE_FIELD_COST = 1000.0  # cost of leaving the field
 TIGHTNESS_COST = 1.5  # cost of being closer than ROOM_MM to ink
 LEADER_CROSSING_COST = 8.0  # cost of a leader that crosses a stroke
 LEADER_THROUGH_TEXT_COST = 80.0  # cost of one that crosses a text
+LEADER_TEXT_GAP_MM = 0.3  # between a leader and placed texts
 BROKEN_LINE_COST = 4.0  # cost of a thin line broken for a label
 COMFORTABLE_GAP_MM = 1.3
 CANDIDATES_PER_BATCH = 160  # candidates of a label examined together
@@ -65,20 +67,19 @@ class Surroundings:
 
     def leader_costs(self, leaders: Complexes) -> Array:
         """The cost of leaders that cross strokes, thin ones that yield for less, and placed texts."""
-        strokes = self._count_crossings(leaders, (self.ground, 1.0), (self.yielding, 0.25))
-        return LEADER_CROSSING_COST * _bounded_count(strokes) + LEADER_THROUGH_TEXT_COST * self._count_crossings(
-            leaders, (self.standing, 1.0)
-        )
-
-    def _count_crossings(self, leaders: Complexes, *layers: tuple[InkedShapes, float]) -> Array:
-        """The number of shapes each leader crosses, weighted."""
         lines = shapely.linestrings(xy_coordinates(leaders))
-        counts = np.zeros(len(leaders))
-        for inked, weight in layers:
-            if len(inked.shapes) and len(leaders):
-                pairs = inked.spatial_index.query(lines, predicate="intersects")
-                counts += weight * np.bincount(pairs[0], minlength=len(leaders))
-        return counts
+        strokes = _count_crossings(lines, self.ground) + 0.25 * _count_crossings(lines, self.yielding)
+        texts = _count_crossings(lines, self.standing, LEADER_TEXT_GAP_MM)
+        return LEADER_CROSSING_COST * _bounded_count(strokes) + LEADER_THROUGH_TEXT_COST * texts
+
+
+def _count_crossings(lines: Shapes, inked: InkedShapes, near: float = 0.0) -> Array:
+    """The number of shapes that each line crosses, or comes ``near``, mm."""
+    if not len(inked.shapes) or not len(lines):
+        return np.zeros(len(lines))
+    pairs = inked.spatial_index.query(lines, predicate="dwithin", distance=near)
+    counts: Array = np.bincount(pairs[0], minlength=len(lines)).astype(float)
+    return counts
 
 
 def _bounded_count(counts: Array | Indices) -> Array:
