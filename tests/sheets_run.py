@@ -36,7 +36,7 @@ from planes.words.naming import Naming
 from render.paper.marks import Arrow, Line, Mark, Text
 from render.paper.typeset import plain_text
 from render.sheet import Sheet, stacking_for_paper
-from render.views.moments import MomentLines
+from render.views.arms import nonzero_terms
 from tests.helpers import ROOT
 from tests.helpers.conflicts import conflicts, described
 from tests.helpers.mechanisms import KINDS, make, to_yaml
@@ -247,8 +247,7 @@ def forces(p: Position, naming: Naming) -> Iterator[tuple[str, str]]:
             if f.spot and value > STILL * max([1e-9, *sizes.values()]):
                 yield f"load {f.name}", plain_text(naming.lettered_vector(f.name))
     for m in p.plans.moments:
-        made = next((s for s in p.drawing.program.steps if s.makes == m.unknown), None)
-        if any(MomentLines(p, naming).product_value(t) for t in getattr(made, "terms", ())):
+        if nonzero_terms(p.drawing, m):
             yield f"moments of {'–'.join(m.links)}", f"…ΣM{plain_text(naming.lettered_point(m.about))}"
 
 

@@ -5,7 +5,9 @@ from dataclasses import dataclass, field, replace
 from typing import Self
 
 from planes.drafting.drawing import Drawing
-from planes.drafting.steps.reckoning import Drop
+from planes.drafting.equations import Moments
+from planes.drafting.steps.reckoning import Calculate, Drop
+from planes.geometry.arithmetic import Arithmetic
 from planes.geometry.plane import direction_between, perpendicular_foot
 from planes.words import Lang, say
 from planes.words.frozen import frozen
@@ -16,6 +18,8 @@ from render.views import remark_texts
 
 NAME_LETTER_MM = 3.5
 LEAST_ARM_MM = 2.0  # of an arm
+ZERO_ARM_MM = 1e-6  # a force with a shorter arm passes through the moment point
+ZERO_MOMENT_RATIO = 1e-9  # of the largest moment of the equation: below this it is zero
 EQUAL_ARM_MM = 0.1  # arms that differ by less are equal
 ARM_NAME_PREFIX = "arm "  # prefix of its label's name
 HALF_BREAK_GAP_MM = 2.5  # half the gap of a break along its line
@@ -30,6 +34,11 @@ class Arm:
     point: complex
     about: complex
     foot: complex
+
+    @property
+    def length(self) -> float:
+        """Its length, mm."""
+        return abs(self.foot - self.about)
 
     @classmethod
     def of_step(cls, drawing: Drawing, step: Drop, force: str, name: str) -> Self:
@@ -49,7 +58,7 @@ class Arms:
     def add_arm(self, arm: Arm) -> None:
         """Add an arm; of one too short to see only its name."""
         ends, text = (arm.about, arm.foot), arm.name
-        if abs(arm.foot - arm.about) < LEAST_ARM_MM:
+        if arm.length < LEAST_ARM_MM:
             self.short.append(text)
             return
         self.marks.append(Line((arm.point, arm.foot), "construction", "construction"))
@@ -62,6 +71,19 @@ class Arms:
                 return
         self.marks.append(Line(ends, "thin", "dimension"))
         self.named.append(Label(text, ends, NAME_LETTER_MM, name=f"{ARM_NAME_PREFIX}{arm.force}", told=True))
+
+
+def nonzero_terms(drawing: Drawing, equation: Moments) -> list[tuple[str, str, float]]:
+    """The forces and couples of a moment equation that are not zero, each with its arm and its product."""
+    made = drawing.program.steps_by_result.get(equation.unknown)
+    if not isinstance(made, Calculate):
+        return []
+    values = [float(term.product_value(drawing.things, Arithmetic())) for term in made.terms]
+    least, steps = ZERO_MOMENT_RATIO * max(map(abs, values), default=0.0), arm_steps_by_result(drawing)
+    drawn = {a: Arm.of_step(drawing, step, "", "") for a, step in steps.items() if a in drawing}
+    through = {a for a, arm in drawn.items() if arm.length < ZERO_ARM_MM}
+    terms = zip(equation.terms, values, strict=False)
+    return [(name, arm, value) for (name, arm), value in terms if abs(value) > least and arm not in through]
 
 
 def arm_steps_by_result(drawing: Drawing) -> dict[str, Drop]:

@@ -18,7 +18,7 @@ from render.labels import Label
 from render.paper.marks import Arc, Arrow, Line, Mark
 from render.paper.style import SLIDER_BLOCK_SIZE_MM
 from render.paper.symbols import unit_vector
-from render.views.arms import HALF_BREAK_GAP_MM, Arm, Arms, arm_steps_by_result, line_with_break
+from render.views.arms import HALF_BREAK_GAP_MM, Arm, Arms, arm_steps_by_result, line_with_break, nonzero_terms
 from render.views.plotted import Ends, Places, lines_overlap, scheme_mu, shift_clear_of_others
 from render.views.senses import freest_turn_arrow
 
@@ -244,7 +244,7 @@ class Loading:
 
     def draw_force(self, name: str, point: complex, way: complex, from_outside: bool = False) -> None:
         """An arrow from its point (a load), or with its head there (a reaction), clear of the rods and forces there."""
-        arm = min((abs(arm.foot - arm.about) for arm in self.arms if arm.force == name), default=math.inf)
+        arm = min((arm.length for arm in self.arms if arm.force == name), default=math.inf)
         start, end, far = self.arrows.place_force_arrow(point, way, from_outside, arm)
         self.marks.append(Arrow(start, end, "vector", "force", name))
         ends = far, (start + end) / 2
@@ -270,10 +270,9 @@ class Loading:
     def arms(self) -> list[Arm]:
         """The arms in the moment equations."""
         drops, arms = arm_steps_by_result(self.drawing), list[Arm]()
-        sizes = {f.name: float(self.drawing[f.size]) for f in self.plans.acting.every if f.size in self.drawing}
-        for name, arm in (term for equation in self.equations for term in equation.terms):
+        for name, arm, _ in (term for one in self.equations for term in nonzero_terms(self.drawing, one)):
             step = drops.get(arm)
-            if step and step.makes in self.drawing and self.is_above_noise(sizes.get(name, math.inf)):
+            if step and step.makes in self.drawing:
                 arms.append(Arm.of_step(self.drawing, step, name, self.naming.lettered_arm(name, arm)))
         return arms
 

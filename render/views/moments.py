@@ -3,13 +3,12 @@
 The lever is the velocity plan turned by a right angle, with the external forces at the images of their points.
 """
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
 from planes.drafting.equations import Moments
-from planes.drafting.steps.reckoning import Calculate, Drop, Product
+from planes.drafting.steps.reckoning import Calculate, Drop
 from planes.plans.scales import ZERO_VECTOR_MM
 from planes.solving import Position
 from planes.words import say
@@ -21,13 +20,11 @@ from planes.words.read_off import fixed_decimals_text, read_off_text
 from render.labels import Label
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import Marks, dot
-from render.views.arms import Arm, Arms, arm_steps_by_result, with_unseen_arm_names
+from render.views.arms import Arm, Arms, arm_steps_by_result, nonzero_terms, with_unseen_arm_names
 from render.views.formulas import Setter, Word
 from render.views.loading import Arrows
 from render.views.plotted import Ends, group_names_by_place, plot_position, scheme_mu
 from render.views.senses import marks_with_labels
-
-ZERO_MOMENT_RATIO = 1e-9  # of the largest moment of the equation: below this it is zero
 
 
 @frozen
@@ -51,19 +48,14 @@ class MomentLines:
     def equation_words(self, equation: Moments) -> list[Word]:
         """ΣM_C: F^t l = ± G h ± … with the value of every product beneath."""
         made = self.position.drawing.program.steps_by_result.get(equation.unknown)
-        if not isinstance(made, Calculate) or not made.terms:
+        shown = nonzero_terms(self.position.drawing, equation)
+        if not isinstance(made, Calculate) or not shown:
             return []
         unknown_value = float(self.position.drawing[equation.unknown])
         acting = (
             -1.0 if equation.arm and unknown_value < 0 else 1.0
         )  # a force is positive as drawn, a couple counter-clockwise
-        values = [acting * self.product_value(term) for term in made.terms]
-        biggest = max(map(abs, values))
-        shown = [
-            (n, a, v) for (n, a), v in zip(equation.terms, values, strict=False) if abs(v) > ZERO_MOMENT_RATIO * biggest
-        ]
-        if not shown:
-            return []
+        shown = [(name, arm, acting * value) for name, arm, value in shown]
         about = without_index_markup(self.naming.lettered_point(equation.about))
         links = ",".join(self.naming.link_number(x) for x in equation.links if x != "lever")
         # the common divisor of the products: the unknown's arm, or on the lever the driver's rate
@@ -146,11 +138,6 @@ class MomentLines:
         """The steps that measure arms, by the names of the arms."""
         return arm_steps_by_result(self.position.drawing)
 
-    def product_value(self, term: Product) -> float:
-        """One product of the sum."""
-        powers = (float(self.position.drawing[name]) ** power for name, power in term.factors)
-        return math.prod(powers, start=term.coefficient)
-
 
 @dataclass
 class Lever:
@@ -201,7 +188,7 @@ class Lever:
                 continue
             drawn = Arm.of_step(drawing, step, name, self.naming.lettered_arm(name, arm))
             along = complex(drawing[step.along]) * (1 if size >= 0 else -1)
-            start, end, far = arrows.place_force_arrow(drawn.point, along, arm=abs(drawn.foot - drawn.about))
+            start, end, far = arrows.place_force_arrow(drawn.point, along, arm=drawn.length)
             marks.append(Arrow(start, end, "vector", "force", name))
             ends = (start + end) / 2, far
             named.append(Label(self.naming.lettered_vector(name), ends, 3.5, name=name, also=(far,)))
