@@ -28,7 +28,7 @@ FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM = 1.5, 1.2  # lateral shift, and the lea
 MOST_SHIFT_ARM_RATIO = 0.25  # of a shift to the force's arm in the figure, which would seem another
 LEAST_INCLINED_DISTANCE_MM = 0.4  # least distance where they are slightly inclined
 REACTION_TIP_GAP_MM = 1.6  # from the tip of a reaction to its point of application: the radius of a hinge
-FARTHER_ALONG_STEP_MM, MOST_STEPS_ALONG = 6.0, 5  # from a force's point to an arrow on its line of action
+FARTHER_ALONG_STEP_MM, MOST_STEPS_ALONG = 6.0, 8  # from a force's point to an arrow on its line of action
 COUPLE_RADIUS_MM = 6.5  # radius of a couple's curved arrow
 HALF_TANGENT_LENGTH_MM = 5.0  # half the length of the tangent to a friction circle
 NAME_LETTER_MM = 3.5
@@ -57,7 +57,7 @@ class Arrows:
         shifted = shift_clear_of_others((near, far), self.upon, *clear)
         if abs(shifted[0] - near) > MOST_SHIFT_ARM_RATIO * arm:
             by_distance = sorted(places, key=lambda ends: round(abs(ends[0] - point) / FARTHER_ALONG_STEP_MM))
-            shifted = next(filter(self.is_clear, by_distance), places[0])
+            shifted = next(filter(self.is_clear, by_distance), shifted)
         near, far = shifted
         self.taken.append((point, direction_between(near, far)))
         self.upon.append((near, far))
@@ -131,6 +131,8 @@ class Loading:
         for key in rubbing:
             self.draw_friction_circle(key)
             self.rub(key)
+        for key in dict.fromkeys(self.outer().values()):
+            self.draw_guide_couple(key)
 
     def draw_whole_reactions(self) -> None:
         """Every whole reaction on these links from outside, on its line of action."""
@@ -146,8 +148,15 @@ class Loading:
             if self.is_above_noise(abs(force)):
                 self.draw_friction_circle(key)
                 self.draw_force(name, self.reaction_application_point(key), force / abs(force), from_outside=True)
-            elif self.reaction_arm(key) is None and abs(result.moment) > ZERO_FORCE_RATIO:
-                self.draw_couple(f"MR_{name}", inside[0], result.moment * (-1 if turned else 1), 0)
+            self.draw_guide_couple(key)
+
+    def draw_guide_couple(self, key: str) -> None:
+        """The couple of a slider's reaction that is zero, or whose arm is too long to draw."""
+        pair, result = self.plans.reactions[key].pair, self.position.of("reactions").get(key)
+        if result and pair.kind == "P" and self.reaction_arm(key) is None and abs(result.moment) > ZERO_FORCE_RATIO:
+            turned = pair.link not in self.links
+            name, link = (name_of_force(pair.other, pair.link), pair.other) if turned else (key, pair.link)
+            self.draw_couple(f"MR_{name}", link, result.moment * (-1 if turned else 1), 0)
 
     def reaction_arm(self, key: str) -> float | None:
         """The arm of a slider's reaction, m; None where it is negligible."""

@@ -39,7 +39,7 @@ def test_a_long_force_among_others_of_one_line_whose_end_nothing_shows_is_told(t
     assert drawn is not None and (mistake.name, mistake.where) == ("force_doubled", "I_5")
     corpus.picture(drawn, corpus.pole_of(one), corpus.KINDS[rng.choice(list(corpus.KINDS))](rng), rng, file)
     found = corpus.looked_at(one, file)[0]
-    assert found.verdict != "right" and "I_5" in found.unseen
+    assert found.verdict != "right" and {"I_5", "G_5"} & {*found.unseen}  # each may be the longer one
 
 
 @pytest.mark.slow

@@ -204,6 +204,13 @@ def test_a_force_keeps_to_its_line_of_action_where_its_arm_is_short() -> None:
     assert lines[0][1] <= 0.0  # the first clear of the rod
 
 
+def test_a_reaction_that_is_a_couple_is_drawn_in_its_group() -> None:
+    """The guide of slider 5 gives no force, only a moment: the group must show it, or it is not in balance."""
+    drawn = sheet_of(load(ROOT / "samples" / "assignments" / "31.yaml"), None, number=2)
+    group = next(v for v, *_ in drawn.views if v.key == "group" and "4–5" in plain_text(v.title))
+    assert "M(F56)" in {plain_text(m.text) for m in group.marks if isinstance(m, Text)}
+
+
 def test_an_arm_of_two_forces_is_drawn_once() -> None:
     arms = Arms()
     arms.add_arm(Arm("G_2", "h_{G2}", 5 + 5j, 0j, 5 + 0j))

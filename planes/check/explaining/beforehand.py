@@ -13,6 +13,8 @@ from planes.geometry.arrays import Array, Complexes
 from planes.words.frozen import replace
 
 IMPOSSIBLE_SCORE = -1e9
+Beam = tuple[float, tuple[int, ...], tuple[complex, ...]]
+"""What some sides of a polygon lose, their order, and the path along them."""
 
 
 def score_line_coverage(
@@ -95,15 +97,27 @@ def _likeliest_order(
     plan: PlanLines, ink: SheetInk, pole: complex, drawn: Complexes, words: HandWords | None
 ) -> tuple[float, tuple[int, ...]]:
     """The score and the order of a polygon's sides, laid end to end from the pole, that finds the most ink. A side may
-    end a little beside its place, as one drawn by hand does: the next begins there. What is lost is compared, so that
-    long sides are not laid first for what they gain."""
+    end a little beside its place, as one drawn by hand does, and the next begins there; then beams are kept by what
+    they lose, or long sides would be laid first for their gain. Or every side is in its place; then by their gain,
+    which tells what must fail late."""
     a, b = plan.line_ends(drawn)
     sides = (b - a)[0, : len(plan.sides)]
-    beams: list[tuple[float, tuple[int, ...], tuple[complex, ...]]] = [(0.0, (), (pole,))]
+    beams = [_best_beam(plan, ink, pole, sides, words, by_hand) for by_hand in (True, False)]
+    loss, order, _ = max(beams, key=lambda beam: beam[0])
+    return w.DRAWN_LINE_GAIN_PER_MM * float(abs(sides).sum()) + loss, order
+
+
+def _best_beam(
+    plan: PlanLines, ink: SheetInk, pole: complex, sides: Complexes, words: HandWords | None, by_hand: bool
+) -> Beam:
+    """The order of sides that loses least, laid ``by_hand`` or exactly."""
+    gain = 0.0 if by_hand else w.DRAWN_LINE_GAIN_PER_MM
+    moves = w.SIDE_END_MOVE_MM * numpy.r_[0, numpy.exp(0.25j * math.pi * numpy.arange(8))]
+    beams: list[Beam] = [(0.0, (), (pole,))]
     for n in range(len(sides)):
         grown = [(score, order, path, k) for score, order, path in beams for k in range(len(sides)) if k not in order]
         paths, step = numpy.array([path for _, _, path, _ in grown]), sides[[k for *_, k in grown]]
-        value, ends = _side_losses(ink, paths, step)
+        value, ends = _side_losses(ink, paths, step, moves if by_hand else moves[:1])
         value -= w.SIDE_OUT_OF_TURN_COST * (numpy.array([k for *_, k in grown]) != n)
         if words:
             value -= w.MISPLACED_NAME_WEIGHT * numpy.array(
@@ -114,20 +128,22 @@ def _likeliest_order(
             )
         longer = zip(grown, value.tolist(), ends.tolist(), strict=True)
         beams = [(score + more, (*order, k), (*path, end)) for (score, order, path, k), more, end in longer]
-        beams = sorted(beams, key=lambda beam: -beam[0])[: w.ORDER_BEAM_WIDTH]
-    return w.DRAWN_LINE_GAIN_PER_MM * float(abs(sides).sum()) + beams[0][0], beams[0][1]
+        beams.sort(key=lambda beam: -beam[0] - gain * abs(sides[[*beam[1]]]).sum())
+        beams = beams[: w.ORDER_BEAM_WIDTH]
+    return beams[0]
 
 
-def _side_losses(ink: SheetInk, paths: Complexes, sides: Complexes) -> tuple[Array, Complexes]:
-    """What each next side loses of its score, and its end where it was most likely drawn."""
-    moves = w.SIDE_END_MOVE_MM * numpy.r_[0, numpy.exp(0.25j * math.pi * numpy.arange(8))]
+def _side_losses(ink: SheetInk, paths: Complexes, sides: Complexes, moves: Complexes) -> tuple[Array, Complexes]:
+    """What each next side loses of its score, and its end where it was most likely drawn, ``moves`` from its place."""
     start, step = paths[:, -1:] + 0 * moves, numpy.where(abs(sides) > 0.1, sides, 1)[:, None]
     share = ink.drawn_shares(start, start + step + moves, w.COARSE_SAMPLES_PER_LINE, 2)
     values = -abs(step) * (w.DRAWN_LINE_GAIN_PER_MM + w.MISSING_LINE_COST_PER_MM) * (1 - share)
     values = values - w.DRAWING_ERROR_WEIGHT * abs(moves / w.DRAWING_SIGMA_MM) ** 2
     best, rows = values.argmax(axis=1), numpy.arange(len(paths))
     ends = (start + step + moves)[rows, best]
-    value = values[rows, best] - w.OVERLAP_COST_PER_MM * _length_over_others(paths, ends)
+    value = values[rows, best]
+    if len(moves) > 1:
+        value = value - w.OVERLAP_COST_PER_MM * _length_over_others(paths, ends)
     return value * (abs(step[:, 0]) > w.SHORTEST_LINE_MM), ends
 
 
