@@ -44,10 +44,10 @@ def cycle(args: Namespace) -> int:
 
 def _answer_kind(args: Namespace, span: Span | None) -> str:
     """The kind of answer requested."""
-    if args.film or (args.output and Path(args.output).suffix.lower() in FILM_SUFFIXES):
-        return "film"
     from render.files import DRAWING_SUFFIXES
 
+    if args.film or (args.output and Path(args.output).suffix.lower() in FILM_SUFFIXES):
+        return "film"
     if args.output and Path(args.output).suffix.lower() not in DRAWING_SUFFIXES:
         return "curves" if args.show is not None else "table"
     if args.graphical is not None:

@@ -45,7 +45,7 @@ from render.views.hodographs import Hodograph, hodograph_view
 SECTION_WIDTH_MM = 15.0
 DIAGRAM_GAP_MM = 10.0
 HODOGRAPHS_PER_ROW = 2  # hodographs
-SHEET_CURVE_KEYS = ("diagrams", "hodographs", "paths")
+SHEET_CURVE_KEYS = ("diagrams", "hodographs")
 
 
 class DrawnTurn:
@@ -102,7 +102,7 @@ def diagrams_and_hodographs(
     scene: Scene, plans: Plans, angles: Sequence[float], full_turn: bool, naming: Naming
 ) -> tuple[tuple[DiagramCurve, ...], tuple[Hodograph, ...]]:
     """The diagrams and hodographs named in ``sheet:`` of a scene, over the angles of a range or a ``full_turn``."""
-    names, loops, _ = (names_under_key(scene.sheet, key) for key in SHEET_CURVE_KEYS)
+    names, loops = (names_under_key(scene.sheet, key) for key in SHEET_CURVE_KEYS)
     if not names and not loops:
         return (), ()
     turn = whole_turn_of(plans, names, loops, scene.file)
@@ -115,16 +115,17 @@ def diagrams_and_hodographs(
 def check_diagram_names(scene: Scene, plans: Plans | None) -> None:
     """Check that every diagram, hodograph and point with a path named in ``sheet:`` exists, on whichever sheet it is
     drawn."""
-    for key in SHEET_CURVE_KEYS:
+    for key in (*SHEET_CURVE_KEYS, "paths"):
         names = names_under_key(scene.sheet, key)
         line = scene.where.get(("sheet", key))
         if names and plans is None:
             raise SceneError(Phrase("cycle_no_mechanism", file=f"sheet.{key}"), scene.file, line)
         if names and plans:
-            vectors = vectors_by_name(plans)
-            there: dict[str, Curve | CycleVector] = {**(curves_by_name(plans) if key == "diagrams" else vectors)}
+            there: dict[str, Curve | CycleVector] = {
+                **(curves_by_name if key == "diagrams" else vectors_by_name)(plans)
+            }
             if key == "paths":
-                there = {name_index(n): vector for n, vector in vectors.items() if letter_of(n) == "r"}
+                there = {name_index(n): vector for n, vector in there.items() if letter_of(n) == "r"}
             for n, name in enumerate(names):
                 try:
                     curve_or_vector_by_name(name, there, plans, f"sheet.{key}")

@@ -296,29 +296,17 @@ def driven_link_and_sliding(plans: Plans) -> tuple[str, bool]:
     m = plans.mechanism
     structure = plans.structure
     groups = [g for g in reversed(structure.groups) if not structure.is_driving_cylinder(g)]
-    stiff = _links_of_constant_angle(plans, FRAME) | _links_of_constant_angle(plans, m.drive.link)
+    unturned = "", plans.links[m.drive.link].omega  # the angular velocities of the frame and of the driver
     on_frame = {link for p in structure.pairs if p.has_link(FRAME) for link in (p.link, p.other)}
     for group in groups:
         for name in group.output_link_candidates:
             slides = m.links[name].slides
             if slides and m.owner_of_guide(slides.guide) == FRAME:
                 return name, True
-        turning = [n for n in group.output_link_candidates if n not in stiff]
+        turning = [n for n in group.output_link_candidates if plans.links[n].omega not in unturned]
         if turning:
             return next((n for n in turning if n in on_frame), turning[0]), False
     return groups[0].output_link_candidates[0], False
-
-
-def _links_of_constant_angle(plans: Plans, link: str) -> set[str]:
-    """A link, and those that keep their angle to it: joined to it by guides alone."""
-    alike = {link}
-    waiting = [link]
-    while waiting:
-        one = waiting.pop()
-        guided = {p.other_link_of_pair(one) for p in plans.structure.pairs if p.kind == "P" and p.has_link(one)}
-        waiting += guided - alike
-        alike |= guided
-    return alike
 
 
 @frozen

@@ -4,15 +4,17 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from planes.scene.carried import png_with_drawing
 from planes.scene.files import save_file_or_refuse
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
-from render.files import dxf, pdf, svg
-from render.files.dxf_entities import Lettered
 from render.paper.marks import Mark, Size
 from render.paper.photo import Photo
+
+if TYPE_CHECKING:
+    from render.files.dxf_entities import Lettered
 
 
 @dataclass(frozen=True, repr=False)
@@ -34,38 +36,46 @@ class Page:
         """The picture a notebook shows."""
         return self.file_contents(".svg").decode().partition("?>\n")[2]
 
-    def file_contents(self, suffix: str, text: Lettered = "text") -> bytes:
+    def file_contents(self, suffix: str, text: "Lettered" = "text") -> bytes:
         """The contents of its file in the format of a suffix; the same page gives the same bytes. A PNG carries the
         page as SVG."""
         if suffix not in WRITER_BY_SUFFIX:
             raise PlanesError(Phrase("bad_suffix", file=suffix or "?", known=DRAWING_SUFFIXES))
         return WRITER_BY_SUFFIX[suffix](self, text)
 
-    def write(self, path: str | Path, text: Lettered = "text") -> None:
+    def write(self, path: str | Path, text: "Lettered" = "text") -> None:
         """Write the file, whole or not at all."""
         save_file_or_refuse(self.file_contents(Path(path).suffix.lower(), text), path)
 
 
-def _svg(page: Page, _: Lettered) -> bytes:
+def _svg(page: Page, _: "Lettered") -> bytes:
+    from render.files import svg
+
     return svg.write(page.marks, page.size, page.title, lang=page.lang, under=page.under)
 
 
-def _pdf(page: Page, _: Lettered) -> bytes:
+def _pdf(page: Page, _: "Lettered") -> bytes:
+    from render.files import pdf
+
     return pdf.write(page.marks, page.size, page.title, lang=page.lang, under=page.under)
 
 
-def _png(page: Page, text: Lettered) -> bytes:
+def _png(page: Page, text: "Lettered") -> bytes:
+    from render.files import pdf
+
     picture = pdf.write_png(page.marks, page.size, page.title, under=page.under)
     return picture if page.under else png_with_drawing(picture, _svg(page, text))
 
 
-def _dxf(page: Page, text: Lettered) -> bytes:
+def _dxf(page: Page, text: "Lettered") -> bytes:
     if find_spec("ezdxf") is None:
         raise PlanesError(Phrase("needs_ezdxf"))
+    from render.files import dxf
+
     return dxf.write(page.marks, page.size, page.title, lang=page.lang, text=text)
 
 
-WRITER_BY_SUFFIX: dict[str, Callable[[Page, Lettered], bytes]] = {
+WRITER_BY_SUFFIX: dict[str, Callable[[Page, "Lettered"], bytes]] = {
     ".svg": _svg,
     ".pdf": _pdf,
     ".png": _png,

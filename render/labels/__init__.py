@@ -74,7 +74,7 @@ def settle_board(labels: Sequence[Label], around: Surroundings, farther: int = M
     while farther and board.offer_farther_places():
         farther -= 1
         board.repair_overlaps()
-    board.lead_labels_to_their_own()
+    board.lead_stray_labels()
     if board.leave_out_repeated_labels():
         board.repair_overlaps()
     return board

@@ -30,8 +30,8 @@ from render.labels.surroundings import OVERLAP_COST, Surroundings
 from render.paper.style import NEXT_LARGER_LETTER_MM
 
 AMBIGUITY_COST = 8.0  # cost of being nearer to what another label names than to its own
-# by so much nearer, once all have places, costs more than a short leader
-WRONG_PLACE_MM, WRONG_PLACE_COST = 1.5, 40.0
+STRAY_DISTANCE_MM = 1.5  # a label nearer to what another names, by more than this, is stray
+STRAY_COST = 40.0  # added cost of a stray label once all have places: more than a short leader
 CLOSENESS_COST = 3.0  # cost of being beside another label, farther away than necessary
 MOST_MOVES = 1000  # how often labels of one board are asked to make room for others
 # of a label that needs a leader line: the nearest free ones; more where those are not enough
@@ -82,8 +82,9 @@ class Board:
         self.labels, self.around = labels, around
         self.options = [candidates_beside(label, NEAR_DISTANCES_MM) for label in labels]
         self.costs = self.around.candidate_costs(self.options)
-        for k in range(len(labels)):
-            self.costs[k] += AMBIGUITY_COST * (self._mm_nearer_to_others(k) > 0)
+        self.nearer_to_others = [self._mm_nearer_to_others(k) for k in range(len(labels))]
+        for k, nearer in enumerate(self.nearer_to_others):
+            self.costs[k] += AMBIGUITY_COST * (nearer > 0)
         self.chosen, self.wide = dict[int, int](), dict[int, int]()
         self._list_candidates()
 
@@ -200,14 +201,14 @@ class Board:
         self._add_far_places(late)
         return bool(late)
 
-    def lead_labels_to_their_own(self) -> None:
+    def lead_stray_labels(self) -> None:
         """Move labels that are by far nearer to what others name, where there is room, to places with leader lines."""
-        near = {k: self._mm_nearer_to_others(k) > WRONG_PLACE_MM for k in self.chosen if k not in self.wide}
-        astray = [k for k, wrong in near.items() if wrong[self.chosen[k]]]
-        for k in astray:
-            self.costs[k] = self.costs[k] + WRONG_PLACE_COST * near[k]
-        self._add_far_places(astray)
-        for k in astray:
+        beside = [k for k in self.chosen if k not in self.wide]
+        stray = [k for k in beside if self.nearer_to_others[k][self.chosen[k]] > STRAY_DISTANCE_MM]
+        for k in stray:
+            self.costs[k] = self.costs[k] + STRAY_COST * (self.nearer_to_others[k] > STRAY_DISTANCE_MM)
+        self._add_far_places(stray)
+        for k in stray:
             self._move_to_cheapest(k)
 
     def _add_far_places(self, late: Sequence[int]) -> None:

@@ -29,11 +29,11 @@ HALF_BREAK_GAP_MM = 2.5  # half the gap of a break along its line
 class Arm:
     """An arm of a ``force`` at its ``point`` from a place to the ``foot`` on its line of action, with its name."""
 
-    force: str
-    name: str
     point: complex
     about: complex
     foot: complex
+    force: str = ""
+    name: str = ""
 
     @property
     def length(self) -> float:
@@ -41,10 +41,10 @@ class Arm:
         return abs(self.foot - self.about)
 
     @classmethod
-    def of_step(cls, drawing: Drawing, step: Drop, force: str, name: str) -> Self:
+    def of_step(cls, drawing: Drawing, step: Drop, force: str = "", name: str = "") -> Self:
         """The arm that a step measures."""
         point, along, about = (complex(drawing[x]) for x in (step.point, step.along, step.about))
-        return cls(force, name, point, about, perpendicular_foot(about, point, along))
+        return cls(point, about, perpendicular_foot(about, point, along), force, name)
 
 
 @dataclass
@@ -80,10 +80,13 @@ def nonzero_terms(drawing: Drawing, equation: Moments) -> list[tuple[str, str, f
         return []
     values = [float(term.product_value(drawing.things, Arithmetic())) for term in made.terms]
     least, steps = ZERO_MOMENT_RATIO * max(map(abs, values), default=0.0), arm_steps_by_result(drawing)
-    drawn = {a: Arm.of_step(drawing, step, "", "") for a, step in steps.items() if a in drawing}
-    through = {a for a, arm in drawn.items() if arm.length < ZERO_ARM_MM}
-    terms = zip(equation.terms, values, strict=False)
-    return [(name, arm, value) for (name, arm), value in terms if abs(value) > least and arm not in through]
+    terms = [(name, arm, v) for (name, arm), v in zip(equation.terms, values, strict=False) if abs(v) > least]
+    return [one for one in terms if one[1] not in steps or arm_length_mm(drawing, steps[one[1]]) > ZERO_ARM_MM]
+
+
+def arm_length_mm(drawing: Drawing, step: Drop) -> float:
+    """The measured length of an arm, mm."""
+    return Arm.of_step(drawing, step).length
 
 
 def arm_steps_by_result(drawing: Drawing) -> dict[str, Drop]:

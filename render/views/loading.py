@@ -24,11 +24,13 @@ from render.views.senses import freest_turn_arrow
 
 LEAST_FORCE_ARROW_MM = 15.0  # shortest arrow of a force; forces are not to scale
 FORCE_LENGTH_STEP_MM = 6.0  # extra length of the next force with the same point and direction
-FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM = 1.5, 1.2  # lateral shift, and the least distance from another force or a rod
-MOST_SHIFT_ARM_RATIO = 0.25  # of a shift to the force's arm in the figure, which would seem another
-LEAST_INCLINED_DISTANCE_MM = 0.4  # least distance where they are slightly inclined
+FORCE_SHIFT_MM = 1.5  # lateral shift of a force
+LEAST_DISTANCES_MM = 1.2, 0.4  # least distances from another force or a rod, and where they are slightly inclined
+MOST_SHIFT_ARM_RATIO = 0.25  # largest lateral shift of a force, over its arm in the figure, which it falsifies
 REACTION_TIP_GAP_MM = 1.6  # from the tip of a reaction to its point of application: the radius of a hinge
-FARTHER_ALONG_STEP_MM, MOST_STEPS_ALONG = 6.0, 8  # from a force's point to an arrow on its line of action
+# from a force's point to an arrow on its line of action
+FARTHER_ALONG_STEP_MM = 6.0
+MOST_STEPS_ALONG = 8
 COUPLE_RADIUS_MM = 6.5  # radius of a couple's curved arrow
 HALF_TANGENT_LENGTH_MM = 5.0  # half the length of the tangent to a friction circle
 NAME_LETTER_MM = 3.5
@@ -51,14 +53,12 @@ class Arrows:
         """Start and end of a force, and which of them is far from its point. It is longer if others of its point are on
         the same side, and shifted beside them; one with an ``arm`` (mm) in the figure keeps to its line of action: it
         is drawn on the other side of its point, or farther along."""
-        places = [*self._places_on_line(point, way, from_outside), *self._places_on_line(point, way, not from_outside)]
-        near, far = places[0]
-        clear = FORCE_SHIFT_MM, LEAST_FORCE_DISTANCE_MM, LEAST_INCLINED_DISTANCE_MM
-        shifted = shift_clear_of_others((near, far), self.upon, *clear)
-        if abs(shifted[0] - near) > MOST_SHIFT_ARM_RATIO * arm:
-            by_distance = sorted(places, key=lambda ends: round(abs(ends[0] - point) / FARTHER_ALONG_STEP_MM))
-            shifted = next(filter(self.is_clear, by_distance), shifted)
-        near, far = shifted
+        first, *others = self._places_on_line(point, way, from_outside)
+        near, far = shift_clear_of_others(first, self.upon, FORCE_SHIFT_MM, *LEAST_DISTANCES_MM)
+        if abs(near - first[0]) > MOST_SHIFT_ARM_RATIO * arm:
+            others += self._places_on_line(point, way, not from_outside)
+            others.sort(key=lambda ends: round(abs(ends[0] - point) / FARTHER_ALONG_STEP_MM))
+            near, far = next(filter(self.is_clear, others), (near, far))
         self.taken.append((point, direction_between(near, far)))
         self.upon.append((near, far))
         return (far, near, far) if ((far - near) * way.conjugate()).real < 0 else (near, far, far)
@@ -75,8 +75,7 @@ class Arrows:
 
     def is_clear(self, ends: Ends) -> bool:
         """Whether an arrow overlaps no other line."""
-        limits = LEAST_FORCE_DISTANCE_MM, LEAST_INCLINED_DISTANCE_MM
-        return not any(lines_overlap(ends, other, *limits) for other in self.upon)
+        return not any(lines_overlap(ends, other, *LEAST_DISTANCES_MM) for other in self.upon)
 
 
 @dataclass
@@ -114,6 +113,7 @@ class Loading:
     def draw_reactions(self, plan: str) -> None:
         """The reactions of a plan's outer pairs, in the components found on the plan, at their points."""
         outer, rubbing = self.outer(), dict[str, None]()
+        guides = dict.fromkeys(outer.values())
         for equation in self.plans.equations:
             for term in equation.all_terms if equation.plan == plan else ():
                 marks = [full_mark_name(plan, end) for end in (term.start, term.end)]
@@ -131,7 +131,7 @@ class Loading:
         for key in rubbing:
             self.draw_friction_circle(key)
             self.rub(key)
-        for key in dict.fromkeys(self.outer().values()):
+        for key in guides:
             self.draw_guide_couple(key)
 
     def draw_whole_reactions(self) -> None:
@@ -139,12 +139,10 @@ class Loading:
         results = self.position.of("reactions")
         for key, reaction in self.plans.reactions.items():
             pair, result = reaction.pair, results.get(key)
-            inside = [x for x in (pair.link, pair.other) if x in self.links]
-            if result is None or len(inside) != 1:
+            if result is None or (pair.link in self.links) == (pair.other in self.links):
                 continue
-            turned = inside[0] != pair.link
-            force = result.vector * (-1 if turned else 1)
-            name = name_of_force(pair.other, pair.link) if turned else key
+            name, _, sign = self.acting_reaction(key)
+            force = result.vector * sign
             if self.is_above_noise(abs(force)):
                 self.draw_friction_circle(key)
                 self.draw_force(name, self.reaction_application_point(key), force / abs(force), from_outside=True)
@@ -154,9 +152,15 @@ class Loading:
         """The couple of a slider's reaction that is zero, or whose arm is too long to draw."""
         pair, result = self.plans.reactions[key].pair, self.position.of("reactions").get(key)
         if result and pair.kind == "P" and self.reaction_arm(key) is None and abs(result.moment) > ZERO_FORCE_RATIO:
-            turned = pair.link not in self.links
-            name, link = (name_of_force(pair.other, pair.link), pair.other) if turned else (key, pair.link)
-            self.draw_couple(f"MR_{name}", link, result.moment * (-1 if turned else 1), 0)
+            name, link, sign = self.acting_reaction(key)
+            self.draw_couple(f"MR_{name}", link, result.moment * sign, 0)
+
+    def acting_reaction(self, key: str) -> tuple[str, str, int]:
+        """A reaction as it acts on these links: its name, the link under it, and the sign of its vector and couple."""
+        pair = self.plans.reactions[key].pair
+        if pair.link in self.links:
+            return key, pair.link, 1
+        return name_of_force(pair.other, pair.link), pair.other, -1
 
     def reaction_arm(self, key: str) -> float | None:
         """The arm of a slider's reaction, m; None where it is negligible."""

@@ -190,7 +190,7 @@ class ManyPositions:
         of extreme ones at sliders of the frame, or at the ends of rockers if there are none."""
         drive, pair = self.plans.drive, self.plans.structure.drive_pair
         link, numbers = self.plans.mechanism.links[drive.link], list[Label]()
-        hinged = {p for x in self.plans.mechanism.links.values() if x is not link for p in x.points}
+        hinged = self.points_of_other_links(link)
         ends = [p for p in link.points if p != pair.point or drive.kind == "s"]
         ends.sort(key=lambda p: p not in hinged)
         for one, result in self.drawn_positions():
@@ -205,6 +205,10 @@ class ManyPositions:
         sliding = [one for one in held if one[0].slides] or held
         return [*numbers, *(label for link, point in sliding for label in self.extreme_position_labels(link, point))]
 
+    def points_of_other_links(self, link: Link) -> set[str]:
+        """The points of all moving links except one."""
+        return {p for x in self.plans.mechanism.links.values() if x is not link for p in x.points}
+
     def farthest_drawn_point(self, link: Link, pivot: complex, result: PlacedMechanism) -> complex:
         """The end of the drawn part of a link with no point but its pivot."""
         drawn = (z for shape in self.link_shapes(link, result) for z in shape)
@@ -216,7 +220,7 @@ class ManyPositions:
         for link in m.links.values():
             if link.name != m.drive.link:
                 held = [p for p in link.points if p in m.frame.points]
-                others = {p for x in m.links.values() if x is not link for p in x.points}
+                others = self.points_of_other_links(link)
                 if link.slides and m.owner_of_guide(link.slides.guide) == FRAME:
                     yield link, link.first_point
                 elif held and (free := [p for p in link.points if p in others and p not in self.plans.fixed_points]):
@@ -249,12 +253,7 @@ class ManyPositions:
         """Sample points along the links in the drawn positions."""
         moving = self.plans.mechanism.links.values()
         shapes = [shape for _, r in self.drawn_positions() for x in moving for shape in self.link_shapes(x, r)]
-        return [
-            a + k / SAMPLES_PER_LINE * (b - a)
-            for shape in shapes
-            for a, b in pairwise(shape)
-            for k in range(SAMPLES_PER_LINE + 1)
-        ]
+        return [z for shape in shapes for a, b in pairwise(shape) for z in _points_along(a, b)]
 
     def stroke_dimensions(self, lang: Lang) -> list[Size]:
         """The strokes of sliders on the frame's guides, in true mm, outside everything drawn and each other; none where
@@ -267,12 +266,15 @@ class ManyPositions:
                 continue
             through, along = self.guide_line(slides.guide, shown[0])
             at = [((self.place_on_paper(r, link.first_point) - through) * along.conjugate()).real for r in shown]
-            others = [
-                a + share * (b - a) for a, b in (one.ends for one in sizes) for share in (0.0, 0.25, 0.5, 0.75, 1.0)
-            ]
+            others = (z for one in sizes for z in _points_along(*one.ends, 4))
             ways = ((z - through) * along.conjugate() for z in (*self.sample_points, *others))
             beside = [0.0, *(w.imag for w in ways if min(at) < w.real < max(at))]
             off = min(min(beside) - STROKE_CLEARANCE_MM, max(beside) + STROKE_CLEARANCE_MM, key=abs)
             ends = (through + min(at) * along, through + max(at) * along)
             sizes.append(stroke_dimension(*ends, 1j * off * along, dimension_text((max(at) - min(at)) / self.mu, lang)))
         return [one for one in sizes if one.has_room_for_text]
+
+
+def _points_along(start: complex, end: complex, parts: int = SAMPLES_PER_LINE) -> list[complex]:
+    """The ends of a line and of its equal parts."""
+    return [start + k / parts * (end - start) for k in range(parts + 1)]

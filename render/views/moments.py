@@ -20,7 +20,7 @@ from planes.words.read_off import fixed_decimals_text, read_off_text
 from render.labels import Label
 from render.paper.marks import Arrow, Line, Mark
 from render.paper.symbols import Marks, dot
-from render.views.arms import Arm, Arms, arm_steps_by_result, nonzero_terms, with_unseen_arm_names
+from render.views.arms import Arm, Arms, arm_length_mm, arm_steps_by_result, nonzero_terms, with_unseen_arm_names
 from render.views.formulas import Setter, Word
 from render.views.loading import Arrows
 from render.views.plotted import Ends, group_names_by_place, plot_position, scheme_mu
@@ -47,11 +47,12 @@ class MomentLines:
 
     def equation_words(self, equation: Moments) -> list[Word]:
         """ΣM_C: F^t l = ± G h ± … with the value of every product beneath."""
-        made = self.position.drawing.program.steps_by_result.get(equation.unknown)
-        shown = nonzero_terms(self.position.drawing, equation)
+        drawing = self.position.drawing
+        made = drawing.program.steps_by_result.get(equation.unknown)
+        shown = nonzero_terms(drawing, equation)
         if not isinstance(made, Calculate) or not shown:
             return []
-        unknown_value = float(self.position.drawing[equation.unknown])
+        unknown_value = float(drawing[equation.unknown])
         acting = (
             -1.0 if equation.arm and unknown_value < 0 else 1.0
         )  # a force is positive as drawn, a couple counter-clockwise
@@ -60,7 +61,7 @@ class MomentLines:
         links = ",".join(self.naming.link_number(x) for x in equation.links if x != "lever")
         # the common divisor of the products: the unknown's arm, or on the lever the driver's rate
         factor = next((name for name, power in made.terms[0].factors if power < 0), "")
-        by = float(self.position.drawing[factor]) if factor else 1.0
+        by = float(drawing[factor]) if factor else 1.0
         by = abs(by) if factor == equation.arm else by  # an arm has no sign, an angular velocity has
         unknown_value *= acting
         over = (
@@ -71,7 +72,9 @@ class MomentLines:
         head = self.unknown_letter(equation) + (over if factor else "")
         lang = self.naming.lang
         unit = say(self.product_unit(factor != equation.arm), lang)
-        armed = {lever: self.arm_length_mm(lever) for _, lever, _ in shown if lever in self.arm_steps}
+        armed = {
+            lever: arm_length_mm(drawing, self.arm_steps[lever]) for _, lever, _ in shown if lever in self.arm_steps
+        }
         if factor and factor == equation.arm:
             armed[factor] = by * scheme_mu(self.position)
         mm = {name: fixed_decimals_text(length, 1, lang) for name, length in armed.items()}
@@ -94,12 +97,6 @@ class MomentLines:
                 f"{self.unknown_letter(equation)} = {read_off_text(unknown_value, lang)} {say('N', lang)}", vector=False
             ),
         ]
-
-    def arm_length_mm(self, arm: str) -> float:
-        """The measured length of an arm, mm."""
-        step, drawing = self.arm_steps[arm], self.position.drawing
-        point, along, about = (complex(drawing[name]) for name in (step.point, step.along, step.about))
-        return abs(((about - point) * along.conjugate()).imag)
 
     def product_unit(self, of_power: bool) -> str:
         """The unit of every product: on the lever that of power, or the rest of it for rates of a unit drive."""

@@ -213,10 +213,10 @@ def test_a_reaction_that_is_a_couple_is_drawn_in_its_group() -> None:
 
 def test_an_arm_of_two_forces_is_drawn_once() -> None:
     arms = Arms()
-    arms.add_arm(Arm("G_2", "h_{G2}", 5 + 5j, 0j, 5 + 0j))
-    arms.add_arm(Arm("G_3", "h_{G3}", 5 + 9j, 0j, 5 + 0j))
-    arms.add_arm(Arm("P_3", "h_{P3}", 5 + 9j, 0j, 9j))
-    arms.add_arm(Arm("Q_3", "h_{Q3}", 1 + 9j, 0j, 1 + 0j))
+    arms.add_arm(Arm(5 + 5j, 0j, 5 + 0j, "G_2", "h_{G2}"))
+    arms.add_arm(Arm(5 + 9j, 0j, 5 + 0j, "G_3", "h_{G3}"))
+    arms.add_arm(Arm(5 + 9j, 0j, 9j, "P_3", "h_{P3}"))
+    arms.add_arm(Arm(1 + 9j, 0j, 1 + 0j, "Q_3", "h_{Q3}"))
     assert arms.short == ["h_{Q3}"]
     assert [x.text for x in arms.named] == ["h_{G2} = h_{G3}", "h_{P3}"]
     assert [m.layer for m in arms.marks if isinstance(m, Line)].count("dimension") == 2

@@ -96,10 +96,8 @@ def side_order_hypotheses(
 def _likeliest_order(
     plan: PlanLines, ink: SheetInk, pole: complex, drawn: Complexes, words: HandWords | None
 ) -> tuple[float, tuple[int, ...]]:
-    """The score and the order of a polygon's sides, laid end to end from the pole, that finds the most ink. A side may
-    end a little beside its place, as one drawn by hand does, and the next begins there; then beams are kept by what
-    they lose, or long sides would be laid first for their gain. Or every side is in its place; then by their gain,
-    which tells what must fail late."""
+    """The score and the order of a polygon's sides, laid end to end from the pole, that loses least ink: the better of
+    two searches, one of sides drawn by hand and one of sides exactly in their places."""
     a, b = plan.line_ends(drawn)
     sides = (b - a)[0, : len(plan.sides)]
     beams = [_best_beam(plan, ink, pole, sides, words, by_hand) for by_hand in (True, False)]
@@ -110,14 +108,15 @@ def _likeliest_order(
 def _best_beam(
     plan: PlanLines, ink: SheetInk, pole: complex, sides: Complexes, words: HandWords | None, by_hand: bool
 ) -> Beam:
-    """The order of sides that loses least, laid ``by_hand`` or exactly."""
+    """The best order found by one search. A side laid ``by_hand`` may end a little beside its place, where the next
+    begins; such beams are ranked by what they lose, so that long sides do not drive out short ones. Beams of exact
+    sides are ranked by what they gain, long sides first: a beginning that must miss one is dropped early."""
     gain = 0.0 if by_hand else w.DRAWN_LINE_GAIN_PER_MM
-    moves = w.SIDE_END_MOVE_MM * numpy.r_[0, numpy.exp(0.25j * math.pi * numpy.arange(8))]
     beams: list[Beam] = [(0.0, (), (pole,))]
     for n in range(len(sides)):
         grown = [(score, order, path, k) for score, order, path in beams for k in range(len(sides)) if k not in order]
         paths, step = numpy.array([path for _, _, path, _ in grown]), sides[[k for *_, k in grown]]
-        value, ends = _side_losses(ink, paths, step, moves if by_hand else moves[:1])
+        value, ends = _side_losses(ink, paths, step, by_hand)
         value -= w.SIDE_OUT_OF_TURN_COST * (numpy.array([k for *_, k in grown]) != n)
         if words:
             value -= w.MISPLACED_NAME_WEIGHT * numpy.array(
@@ -133,8 +132,13 @@ def _best_beam(
     return beams[0]
 
 
-def _side_losses(ink: SheetInk, paths: Complexes, sides: Complexes, moves: Complexes) -> tuple[Array, Complexes]:
-    """What each next side loses of its score, and its end where it was most likely drawn, ``moves`` from its place."""
+def _side_losses(ink: SheetInk, paths: Complexes, sides: Complexes, by_hand: bool) -> tuple[Array, Complexes]:
+    """What each next side loses of its score, and its end: where it was most likely drawn, if ``by_hand``."""
+    moves = (
+        w.SIDE_END_MOVE_MM * numpy.r_[0, numpy.exp(0.25j * math.pi * numpy.arange(8))]
+        if by_hand
+        else numpy.zeros(1, complex)
+    )
     start, step = paths[:, -1:] + 0 * moves, numpy.where(abs(sides) > 0.1, sides, 1)[:, None]
     share = ink.drawn_shares(start, start + step + moves, w.COARSE_SAMPLES_PER_LINE, 2)
     values = -abs(step) * (w.DRAWN_LINE_GAIN_PER_MM + w.MISSING_LINE_COST_PER_MM) * (1 - share)
@@ -142,7 +146,7 @@ def _side_losses(ink: SheetInk, paths: Complexes, sides: Complexes, moves: Compl
     best, rows = values.argmax(axis=1), numpy.arange(len(paths))
     ends = (start + step + moves)[rows, best]
     value = values[rows, best]
-    if len(moves) > 1:
+    if by_hand:
         value = value - w.OVERLAP_COST_PER_MM * _length_over_others(paths, ends)
     return value * (abs(step[:, 0]) > w.SHORTEST_LINE_MM), ends
 

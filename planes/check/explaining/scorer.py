@@ -72,6 +72,7 @@ class Scorer:
     words: HandWords = field(default_factory=HandWords)
     far: dict[str, float] = field(default_factory=dict)  # distance of each mark from the pole as it should be drawn, mm
     box: Box | None = None  # where ink must be explained: the same for all, to keep scores comparable
+    orders: dict[float, list[Hypothesis]] = field(default_factory=dict)  # likely orders of sides, by print scale
 
     def rank_drawings(self) -> list[Laid]:
         """The likeliest hypotheses, settled, the best first; the right plan is one of them."""
@@ -81,7 +82,7 @@ class Scorer:
                 return named
             self.box = None
         self.plan.share, laid = self._likeliest_print_scale(), list[Laid]()
-        other = next(iter(side_order_hypotheses(self.plan, self.ink, self.pole)), Hypothesis()).order
+        other = next(iter(self._orders_by_ink()), Hypothesis()).order
         bases = [Hypothesis(), Hypothesis(order=other, cost=w.OTHER_ORDER_COST)]
         for base in bases[: 1 + bool(other)]:
             likely = self.likeliest_hypotheses(base)
@@ -167,10 +168,16 @@ class Scorer:
         best, most = shares[0][0], -math.inf
         for share, h in shares if len(shares) > 1 else ():
             self.plan.share = share
-            tried = [h, *side_order_hypotheses(self.plan, self.ink, self.pole)[:1]]
+            tried = [h, *self._orders_by_ink()[:1]]
             score = max(self.settle_hypothesis(one).score for one in tried) - w.PRINT_SCALE_COST * (share != 1)
             best, most = (share, score) if score > most else (best, most)
         return best
+
+    def _orders_by_ink(self) -> list[Hypothesis]:
+        """Hypotheses with a polygon's sides in the order of the ink, at the print scale assumed."""
+        if self.plan.share not in self.orders:
+            self.orders[self.plan.share] = side_order_hypotheses(self.plan, self.ink, self.pole)
+        return self.orders[self.plan.share]
 
     def _rank_by_heads_and_names(self, laid: list[Laid]) -> list[Laid]:
         """The same drawings scored with their heads and the names beside their lines; right force polygons in more
