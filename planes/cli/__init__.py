@@ -31,6 +31,7 @@ from planes.cli.options import (
 )
 from planes.words import Lang, Phrase, available_languages, home_lang, say, sentence_table, sentences_with_prefix
 from planes.words.errors import PlanesError
+from planes.words.formats import DRAWING_SUFFIXES, SUFFIXES_WITH_PICTURE
 
 COMMAND_MODULES = {
     "check": "check",
@@ -102,7 +103,7 @@ def command_line_parser(lang: Lang, named: Collection[str] = OPTIONS_BY_COMMAND)
     """The parser of the command line; commands not ``named`` on it are added without their options."""
 
     def help_of(key: str) -> str:
-        return say(f"help_{key}", lang)
+        return say(f"help_{key}", lang, drawings=DRAWING_SUFFIXES, pictures=SUFFIXES_WITH_PICTURE)
 
     reader = Parser(prog="planes", description=help_of("planes"), lang=lang)
     version = f"planes {sys.modules['planes'].__version__}"

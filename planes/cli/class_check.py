@@ -19,6 +19,7 @@ from planes.course.handed_out import HandedOut
 from planes.scene import Scene
 from planes.words import Phrase, home_lang, say
 from planes.words.errors import PlanesError, reporting_library_errors
+from planes.words.formats import SUFFIXES_WITH_PICTURE
 from planes.words.waiting import progress_bar
 
 if TYPE_CHECKING:
@@ -32,7 +33,6 @@ def check_class(args: Namespace, handed: HandedOut, sheets: list[HandedSheet], a
     """Every drawing and practice of a folder: a row for each, on the terminal and in the file of ``-o``; for the pages
     of a single file, ``alone``, the only readable one, if there is one."""
     from planes.documents.class_work import ClassWork
-    from render.files import SUFFIXES_WITH_PICTURE
 
     # a report of one drawing, not of several
     refused = alone and Path(args.output or "").suffix.lower() in SUFFIXES_WITH_PICTURE

@@ -12,6 +12,7 @@ from planes.scene import Scene
 from planes.scene.ranges import Span, read_span
 from planes.words import Phrase
 from planes.words.errors import PlanesError
+from planes.words.formats import DRAWING_SUFFIXES
 
 FILM_SUFFIXES = (".gif", ".mp4")
 MOST_LISTED_POSITIONS = 24  # longest listing, in positions
@@ -44,8 +45,6 @@ def cycle(args: Namespace) -> int:
 
 def _answer_kind(args: Namespace, span: Span | None) -> str:
     """The kind of answer requested."""
-    from render.files import DRAWING_SUFFIXES
-
     if args.film or (args.output and Path(args.output).suffix.lower() in FILM_SUFFIXES):
         return "film"
     if args.output and Path(args.output).suffix.lower() not in DRAWING_SUFFIXES:

@@ -30,12 +30,13 @@ from planes.scene.mechanism import nothing
 from planes.scene.source import Node
 from planes.words import Lang
 from planes.words.errors import Doubt
+from planes.words.formats import DRAWING_SUFFIXES
 from planes.words.frozen import field, frozen
 from planes.words.names import NameTuple
 
 PLATFORMS = ("moodle", "stack", "prairielearn")
 DOCUMENTS = ("task", "blank", "key", "sheets", "lesson", "note", "book", "scorm", *PLATFORMS)
-FORMATS = ("pdf", "dxf", "svg", "png")
+FORMATS = tuple(suffix[1:] for suffix in DRAWING_SUFFIXES)
 
 
 @frozen

@@ -29,10 +29,11 @@ from planes.scene.files import save_file_or_refuse
 from planes.solving import solve_position
 from planes.words import Lang, Phrase, say
 from planes.words.errors import PlanesError
+from planes.words.formats import DRAWING_SUFFIXES, SUFFIXES_WITH_PICTURE
 from planes.words.names import POLE_LABEL, NameTuple, component_ending_at, plan_kind
 from planes.words.naming import Naming
 from planes.words.units import mu_text
-from render.files import DRAWING_SUFFIXES, SUFFIXES_WITH_PICTURE, Page, pdf
+from render.files import Page, pdf
 from render.page import check_pages
 from render.paper.letters import with_minus_and_decimal_sign
 from render.paper.marks import Mark
@@ -97,7 +98,7 @@ def _owner_lines(asked: Asked, mark: SheetMark, lang: Lang) -> list[str]:
 
 def _write_page(page: Page, output: str, kinds: NameTuple = SUFFIXES_WITH_PICTURE) -> None:
     if Path(output).suffix.lower() not in kinds:
-        raise PlanesError(Phrase("check_output", file=output))
+        raise PlanesError(Phrase("check_output", file=output, pictures=SUFFIXES_WITH_PICTURE))
     page.write(output)
 
 

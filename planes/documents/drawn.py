@@ -15,8 +15,9 @@ from planes.solving import Position, solve
 from planes.solving.of_scene import AnyScene, scene_from
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
+from planes.words.formats import DRAWING_SUFFIXES
 from planes.words.lettering import terminal_spelling
-from render.files import DRAWING_SUFFIXES, Page
+from render.files import Page
 from render.files.dxf_entities import Lettered
 from render.paper.hues import colour_vectors
 from render.paper.marks import using_face

@@ -25,6 +25,7 @@ from starlette.routing import Route
 from planes.scene.files import save_file_or_refuse
 from planes.studio.gallery import gallery_entries
 from planes.words import Lang, available_languages, say
+from planes.words.formats import DRAWING_FORMATS
 from planes.words.names import NameTuple
 from render.page.studio_page import COMMAND_OF_DOWNLOAD, answer_as_json, studio_files
 
@@ -34,11 +35,7 @@ MOST_MESSAGE_BYTES = 300_000
 MOST_DRAWING_BYTES = 40_000_000
 MOST_MAKING_SECONDS = 90  # seconds for making a file
 MOST_FILES_MADE_AT_ONCE = 2  # files made at once
-MADE_FILE_TYPES = {
-    "pdf": "application/pdf",
-    "svg": "image/svg+xml",
-    "dxf": "image/vnd.dxf",
-    "png": "image/png",
+MADE_FILE_TYPES = {suffix[1:]: made.media_type for suffix, made in DRAWING_FORMATS.items()} | {
     "html": "text/html",
     "docx": "application/vnd.openxmlformats-officedocument.wordprocessingml.document",
     "csv": "text/csv",

@@ -1,15 +1,15 @@
-"""Drawings written as files: SVG, PDF, PNG, DXF."""
+"""Drawings written as files. The module named as a suffix writes its format: ``svg.page_bytes``, ``dxf.page_bytes``."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from planes.scene.carried import png_with_drawing
 from planes.scene.files import save_file_or_refuse
 from planes.words import Lang, Phrase
 from planes.words.errors import PlanesError
+from planes.words.formats import DRAWING_FORMATS, DRAWING_SUFFIXES
 from render.paper.marks import Mark, Size
 from render.paper.photo import Photo
 
@@ -39,49 +39,14 @@ class Page:
     def file_contents(self, suffix: str, text: "Lettered" = "text") -> bytes:
         """The contents of its file in the format of a suffix; the same page gives the same bytes. A PNG carries the
         page as SVG."""
-        if suffix not in WRITER_BY_SUFFIX:
+        if suffix not in DRAWING_FORMATS:
             raise PlanesError(Phrase("bad_suffix", file=suffix or "?", known=DRAWING_SUFFIXES))
-        return WRITER_BY_SUFFIX[suffix](self, text)
+        package = DRAWING_FORMATS[suffix].needs
+        if package and find_spec(package) is None:
+            raise PlanesError(Phrase(f"needs_{package}"))
+        contents: bytes = import_module(f"render.files.{suffix[1:]}").page_bytes(self, text)
+        return contents
 
     def write(self, path: str | Path, text: "Lettered" = "text") -> None:
         """Write the file, whole or not at all."""
         save_file_or_refuse(self.file_contents(Path(path).suffix.lower(), text), path)
-
-
-def _svg(page: Page, _: "Lettered") -> bytes:
-    from render.files import svg
-
-    return svg.write(page.marks, page.size, page.title, lang=page.lang, under=page.under)
-
-
-def _pdf(page: Page, _: "Lettered") -> bytes:
-    from render.files import pdf
-
-    return pdf.write(page.marks, page.size, page.title, lang=page.lang, under=page.under)
-
-
-def _png(page: Page, text: "Lettered") -> bytes:
-    from render.files import pdf
-
-    picture = pdf.write_png(page.marks, page.size, page.title, under=page.under)
-    return picture if page.under else png_with_drawing(picture, _svg(page, text))
-
-
-def _dxf(page: Page, text: "Lettered") -> bytes:
-    if find_spec("ezdxf") is None:
-        raise PlanesError(Phrase("needs_ezdxf"))
-    from render.files import dxf
-
-    return dxf.write(page.marks, page.size, page.title, lang=page.lang, text=text)
-
-
-WRITER_BY_SUFFIX: dict[str, Callable[[Page, "Lettered"], bytes]] = {
-    ".svg": _svg,
-    ".pdf": _pdf,
-    ".png": _png,
-    ".dxf": _dxf,
-}
-"""The formats of drawings; every command that writes one offers these."""
-DRAWING_SUFFIXES = tuple(WRITER_BY_SUFFIX)
-SUFFIXES_WITH_PICTURE = tuple(s for s in DRAWING_SUFFIXES if s != ".dxf")
-"""The formats that can hold a picture under the marks."""
