@@ -29,6 +29,7 @@ from planes.cli.options import (
     SCENE_OPTIONS,
     Option,
 )
+from planes.scene.packs import COMMANDS_OF_PACKS
 from planes.words import Lang, Phrase, available_languages, home_lang, say, sentence_table, sentences_with_prefix
 from planes.words.errors import PlanesError
 from planes.words.formats import DRAWING_SUFFIXES, SUFFIXES_WITH_PICTURE
@@ -39,11 +40,11 @@ COMMAND_MODULES = {
     "cycle": "cycle",
     **dict.fromkeys(("new", "equations", "studio", "schema", "completion"), "start"),
 }
-"""Commands with their own module; the others are together in ``commands``."""
+"""Commands with their own module; the others, and that of packs, are together in ``commands``."""
 MISSPELLING_LIKENESS = 0.8  # how like two words are, of 1, one of which is a misspelling of the other
-COMMANDS_WITHOUT_COLLECTOR = ("crank-slider", "note", "sheet")
-"""Commands that make one document and end, without a search for reference cycles: it took 0.6 of 5 s in the
-crank-slider's report, a twentieth of a note or a sheet; without it the report's peak is 240 MB, not 150."""
+COMMANDS_WITHOUT_COLLECTOR = ("note", "sheet")
+"""Commands that make one document and end, without a search for reference cycles, which took a twentieth of a note or a
+sheet; a pack states it of its command."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -76,10 +77,11 @@ def _run_command(args: argparse.Namespace) -> int:
     from planes.words.waiting import waiting_clock
 
     module = import_module(f"planes.cli.{COMMAND_MODULES.get(args.command, 'commands')}")
-    if args.command not in COMMANDS_WITHOUT_COLLECTOR:
+    pack = COMMANDS_OF_PACKS.get(args.command)
+    if args.command not in COMMANDS_WITHOUT_COLLECTOR and not (pack and pack.without_collector):
         gc.enable()  # the program begins with the collector off
     with waiting_clock():
-        status = int(getattr(module, args.command.replace("-", "_"))(args))
+        status = int(getattr(module, "command_of_pack" if pack else args.command)(args))
     if sys.stdout:
         sys.stdout.flush()
     if args.lang and (borrowed := sentence_table(args.lang).borrowed):
@@ -178,7 +180,8 @@ class Parser(argparse.ArgumentParser):
         self.lang = lang
         super().__init__(*args, **more)
         for kind, key in ((int, "whole_needed"), (float, "number_needed_here")):
-            self.register("type", kind, partial(self._parse_number, kind, key))
+            for name in (kind, kind.__name__):  # a pack's options have the name
+                self.register("type", name, partial(self._parse_number, kind, key))
 
     def _parse_number(self, kind: type[float], key: str, text: str) -> float:
         try:

@@ -6,11 +6,13 @@ import sys
 from argparse import Namespace
 from collections.abc import Iterable
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 
 from planes.cli.options import check_needed_options, check_options, requested_drive_positions
 from planes.drafting.instruments import Exact, Pencil
 from planes.scene import Scene, load
+from planes.scene.packs import COMMANDS_OF_PACKS
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
 from planes.words.formats import SUFFIXES_WITH_TEXT_CHOICE
@@ -59,7 +61,7 @@ def solve(args: Namespace) -> int:
     scene = scene_of(args)
     values = requested_drive_positions(args, scene)
     check_options(args, "solve", "steps" if args.explain else "positions" if scene.drive else "vectors")
-    check_needed_options(args, ["seed"])
+    check_needed_options(args)
     if (args.seed or 0) < 0:
         raise PlanesError(Phrase("seed_negative", seed=args.seed))
     instrument = Pencil(seed=1 if args.seed is None else args.seed) if args.pencil else Exact()
@@ -206,12 +208,12 @@ def chart(args: Namespace) -> int:
     return 0
 
 
-def crank_slider(args: Namespace) -> int:
-    """The integrated calculation."""
-    from planes.documents.crank_slider import calculate_and_write
-
-    check_needed_options(args, ["phi"])
-    return calculate_and_write(scene_of(args), args, args.lang)
+def command_of_pack(args: Namespace) -> int:
+    """The command of a pack."""
+    command = COMMANDS_OF_PACKS[args.command]
+    check_needed_options(args, command.needs)
+    status: int = import_module(command.module).run(scene_of(args), args, args.lang)
+    return status
 
 
 def course(args: Namespace) -> int:

@@ -28,7 +28,7 @@ def cycle(args: Namespace) -> int:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     scene = with_driver_motion(scene, args.omega, args.epsilon)
     check_options(args, "cycle", answer)
-    check_needed_options(args, ["pole", "film"])
+    check_needed_options(args)
     match answer:
         case "table" | "curves":
             return _write_table(args, scene, span)

@@ -1,10 +1,11 @@
 """Options of the command line: those of each command, those each of its answers uses, and the requested positions."""
 
 from argparse import Namespace
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from planes.scene import Scene
+from planes.scene.packs import COMMANDS_OF_PACKS
 from planes.scene.ranges import driver_coordinate_asked, read_range
 from planes.words import Phrase
 from planes.words.errors import PlanesError
@@ -85,12 +86,7 @@ OPTIONS_BY_COMMAND: Mapping[str, Sequence[Option]] = {
         ("--table", "table", FILE_ARGUMENTS),
         ("--length", "chart_length", {"metavar": "NAME"}),
     ),
-    "crank-slider": (
-        ("-o --output", "report", FILE_ARGUMENTS),
-        ("--json", "object", FLAG_ARGUMENTS),
-        ("--sheet", "force_sheet", FILE_ARGUMENTS),
-        ("--phi", "sheet_phi", REAL_ARGUMENTS | {"metavar": "A"}),
-    ),
+    **{name: command.options for name, command in COMMANDS_OF_PACKS.items()},
     "check": (  # its scene may be a course too
         ("drawing", "drawing", {"nargs": "?", "metavar": "DRAWING"}),
         ("--plan", "plan", {"metavar": "PLAN"}),
@@ -153,7 +149,7 @@ OPTIONS_BY_ANSWER: Mapping[str, Mapping[str, str]] = {
 }
 """For each command its answers, with the options each of them uses; the others are common to all answers."""
 
-OPTIONS_NEEDED_BY_OPTION = {"seed": "pencil", "pole": "graphical", "phi": "sheet", "film": "output"}
+OPTIONS_NEEDED_BY_OPTION = {"seed": "pencil", "pole": "graphical", "film": "output"}
 """Options without effect unless another one is given."""
 
 FLAG_NAMES_BY_OPTION = {"others": "with"}
@@ -171,11 +167,11 @@ def check_options(args: Namespace, command: str, answer: str) -> None:
             )
 
 
-def check_needed_options(args: Namespace, options: Iterable[str]) -> None:
-    """Refuse an option given without the one it depends on."""
-    for option in options:
-        if is_option_given(args, option) and not is_option_given(args, OPTIONS_NEEDED_BY_OPTION[option]):
-            raise PlanesError(Phrase("option_needs", option=option, other=OPTIONS_NEEDED_BY_OPTION[option]))
+def check_needed_options(args: Namespace, needs: Mapping[str, str] = OPTIONS_NEEDED_BY_OPTION) -> None:
+    """Refuse an option given without the one it needs."""
+    for option, other in needs.items():
+        if is_option_given(args, option) and not is_option_given(args, other):
+            raise PlanesError(Phrase("option_needs", option=option, other=other))
 
 
 def is_option_given(args: Namespace, option: str) -> bool:

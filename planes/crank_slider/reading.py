@@ -30,14 +30,18 @@ from planes.scene.source import SourceScalar
 from planes.words import Phrase
 from planes.words.errors import SceneError, list_valid_choices, quoted_excerpt
 
+WORDS_BY_LIST = {
+    "units": tuple(PASCALS_BY_UNIT),
+    "steels": (*STEEL_PROPERTIES, *(int(s) for s in STEEL_PROPERTIES if s.isdigit())),
+}
+"""The words that a value may be, by the name of their list in ``pack.json``."""
+
 
 def read_given_data(scene: Scene) -> Given:
     """All input for the calculation of a scene."""
     shape = shape_of(scene)
-    assert scene.crank_slider is not None
     reader = Reader(scene.file, scene.parameters)
-    what = section_in_words("crank_slider")
-    top = Values(reader, scene.crank_slider, what, KEYS_BY_TABLE["crank_slider"])
+    top = Values(reader, scene.parts["crank_slider"], section_in_words("crank_slider"), KEYS_BY_TABLE["crank_slider"])
     indicator = read_indicator(top)
     pascals = PASCALS_BY_UNIT[indicator.unit]
     given = Given(

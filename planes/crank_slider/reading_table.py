@@ -19,7 +19,6 @@ from planes.scene.source import Items, Node
 from planes.words import Phrase, Told
 
 Part = TypeVar("Part")
-INDICATOR_KEYS = ("over", "unit", *FOUR_STROKE_STAGES)
 _KEY_WORDS_BY_TABLE = {
     "crank_slider": (
         "bore ambient indicator step speed flywheel positions shaft counterweights rod piston_pin materials fatigue "
@@ -41,6 +40,7 @@ _KEY_WORDS_BY_TABLE = {
     "limits": "static fatigue buckling bush_MPa boss_MPa",
 }
 KEYS_BY_TABLE = {name: tuple(keys.split()) for name, keys in _KEY_WORDS_BY_TABLE.items()}
+KEYS_BY_TABLE |= {"indicator": ("over", "unit", *FOUR_STROKE_STAGES)}
 """The keys of the section and of its tables, by the name of the table."""
 
 
@@ -75,7 +75,7 @@ class Values(Fields):
 
 def read_indicator(top: Values) -> Indicator:
     """The diagram with all required stages, each over its whole stroke, joined to the next."""
-    table = top.inner_fields("indicator", INDICATOR_KEYS)
+    table = top.inner_fields("indicator", KEYS_BY_TABLE["indicator"])
     over = table.read_word("over", ("path", "angle"))
     unit = table.read_word("unit", tuple(PASCALS_BY_UNIT))
     names = FOUR_STROKE_STAGES if "intake" in table or "exhaust" in table else TWO_STROKE_STAGES

@@ -43,7 +43,7 @@ class CrankSliderShape:
 
 def shape_of(scene: Scene) -> CrankSliderShape:
     """The crank-slider of a scene, or a sentence why it is not one."""
-    if scene.mechanism is None or scene.crank_slider is None:
+    if scene.mechanism is None or "crank_slider" not in scene.parts:
         raise SceneError(Phrase("cs_missing"), scene.file, 1)
     return _Recogniser(scene, scene.mechanism, analyse_structure(scene.mechanism, scene.file)).shape()
 

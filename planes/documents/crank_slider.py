@@ -16,7 +16,7 @@ from render import report
 from render.sheet.composer import Composer
 
 
-def calculate_and_write(scene: Scene, args: Namespace, lang: Lang) -> int:
+def run(scene: Scene, args: Namespace, lang: Lang) -> int:
     """Calculate; write the report and the sheet if files are named; print the object or the summary."""
     if args.output and Path(args.output).suffix.lower() not in (*report.MODULE_OF_SUFFIX, ".json"):
         raise PlanesError(Phrase("cs_suffix", file=args.output))

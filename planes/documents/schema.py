@@ -5,28 +5,25 @@ each value is in ``schema_forms.json``, its meaning in the words, for an editor 
 
 In that file a form is a JSON Schema, the name of another form, or short for one: ``any`` of several forms, a ``list``,
 a table whose keys are names chosen by the user (``by_name``), a ``table`` with the keys of a reader, one of a few
-``words``. Keys of a table that it does not mention have the form ``*``, a number by default.
+``words``. Keys of a table that it does not mention have the form ``*``, a number by default. Packs add their own.
 """
 
 import json
 from collections.abc import Iterable, Mapping
+from importlib import import_module
 from pathlib import Path
 
 from planes.check.grading.paper import COLUMN_SPELLINGS, REQUIRED_COLUMNS
 from planes.course import DOCUMENTS, FORMATS
 from planes.course.reading import COURSE_KEYS as COURSE_KEYS
 from planes.course.reading import DRAW_KEYS, STUDENT_KEYS
-from planes.crank_slider.given import PASCALS_BY_UNIT
-from planes.crank_slider.parts import STEEL_PROPERTIES
-from planes.crank_slider.reading_table import INDICATOR_KEYS
-from planes.crank_slider.reading_table import KEYS_BY_TABLE as CRANK_SLIDER_KEYS
 from planes.scene.friction import PIN_KEYS
 from planes.scene.links import FRAME_KEYS, GUIDE_KEYS, LINK_KEYS, SLIDE_KEYS
 from planes.scene.load_laws import LAW_KEYS, STROKE_KEYS
 from planes.scene.motion import ASSEMBLY_ORDERS, BALANCE_KEYS, DRIVE_KEYS, LOAD_KEYS
 from planes.scene.outline import ALL_SCENE_KEYS, REQUIRED_KEYS
+from planes.scene.packs import PACKS
 from planes.scene.settings import SHEET_KEYS, SHEET_LIST_KEYS, SHEET_NUMBER_KEYS, SHEET_WORD_CHOICES, YES_OR_NO_KEYS
-from planes.scene.structures import POLE_KEYS, SOLUTION_METHODS, STATIC_LOAD_KEYS, SUPPORT_KEYS, SUPPORT_KINDS
 from planes.scene.vectors import VECTOR_KEYS
 from planes.words import Lang, available_languages, say, sentences_with_prefix
 from planes.words.records import Json
@@ -34,11 +31,23 @@ from planes.words.units import PLANS_WITH_MU
 
 SCHEMA_DIALECT = "https://json-schema.org/draft/2020-12/schema"
 SCHEMA_KINDS = ("scene", "course", "table")
-_FORMS_FILE: Json = json.loads(Path(__file__).with_name("schema_forms.json").read_text("utf-8"))
+
+
+def _forms_with_packs() -> Json:
+    """The forms of ``schema_forms.json`` and of packs; a key of a scene that both have takes either form."""
+    forms: Json = json.loads(Path(__file__).with_name("schema_forms.json").read_text("utf-8"))
+    scene = forms["tables"]["scene"]
+    for pack in PACKS:
+        for key, form in pack.schema["tables"]["scene"].items():
+            scene[key] = {"any": [scene[key], form]} if key in scene else form
+        for part, own in pack.schema.items():
+            forms[part] = {**own, **forms[part]}
+    return forms
+
+
+_FORMS_FILE = _forms_with_packs()
 _TABLE_FORMS: dict[str, Json] = _FORMS_FILE["tables"]
-_KEYS_OF_TABLES: Mapping[str, Iterable[str]] = {
-    **CRANK_SLIDER_KEYS,
-    "indicator": INDICATOR_KEYS,
+_KEYS_OF_TABLES: dict[str, Iterable[str]] = {
     "scene": ALL_SCENE_KEYS,
     "frame": FRAME_KEYS,
     "guide": GUIDE_KEYS,
@@ -52,9 +61,6 @@ _KEYS_OF_TABLES: Mapping[str, Iterable[str]] = {
     "pin": PIN_KEYS,
     "plans": PLANS_WITH_MU,
     "vector": VECTOR_KEYS,
-    "support": SUPPORT_KEYS,
-    "static_load": STATIC_LOAD_KEYS,
-    "pole": POLE_KEYS,
     "sheet": SHEET_KEYS,
     "course": COURSE_KEYS,
     "student": STUDENT_KEYS,
@@ -62,19 +68,18 @@ _KEYS_OF_TABLES: Mapping[str, Iterable[str]] = {
     "table": COLUMN_SPELLINGS,
 }
 """The keys of tables; those of the others are in ``schema_forms.json`` alone."""
-_WORDS_BY_LIST: Mapping[str, Iterable[object]] = {
+_WORDS_BY_LIST: dict[str, Iterable[object]] = {
     **SHEET_WORD_CHOICES,
     "orders": ASSEMBLY_ORDERS,
     "strokes": ASSEMBLY_ORDERS[2:],
-    "supports": SUPPORT_KINDS,
-    "methods": SOLUTION_METHODS,
-    "units": PASCALS_BY_UNIT,
-    "steels": (*STEEL_PROPERTIES, *(int(s) for s in STEEL_PROPERTIES if s.isdigit())),
     "langs": available_languages(),
     "documents": DOCUMENTS,
     "formats": FORMATS,
     "plans": PLANS_WITH_MU,
 }
+for _reader in (import_module(pack.reader) for pack in PACKS):
+    _KEYS_OF_TABLES |= _reader.KEYS_BY_TABLE
+    _WORDS_BY_LIST |= _reader.WORDS_BY_LIST
 _ALTERNATIVE_KEY_SETS = {"scene": REQUIRED_KEYS.values(), "table": REQUIRED_COLUMNS}
 """Sets of keys, one of which a table needs."""
 _WORDS_IN_LANGUAGES: Json = {

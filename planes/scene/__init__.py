@@ -3,6 +3,7 @@
 import unicodedata
 from collections.abc import Mapping
 from functools import cached_property
+from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
 
@@ -13,7 +14,8 @@ from planes.scene.links import read_frame, read_links
 from planes.scene.load_laws import LawReader, law_reader_without_mechanism
 from planes.scene.mechanism import FRAME, Drive, Mechanism, Where, nothing
 from planes.scene.motion import read_assembly, read_drive, read_loads
-from planes.scene.outline import check_outline
+from planes.scene.outline import kind_of_scene
+from planes.scene.packs import PARTS_OF_PACKS, SUBJECTS_BY_KEY
 from planes.scene.parameters import (
     KEYS_WITHOUT_EFFECT,
     choose_variant,
@@ -26,13 +28,12 @@ from planes.scene.parameters import (
 from planes.scene.paths import entries_of_table, line_of_path
 from planes.scene.reader import Fields, Reader
 from planes.scene.source import Node
-from planes.scene.structures import FrameworkReader
 from planes.scene.vector_equations import VectorEquation
 from planes.scene.vectors import Statement, StatementReader, VectorGiven, read_own_equations
 from planes.words import Phrase
 from planes.words.errors import Doubt, SceneError
 from planes.words.frozen import field, frozen
-from planes.words.names import CREMONA_PLAN, NameTuple, NumbersByName, with_latin_letters
+from planes.words.names import NameTuple, NumbersByName, with_latin_letters
 from planes.words.records import Pictured
 from planes.words.units import Convention
 
@@ -55,8 +56,8 @@ class Scene(Pictured):
     """The contents of a scene file: either a ``mechanism``, or a ``statement`` of vectors and equations.
 
     ``mu`` is in mm per SI unit, None where the program chooses; its keys are the four plans, and in a scene of vectors
-    "contour" and "vectors" too. ``crank_slider`` is kept as written, for the full calculation. ``missing`` lists the
-    gaps in the data of an assignment.
+    "contour" and "vectors" too. ``parts`` of packs are kept as written, by their keys. ``missing`` lists the gaps in
+    the data of an assignment.
     """
 
     file: str = ""
@@ -69,7 +70,7 @@ class Scene(Pictured):
     find: NameTuple | None = None
     sheet: Mapping[str, object] = field(default_factory=nothing)
     where: Where = field(default_factory=nothing, compare=False, repr=False)
-    crank_slider: Node | None = field(default=None, compare=False, repr=False)
+    parts: Mapping[str, Node] = field(default_factory=nothing, compare=False, repr=False)
     missing: Mapping[str, str] = field(default_factory=nothing)
     doubts: tuple[Doubt, ...] = ()
     mu_written: Convention | None = None
@@ -147,7 +148,7 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     """Read the text of a scene file, as :func:`load` does."""
     table = source.parse_yaml(text, file)
     reader = Reader(file)
-    check_outline(reader, table)
+    kind = kind_of_scene(reader, table)
     variant = variant and unicodedata.normalize("NFC", variant[:1000])
     scene = Fields(reader, table, Phrase("the_scene"))
     given = scene.optional_node("parameters")
@@ -159,29 +160,30 @@ def loads(text: str, file: str = "scene.yaml", variant: str | None = None, **par
     if idle := parameters.keys() & parameters_used_only_under(table, stated, KEYS_WITHOUT_EFFECT):
         raise SceneError(Phrase("parameter_idle", name=min(idle)), file, line_of_path(table, ("parameters", min(idle))))
     reading = ReadWith(variant, tuple(tables), reader.parameters, text, MappingProxyType(parameters))
-    return _scene_from_fields(scene, reading, stated)
+    return _scene_from_fields(scene, kind, reading, stated)
 
 
-def _scene_from_fields(scene: Fields, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
+def _scene_from_fields(scene: Fields, kind: str, reading: ReadWith, stated: Mapping[str, Node]) -> Scene:
     reader = scene.reader
     table = scene.table
     where = MappingProxyType({path: line for path, _, line in source.walk_nodes(table) if path})
-    of_vectors = "vectors" in scene
-    laws = law_reader_without_mechanism(scene, stated) if of_vectors or "points" in scene else None
-    statics = FrameworkReader(scene, laws).read_framework() if "points" in scene else None
-    mechanism = None if of_vectors or statics else _mechanism_from_fields(scene, where, stated)
+    pack = SUBJECTS_BY_KEY.get(kind)
+    laws = None if kind == "frame" else law_reader_without_mechanism(scene, stated)
+    subject = import_module(pack.reader).read_subject(scene, laws) if pack else None
+    mechanism = _mechanism_from_fields(scene, where, stated) if kind == "frame" else None
     mu = settings.read_plan_scales(reader, scene.optional_node("plans"))
     quantity = None
-    if of_vectors:
+    if kind == "vectors":
         mu, quantity = settings.read_vector_scales(scene, mu)
-    mu = {**mu, CREMONA_PLAN: mu["force"]} if statics else mu
+    if pack:
+        mu |= {plan: mu[other] for plan, other in pack.scales.items()}
     if "note" in scene and "text" in scene:
         scene.require_one_key("note", "text")
     said = {key: scene.optional_node(key) for key in ("title", "note", "missing")}
     said["note"] = said["note"] or scene.optional_node("text")
-    statement = StatementReader(scene, laws).read_statement(quantity) if of_vectors else None
-    if statics:
-        statement = Statement(parameters=reader.parameters, statics=statics, drive=laws.drive if laws else None)
+    statement = StatementReader(scene, laws).read_statement(quantity) if kind == "vectors" else None
+    if pack:
+        statement = Statement(parameters=reader.parameters, subject=subject, drive=laws.drive if laws else None)
     words = {key: MappingProxyType(settings.read_text_by_language(reader, node, key)) for key, node in said.items()}
     return Scene(
         file=reader.file,
@@ -194,7 +196,7 @@ def _scene_from_fields(scene: Fields, reading: ReadWith, stated: Mapping[str, No
         find=settings.read_names_to_find(reader, scene.optional_node("find")),
         sheet=MappingProxyType(dict(settings.read_sheet_settings(reader, scene.optional_node("sheet")))),
         where=where,
-        crank_slider=scene.optional_node("crank_slider"),
+        parts=MappingProxyType({key: node for key in PARTS_OF_PACKS if (node := scene.optional_node(key))}),
         missing=words["missing"],
         doubts=tuple(read_doubts(reader.file, table, stated, mechanism)),
         mu_written=settings.written_mu_convention(table),

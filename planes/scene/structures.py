@@ -257,3 +257,12 @@ class FrameworkReader:
         if len(names) not in (2, 3):
             raise self.reader.error_by_key("through_count", node, count=len(names))
         return None, names
+
+
+def read_subject(scene: Fields, laws: LawReader | None) -> Framework:
+    """The bodies, supports and loads of a scene."""
+    return FrameworkReader(scene, laws).read_framework()
+
+
+KEYS_BY_TABLE = {"support": SUPPORT_KEYS, "static_load": STATIC_LOAD_KEYS, "pole": POLE_KEYS}
+WORDS_BY_LIST = {"supports": SUPPORT_KINDS, "methods": SOLUTION_METHODS}

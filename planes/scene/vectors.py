@@ -10,7 +10,6 @@ from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import Drive, LoadLaw, nothing
 from planes.scene.reader import LARGEST_SCENE_NUMBER, MAX_NAME_LENGTH, Fields, Reader, part_in_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
-from planes.scene.structures import Framework
 from planes.scene.vector_amounts import VectorAmount, read_amount
 from planes.scene.vector_equations import VECTOR_NAME_PATTERN, VectorEquation, read_equation
 from planes.words import Phrase, Told
@@ -56,14 +55,14 @@ class VectorGiven:
 @frozen
 class Statement:
     """The contents of a scene of vectors; ``values`` are numbers computed from its vectors and ``parameters``,
-    ``quantity`` is the plan whose unit its ``mu`` has. For a scene of ``statics``, which states the vectors."""
+    ``quantity`` is the plan whose unit its ``mu`` has. The ``subject`` of a pack states the vectors itself."""
 
     vectors: Mapping[str, VectorGiven] = field(default_factory=nothing)
     equations: tuple[VectorEquation, ...] = ()
     values: Mapping[str, Amount] = field(default_factory=nothing)
     parameters: NumbersByName = field(default_factory=nothing)
     quantity: str | None = None
-    statics: Framework | None = None
+    subject: object | None = None
     drive: Drive | None = None  # the variable of the laws among them
 
 

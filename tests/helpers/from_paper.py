@@ -229,7 +229,7 @@ def restated_statics(scene: Scene, paper: Paper) -> Statement:
     )
     pole = None if shape.pole is None else paper.place("O")
     framework = replace(shape, points=points, loads=loads, supports=supports, pole=pole)
-    return replace(stated, statics=framework, parameters={})
+    return replace(stated, subject=framework, parameters={})
 
 
 def static_load(load: StaticLoad, points: Mapping[str, complex], paper: Paper) -> StaticLoad:

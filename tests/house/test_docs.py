@@ -22,7 +22,7 @@ def test_the_scenes_of_the_format_are_read(text: str) -> None:
     scene = planes.loads(text)
     if scene.mechanism:
         assert planes.solve(scene).omega["2"] == pytest.approx(8.12247, abs=1e-5)
-    elif scene.statement and scene.statement.statics:
+    elif scene.statement and scene.statement.subject:
         assert planes.solve(scene).value("R_B") == pytest.approx(2750j)
     else:
         assert planes.solve(scene).value("omega_2") == pytest.approx(-4.6572, abs=1e-4)

@@ -19,6 +19,7 @@ from planes.plans.statements.still import plans_of_still_draft
 from planes.plans.statements.turning import mechanism_of_drive_alone
 from planes.plans.structures.built import framework_plans
 from planes.scene import Scene
+from planes.scene.structures import Framework
 from planes.scene.vector_equations import Side, SideTerm, VectorEquation
 from planes.scene.vectors import Statement
 from planes.words import Phrase, Told, sentence_table
@@ -32,8 +33,8 @@ Left = list[tuple[VectorEquation, tuple[Side, Side]]]
 def stated_plans(scene: Scene) -> Plans:
     """State every plan of a scene of vectors. :class:`SceneError` with file:line where an equation cannot be drawn."""
     assert scene.statement
-    if scene.statement.statics:
-        return framework_plans(scene, scene.statement.statics)
+    if isinstance(scene.statement.subject, Framework):
+        return framework_plans(scene, scene.statement.subject)
     try:
         return StatedPlansBuilder(scene, scene.statement).build_plans()
     except ProgramError as error:

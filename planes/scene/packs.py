@@ -1,0 +1,56 @@
+"""Packs: subjects beside the plans of motion and forces. A folder with a ``pack.json`` is one, and nobody names it.
+
+The file states the pack's key in a scene, the forms of its values for the schema, and its command. Its words stand in
+separate files in the folders of languages.
+"""
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from planes.scene.mechanism import nothing
+from planes.words.frozen import field, frozen
+from planes.words.records import Json
+
+
+@frozen
+class PackCommand:
+    """A command: the module whose ``run`` it calls, its ``options`` as those of ``planes/cli/options.py``, which of
+    them need another one, and whether it runs without a search for reference cycles."""
+
+    name: str
+    module: str
+    options: Sequence[tuple[str, str, Json]]
+    needs: Mapping[str, str] = field(default_factory=nothing)
+    without_collector: bool = False
+
+
+@frozen
+class Pack:
+    """A subject. Its ``key`` is a part of a scene of a mechanism; with ``scene_keys`` it decides another kind of scene,
+    which ``read_subject`` of the module ``reader`` reads.
+
+    ``scales`` are the plans that take their μ from another. ``schema`` has the forms of ``schema_forms.json``; the
+    ``reader`` has ``KEYS_BY_TABLE`` and ``WORDS_BY_LIST`` beside them.
+    """
+
+    key: str
+    reader: str
+    schema: Mapping[str, Json]
+    scene_keys: Sequence[str] = ()
+    scales: Mapping[str, str] = field(default_factory=nothing)
+    command: Json = field(default_factory=dict)
+
+
+def _read_packs() -> list[Pack]:
+    rooms = Path(__file__).parents[1]
+    files = sorted([*rooms.glob("*/pack.json"), *rooms.glob("*/*/pack.json")])
+    return [Pack(**json.loads(file.read_text("utf-8"))) for file in files]
+
+
+PACKS = _read_packs()
+PARTS_OF_PACKS = tuple(pack.key for pack in PACKS if not pack.scene_keys)
+"""The keys of packs in a scene of a mechanism."""
+SUBJECTS_BY_KEY = {pack.key: pack for pack in PACKS if pack.scene_keys}
+"""The packs with another kind of scene, by the key that decides it."""
+COMMANDS_OF_PACKS = {pack.command["name"]: PackCommand(**pack.command) for pack in PACKS if pack.command}
