@@ -19,32 +19,12 @@ from importlib import import_module
 from itertools import pairwise
 from typing import Any, NoReturn
 
-from planes.cli.options import (
-    COMMANDS_WITH_POSITIONS,
-    COMMANDS_WITHOUT_SCENE,
-    COMPLETIONS_BY_METAVAR,
-    EXCLUSIVE_OPTIONS,
-    OPTIONS_BY_COMMAND,
-    POSITION_OPTIONS,
-    SCENE_OPTIONS,
-    Option,
-)
-from planes.scene.packs import COMMANDS_OF_PACKS
+from planes.cli.options import COMMANDS, COMPLETIONS_BY_METAVAR, POSITION_OPTIONS, SCENE_OPTIONS, Option
 from planes.words import Lang, Phrase, available_languages, home_lang, say, sentence_table, sentences_with_prefix
 from planes.words.errors import PlanesError
 from planes.words.formats import DRAWING_SUFFIXES, SUFFIXES_WITH_PICTURE
 
-COMMAND_MODULES = {
-    "check": "check",
-    "blank": "check",
-    "cycle": "cycle",
-    **dict.fromkeys(("new", "equations", "studio", "schema", "completion"), "start"),
-}
-"""Commands with their own module; the others, and that of packs, are together in ``commands``."""
 MISSPELLING_LIKENESS = 0.8  # how like two words are, of 1, one of which is a misspelling of the other
-COMMANDS_WITHOUT_COLLECTOR = ("note", "sheet")
-"""Commands that make one document and end, without a search for reference cycles, which took a twentieth of a note or a
-sheet; a pack states it of its command."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -76,12 +56,12 @@ def _run_command(args: argparse.Namespace) -> int:
     """Run the command; during long work a user at a terminal sees progress."""
     from planes.words.waiting import waiting_clock
 
-    module = import_module(f"planes.cli.{COMMAND_MODULES.get(args.command, 'commands')}")
-    pack = COMMANDS_OF_PACKS.get(args.command)
-    if args.command not in COMMANDS_WITHOUT_COLLECTOR and not (pack and pack.without_collector):
+    command = COMMANDS[args.command]
+    module = import_module(f"planes.cli.{command.module}")
+    if not command.without_collector:
         gc.enable()  # the program begins with the collector off
     with waiting_clock():
-        status = int(getattr(module, "command_of_pack" if pack else args.command)(args))
+        status = int(getattr(module, "command_of_pack" if command.pack else args.command)(args))
     if sys.stdout:
         sys.stdout.flush()
     if args.lang and (borrowed := sentence_table(args.lang).borrowed):
@@ -101,7 +81,7 @@ def _report_written_file(args: argparse.Namespace) -> None:
         print(say("file_written", lang, **words), *remarks, sep="\n", file=sys.stderr)
 
 
-def command_line_parser(lang: Lang, named: Collection[str] = OPTIONS_BY_COMMAND) -> argparse.ArgumentParser:
+def command_line_parser(lang: Lang, named: Collection[str] = COMMANDS) -> argparse.ArgumentParser:
     """The parser of the command line; commands not ``named`` on it are added without their options."""
 
     def help_of(key: str) -> str:
@@ -114,7 +94,7 @@ def command_line_parser(lang: Lang, named: Collection[str] = OPTIONS_BY_COMMAND)
         "--lang", choices=available_languages(), metavar="LANG", help=help_of("lang")
     )  # `lang_of` has read it
     commands = reader.add_subparsers(required=True, metavar="COMMAND", parser_class=CommandParser)
-    for name, own in OPTIONS_BY_COMMAND.items():
+    for name, command in COMMANDS.items():
         text = help_of(name.replace("-", "_"))
         parser = commands.add_parser(name, help=text, description=text, lang=lang)
         parser.set_defaults(command=name, refuse=parser.error)
@@ -123,12 +103,11 @@ def command_line_parser(lang: Lang, named: Collection[str] = OPTIONS_BY_COMMAND)
             "lang",
             {"choices": available_languages(), "default": None if name == "course" else lang},
         )
-        of_scene = (*SCENE_OPTIONS, asked, *(POSITION_OPTIONS if name in COMMANDS_WITH_POSITIONS else ()))
-        options = (*own, asked) if name in COMMANDS_WITHOUT_SCENE else (*of_scene, *own)
-        options = options if name in named else ()
-        one_of = parser.add_mutually_exclusive_group() if name in EXCLUSIVE_OPTIONS else parser
-        for flags, key, how in options:
-            holder = one_of if flags in EXCLUSIVE_OPTIONS.get(name, ()) else parser
+        of_scene = (*SCENE_OPTIONS, asked, *(POSITION_OPTIONS if command.has_positions else ()))
+        options = (*of_scene, *command.options) if command.has_scene else (*command.options, asked)
+        one_of = parser.add_mutually_exclusive_group() if command.exclusive else parser
+        for flags, key, how in options if name in named else ():
+            holder = one_of if flags in command.exclusive else parser
             action = holder.add_argument(*flags.split(), help=help_of(key), **how)
             if action.metavar in COMPLETIONS_BY_METAVAR:
                 action.complete = COMPLETIONS_BY_METAVAR[action.metavar]  # type: ignore[attr-defined]  # shtab asks for it
@@ -144,7 +123,7 @@ def requested_lang(argv: Sequence[str]) -> Lang:
 
 def with_command_first(argv: Sequence[str]) -> Sequence[str]:
     """The line with its command moved before any options written ahead of it."""
-    at = next((k for k, word in enumerate(argv) if word in OPTIONS_BY_COMMAND), 0)
+    at = next((k for k, word in enumerate(argv) if word in COMMANDS), 0)
     ahead = argv[:at] if argv and argv[0].startswith("--") else ()
     return [argv[at], *ahead, *argv[at + 1 :]] if ahead else argv
 
@@ -180,7 +159,7 @@ class Parser(argparse.ArgumentParser):
         self.lang = lang
         super().__init__(*args, **more)
         for kind, key in ((int, "whole_needed"), (float, "number_needed_here")):
-            for name in (kind, kind.__name__):  # a pack's options have the name
+            for name in (kind, kind.__name__):  # commands.json has the name
                 self.register("type", name, partial(self._parse_number, kind, key))
 
     def _parse_number(self, kind: type[float], key: str, text: str) -> float:
@@ -192,9 +171,8 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """The sentence, and the option or choice of nearly the same spelling, if a word of it is unknown."""
         word = (re.findall(r"(?<=')[\w-]+(?=')|--[\w-]+", message) or [""])[0]
-        options = " ".join(
-            flags for own in (SCENE_OPTIONS, POSITION_OPTIONS, *OPTIONS_BY_COMMAND.values()) for flags, *_ in own
-        )
+        every = (SCENE_OPTIONS, POSITION_OPTIONS, *(command.options for command in COMMANDS.values()))
+        options = " ".join(flags for own in every for flags, *_ in own)
         if word and word not in options.split():
             names = re.findall(r"[\w-]+", message.partition(word)[2] + options)
             for near in get_close_matches(word, names, 1, MISSPELLING_LIKENESS):

@@ -41,7 +41,7 @@ def check(args: Namespace) -> int:
     if args.plan is None and not table and (args.trace or not _identifies_plan(args.drawing)):
         raise _no_plan_error(args, scene)
     value = requested_drive_position(args, scene)
-    check_options(args, "check", _answer_kind(args))
+    check_options(args, _answer_kind(args))
     if table:
         if outcome := judge_table(args, scene, value):
             return report_outcome(args, outcome)

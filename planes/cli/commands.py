@@ -9,10 +9,9 @@ from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 
-from planes.cli.options import check_needed_options, check_options, requested_drive_positions
+from planes.cli.options import COMMANDS, check_needed_options, check_options, requested_drive_positions
 from planes.drafting.instruments import Exact, Pencil
 from planes.scene import Scene, load
-from planes.scene.packs import COMMANDS_OF_PACKS
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
 from planes.words.formats import SUFFIXES_WITH_TEXT_CHOICE
@@ -60,7 +59,7 @@ def solve(args: Namespace) -> int:
         return _survey_folder(args)
     scene = scene_of(args)
     values = requested_drive_positions(args, scene)
-    check_options(args, "solve", "steps" if args.explain else "positions" if scene.drive else "vectors")
+    check_options(args, "steps" if args.explain else "positions" if scene.drive else "vectors")
     check_needed_options(args)
     if (args.seed or 0) < 0:
         raise PlanesError(Phrase("seed_negative", seed=args.seed))
@@ -95,7 +94,7 @@ def _survey_folder(args: Namespace) -> int:
     from planes.course.workers import start_workers
     from planes.words.waiting import progress_bar
 
-    check_options(args, "solve", "folder")
+    check_options(args, "folder")
     tasks = [(str(path), args.lang, args.variant) for path in scene_files_of(args.scene)]
     rows_of = {}
     with start_workers(ready=("planes.course.survey",)) as each, progress_bar() as step:
@@ -145,7 +144,7 @@ def sheet(args: Namespace) -> int:
 
     scene = scene_of(args)
     values = requested_drive_positions(args, scene)
-    check_options(args, "sheet", "positions" if scene.drive else "vectors")
+    check_options(args, "positions" if scene.drive else "vectors")
     if args.colour:
         scene = replace(scene, sheet={**scene.sheet, "colour": True})
     if args.text and not args.output.lower().endswith(SUFFIXES_WITH_TEXT_CHOICE):
@@ -210,9 +209,8 @@ def chart(args: Namespace) -> int:
 
 def command_of_pack(args: Namespace) -> int:
     """The command of a pack."""
-    command = COMMANDS_OF_PACKS[args.command]
-    check_needed_options(args, command.needs)
-    status: int = import_module(command.module).run(scene_of(args), args, args.lang)
+    check_needed_options(args)
+    status: int = import_module(COMMANDS[args.command].pack).run(scene_of(args), args, args.lang)
     return status
 
 

@@ -27,7 +27,7 @@ def cycle(args: Namespace) -> int:
     if not scene.drive:
         raise PlanesError(Phrase("cycle_no_mechanism", file=scene.file))
     scene = with_driver_motion(scene, args.omega, args.epsilon)
-    check_options(args, "cycle", answer)
+    check_options(args, answer)
     check_needed_options(args)
     match answer:
         case "table" | "curves":

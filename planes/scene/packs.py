@@ -14,24 +14,13 @@ from planes.words.records import Json
 
 
 @frozen
-class PackCommand:
-    """A command: the module whose ``run`` it calls, its ``options`` as those of ``planes/cli/options.py``, which of
-    them need another one, and whether it runs without a search for reference cycles."""
-
-    name: str
-    module: str
-    options: Sequence[tuple[str, str, Json]]
-    needs: Mapping[str, str] = field(default_factory=nothing)
-    without_collector: bool = False
-
-
-@frozen
 class Pack:
     """A subject. Its ``key`` is a part of a scene of a mechanism; with ``scene_keys`` it decides another kind of scene,
     which ``read_subject`` of the module ``reader`` reads.
 
     ``scales`` are the plans that take their μ from another. ``schema`` has the forms of ``schema_forms.json``; the
-    ``reader`` has ``KEYS_BY_TABLE`` and ``WORDS_BY_LIST`` beside them.
+    ``reader`` has ``KEYS_BY_TABLE`` and ``WORDS_BY_LIST`` beside them. ``command`` has the form of those in
+    ``planes/cli/commands.json``; ``run`` of the module ``pack`` does it.
     """
 
     key: str
@@ -39,7 +28,8 @@ class Pack:
     schema: Mapping[str, Json]
     scene_keys: Sequence[str] = ()
     scales: Mapping[str, str] = field(default_factory=nothing)
-    command: Json = field(default_factory=dict)
+    command: Mapping[str, Json] = field(default_factory=nothing)
+    command_after: str = ""  # in lists
 
 
 def _read_packs() -> list[Pack]:
@@ -53,4 +43,3 @@ PARTS_OF_PACKS = tuple(pack.key for pack in PACKS if not pack.scene_keys)
 """The keys of packs in a scene of a mechanism."""
 SUBJECTS_BY_KEY = {pack.key: pack for pack in PACKS if pack.scene_keys}
 """The packs with another kind of scene, by the key that decides it."""
-COMMANDS_OF_PACKS = {pack.command["name"]: PackCommand(**pack.command) for pack in PACKS if pack.command}
