@@ -14,7 +14,7 @@ from planes.drafting.instruments import Exact, Pencil
 from planes.scene import Scene, load
 from planes.words import Lang, Phrase, home_lang, say
 from planes.words.errors import PlanesError
-from planes.words.formats import SUFFIXES_WITH_TEXT_CHOICE
+from planes.words.formats import suffixes_with_option
 
 PRELOADED_MODULES = ("planes.documents.course", "render.report.pdf", "reportlab.platypus", "numpy", "shapely")
 """Modules that the workers of a course import once."""
@@ -147,7 +147,7 @@ def sheet(args: Namespace) -> int:
     check_options(args, "positions" if scene.drive else "vectors")
     if args.colour:
         scene = replace(scene, sheet={**scene.sheet, "colour": True})
-    if args.text and not args.output.lower().endswith(SUFFIXES_WITH_TEXT_CHOICE):
+    if args.text and not args.output.lower().endswith(suffixes_with_option("text")):
         raise PlanesError(Phrase("text_dxf"))
     if args.remedy:
         from planes.solving.remedies import position_for_sheet

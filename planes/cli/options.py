@@ -3,6 +3,7 @@
 import json
 from argparse import Namespace
 from collections.abc import Mapping, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from planes.scene.ranges import driver_coordinate_asked, read_range
 from planes.words import Phrase
 from planes.words.errors import PlanesError
 from planes.words.frozen import field, frozen
+from planes.words.records import Json
 
 Option = tuple[str, str, Mapping[str, Any]]
 """Its spelling, the key of its help, the arguments of its parser."""
@@ -36,40 +38,28 @@ class Command:
     without_collector: bool = False
     exclusive: Sequence[str] = ()
     needs: Mapping[str, str] = field(default_factory=nothing)
-    answers: Mapping[str, str] = field(default_factory=nothing)
+    answers: Mapping[str, Sequence[str]] = field(default_factory=nothing)
 
 
-def _read_commands() -> dict[str, Command]:
-    """Every command by name, that of a pack after the one it names."""
-    written = json.loads(Path(__file__).with_name("commands.json").read_text("utf-8"))
-    commands: dict[str, Command] = {}
-    for name, own in written.items():
-        commands[name] = Command(**own)
-        for pack in PACKS:
-            if pack.command_after == name:
-                commands |= {key: Command(**more) for key, more in pack.command.items()}
-    return commands
-
-
-COMMANDS = _read_commands()
-SCENE_OPTIONS: Sequence[Option] = (("scene", "scene", {"metavar": "SCENE"}), ("--variant", "variant", {}))
-POSITION_OPTIONS: Sequence[Option] = (
-    ("--phi", "phi", {"metavar": "A[:B:STEP]"}),
-    ("--s", "s", {"metavar": "A[:B:STEP]"}),
-)
-_FILE_COMPLETIONS = {"bash": "_shtab_compgen_files", "zsh": "_files", "tcsh": "f"}  # as shtab's FILE and DIRECTORY
-_FOLDER_COMPLETIONS = {"bash": "_shtab_compgen_dirs", "zsh": "_files -/", "tcsh": "d"}
-COMPLETIONS_BY_METAVAR = dict.fromkeys(("FILE", "SCENE", "DRAWING", "PLAN=FILE"), _FILE_COMPLETIONS) | dict.fromkeys(
-    ("DIR", "FOLDER"), _FOLDER_COMPLETIONS
-)
-"""Completions of a shell for a word of the usage."""
+_WRITTEN: Json = json.loads(Path(__file__).with_name("commands.json").read_text("utf-8"))
+SCENE_OPTIONS: Sequence[Option] = _WRITTEN["scene_options"]
+POSITION_OPTIONS: Sequence[Option] = _WRITTEN["position_options"]
+COMPLETIONS_BY_METAVAR: Json = _WRITTEN["completions"]
+"""Completions of a shell for a word of the usage, as shtab's FILE and DIRECTORY."""
+COMMANDS: dict[str, Command] = {}
+"""Every command by name, that of a pack after the one it names."""
+for _name, _own in _WRITTEN["commands"].items():
+    COMMANDS[_name] = Command(**_own)
+    for _pack in PACKS.values():
+        if _pack.command_after == _name:
+            COMMANDS |= {key: Command(**own) for key, own in _pack.command.items()}
 FLAG_NAMES_BY_OPTION = {"others": "with"}
 
 
 def check_options(args: Namespace, answer: str) -> None:
     """Refuse the first option that this answer of the command does not use."""
-    answers = {name: heeded.split() for name, heeded in COMMANDS[args.command].answers.items()}
-    for option in dict.fromkeys(option for heeded in answers.values() for option in heeded):
+    answers = COMMANDS[args.command].answers
+    for option in dict.fromkeys(chain(*answers.values())):
         if is_option_given(args, option) and option not in answers[answer]:
             places = tuple(Phrase(f"answer_{name}") for name, heeded in answers.items() if option in heeded)
             where = Phrase(f"answer_{answer}")

@@ -14,33 +14,13 @@ from planes.crank_slider.given import (
     Points,
     required_stage_span,
 )
+from planes.scene.packs import PACKS
 from planes.scene.reader import Fields
 from planes.scene.source import Items, Node
 from planes.words import Phrase, Told
 
 Part = TypeVar("Part")
-_KEY_WORDS_BY_TABLE = {
-    "crank_slider": (
-        "bore ambient indicator step speed flywheel positions shaft counterweights rod piston_pin materials fatigue "
-        "limits"
-    ),
-    "flywheel": "unevenness",
-    "speed": "unevenness waves phase",
-    "shaft": "span pin_from_B webs journal crankpin web masses",
-    "round": "diameter bore",
-    "web": "width thickness",
-    "masses": "pin webs webs_radius",
-    "counterweights": "radius masses translating",
-    "rod": "height width flange web",
-    "piston_pin": "diameter bore length bush gap",
-    "materials": "shaft rod piston_pin",
-    "material": "name strength_MPa yield_MPa alloyed fatigue_MPa fatigue_torsion_MPa elasticity_MPa",
-    "fatigue": "journal crankpin",
-    "concentration": "k_sigma k_tau size_sigma size_tau",
-    "limits": "static fatigue buckling bush_MPa boss_MPa",
-}
-KEYS_BY_TABLE = {name: tuple(keys.split()) for name, keys in _KEY_WORDS_BY_TABLE.items()}
-KEYS_BY_TABLE |= {"indicator": ("over", "unit", *FOUR_STROKE_STAGES)}
+KEYS_BY_TABLE = PACKS["crank_slider"].schema["keys"]
 """The keys of the section and of its tables, by the name of the table."""
 
 

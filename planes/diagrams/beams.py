@@ -65,10 +65,12 @@ class _Beam:
             for *two, name in self.figure.shears
         }
         moments = {p: self.value_of_name(name) for p, name in self.figure.moments}
-        shears, bent = [(0.0, 0.0)], Outline()
+        shears = [(0.0, 0.0)]
+        bent = Outline()
         known = [p for p in self.stops if p in moments]
         for one, other in pairwise(known):
-            start, end = self.stops[one], self.stops[other]
+            start = self.stops[one]
+            end = self.stops[other]
             long = end - start
             loads = [x for x in self.figure.spread if x.spread and self.load_covers_interval(x, start, end)]
             for k in range(POINTS_UNDER_DISTRIBUTED_LOAD + 1) if loads else (0, POINTS_UNDER_DISTRIBUTED_LOAD):

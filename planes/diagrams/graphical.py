@@ -28,8 +28,10 @@ from planes.words.units import standard_mu
 TIME_AXIS_LENGTH_MM = 156.0  # length of the whole turn on the time axis
 LARGEST_ORDINATE_MM = 42.0  # the largest ordinate of a diagram
 ROUND_POLE_DISTANCES_MM = (10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 40.0, 50.0, 60.0)
-TIME_AXIS_DIRECTION, ORDINATE_AXIS_DIRECTION = "→", "↑"
-TIME_SCALE_NAME, PAPER_SCALE_NAME = "mu_t", "mu_paper"
+TIME_AXIS_DIRECTION = "→"
+ORDINATE_AXIS_DIRECTION = "↑"
+TIME_SCALE_NAME = "mu_t"
+PAPER_SCALE_NAME = "mu_paper"
 
 
 @frozen
@@ -170,7 +172,8 @@ def differentiate_graphically(motion: Motion, pole_mm: float | None = None) -> C
     """The position differentiated twice by chords: velocities at the middles of sections, accelerations at their
     ends."""
     c = Construction(motion, "differentiation")
-    place, plan = motion.ends[0], "diagram:s"
+    place = motion.ends[0]
+    plan = "diagram:s"
     mu = standard_mu(max(place) - min(place), LARGEST_ORDINATE_MM)
     c.draw_axes_and_pole(plan, mu, None)
     points = tuple((2 * k, str(k)) for k in range(motion.section_count + 1))
@@ -182,14 +185,17 @@ def differentiate_graphically(motion: Motion, pole_mm: float | None = None) -> C
 
 def _draw_derivative_diagram(c: Construction, plan: str, rank: int, pole_mm: float | None) -> None:
     """The next diagram: rays parallel to the chords, their intercepts carried to the middles between points."""
-    d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
+    d = c.draft
+    before = c.stages[-1]
+    source = c.stages[-1].plan
     steepest = max(abs(b - a) for a, b in pairwise(c.exact_values(before))) / (c.motion.time[1] - c.motion.time[0])
     pole = pole_mm or _longest_pole_distance(steepest, c.time_scale, before.mu)
     mu = before.mu * pole / c.time_scale
     c.draw_axes_and_pole(plan, mu, pole)
     made = list[tuple[int, str]]()
     for (one, first), (two, second) in pairwise(before.points):
-        half, label = (one + two) // 2, _point_label((one + two) // 2)
+        half = (one + two) // 2
+        label = _point_label((one + two) // 2)
         chord = d.add_step(
             Through(f"{source}:{first}–{second}", full_mark_name(source, first), full_mark_name(source, second))
         )
@@ -225,7 +231,8 @@ def _longest_pole_distance(steepest: float, mu_t: float, mu: float) -> float:
 def integrate_graphically(motion: Motion, pole_mm: float | None = None) -> Construction:
     """The acceleration integrated twice, from rest at the start: velocities, then positions at the ends of sections."""
     c = Construction(motion, "integration")
-    values, plan = motion.middles[2], "diagram:a"
+    values = motion.middles[2]
+    plan = "diagram:a"
     mu = standard_mu(max(map(abs, values)), LARGEST_ORDINATE_MM)
     pole = pole_mm or _shortest_pole_distance(c, mu, motion.ends[1])
     c.draw_axes_and_pole(plan, mu, pole)
@@ -260,7 +267,9 @@ def _draw_integral_diagram(
     c: Construction, middles: Sequence[tuple[int, str]], plan: str, rank: int, start: float = 0.0
 ) -> None:
     """The integral of a diagram: over each section a parallel to the ray through the ordinate of its middle."""
-    d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
+    d = c.draft
+    before = c.stages[-1]
+    source = c.stages[-1].plan
     assert before.pole_mm
     mu = before.mu * c.time_scale / before.pole_mm
     c.draw_axes_and_pole(plan, mu, None)

@@ -67,11 +67,14 @@ def diagram_readings(c: Construction, pencil: Pencil | None = None) -> list[Meas
 
 def scale_formulas(c: Construction, lang: Lang) -> list[str]:
     """The scales of the diagrams, each with its formula; μ in mm per unit."""
-    letters, units, mm = MOTION_LETTERS[c.motion.slides], UNITS_OF_PLACE_AND_RATES[c.motion.slides], say("mm", lang)
+    letters = MOTION_LETTERS[c.motion.slides]
+    units = UNITS_OF_PLACE_AND_RATES[c.motion.slides]
+    mm = say("mm", lang)
     lines = [f"μ_t = {significant_digits_text(c.time_scale)} {mm}/{say('s', lang)}"]
     previous: Stage | None = None
     for stage in c.stages:
-        letter, unit = letters[stage.rank], say(units[stage.rank], lang)
+        letter = letters[stage.rank]
+        unit = say(units[stage.rank], lang)
         text = f"μ_{letter} = "
         if previous:
             other = letters[previous.rank]

@@ -5,6 +5,7 @@ import math
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,7 @@ from planes.batch.table import ERROR_COLUMN_PREFIX
 from planes.diagrams.turn import WholeTurn
 from planes.drafting.drawing import draw_program, refuse_unproved_drawing
 from planes.plans import Plans
-from planes.plans.curves import Curve
+from planes.plans.curves import CHAPTERS_BY_GROUP, Curve
 from planes.plans.scales import unit_scales_of_plans
 from planes.scene.ranges import Span
 from planes.solving import drive_position_in_words, drive_position_key, failed_position_sentence
@@ -47,7 +48,8 @@ def write_table(
     """Write a table of curves, with ``errors`` the ± of each after them; returns the exit status."""
     span = values or default_table_range(turn.plans)
     kind, count = turn.plans.drive.kind, len(span)
-    drive, heads = (kind, "°" if kind == "phi" else "m"), [(c.name, c.unit) for c in turn.curves]
+    drive = (kind, "°" if kind == "phi" else "m")
+    heads = [(c.name, c.unit) for c in turn.curves]
     heads += [(ERROR_COLUMN_PREFIX + name, unit) for name, unit in heads if errors]
     gaps: list[Gap] = []
     with open_block_writer(Path(output), TableHead(drive, heads, turn.failure_reasons), count) as writer:
@@ -82,7 +84,9 @@ def collect_failed_ranges(gaps: list[Gap], block: Block) -> None:
     codes = block.codes
     edges = np.flatnonzero(np.diff(codes)) + 1
     for start, end in zip([0, *edges], [*edges, len(codes)], strict=True):
-        code, first, last = int(codes[start]), float(block.values[start]), float(block.values[end - 1])
+        code = int(codes[start])
+        first = float(block.values[start])
+        last = float(block.values[end - 1])
         if not gaps or gaps[-1].code != code:
             gaps.append(Gap(code, first, last, 0))
         gaps[-1].last = last
@@ -94,7 +98,8 @@ def report_failed_ranges(table: Cycle, reasons: tuple[Reason, ...], gaps: list[G
     failed = [gap for gap in gaps if gap.code]
     for gap in failed[:MOST_DESCRIBED_RANGES]:
         first, last = (drive_position_in_words(v, kind, lang) for v in (gap.first, gap.last))
-        name, why = "φ" if kind == "phi" else "s", failure_sentence(table, reasons, gap, lang)
+        name = "φ" if kind == "phi" else "s"
+        why = failure_sentence(table, reasons, gap, lang)
         print(say("cycle_failed", lang, name=name, first=first, last=last, count=gap.count, why=why), file=sys.stderr)
     if len(failed) > MOST_DESCRIBED_RANGES:
         print(say("cycle_more", lang, count=len(failed) - MOST_DESCRIBED_RANGES), file=sys.stderr)
@@ -124,7 +129,8 @@ def curves_at_positions(turn: WholeTurn, values: Any) -> dict[str, list[float]]:
 
 def curves_at_positions_json(turn: WholeTurn, values: Any) -> Json:
     """The listing as JSON data: None where a curve has no value."""
-    rows, key = curves_at_positions(turn, values), drive_position_key(turn.plans)
+    rows = curves_at_positions(turn, values)
+    key = drive_position_key(turn.plans)
     positions = [
         {key: float(v), "values": {n: finite_or_none(row[k]) for n, row in rows.items()}} for k, v in enumerate(values)
     ]
@@ -161,11 +167,10 @@ def curve_listing_text(turn: WholeTurn, values: Any, lang: Lang) -> str:
 
 def _curves_by_chapter(curves: tuple[Curve, ...]) -> list[tuple[str, list[Curve]]]:
     def chapter(c: Curve) -> str:
-        if c.group not in ("analogue", "rate"):
-            return c.group
-        return f"{c.group}_" + ("a" if c.name.startswith(("a", "epsilon", "coriolis")) else "v")
+        quick = c.name.startswith(("a", "epsilon", "coriolis"))
+        return CHAPTERS_BY_GROUP[c.group][-1 if quick else 0]
 
-    keys = ("place", "analogue_v", "analogue_a", "rate_v", "rate_a", "force")
+    keys = chain(*CHAPTERS_BY_GROUP.values())
     return [(f"group_{k}", [c for c in curves if chapter(c) == k]) for k in keys]
 
 

@@ -21,7 +21,8 @@ from planes.words.errors import PlanesError
 from planes.words.frozen import frozen
 
 CURVE_POINTS_PER_SECTION = 10  # points of the drawn curve per section
-FEWEST_SECTIONS, MOST_SECTIONS = 6, 72
+FEWEST_SECTIONS = 6
+MOST_SECTIONS = 72
 RANGE_INSET_RATIO = 0.02  # part left off a range that ends at limits of assembly
 Row = tuple[float, ...]
 
@@ -76,7 +77,8 @@ def motion_of_driven_link(plans: Plans, sections: int = 12, file: str = "") -> M
     half, fine = (_motion_values(turn, at, slides, drive.velocity) for at in (angles, dense))
     ends, middles = (tuple(tuple(row[k::2]) for row in half) for k in (0, 1))
     times, all_times = (tuple((np.radians(at - at[0]) / drive.velocity).tolist()) for at in (angles[::2], dense))
-    places, curves = tuple(angles[::2].tolist()), tuple(map(tuple, fine))
+    places = tuple(angles[::2].tolist())
+    curves = tuple(map(tuple, fine))
     return Motion(link, slides, drive.motion_names[0], places, times, closed, ends, middles, all_times, curves)
 
 

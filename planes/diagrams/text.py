@@ -5,6 +5,7 @@ from typing import Any
 
 from planes.diagrams.extremes import Extreme
 from planes.diagrams.summary import CurveSummary, DrivenStroke, Summary, summary_of_scene
+from planes.plans.curves import CHAPTERS_BY_GROUP
 from planes.scene import Scene
 from planes.solving import drive_position_in_words
 from planes.solving.text_tables import aligned_table
@@ -13,8 +14,6 @@ from planes.words.names import name_index
 from planes.words.naming import Naming
 from planes.words.records import Json, finite_or_none
 from planes.words.units import UNITS_OF_PLACE_AND_RATES, significant_digits_text
-
-CURVE_GROUPS = ("place", "analogue", "rate", "force")
 
 
 def summary_report(s: Summary, lang: Lang) -> str:
@@ -26,7 +25,7 @@ def summary_report(s: Summary, lang: Lang) -> str:
     head = ["", say("column_unit", lang)]
     for side in ("column_least", "column_greatest"):
         head += [say(side, lang), say("column_at", lang, name=name)]
-    for group in CURVE_GROUPS:
+    for group in CHAPTERS_BY_GROUP:
         rows = [_curve_row_cells(s, row, lang) for row in s.curve_summaries if row.group == group]
         lines += aligned_table(say(f"group_{group}", lang), head, rows)
     lines += [] if s.names else _path_table_lines(s, lang)

@@ -20,7 +20,8 @@ from planes.course.reading import DRAW_KEYS, STUDENT_KEYS
 from planes.scene.friction import PIN_KEYS
 from planes.scene.links import FRAME_KEYS, GUIDE_KEYS, LINK_KEYS, SLIDE_KEYS
 from planes.scene.load_laws import LAW_KEYS, STROKE_KEYS
-from planes.scene.motion import ASSEMBLY_ORDERS, BALANCE_KEYS, DRIVE_KEYS, LOAD_KEYS
+from planes.scene.mechanism import LOAD_KEYS, LOAD_POINT_KEYS
+from planes.scene.motion import ASSEMBLY_ORDERS, BALANCE_KEYS, DRIVE_KEYS
 from planes.scene.outline import ALL_SCENE_KEYS, REQUIRED_KEYS
 from planes.scene.packs import PACKS
 from planes.scene.settings import SHEET_KEYS, SHEET_LIST_KEYS, SHEET_NUMBER_KEYS, SHEET_WORD_CHOICES, YES_OR_NO_KEYS
@@ -37,16 +38,17 @@ def _forms_with_packs() -> Json:
     """The forms of ``schema_forms.json`` and of packs; a key of a scene that both have takes either form."""
     forms: Json = json.loads(Path(__file__).with_name("schema_forms.json").read_text("utf-8"))
     scene = forms["tables"]["scene"]
-    for pack in PACKS:
+    for pack in PACKS.values():
         for key, form in pack.schema["tables"]["scene"].items():
             scene[key] = {"any": [scene[key], form]} if key in scene else form
-        for part, own in pack.schema.items():
-            forms[part] = {**own, **forms[part]}
+        for part in ("forms", "tables", "required"):
+            forms[part] = {**pack.schema[part], **forms[part]}
     return forms
 
 
 _FORMS_FILE = _forms_with_packs()
 _TABLE_FORMS: dict[str, Json] = _FORMS_FILE["tables"]
+_TABLE_FORMS["load"] |= dict.fromkeys(LOAD_POINT_KEYS, "text")
 _KEYS_OF_TABLES: dict[str, Iterable[str]] = {
     "scene": ALL_SCENE_KEYS,
     "frame": FRAME_KEYS,
@@ -77,9 +79,9 @@ _WORDS_BY_LIST: dict[str, Iterable[object]] = {
     "formats": FORMATS,
     "plans": PLANS_WITH_MU,
 }
-for _reader in (import_module(pack.reader) for pack in PACKS):
-    _KEYS_OF_TABLES |= _reader.KEYS_BY_TABLE
-    _WORDS_BY_LIST |= _reader.WORDS_BY_LIST
+for _pack in PACKS.values():
+    _KEYS_OF_TABLES |= _pack.schema["keys"]
+    _WORDS_BY_LIST |= import_module(_pack.reader).WORDS_BY_LIST
 _ALTERNATIVE_KEY_SETS = {"scene": REQUIRED_KEYS.values(), "table": REQUIRED_COLUMNS}
 """Sets of keys, one of which a table needs."""
 _WORDS_IN_LANGUAGES: Json = {

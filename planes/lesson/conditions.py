@@ -39,7 +39,7 @@ def condition_sentences(plans: Plans, lang: Lang) -> Iterator[str]:
 def _load_sentence(load: Load, name: str, mechanism: Mechanism, lang: Lang) -> str:
     """One force or moment, and its direction; then its law, if it has one."""
     angle = f"∠⟨{name}^({load.direction_link})⟩"
-    what = {"link": load.link, "point": f"⟨{load.point}⟩", "name": name, "other": load.direction_link, "angle": angle}
+    what = {**vars(load), "point": f"⟨{load.point}⟩", "name": name, "other": load.direction_link, "angle": angle}
     way = load.sense or ("link" if load.direction_link else "")
     acting = [say("_".join(filter(None, ("task", load.kind, way))), lang, **what)]
     for sign, law in ((f"⟨{name}⟩", load.value), (f"∠⟨{name}⟩", load.direction_deg)):

@@ -10,7 +10,7 @@ from planes.geometry.listed import ListArithmetic, Listed
 from planes.lesson.dimensions import FreeNumbers
 from planes.lesson.formulas import in_lesson_languages, sentence_in_lesson_languages, unit_of_name
 from planes.words import Written
-from planes.words.names import direction_of_given_angle, label_of, mu_name, plan_of, split_value_name
+from planes.words.names import UNIT_OF_LOADING, direction_of_given_angle, label_of, mu_name, plan_of, split_value_name
 from planes.words.records import Json
 
 COMMON_SCALE_PLANS = ("velocity", "motion", "lever")
@@ -83,7 +83,7 @@ class Knobs(FreeNumbers):
         """The name of a number for the reader, "" where it is not offered."""
         means = self.plans.means.get(given) or self.plans.means.get(given.lstrip("".join(STROKE_WORDS_BY_PREFIX)))
         letter = split_value_name(given)[0]
-        if means and means.quantity in ("load", "couple"):
+        if means and means.quantity in UNIT_OF_LOADING:
             return means.of
         if means and means.quantity == "place":
             return self.coordinate_name(given, axis)

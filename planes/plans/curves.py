@@ -30,6 +30,14 @@ Sample = Mapping[str, Array]
 Reading = Callable[[Sample], Real]
 
 Group = Literal["place", "analogue", "rate", "force"]
+CHAPTERS_BY_GROUP: Mapping[Group, NameTuple] = {
+    "place": ("place",),
+    "analogue": ("analogue_v", "analogue_a"),
+    "rate": ("rate_v", "rate_a"),
+    "force": ("force",),
+}
+"""The groups of curves in the order of a summary, each with its chapters in a list of positions; their titles are the
+words ``group_…``."""
 UNIT_DRIVE_PREFIX = "q:"
 T = TypeVar("T", bound="Curve | CycleVector")
 FULL_TURN_DEG = 360.0

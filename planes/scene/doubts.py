@@ -7,7 +7,7 @@ from collections.abc import Container, Iterator, Mapping
 from dataclasses import fields
 from itertools import combinations
 
-from planes.scene.mechanism import DRIVE_RATE_KEYS, FRAME, Link, Mechanism
+from planes.scene.mechanism import DRIVE_RATE_KEYS, FRAME, LOAD_KINDS, Link, Mechanism
 from planes.scene.parameters import names_in_node, names_reachable_from
 from planes.scene.paths import Keys, line_of_path, nodes_along_path, texts_with_paths
 from planes.scene.reader import Reader
@@ -35,7 +35,6 @@ _ANGLE_KEYS = ("phi", "angle", "direction", "perpendicular_to", "near")
 _TRIGONOMETRIC_PATTERN = re.compile(r"\s*-?\s*(sin|cos|tan)\s*\(")
 _RADIANS_IN_LAW_PATTERN = re.compile(r"\b(?:sin|cos|tan)\s*\([^()]*(?<![/\w])pi\b")
 _WHOLE_NUMBER_PATTERN = re.compile(r"-?\d+(\.0*)?")
-_LOAD_SIZE_KEYS = ("force", "moment")  # of loads
 _WORD_PATTERN = re.compile(r"\w+")
 _PARAMETER_SECTIONS = ("parameters", "variants")
 _SECTIONS_ALLOWING_EMPTY = (*_PARAMETER_SECTIONS, "vectors")  # where an empty value has a meaning
@@ -122,7 +121,7 @@ def parameters_used_only_under(table: SourceTable, parameters: Parameters, witho
 def _angle_doubts(table: SourceTable, parameters: Parameters) -> Doubts:
     """Angles that look like radians, by π in them or by their value, or like a ratio of a triangle's sides."""
     for path, node in texts_with_paths(table):
-        if path[0] == "loads" and path[-1] in _LOAD_SIZE_KEYS and _RADIANS_IN_LAW_PATTERN.search(node.text):
+        if path[0] == "loads" and path[-1] in LOAD_KINDS and _RADIANS_IN_LAW_PATTERN.search(node.text):
             yield Phrase("doubt_radians", key=path[-1], text=node.text[:60]), path
         named = path[0] in _PARAMETER_SECTIONS or path[-2:-1] in (("points",), ("parameters",))
         if path[-1] in _ANGLE_KEYS and not named:  # a point or parameter may happen to have the name of an angle
@@ -138,7 +137,7 @@ def _reversed_vector_doubts(table: SourceTable, parameters: Parameters) -> Doubt
     every = [(path, _expression_behind(node.text, parameters)) for path, node in texts_with_paths(table)]
     sensed = {path[:2] for path, _ in every if path[0] == "loads" and path[-1] in ("along", "against")}
     for path, text in every:
-        if path[:2] in sensed and len(path) == 3 and path[-1] in _LOAD_SIZE_KEYS and _value_of_number_text(text) < 0:
+        if path[:2] in sensed and len(path) == 3 and path[-1] in LOAD_KINDS and _value_of_number_text(text) < 0:
             yield Phrase("doubt_backwards", key=path[-1], text=text[:60]), path
         elif path[0] == "vectors" and path[2:] == ("value",) and _value_of_number_text(text) < 0:
             yield Phrase("doubt_vector_size", name=path[1], text=text[:60]), path

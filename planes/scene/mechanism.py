@@ -177,6 +177,14 @@ class StrokeLoad:
     stroke: Literal["ahead", "behind"] = "ahead"
 
 
+LOAD_KINDS = {"force": "P", "moment": "M"}
+"""The kinds of loads by the key of their size, with the letter of their names. ``planes/scene/motion.py`` reads each,
+``planes/plans/force/loads.py`` draws it."""
+LOAD_POINT_KEYS = ("point",)
+LOAD_NUMBER_KEYS = (*LOAD_KINDS, "direction", "angle", "working", "idle", "over")  # beside tables
+LOAD_KEYS = ("link", *LOAD_POINT_KEYS, *LOAD_KINDS, "direction", "along", "against")
+
+
 @frozen
 class Load:
     """One force (``kind`` "force", N, at ``point``) or couple (``kind`` "moment", N·m) on ``link``.

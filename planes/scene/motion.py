@@ -7,6 +7,8 @@ from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import (
     DRIVE_RATE_KEYS,
     FRAME,
+    LOAD_KEYS,
+    LOAD_KINDS,
     Amount,
     Assembly,
     Drive,
@@ -23,7 +25,6 @@ from planes.words import Phrase
 
 ASSEMBLY_ORDERS = ("left", "right", "ahead", "behind")
 _DIRECTION_KEYS = ("direction", "along", "against")
-LOAD_KEYS = ("link", "point", "force", "moment", *_DIRECTION_KEYS)
 DRIVE_KEYS = ("link", "on", "phi", "omega", "epsilon", "s", "velocity", "acceleration", "balance")
 BALANCE_KEYS = ("point", "angle")
 Links = Mapping[str, Link]
@@ -120,7 +121,7 @@ def read_loads(laws: LawReader, node: Node, links: Links) -> tuple[Load, ...]:
 def _read_load(laws: LawReader, node: Node, what: Phrase, links: Links) -> Load:
     load = Fields(laws.reader, node, what, LOAD_KEYS)
     link = _read_moving_link(load, links)
-    kind = load.require_one_key("force", "moment")
+    kind = load.require_one_key(*LOAD_KINDS)
     value = laws.read_load_magnitude(load.required_node(kind), load.phrase_of_key(kind), link)
     if kind == "moment":
         return _read_moment(load, link, value)

@@ -18,9 +18,9 @@ class Pack:
     """A subject. Its ``key`` is a part of a scene of a mechanism; with ``scene_keys`` it decides another kind of scene,
     which ``read_subject`` of the module ``reader`` reads.
 
-    ``scales`` are the plans that take their μ from another. ``schema`` has the forms of ``schema_forms.json``; the
-    ``reader`` has ``KEYS_BY_TABLE`` and ``WORDS_BY_LIST`` beside them. ``command`` has the form of those in
-    ``planes/cli/commands.json``; ``run`` of the module ``pack`` does it.
+    ``scales`` are the plans that take their μ from another. ``schema`` has the keys of tables and the forms of
+    ``schema_forms.json``; ``WORDS_BY_LIST`` of the ``reader`` has the words that values may be. ``command`` has the
+    form of those in ``planes/cli/commands.json``; ``run`` of the module ``pack`` does it.
     """
 
     key: str
@@ -32,14 +32,9 @@ class Pack:
     command_after: str = ""  # in lists
 
 
-def _read_packs() -> list[Pack]:
-    rooms = Path(__file__).parents[1]
-    files = sorted([*rooms.glob("*/pack.json"), *rooms.glob("*/*/pack.json")])
-    return [Pack(**json.loads(file.read_text("utf-8"))) for file in files]
-
-
-PACKS = _read_packs()
-PARTS_OF_PACKS = tuple(pack.key for pack in PACKS if not pack.scene_keys)
+_FILES = sorted(Path(__file__).parents[1].rglob("pack.json"))
+PACKS = {pack.key: pack for pack in (Pack(**json.loads(file.read_text("utf-8"))) for file in _FILES)}
+PARTS_OF_PACKS = tuple(key for key, pack in PACKS.items() if not pack.scene_keys)
 """The keys of packs in a scene of a mechanism."""
-SUBJECTS_BY_KEY = {pack.key: pack for pack in PACKS if pack.scene_keys}
+SUBJECTS_BY_KEY = {key: pack for key, pack in PACKS.items() if pack.scene_keys}
 """The packs with another kind of scene, by the key that decides it."""

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from planes.scene.expressions import RESERVED_NAMES, evaluate_expression, is_parameter_name, names_in_expression
-from planes.scene.mechanism import Law
+from planes.scene.mechanism import LOAD_NUMBER_KEYS, Law
 from planes.scene.paths import Keys, entries_of_table, texts_with_paths
 from planes.scene.reader import MAX_NAME_LENGTH, Reader, has_no_value, part_in_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable, parse_yaml
@@ -163,8 +163,6 @@ def _circular_definition_phrase(path: list[str], name: str) -> Phrase:
     return Phrase("circle_of_one", name=name) if len(loop) == 2 else Phrase("circle", names=tuple(words))
 
 
-# numbers of a load, other than tables
-_LOAD_NUMBER_KEYS = ("force", "moment", "direction", "angle", "working", "idle", "over")
 _DRIVE_RATE_NUMBER_KEYS = ("omega", "epsilon", "velocity", "acceleration")
 Uses = Mapping[str, list[str]]
 
@@ -199,7 +197,7 @@ def _drive_dependent_numbers(table: SourceTable) -> Iterator[tuple[Keys, SourceS
         if (
             path[0] == "friction"
             or "table" in path
-            or path[-1] in (_LOAD_NUMBER_KEYS if path[0] == "loads" else _DRIVE_RATE_NUMBER_KEYS)
+            or path[-1] in (LOAD_NUMBER_KEYS if path[0] == "loads" else _DRIVE_RATE_NUMBER_KEYS)
         ):
             yield path, node
 

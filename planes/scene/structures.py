@@ -6,6 +6,7 @@ from typing import Literal, get_args
 
 from planes.scene.load_laws import LawReader
 from planes.scene.mechanism import LoadLaw
+from planes.scene.packs import PACKS
 from planes.scene.reader import LARGEST_SCENE_NUMBER, Fields, section_in_words
 from planes.scene.source import Items, Node, SourceScalar, SourceTable
 from planes.words import Phrase, Told
@@ -14,10 +15,8 @@ from planes.words.names import NamePair, NameTuple
 
 SupportKind = Literal["hinge", "roller", "rod", "rope", "clamp"]
 SUPPORT_KINDS: tuple[SupportKind, ...] = get_args(SupportKind)
-SUPPORT_KEYS = ("roller", "rod", "rope")  # by the normal, or by the fixed point at the other end
-POLE_KEYS = ("through",)
+KEYS_BY_TABLE = PACKS["points"].schema["keys"]
 SOLUTION_METHODS = ("moments", "string", "three-forces", "composition", "culmann")
-STATIC_LOAD_KEYS = ("point", "force", "direction", "body", "moment", "from", "to", "intensity")
 MOST_FRAMEWORK_POINTS = 60
 Bodies = Mapping[str, NameTuple]  # the points of each
 ONLY_BODY_NAME = "1"
@@ -176,8 +175,8 @@ class FrameworkReader:
             if kind in ("rod", "rope"):
                 raise reader.error_by_key("rod_to", node, what=what, kind=kind)
             return Support(kind, point, self.unused_name(f"R_{point}"))  # type: ignore[arg-type]  # one of its words
-        support = Fields(reader, node, what, SUPPORT_KEYS)
-        kind = support.require_one_key(*SUPPORT_KEYS)
+        support = Fields(reader, node, what, KEYS_BY_TABLE["support"])
+        kind = support.require_one_key(*KEYS_BY_TABLE["support"])
         if kind == "roller":
             normal = reader.read_number(node.entries[kind], support.phrase_of_key(kind))
             return Support("roller", point, self.unused_name(f"R_{point}"), normal)
@@ -187,7 +186,7 @@ class FrameworkReader:
         return Support(kind, point, self.unused_name(f"S_{point}{to}"), to=to)  # type: ignore[arg-type]  # one of its words
 
     def read_load(self, node: Node, what: Phrase, bodies: Bodies) -> StaticLoad:
-        load = Fields(self.reader, node, what, STATIC_LOAD_KEYS)
+        load = Fields(self.reader, node, what, KEYS_BY_TABLE["static_load"])
         kind = load.require_one_key("force", "moment", "intensity")
         if kind == "moment":
             alone = next(iter(bodies)) if len(bodies) == 1 and "body" not in load else None
@@ -252,7 +251,7 @@ class FrameworkReader:
         node = self.scene.optional_node("pole")
         if not isinstance(node, SourceTable) or "through" not in node.entries:
             return None if node is None else self.reader.read_place(node, section_in_words("pole")), ()
-        pole = Fields(self.reader, node, section_in_words("pole"), POLE_KEYS)
+        pole = Fields(self.reader, node, section_in_words("pole"), KEYS_BY_TABLE["pole"])
         names = self.read_point_list(pole.required_node("through"), pole.phrase_of_key("through"))
         if len(names) not in (2, 3):
             raise self.reader.error_by_key("through_count", node, count=len(names))
@@ -264,5 +263,4 @@ def read_subject(scene: Fields, laws: LawReader | None) -> Framework:
     return FrameworkReader(scene, laws).read_framework()
 
 
-KEYS_BY_TABLE = {"support": SUPPORT_KEYS, "static_load": STATIC_LOAD_KEYS, "pole": POLE_KEYS}
 WORDS_BY_LIST = {"supports": SUPPORT_KINDS, "methods": SOLUTION_METHODS}

@@ -18,7 +18,7 @@ from planes.solving.given_rows import GivenRow, are_numbers_equal, gives_same_qu
 from planes.words import say
 from planes.words.frozen import frozen
 from planes.words.lettering import parameter_lettering
-from planes.words.names import NumbersByName, letter_of, plan_kind
+from planes.words.names import UNIT_OF_LOADING, NumbersByName, letter_of, plan_kind
 from planes.words.naming import Naming
 from planes.words.units import UNIT_OF_PLAN, number_text, unit_of_parameter
 
@@ -210,8 +210,7 @@ class GivenTable:
         resultants = {load.name for load in plans.figure.spread} if plans.figure else set()
         for name, m in plans.means.items():
             stated = m.of not in resultants and bool(m.link or not plans.figure)
-            if stated and name in plans.given and m.quantity in ("load", "couple"):
-                unit = "N" if m.quantity == "load" else "N·m"
+            if stated and name in plans.given and (unit := UNIT_OF_LOADING.get(m.quantity)):
                 yield GivenRow(self.naming.lettered_vector(m.of), float(plans.given[name]), unit, name)
         mechanism = plans.mechanism
         for name, load in zip(names_of_loads(mechanism), mechanism.loads, strict=True):
@@ -242,7 +241,7 @@ class GivenTable:
         plans = self.plans_of_values
         for name, law in plans.acting.laws.items() if plans.force_plans else ():
             m = plans.means[name]
-            key = {"load": "N", "couple": "N·m"}.get(m.quantity, "°")
+            key = UNIT_OF_LOADING.get(m.quantity, "°")
             sign = self.naming.lettered_vector(m.of)
             yield name, f"∠{sign}" if key == "°" else sign, key, law
 

@@ -7,6 +7,7 @@ from itertools import permutations
 from planes.plans import Plans
 from planes.plans.quantities import quantities_by_name
 from planes.scene import loads
+from planes.scene.mechanism import LOAD_POINT_KEYS
 from planes.scene.source import SourceScalar, parse_yaml, walk_nodes
 from planes.scene.vector_equations import VECTOR_NAME_PATTERN
 from planes.solving import plans_and_requested_results
@@ -16,7 +17,11 @@ from planes.words import Phrase
 from planes.words.errors import PlanesError
 
 NAME_PLACES_BY_KIND = {
-    "point": ("(frame|links/[^/]+)/points/[^/]+|(assembly|friction)/[^/]+", "x|y|v|a", ("centre", "through", "point")),
+    "point": (
+        "(frame|links/[^/]+)/points/[^/]+|(assembly|friction)/[^/]+",
+        "x|y|v|a",
+        ("centre", "through", *LOAD_POINT_KEYS),
+    ),
     "link": ("links/[^/]+", "phi|omega|epsilon|s|v|a", ("link", "on", "slider")),
 }
 """The places of keys that are names; the letters of the motion in laws of loads; keys whose values are names."""

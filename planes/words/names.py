@@ -17,6 +17,8 @@ REPEATED_DIRECTION_SUFFIX = "~"
 """Ends the name of a direction that is drawn a second time, from other marks: to people it is the same line."""
 Mark = Literal["guide", "moved", "foot", "trial", "special", "false", "centre", "normal", "coriolis", "relative"]
 Loading = Literal["weight", "inertia", "load", "couple", "tangential", "reaction", "arm"]
+UNIT_OF_LOADING: Mapping[str, str] = {"load": "N", "couple": "N·m"}
+"""The units of given loads, by what their numbers mean."""
 Size = Literal["length", "offset", "place", "angle", "rate", "circle"]
 Line = Literal["along", "across", "towards", "with", "against", "leaning", "down", "given", "own"]
 Quantity = Literal[Mark, Loading, Size, Line]

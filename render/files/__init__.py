@@ -1,4 +1,4 @@
-"""Drawings written as files. The module named as a suffix writes its format: ``svg.page_bytes``, ``dxf.page_bytes``."""
+"""Drawings written as files: the module named as a suffix writes its format."""
 
 from dataclasses import dataclass
 from importlib import import_module
@@ -41,10 +41,12 @@ class Page:
         page as SVG."""
         if suffix not in DRAWING_FORMATS:
             raise PlanesError(Phrase("bad_suffix", file=suffix or "?", known=DRAWING_SUFFIXES))
-        package = DRAWING_FORMATS[suffix].needs
-        if package and find_spec(package) is None:
-            raise PlanesError(Phrase(f"needs_{package}"))
-        contents: bytes = import_module(f"render.files.{suffix[1:]}").page_bytes(self, text)
+        kind = DRAWING_FORMATS[suffix]
+        if kind.needs and find_spec(kind.needs) is None:
+            raise PlanesError(Phrase(f"needs_{kind.needs}"))
+        more = {kind.option: {"under": self.under, "text": text}[kind.option]} if kind.option else {}
+        writer = import_module(f"render.files.{suffix[1:]}")
+        contents: bytes = writer.write(self.marks, self.size, self.title, lang=self.lang, **more)
         return contents
 
     def write(self, path: str | Path, text: "Lettered" = "text") -> None:

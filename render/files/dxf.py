@@ -19,7 +19,6 @@ from typing import TYPE_CHECKING
 
 from planes.drafting.pens import THIN_PEN_HEAD
 from planes.words import Lang, say
-from render.files import Page
 from render.files.dxf_entities import (
     BLACK_INDEX,
     GREY_INDEX,
@@ -56,11 +55,6 @@ STYLE_OF_LAYER = dict.fromkeys(map(str, LAYERS_FROM_LOWEST), "thin") | {
     "result": "result",
 }
 """The line type and width of each layer; a mark has its own only where it differs."""
-
-
-def page_bytes(page: Page, text: Lettered) -> bytes:
-    """A page as DXF."""
-    return write(page.marks, page.size, page.title, lang=page.lang, text=text)
 
 
 def write(marks: Iterable[Mark], size_mm: Size, title: str, *, lang: Lang = "ru", text: Lettered = "text") -> bytes:

@@ -16,7 +16,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from planes.scene.carried import PNG_SIGNATURE, png_chunk
-from render.files import Page
 from render.files.tags import Tags
 from render.files.writer import Lines, Writer, fitted_dashes
 from render.paper.ink import arc_dashes, group_by_layer, is_circle, require_finite_marks
@@ -42,11 +41,6 @@ _BUTT_CAP = 0
 _NON_ZERO_FILL = 1
 
 PdfPage = tuple[Iterable[Mark], Size]
-
-
-def page_bytes(page: Page, _: str) -> bytes:
-    """A page as PDF."""
-    return write(page.marks, page.size, page.title, lang=page.lang, under=page.under)
 
 
 def write(marks: Iterable[Mark], size_mm: Size, title: str, *, lang: str = "ru", under: Photo | None = None) -> bytes:

@@ -15,7 +15,6 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from render.files import Page
 from render.files.writer import Lines, Writer, fitted_dashes
 from render.paper.ink import arc_dashes, group_by_layer, is_circle, require_finite_marks
 from render.paper.marks import Arc, Arrow, Mark, Size, Text
@@ -29,11 +28,6 @@ if TYPE_CHECKING:
     from svgwrite.path import Path
 
 FONT_FAMILIES = "DejaVu Sans, Arial, sans-serif"
-
-
-def page_bytes(page: Page, _: str) -> bytes:
-    """A page as SVG."""
-    return write(page.marks, page.size, page.title, lang=page.lang, under=page.under)
 
 
 def write(marks: Iterable[Mark], size_mm: Size, title: str, *, lang: str = "ru", under: Photo | None = None) -> bytes:

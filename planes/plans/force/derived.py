@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from planes.plans import Plans
 from planes.plans.columns import DriverVector
-from planes.words.names import NamePair, NameTuple
+from planes.words.names import UNIT_OF_LOADING, NamePair, NameTuple
 from planes.words.units import unit_of_parameter
 
 
@@ -53,7 +53,7 @@ def values_given_by_laws(plans: Plans) -> Iterator[Derived]:
 
     for name in plans.acting.laws:
         load = plans.means[name].of
-        unit = {"load": "N", "couple": "N·m"}.get(plans.means[name].quantity)
+        unit = UNIT_OF_LOADING.get(plans.means[name].quantity)
         if unit and load in plans.program.result_names:
             yield Derived((load,), unit, load, "loads")
 

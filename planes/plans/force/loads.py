@@ -9,7 +9,7 @@ from planes.drafting.steps.reckoning import Sense, SenseOf
 from planes.plans.force.following import LawValues
 from planes.plans.motion.kinematics import Rates
 from planes.plans.position.bodies import Bodies, BodyPoint, scheme_mark
-from planes.scene.mechanism import FRAME, Link, Load, LoadLaw, Mechanism, StrokeLoad
+from planes.scene.mechanism import FRAME, LOAD_KINDS, Link, Load, LoadLaw, Mechanism, StrokeLoad
 from planes.words.frozen import frozen
 from planes.words.names import POLE_LABEL, Meaning, NamePair, Quantity, full_mark_name
 from planes.words.records import Json
@@ -62,7 +62,8 @@ def names_of_loads(mechanism: Mechanism) -> list[str]:
     counts = Counter[NamePair]()
     for load in mechanism.loads:
         counts[key := (load.link, load.kind)] += 1
-        letter = "P" if load.kind == "force" else "MP" if load.link == mechanism.drive.link else "M"
+        letter = LOAD_KINDS[load.kind]
+        letter = "MP" if letter == "M" and load.link == mechanism.drive.link else letter
         names.append(f"{letter}_{load.link}" + (f"_{counts[key]}" if counts[key] > 1 else ""))
     return names
 
