@@ -96,7 +96,8 @@ class ClassDesk:
         one = Checked(sheet.name, report=self.work.drawing_link(sheet))
         try:
             with reporting_library_errors("check_broken", sheet.name):
-                known, one.read_from = sheet.known_with_page(drawing_data_from_options(self.args)), str(sheet.file)
+                known = sheet.known_with_page(drawing_data_from_options(self.args))
+                one.read_from = str(sheet.file)
                 seen = preview_sheet(one.read_from, known.page)
                 if seen.blanks < 2:
                     task, asked, one.whose = self.sorter.identify_question(sheet, seen.mark)

@@ -9,9 +9,8 @@ from pathlib import Path
 import pypdfium2
 
 from planes.course import PLATFORMS, Course
-from planes.course.quiz import Quiz, judgeable_quizzes, quizzes_by_assignment, too_uncertain_results
-from planes.documents.packages import prairielearn_files
-from planes.documents.platforms import moodle_xml, stack_xml
+from planes.course.quiz import Quiz, judgeable_quizzes, too_uncertain_results
+from planes.documents.packages import WRITERS_BY_PLATFORM
 from planes.words import Lang, say
 
 _CREATION_DATE_PATTERN = re.compile(rb"(?<=/CreationDate\(D:)\d+")
@@ -28,13 +27,10 @@ def common_course_files(course: Course, folder: Path, places: Sequence[str], lan
         return
     quizzes = judgeable_quizzes(_read_quizzes(folder, places))
     title = course.title.get(lang, "")
-    for name, write in (("moodle", moodle_xml), ("stack", stack_xml)):
+    for name in PLATFORMS:
         if name in course.documents and quizzes:
-            yield f"teacher/{name}.xml", write(quizzes, title, lang)
-    asked = quizzes_by_assignment(quizzes) if "prairielearn" in course.documents else {}
-    for name, group in asked.items():
-        for inner, data in prairielearn_files(name, group, lang).items():
-            yield f"teacher/prairielearn/{name}/{inner}", data
+            files = WRITERS_BY_PLATFORM[name](quizzes, title, lang)
+            yield from ((f"teacher/{name}{file}", data) for file, data in files.items())
 
 
 def omitted_question_notes(folder: Path, places: Sequence[str], lang: Lang) -> Iterator[str]:

@@ -123,7 +123,8 @@ def _overlay_sheet_contents(outcome: Outcome, lang: Lang) -> check_sheet.Overlay
     """The contents of a sheet: both plans, the table and the sentence."""
     asked = outcome.bench.asked
     plans = outcome.bench.plans
-    kind, naming = plan_kind(asked.plan), Naming(lang, **scene_lettering(asked.scene, plans))
+    kind = plan_kind(asked.plan)
+    naming = Naming(lang, **scene_lettering(asked.scene, plans))
     verdicts = {r["mark"]: r["verdict"] for r in mark_rows(outcome)}
 
     def name(label: str) -> str:

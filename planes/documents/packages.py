@@ -4,10 +4,18 @@ import io
 import json
 import uuid
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
-from planes.course.quiz import Pool, Quiz
-from planes.documents.platforms import PICTURE_FILE_NAME, element_as_file, filled_element, question_html, question_stem
+from planes.course.quiz import Pool, Quiz, quizzes_by_assignment
+from planes.documents.platforms import (
+    PICTURE_FILE_NAME,
+    element_as_file,
+    filled_element,
+    moodle_xml,
+    question_html,
+    question_stem,
+    stack_xml,
+)
 from planes.words import Lang
 
 ARCHIVE_DATE = (2020, 1, 1, 0, 0, 0)  # date of every file in an archive, so that the same lesson gives the same bytes
@@ -79,6 +87,18 @@ def prairielearn_files(name: str, group: Sequence[Quiz], lang: Lang) -> dict[str
         "numbers.json": _json_bytes(sets),
         f"clientFilesQuestion/{PICTURE_FILE_NAME}": first.picture,
     }
+
+
+WRITERS_BY_PLATFORM: Mapping[str, Callable[[Sequence[Quiz], str, Lang], Mapping[str, bytes]]] = {
+    "moodle": lambda quizzes, title, lang: {".xml": moodle_xml(quizzes, title, lang)},
+    "stack": lambda quizzes, title, lang: {".xml": stack_xml(quizzes, title, lang)},
+    "prairielearn": lambda quizzes, title, lang: {
+        f"/{name}/{inner}": data
+        for name, group in quizzes_by_assignment(quizzes).items()
+        for inner, data in prairielearn_files(name, group, lang).items()
+    },
+}
+"""For each platform of ``planes.course`` the files with everybody's questions, by what follows its name."""
 
 
 def _json_bytes(thing: object) -> bytes:

@@ -162,7 +162,8 @@ class DrawnPosition:
     def loaded_scheme_enlargement(self, sizes: Sizes) -> float:
         """How many times larger the scheme with loads is than the other figures of links."""
         now = self.position_at_sizes(sizes)
-        size, mu = plan_extent(now.drawing, SCHEME_PLAN), now.scales[mu_name(SCHEME_PLAN)]
+        size = plan_extent(now.drawing, SCHEME_PLAN)
+        mu = now.scales[mu_name(SCHEME_PLAN)]
         if sizes.factor_of_plan(LOADED_VIEW_KEY) == sizes.factor or not size:
             return 1.0
         mm = min(
@@ -172,7 +173,8 @@ class DrawnPosition:
 
     def with_enlarged_scheme(self, sizes: Sizes) -> Position:
         """The position with a separate, larger scheme: nothing is measured on it, so it may have a larger μ."""
-        now, times = self.position_at_sizes(sizes), self.loaded_scheme_enlargement(sizes)
+        now = self.position_at_sizes(sizes)
+        times = self.loaded_scheme_enlargement(sizes)
         mu = times * now.scales[mu_name(SCHEME_PLAN)]
         if times != 1.0 and mu not in self.positions_by_scheme_mu:
             self.positions_by_scheme_mu[mu] = self._draw_position(
@@ -210,7 +212,8 @@ Rows = Mapping[str, Array]
 
 def project_over_turn(scene: Scene, plans: Plans, composer: Composer, twelve: bool) -> Project:
     """A project with the driver moved through its range, and optionally the numbered positions of the scheme."""
-    range_of_drive, motion = working_range_of(plans), TurningMechanism(plans)
+    range_of_drive = working_range_of(plans)
+    motion = TurningMechanism(plans)
     span = range_of_drive if range_of_drive.whole else range_of_drive.range_without_ends(LEFT_OUT_END_SHARE)
     dead = dead_point_positions(grid_of_driven_link(plans, span.start, span.end)) if span.whole or twelve else []
     if span.whole and dead:
@@ -272,7 +275,8 @@ class TurningMechanism:
         self, span: WorkingRange, turn: Sequence[PlacedMechanism | None], extreme: Sequence[float]
     ) -> list[Numbered]:
         """The numbered positions, and every extreme one, with a prime unless it coincides with a numbered one."""
-        section, every = (span.end - span.start) / SECTION_COUNT, CURVE_POSITION_COUNT // SECTION_COUNT
+        section = (span.end - span.start) / SECTION_COUNT
+        every = CURVE_POSITION_COUNT // SECTION_COUNT
         last = SECTION_COUNT - 1 if span.whole else SECTION_COUNT
         places = [(v, (v - span.start) / section) for v in extreme]
         places = [(v, p % SECTION_COUNT) for v, p in places] if span.whole else places
