@@ -218,7 +218,7 @@ def _mechanism_from_fields(scene: Fields, where: Where, stated: Mapping[str, Nod
         frame,
         MappingProxyType(links),
         drive,
-        () if loads is None else read_loads(LawReader(scene, links, drive, stated), loads, links),
+        () if loads is None else read_loads(LawReader(scene, links, drive, stated), loads, {FRAME: frame, **links}),
         None
         if (gravity := scene.optional_node("gravity")) is None
         else reader.read_non_negative(gravity, Phrase("gravity")),

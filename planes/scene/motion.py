@@ -112,20 +112,20 @@ def _read_moving_link(fields: Fields, links: Links) -> str:
     return fields.read_known_name("link", links, kind)
 
 
-def read_loads(laws: LawReader, node: Node, links: Links) -> tuple[Load, ...]:
-    """Forces and couples in the order of the file."""
+def read_loads(laws: LawReader, node: Node, bodies: Links) -> tuple[Load, ...]:
+    """The loads in the order of the file; ``bodies`` are the links and the frame."""
     entries = enumerate(laws.reader.read_list(node, "loads"), 1)
-    return tuple(_read_load(laws, entry, Phrase("load", number=number), links) for number, entry in entries)
+    return tuple(_read_load(laws, entry, Phrase("load", number=number), bodies) for number, entry in entries)
 
 
-def _read_load(laws: LawReader, node: Node, what: Phrase, links: Links) -> Load:
+def _read_load(laws: LawReader, node: Node, what: Phrase, bodies: Links) -> Load:
     load = Fields(laws.reader, node, what, LOAD_KEYS)
-    link = _read_moving_link(load, links)
+    link = _read_moving_link(load, laws.links)
     kind = load.require_one_key(*LOAD_KINDS)
     value = laws.read_load_magnitude(load.required_node(kind), load.phrase_of_key(kind), link)
     if kind == "moment":
         return _read_moment(load, link, value)
-    points = links[link].points
+    points = bodies[link].points
     if "point" not in load:
         valid = laws.reader.valid_names_in_words("", points)
         raise load.error_by_key("force_no_point", what=what, valid=valid)
@@ -135,7 +135,7 @@ def _read_load(laws: LawReader, node: Node, what: Phrase, links: Links) -> Load:
     form = load.require_one_key(*_DIRECTION_KEYS)
     if form != "direction":
         return Load(link, "force", value, point, sense=_read_sense(load, form))
-    return Load(link, "force", value, point, *_read_direction(laws, load, links))
+    return Load(link, "force", value, point, *_read_direction(laws, load, bodies))
 
 
 def _read_moment(load: Fields, link: str, value: Amount | StrokeLoad) -> Load:
@@ -152,11 +152,11 @@ def _read_sense(load: Fields, form: str) -> Sense:
     return "along" if form == "along" else "against"
 
 
-def _read_direction(laws: LawReader, load: Fields, links: Links) -> tuple[Amount, str | None]:
+def _read_direction(laws: LawReader, load: Fields, bodies: Links) -> tuple[Amount, str | None]:
     node = load.required_node("direction")
     if not isinstance(node, SourceTable):
         return laws.read_amount_or_law(node, load.phrase_of_key("direction")), None
     turned = load.inner_fields("direction", ("link", "angle"))
-    owner = turned.read_known_name("link", {FRAME: None, **links}, Phrase("links_all"))
+    owner = turned.read_known_name("link", bodies, Phrase("links_all"))
     degrees = laws.read_amount_or_law(turned.required_node("angle"), turned.phrase_of_key("angle"))
     return degrees, None if owner == FRAME else owner
