@@ -17,7 +17,7 @@ from functools import cached_property
 from planes.plans.force.loads import names_of_loads
 from planes.scene import Scene
 from planes.scene.mechanism import Amount, Drive, Guide, Journal, Link, Load, LoadLaw, Mechanism, RoundGuide, StrokeLoad
-from planes.scene.structures import StaticLoad
+from planes.scene.structures import Framework, StaticLoad
 from planes.scene.vectors import Statement
 from planes.words.lettering import parameter_lettering
 from planes.words.naming import Naming
@@ -219,8 +219,8 @@ def restated(scene: Scene, paper: Paper) -> Statement:
 def restated_statics(scene: Scene, paper: Paper) -> Statement:
     """Bodies in equilibrium from a paper: positions, sizes and directions of loads, the pole of a string polygon."""
     stated = scene.statement
-    assert stated and stated.statics
-    shape = stated.statics
+    assert stated and isinstance(stated.subject, Framework)
+    shape = stated.subject
     points = {name: paper.place(name) for name in shape.points}
     loads = tuple(static_load(x, points, paper) for x in shape.loads)
     supports = tuple(
@@ -252,7 +252,7 @@ def static_load(load: StaticLoad, points: Mapping[str, complex], paper: Paper) -
 def rebuilt(scene: Scene, text: str, naming: Naming) -> tuple[Scene, list[str]]:
     """The scene of a paper, and the names of the numbers missing there."""
     paper = Paper(text, naming)
-    if scene.statement and scene.statement.statics:
+    if scene.statement and scene.statement.subject:
         return replace(scene, statement=restated_statics(scene, paper)), paper.missed
     if scene.statement:
         return replace(scene, statement=restated(scene, paper)), paper.missed
