@@ -28,14 +28,17 @@ def beam_outlines(position: Position) -> BeamOutlines | None:
     """Both diagrams of a straight beam; None where there is none."""
     figure = position.plans.figure
     beam = _Beam(position, figure) if figure and figure.moments else None
-    return beam.draw_outlines() if beam and beam.covers_known_intervals else None
+    if beam and beam.covers_known_intervals:
+        return beam.draw_outlines()
+    return None
 
 
 class _Beam:
     """The beam by the distances of its points."""
 
     def __init__(self, position: Position, figure: StaticsFigure) -> None:
-        self.position, self.figure = position, figure
+        self.position = position
+        self.figure = figure
         ends = [p for p, _ in figure.moments] + [p for x in figure.spread for p in x.spread or ()]
         ends += [p for *two, _ in figure.shears for p in two]
         places = {
@@ -65,10 +68,12 @@ class _Beam:
             for *two, name in self.figure.shears
         }
         moments = {p: self.value_of_name(name) for p, name in self.figure.moments}
-        shears, bent = [(0.0, 0.0)], Outline()
+        shears = [(0.0, 0.0)]
+        bent = Outline()
         known = [p for p in self.stops if p in moments]
         for one, other in pairwise(known):
-            start, end = self.stops[one], self.stops[other]
+            start = self.stops[one]
+            end = self.stops[other]
             long = end - start
             loads = [x for x in self.figure.spread if x.spread and self.load_covers_interval(x, start, end)]
             for k in range(POINTS_UNDER_DISTRIBUTED_LOAD + 1) if loads else (0, POINTS_UNDER_DISTRIBUTED_LOAD):

@@ -70,7 +70,8 @@ class _Limit:
 def extremes_of_curves(g: Grid) -> list[list[Extreme]]:
     """The extremes of every curve of the turn, in the order of the driver's positions; none for a constant curve."""
     of_curves: list[list[Extreme]] = [[] for _ in g.turn.curves]
-    brackets, limits = list[_Bracket](), [_Limit.sampled_limit(g, i, limit) for i, limit in g.assembly_limits]
+    brackets = list[_Bracket]()
+    limits = [_Limit.sampled_limit(g, i, limit) for i, limit in g.assembly_limits]
     for k, curve in enumerate(g.turn.curves):
         y = g.curve_values(curve)
         if has_variation(y, g.rounding_variation(curve)):
@@ -105,10 +106,8 @@ def _one_sided_extremes(g: Grid, brackets: list[_Bracket], places: Array) -> lis
     value there, if the curve tends to it; infinity where it grows without bound."""
     beside = 1e-8 * (g.places[-1] - g.places[0])
     around = (places + beside * np.array([[-1], [1], [-1000], [1000]])).ravel()
-    values, (near, far) = (
-        _curve_values_at(g.turn, brackets, places),
-        _curve_values_at(g.turn, brackets * 4, around).reshape(2, 2, -1),
-    )
+    values = _curve_values_at(g.turn, brackets, places)
+    near, far = _curve_values_at(g.turn, brackets * 4, around).reshape(2, 2, -1)
     size = {k: np.nanmax(np.abs(g.curve_values(g.turn.curves[k]))) for k in {b.curve for b in brackets}}
     alone = np.abs(values - near).min(axis=0) > 1e-3 * np.array([size[b.curve] for b in brackets])
     extremes_there = []
@@ -140,15 +139,20 @@ def has_variation(y: Array, noise: float) -> bool:
 
 def _extreme_brackets(g: Grid, k: int, y: Array) -> list[_Bracket]:
     """Nodes of the grid above, or below, both their neighbours."""
-    x, step = g.places, g.places[1] - g.places[0]
+    x = g.places
+    step = g.places[1] - g.places[0]
     if g.closed:
         period = y[-1] - y[0] if g.turn.curves[k].angular else 0.0
-        y, x = np.append(y, y[1] + period), np.append(x, x[-1] + step)
-    before, here, after = y[:-2], y[1:-1], y[2:]
+        y = np.append(y, y[1] + period)
+        x = np.append(x, x[-1] + step)
+    before = y[:-2]
+    here = y[1:-1]
+    after = y[2:]
     noise = 1e-13 * np.nanmax(np.abs(y))
     brackets = []
     for sense in (1, -1):
-        up, down = sense * (here - before) > noise, sense * (here - after) >= -noise
+        up = sense * (here - before) > noise
+        down = sense * (here - after) >= -noise
         tops = np.flatnonzero(up & down & (np.abs(here - before) + np.abs(here - after) > 2 * noise))
         brackets += [
             _Bracket(k, sense, int(i) + 1, x[i], x[i + 2], float(y[i + 1]), g.turn.curves[k].angular) for i in tops
@@ -196,7 +200,8 @@ def _refine_extreme_places(turn: WholeTurn, brackets: list[_Bracket]) -> Array:
     for _ in range(REFINEMENT_ROUNDS):
         x = low[:, None] + (high - low)[:, None] * parts
         sample = turn.sample_columns(x.ravel(), bare=True)
-        first, last = np.zeros(len(x), int), np.full(len(x), CELLS_PER_BRACKET)
+        first = np.zeros(len(x), int)
+        last = np.full(len(x), CELLS_PER_BRACKET)
         for curve, mine in _brackets_by_curve(turn, brackets):
             y, slope = (
                 (read(sample) + np.zeros(x.size)).reshape(x.shape)[mine] * sense[mine][:, None]
@@ -205,13 +210,15 @@ def _refine_extreme_places(turn: WholeTurn, brackets: list[_Bracket]) -> Array:
             by_value = (slope > 0).all(axis=1) | ~(slope > 0).any(axis=1)
             first[mine], last[mine] = np.where(by_value, _cells_around_top(y), _cell_of_slope_crossing(slope))
         rows = np.arange(len(x))
-        low, high = x[rows, first], x[rows, last]
+        low = x[rows, first]
+        high = x[rows, last]
     middle: Array = (low + high) / 2
     return middle
 
 
 def _curve_values_at(turn: WholeTurn, brackets: list[_Bracket], place: Array) -> Array:
-    sample, values_there = turn.sample_columns(place), np.empty(len(place))
+    sample = turn.sample_columns(place)
+    values_there = np.empty(len(place))
     near = np.array([b.near for b in brackets])
     for curve, mine in _brackets_by_curve(turn, brackets):
         value = (curve.read(sample) + np.zeros(len(place)))[mine]
@@ -236,7 +243,8 @@ def _unknown_slope(sample: Sample) -> float:
 def _cell_of_slope_crossing(slope: Array) -> tuple[Array, Array]:
     """The first cell in which a slope, positive before a top, is no longer positive."""
     down = ~(slope > 0)
-    down[:, 0], down[:, -1] = False, True
+    down[:, 0] = False
+    down[:, -1] = True
     last = down.argmax(axis=1)
     return last - 1, last
 

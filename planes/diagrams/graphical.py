@@ -72,7 +72,8 @@ class Construction:
 
     def exact_values(self, stage: Stage) -> list[float]:
         """The true values at the points of a diagram, SI."""
-        m, ends = self.motion, self.motion.ends[stage.rank]
+        m = self.motion
+        ends = self.motion.ends[stage.rank]
         halves = (half for half, _ in stage.points)
         return [m.middles[stage.rank][half // 2 % m.section_count] if half % 2 else ends[half // 2] for half in halves]
 
@@ -170,7 +171,8 @@ def differentiate_graphically(motion: Motion, pole_mm: float | None = None) -> C
     """The position differentiated twice by chords: velocities at the middles of sections, accelerations at their
     ends."""
     c = Construction(motion, "differentiation")
-    place, plan = motion.ends[0], "diagram:s"
+    place = motion.ends[0]
+    plan = "diagram:s"
     mu = standard_mu(max(place) - min(place), LARGEST_ORDINATE_MM)
     c.draw_axes_and_pole(plan, mu, None)
     points = tuple((2 * k, str(k)) for k in range(motion.section_count + 1))
@@ -182,14 +184,17 @@ def differentiate_graphically(motion: Motion, pole_mm: float | None = None) -> C
 
 def _draw_derivative_diagram(c: Construction, plan: str, rank: int, pole_mm: float | None) -> None:
     """The next diagram: rays parallel to the chords, their intercepts carried to the middles between points."""
-    d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
+    d = c.draft
+    before = c.stages[-1]
+    source = c.stages[-1].plan
     steepest = max(abs(b - a) for a, b in pairwise(c.exact_values(before))) / (c.motion.time[1] - c.motion.time[0])
     pole = pole_mm or _longest_pole_distance(steepest, c.time_scale, before.mu)
     mu = before.mu * pole / c.time_scale
     c.draw_axes_and_pole(plan, mu, pole)
     made = list[tuple[int, str]]()
     for (one, first), (two, second) in pairwise(before.points):
-        half, label = (one + two) // 2, _point_label((one + two) // 2)
+        half = (one + two) // 2
+        label = _point_label((one + two) // 2)
         chord = d.add_step(
             Through(f"{source}:{first}–{second}", full_mark_name(source, first), full_mark_name(source, second))
         )
@@ -213,7 +218,11 @@ def _draw_derivative_diagram(c: Construction, plan: str, rank: int, pole_mm: flo
 
 def _point_label(half: int) -> str:
     """Labels of points: whole sections by their number, middles by a half: 3, 3½."""
-    return str(half // 2) if half % 2 == 0 else "−½" if half < 0 else f"{half // 2}½"
+    if half % 2 == 0:
+        return str(half // 2)
+    if half < 0:
+        return "−½"
+    return f"{half // 2}½"
 
 
 def _longest_pole_distance(steepest: float, mu_t: float, mu: float) -> float:
@@ -225,14 +234,16 @@ def _longest_pole_distance(steepest: float, mu_t: float, mu: float) -> float:
 def integrate_graphically(motion: Motion, pole_mm: float | None = None) -> Construction:
     """The acceleration integrated twice, from rest at the start: velocities, then positions at the ends of sections."""
     c = Construction(motion, "integration")
-    values, plan = motion.middles[2], "diagram:a"
+    values = motion.middles[2]
+    plan = "diagram:a"
     mu = standard_mu(max(map(abs, values)), LARGEST_ORDINATE_MM)
     pole = pole_mm or _shortest_pole_distance(c, mu, motion.ends[1])
     c.draw_axes_and_pole(plan, mu, pole)
     middles = tuple((half, _point_label(half)) for half in range(1, 2 * motion.section_count, 2))
     c.lay_off_diagram(Stage(plan, 2, mu, pole, middles, True), values)
     _draw_integral_diagram(c, middles, "diagram:v", 1, motion.ends[1][0])
-    plan, mu = "diagram:v", c.stages[-1].mu
+    plan = "diagram:v"
+    mu = c.stages[-1].mu
     for k, (_, label) in enumerate(middles):
         c.draft.add_step(
             Similar(
@@ -260,7 +271,9 @@ def _draw_integral_diagram(
     c: Construction, middles: Sequence[tuple[int, str]], plan: str, rank: int, start: float = 0.0
 ) -> None:
     """The integral of a diagram: over each section a parallel to the ray through the ordinate of its middle."""
-    d, before, source = c.draft, c.stages[-1], c.stages[-1].plan
+    d = c.draft
+    before = c.stages[-1]
+    source = c.stages[-1].plan
     assert before.pole_mm
     mu = before.mu * c.time_scale / before.pole_mm
     c.draw_axes_and_pole(plan, mu, None)

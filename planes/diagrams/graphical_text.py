@@ -67,11 +67,14 @@ def diagram_readings(c: Construction, pencil: Pencil | None = None) -> list[Meas
 
 def scale_formulas(c: Construction, lang: Lang) -> list[str]:
     """The scales of the diagrams, each with its formula; μ in mm per unit."""
-    letters, units, mm = MOTION_LETTERS[c.motion.slides], UNITS_OF_PLACE_AND_RATES[c.motion.slides], say("mm", lang)
+    letters = MOTION_LETTERS[c.motion.slides]
+    units = UNITS_OF_PLACE_AND_RATES[c.motion.slides]
+    mm = say("mm", lang)
     lines = [f"μ_t = {significant_digits_text(c.time_scale)} {mm}/{say('s', lang)}"]
     previous: Stage | None = None
     for stage in c.stages:
-        letter, unit = letters[stage.rank], say(units[stage.rank], lang)
+        letter = letters[stage.rank]
+        unit = say(units[stage.rank], lang)
         text = f"μ_{letter} = "
         if previous:
             other = letters[previous.rank]
@@ -95,7 +98,8 @@ def constructions_json(constructions: list[Construction]) -> Json:
 
 
 def _diagram_json(c: Construction, r: MeasuredDiagram) -> Json:
-    stage, keys = r.stage, ("point", "phi_deg", "found", "exact", "pencil")
+    stage = r.stage
+    keys = ("point", "phi_deg", "found", "exact", "pencil")
     points = [
         dict(zip(keys, (label, _driver_angle_at_point(c, half), *numbers), strict=True))
         for half, label, *numbers in r.reading_rows
@@ -118,7 +122,8 @@ def constructions_report(constructions: list[Construction], lang: Lang) -> str:
 
 
 def _diagram_table(c: Construction, r: MeasuredDiagram, lang: Lang) -> list[str]:
-    rank, slides = r.stage.rank, c.motion.slides
+    rank = r.stage.rank
+    slides = c.motion.slides
     unit = say(UNITS_OF_PLACE_AND_RATES[slides][rank], lang)
     point, found_head, exact_head, pencil = (say(f"graphical_{k}", lang) for k in ("point", "found", "exact", "pencil"))
     size = max(map(abs, r.exact)) or 1.0

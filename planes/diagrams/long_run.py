@@ -46,8 +46,10 @@ def write_table(
 ) -> int:
     """Write a table of curves, with ``errors`` the ± of each after them; returns the exit status."""
     span = values or default_table_range(turn.plans)
-    kind, count = turn.plans.drive.kind, len(span)
-    drive, heads = (kind, "°" if kind == "phi" else "m"), [(c.name, c.unit) for c in turn.curves]
+    kind = turn.plans.drive.kind
+    count = len(span)
+    drive = (kind, "°" if kind == "phi" else "m")
+    heads = [(c.name, c.unit) for c in turn.curves]
     heads += [(ERROR_COLUMN_PREFIX + name, unit) for name, unit in heads if errors]
     gaps: list[Gap] = []
     with open_block_writer(Path(output), TableHead(drive, heads, turn.failure_reasons), count) as writer:
@@ -82,7 +84,9 @@ def collect_failed_ranges(gaps: list[Gap], block: Block) -> None:
     codes = block.codes
     edges = np.flatnonzero(np.diff(codes)) + 1
     for start, end in zip([0, *edges], [*edges, len(codes)], strict=True):
-        code, first, last = int(codes[start]), float(block.values[start]), float(block.values[end - 1])
+        code = int(codes[start])
+        first = float(block.values[start])
+        last = float(block.values[end - 1])
         if not gaps or gaps[-1].code != code:
             gaps.append(Gap(code, first, last, 0))
         gaps[-1].last = last
@@ -94,7 +98,8 @@ def report_failed_ranges(table: Cycle, reasons: tuple[Reason, ...], gaps: list[G
     failed = [gap for gap in gaps if gap.code]
     for gap in failed[:MOST_DESCRIBED_RANGES]:
         first, last = (drive_position_in_words(v, kind, lang) for v in (gap.first, gap.last))
-        name, why = "φ" if kind == "phi" else "s", failure_sentence(table, reasons, gap, lang)
+        name = "φ" if kind == "phi" else "s"
+        why = failure_sentence(table, reasons, gap, lang)
         print(say("cycle_failed", lang, name=name, first=first, last=last, count=gap.count, why=why), file=sys.stderr)
     if len(failed) > MOST_DESCRIBED_RANGES:
         print(say("cycle_more", lang, count=len(failed) - MOST_DESCRIBED_RANGES), file=sys.stderr)
@@ -124,7 +129,8 @@ def curves_at_positions(turn: WholeTurn, values: Any) -> dict[str, list[float]]:
 
 def curves_at_positions_json(turn: WholeTurn, values: Any) -> Json:
     """The listing as JSON data: None where a curve has no value."""
-    rows, key = curves_at_positions(turn, values), drive_position_key(turn.plans)
+    rows = curves_at_positions(turn, values)
+    key = drive_position_key(turn.plans)
     positions = [
         {key: float(v), "values": {n: finite_or_none(row[k]) for n, row in rows.items()}} for k, v in enumerate(values)
     ]
@@ -133,7 +139,8 @@ def curves_at_positions_json(turn: WholeTurn, values: Any) -> Json:
 
 def failed_position_sentences(turn: WholeTurn, values: Any, lang: Lang) -> list[str]:
     """A sentence for each position that cannot be drawn."""
-    plans, sentences = turn.plans, []
+    plans = turn.plans
+    sentences = []
     given = {**plans.given, **dict.fromkeys(unit_scales_of_plans(plans), 1000.0)}
     nearest = Nearest(plans)
     for value in map(float, values):
@@ -150,7 +157,8 @@ def failed_position_sentences(turn: WholeTurn, values: Any, lang: Lang) -> list[
 
 def curve_listing_text(turn: WholeTurn, values: Any, lang: Lang) -> str:
     """Every curve in each position, in the order of the analytic method, with five decimals."""
-    told_rows, kind = curves_at_positions(turn, values), turn.plans.drive.kind
+    told_rows = curves_at_positions(turn, values)
+    kind = turn.plans.drive.kind
     lines = list[str]()
     for key, curves in _curves_by_chapter(turn.curves):
         rows = [[c.name, say(c.unit, lang), *map(number_with_five_decimals, told_rows[c.name])] for c in curves]

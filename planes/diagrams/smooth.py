@@ -26,7 +26,8 @@ SAME_NODE_DISTANCE_RATIO = 1e-10  # of the grid's step: closer to a node than th
 def smooth_extreme_places(g: Grid, curve: Curve, index: Indices, sense: Indices) -> Array:
     """The driver's positions of extremes (shape of ``index``, the nodes beside them; ``sense`` +1 for a maximum), in
     degrees or metres; NaN where the curve is not smooth enough."""
-    rows, step = _values_around_nodes(g, curve, index), g.places[1] - g.places[0]
+    rows = _values_around_nodes(g, curve, index)
+    step = g.places[1] - g.places[0]
     ways = (
         _root_near_middle(_slope_coefficients(rows, half, bool(curve.slope)))
         for half in (NODES_EACH_SIDE - 1, NODES_EACH_SIDE)

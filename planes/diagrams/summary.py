@@ -100,7 +100,8 @@ class Summary:
         some = self.extremes_by_curve[name]
         if not some:
             return None
-        low, high = min(some, key=lambda e: e.value), max(some, key=lambda e: e.value)
+        low = min(some, key=lambda e: e.value)
+        high = max(some, key=lambda e: e.value)
         if np.isinf(high.value - low.value):
             return DrivenStroke(link, slides, name, tuple(e for e in some if np.isinf(e.value)), np.inf)
         dead = tuple(sorted((low, high), key=lambda e: e.place))
@@ -132,19 +133,19 @@ class Summary:
         return tuple(row for _, row in rows_with_values)
 
     def _summarise_curve(self, curve: Curve, y: Array) -> CurveSummary:
-        some, size, rounds = (
-            self.extremes_by_curve[curve.name],
-            float(np.nanmax(np.abs(y))),
-            self.grid.turns_fully(curve),
-        )
+        some = self.extremes_by_curve[curve.name]
+        size = float(np.nanmax(np.abs(y)))
+        rounds = self.grid.turns_fully(curve)
         k = int(np.flatnonzero(np.isfinite(y))[0])
         extremes = some or [Extreme(float(self.grid.places[k]), float(y[k]), 1)]  # the only value of a constant
-        low, high = _first_greatest_extreme(extremes, -1, size), _first_greatest_extreme(extremes, 1, size)
+        low = _first_greatest_extreme(extremes, -1, size)
+        high = _first_greatest_extreme(extremes, 1, size)
         still = not some and not rounds
         return CurveSummary((curve.name,), curve.unit, curve.group, low, high, size, rounds, still)
 
     def _is_shown(self, curve: Curve) -> bool:
-        name, driver = curve.name, self.plans.drive.link
+        name = curve.name
+        driver = self.plans.drive.link
         if self.names:
             return name in self.names
         if letter_of(name) in ("MZ", "FbZ") or component_axis(name):
@@ -158,7 +159,8 @@ class Summary:
     @cached_property
     def paths_of_points(self) -> tuple[Path, ...]:
         """Paths of the moving points."""
-        paths, frame = [], self.plans.mechanism.frame.points
+        paths = []
+        frame = self.plans.mechanism.frame.points
         for p in self.plans.points:
             if p not in frame:
                 z = self.grid.sampled_columns[f"r_{p}_x"] + 1j * self.grid.sampled_columns[f"r_{p}_y"]
@@ -229,5 +231,7 @@ def summarise_cycle(
     """
     count = max(721, round(abs(end - start) / 0.5) + 1) if plans.drive.rotates else 721
     shown = () if names is None else tuple(c.name for c in whole_turn_of(plans, names, file=scene.file).curves)
-    turn, low, high = whole_turn_of(plans), min(start, end), max(start, end)
+    turn = whole_turn_of(plans)
+    low = min(start, end)
+    high = max(start, end)
     return Summary(scene, plans, grid_in_one_piece(make_grid(turn, low, high, min(count, 20001))), shown)

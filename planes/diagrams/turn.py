@@ -42,7 +42,9 @@ class WholeTurn:
     def __init__(
         self, plans: Plans, curves: Sequence[Curve], arrows: Sequence[CycleVector] = (), slopes: bool = True
     ) -> None:
-        self.plans, self.curves, self.arrows = plans, tuple(curves), tuple(arrows)
+        self.plans = plans
+        self.curves = tuple(curves)
+        self.arrows = tuple(arrows)
         self.needs = columns_needed((*self.curves, *self.arrows), slopes)
 
     @cached_property
@@ -68,7 +70,8 @@ class WholeTurn:
 
     def _run_cycles(self, values: Array, bare: bool = False, fast: bool | None = False) -> tuple[Sample, Indices]:
         columns: dict[str, Array] = {}
-        codes, past = np.zeros(len(values), np.intp), 0
+        codes = np.zeros(len(values), np.intp)
+        past = 0
         for prefix, run in self.cycles_by_prefix:
             table, mine = run.table(values, fast, bare=bare)
             if mine.any():
@@ -83,7 +86,8 @@ class WholeTurn:
         sample, codes = self._run_cycles(values, fast=fast)
         rows = [c.read(sample) for c in self.curves]
         if errors:
-            runs, every = self.cycles_by_prefix, np.arange(len(values))
+            runs = self.cycles_by_prefix
+            every = np.arange(len(values))
             off = {
                 p + c.name: x
                 for p, r in runs
@@ -107,7 +111,8 @@ def whole_turn_of(
     plans: Plans, names: Iterable[str] | None = None, arrows: Iterable[str] = (), file: str = "", slopes: bool = True
 ) -> WholeTurn:
     """A turn with the curves and vectors of those names (None: every curve), read with their ``slopes`` or without."""
-    known, vectors = curves_by_name(plans), vectors_by_name(plans)
+    known = curves_by_name(plans)
+    vectors = vectors_by_name(plans)
     chosen = known.values() if names is None else [curve_or_vector_by_name(n, known, plans, file) for n in names]
     return WholeTurn(
         plans, list(dict.fromkeys(chosen)), [curve_or_vector_by_name(n, vectors, plans, file) for n in arrows], slopes
@@ -118,7 +123,8 @@ def unwind_angles(angles: Array) -> Array:
     """Angles without jumps of a full turn, most of them unchanged; NaN stays, and the angles after it continue from the
     last one before."""
     jumping = np.array(angles, float)
-    unwrapped, good = jumping.copy(), np.flatnonzero(np.isfinite(jumping))
+    unwrapped = jumping.copy()
+    good = np.flatnonzero(np.isfinite(jumping))
     if len(good):
         unwrapped[good] = np.unwrap(jumping[good], period=FULL_TURN_DEG)
         unwrapped -= FULL_TURN_DEG * np.round(np.median((unwrapped - jumping)[good]) / FULL_TURN_DEG)
@@ -169,7 +175,8 @@ class Grid:
     @cached_property
     def _typical_magnitudes(self) -> dict[str, float]:
         """Typical magnitudes in each unit, including those with the driver's given motion."""
-        drive, sizes = self.turn.plans.drive, {"°": FULL_TURN_DEG}
+        drive = self.turn.plans.drive
+        sizes = {"°": FULL_TURN_DEG}
         if drive.rotates:
             sizes |= {"1": 1.0, "rad/s": abs(drive.velocity), "rad/s²": abs(drive.acceleration)}
         for curve in self.turn.curves:
@@ -186,19 +193,23 @@ class Grid:
     def assembly_limits(self) -> tuple[tuple[int, float], ...]:
         """Limits of assembly: the last working node of the grid beside each, and the limit itself (to 10⁻¹²)."""
         inside = np.flatnonzero(self.assembled_mask[1:] != self.assembled_mask[:-1])
-        good, every = np.where(self.assembled_mask[inside], inside, inside + 1), np.arange(len(inside))
-        low, high = self.places[good], self.places[np.where(self.assembled_mask[inside], inside + 1, inside)]
+        good = np.where(self.assembled_mask[inside], inside, inside + 1)
+        every = np.arange(len(inside))
+        low = self.places[good]
+        high = self.places[np.where(self.assembled_mask[inside], inside + 1, inside)]
         if not len(inside):
             return ()
         for _ in range(LIMIT_NARROWING_ROUNDS):
-            places, last = np.stack([low, high]), np.zeros(len(inside), int)
+            places = np.stack([low, high])
+            last = np.zeros(len(inside), int)
             for _ in NARROWING_PARTS:
                 places = np.insert(places, np.arange(1, len(places)), (places[:-1] + places[1:]) / 2, axis=0)
             sample = self.turn.sample_columns(flat := places[:-1].ravel(), bare=True)
             ok = _assembled_mask(sample, flat, self.turn.plans.has_mechanism).reshape(-1, len(inside))
             for step in NARROWING_PARTS:
                 last += step * ok[last + step, every]
-            low, high = places[last, every], places[last + 1, every]
+            low = places[last, every]
+            high = places[last + 1, every]
         return tuple((int(i), float(z)) for i, z in zip(good, low, strict=True))
 
     @cached_property
@@ -218,7 +229,8 @@ class Grid:
         for curve in self.turn.curves:
             if curve.angular:
                 for i in np.flatnonzero(np.abs(np.diff(self.curve_values(curve))) > LEAST_FLIP_DEG):
-                    low, high = float(self.places[i]), float(self.places[i + 1])
+                    low = float(self.places[i])
+                    high = float(self.places[i + 1])
                     for _ in range(24):
                         middle = (low + high) / 2
                         low, high = (
@@ -271,7 +283,8 @@ def driver_search_range(plans: Plans) -> tuple[float, float]:
 def working_range_of(plans: Plans) -> WorkingRange:
     """The range in which the mechanism assembles about the drive's position in the scene."""
     turn = WholeTurn(plans, [c for c in curves_by_name(plans).values() if c.group == "place"])
-    g, here = grid_in_one_piece(make_grid(turn, *driver_search_range(plans))), plans.drive.position
+    g = grid_in_one_piece(make_grid(turn, *driver_search_range(plans)))
+    here = plans.drive.position
     away = lambda ends: max(ends[0] - here, here - ends[1])  # noqa: E731
     start, end = min(g.assembly_ranges, key=away, default=(here, here))
     return WorkingRange(start, end, g.closed)

@@ -101,11 +101,9 @@ def _plan_size_si(plans: Plans, drawing: Drawing, plan: str) -> float:
     m = plans.mechanism
     if plan_kind(plan) == "force" and "acceleration" in plans.plan_names:
         mass = sum(link.mass or 0.0 for link in m.links.values())
-        return (
-            size
-            if size > ROUNDING_FORCE_RATIO * mass * ((m.gravity or 0.0) + plan_extent(drawing, "acceleration"))
-            else 0.0
-        )
+        if size > ROUNDING_FORCE_RATIO * mass * ((m.gravity or 0.0) + plan_extent(drawing, "acceleration")):
+            return size
+        return 0.0
     return size
 
 

@@ -26,7 +26,9 @@ def group_equilibrium_sentence(group: AnyGroup, lang: Lang) -> list[str]:
     constraints; empty for a group with a drive inside."""
     n = len(group.all_links)
     p = len(group_pairs(group))
-    return [say("note_group_determinate", lang, n=n, p=p, q=5 * p - 6 * n)] if 3 * n == 2 * p else []
+    if 3 * n == 2 * p:
+        return [say("note_group_determinate", lang, n=n, p=p, q=5 * p - 6 * n)]
+    return []
 
 
 def class_lowering_drivers_text(structure: Structure, lang: Lang, frame: str, kinds: bool = False) -> list[str]:

@@ -64,7 +64,9 @@ def _png(page: Page, text: "Lettered") -> bytes:
     from render.files import pdf
 
     picture = pdf.write_png(page.marks, page.size, page.title, under=page.under)
-    return picture if page.under else png_with_drawing(picture, _svg(page, text))
+    if page.under:
+        return picture
+    return png_with_drawing(picture, _svg(page, text))
 
 
 def _dxf(page: Page, text: "Lettered") -> bytes:
