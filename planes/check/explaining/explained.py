@@ -192,7 +192,8 @@ class Explanation:
 
         Otherwise, those far off in a drawing that fits the ink as well: that its mistake is rare is no evidence.
         """
-        if not self.right_drawing.places:
+        at_free_scale = self.likeliest_drawing.hypothesis.kind == "scaled" and not self.plan.bench.asked.mu
+        if at_free_scale or not self.right_drawing.places:
             return []
         if self.wrong_drawing and (
             self.likeliest_drawing is self.wrong_drawing or self.chance_of_other_drawing >= w.LEAST_SERIOUS_DOUBT
