@@ -207,11 +207,11 @@ class Explanation:
         """Drawings that fit the ink as well as the best of those with every mark in place."""
         laid = [one for one in self.laid if one.places]
         here = max(
-            one.score_without_prior
+            one.score_without_mistake
             for one in laid
             if (self._distances_from_right_mm(one) <= w.RIVAL_MARK_DISTANCE_MM).all()
         )
-        return [one for one in laid if here - one.score_without_prior < w.LEAST_EVIDENCE_GAP]
+        return [one for one in laid if here - one.score_without_mistake < w.LEAST_EVIDENCE_GAP]
 
     def _displaced_marks(self, drawings: Sequence[Laid], apart_mm: float, blamed: str = "") -> list[str]:
         """Marks or sides farther than ``apart_mm`` from the right plan in any of the drawings, and those blamed."""

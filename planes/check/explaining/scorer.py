@@ -57,6 +57,11 @@ class Laid:
         """The evidence of the sheet alone, without the prior."""
         return self.score + self.hypothesis.cost
 
+    @property
+    def score_without_mistake(self) -> float:
+        """That with the order of the sides: few lay a polygon in another order than its equation has."""
+        return self.score_without_prior - (w.OTHER_ORDER_COST if self.hypothesis.order else 0.0)
+
 
 def _best_first(laid: Iterable[Laid]) -> list[Laid]:
     return sorted(laid, key=lambda one: -one.score)
