@@ -27,7 +27,7 @@ from planes.words.records import Described
 
 # a mark at this distance, and half its length, from the constructed point is not called right if errors may be as large
 MOST_RIGHT_DEVIATION_MM = 4.0
-# of pictures on which all that was read was called right: of 183 four had a mistake, of 117 seen in part four in that part
+# of pictures called right: four of 183 had a mistake, four of 117 seen in part had one in that part
 MOST_CHANCE_OF_RIGHT_PICTURE = {"right": 0.98, "right_as_seen": 0.97}
 EXIT_STATUS_OF_VERDICT = {"confirmed": 0, "right": 0, "right_as_seen": 3, "wrong": 1, "unreadable": 2}  # best first
 

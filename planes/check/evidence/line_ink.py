@@ -38,7 +38,7 @@ SHORTEST_LINE_WITH_HEAD_MM = 1.5  # of a line whose head is no evidence
 class LineInk(SheetInk):
     """The lines of a drawing."""
 
-    most_head = HEAD_EVIDENCE_RANGE[1]
+    most_head = most_point = HEAD_EVIDENCE_RANGE[1]
 
     def __init__(self, sketch: ReadDrawing, names: Names) -> None:
         self.sketch = sketch
@@ -161,10 +161,10 @@ class LineInk(SheetInk):
         """Nothing: heads in files are judged by themselves."""
         return numpy.zeros(a.shape)
 
-    def point_evidence(self, z: Complexes) -> Array:
+    def point_evidence(self, z: Complexes, roughly: bool = False) -> Array:
         """The evidence for a point at each position: a small circle there."""
         if not self.rounds.size:
-            return super().point_evidence(z)
+            return numpy.zeros(z.shape)
         return _sign_evidence(abs(z[..., None] - self.rounds).min(axis=-1))
 
     def read_words(self, a: Complexes, b: Complexes, with_heads: bool, names: Iterable[str]) -> LineWords:

@@ -59,8 +59,9 @@ class Laid:
 
     @property
     def score_without_mistake(self) -> float:
-        """That with the order of the sides: few lay a polygon in another order than its equation has."""
-        return self.score_without_prior - (w.OTHER_ORDER_COST if self.hypothesis.order else 0.0)
+        """The score but for the rarity of a mistake. That it fits at one of many sizes or places, or in another order
+        of the sides, counts."""
+        return self.score + (0.0 if self.hypothesis.is_right else w.HYPOTHESIS_COSTS["catalogue"])
 
 
 def _best_first(laid: Iterable[Laid]) -> list[Laid]:
@@ -153,7 +154,8 @@ class Scorer:
         scheme = self.plan.kind == "position"
         signs = len(self.plan.labels) if scheme else (lines_to_look_for(a[None], b[None]) & self.plan.needed).sum()
         beside = w.UNEXPLAINED_COST_PER_MM * min(one.strange, self._most_unexplained_mm) if scheme else 0.0
-        short = w.HEAD_EVIDENCE_WEIGHT * self.ink.most_head * signs - one.score_without_prior - beside
+        most = self.ink.most_point if scheme else self.ink.most_head
+        short = w.HEAD_EVIDENCE_WEIGHT * most * signs - one.score_without_prior - beside
         return bool(
             short - one.erred < w.LEAST_EVIDENCE_GAP
             and not (one.hypothesis.is_right and short > w.HYPOTHESIS_COSTS["length"])
@@ -164,10 +166,13 @@ class Scorer:
         could = [(h, drawn) for h, drawn in self.plan.draw_each_hypothesis(every) if drawn is not None]
         if not could:
             return []
-        scores = self.line_coverage_scores(
-            *self._lines_on_sheet(every[0], numpy.concatenate([drawn for _, drawn in could])), 2
-        )[0]
+        scores = self._rough_drawing_scores(every[0], numpy.concatenate([drawn for _, drawn in could]))
         return [(score - h.cost, h, drawn) for score, (h, drawn) in zip(scores.tolist(), could, strict=True)]
+
+    def _rough_drawing_scores(self, h: Hypothesis, drawn: Complexes) -> Array:
+        """Rough scores of the lines and the points of drawings with the sides in the order of a hypothesis."""
+        lines = self.line_coverage_scores(*self._lines_on_sheet(h, drawn), 2)[0]
+        return lines + self.point_symbol_scores(drawn, roughly=True)
 
     def _likeliest_print_scale(self) -> float:
         """The print scale of the sheet: the one with the likeliest settled drawing."""
@@ -259,9 +264,7 @@ class Scorer:
         drawn = self.plan.mark_positions(base, moves, len(sizes)) if sizes else None
         if drawn is None:
             return []
-        scores = self.line_coverage_scores(*self._lines_on_sheet(base, drawn), 2)[0] - numpy.array(
-            [w.HYPOTHESIS_COSTS[kind] for kind, *_ in sizes]
-        )
+        scores = self._rough_drawing_scores(base, drawn) - [w.HYPOTHESIS_COSTS[kind] for kind, *_ in sizes]
         kept: dict[tuple[str, str], list[complex]] = {}
         best = []
         for k in numpy.argsort(-scores, kind="stable")[: w.MOST_DISPLACEMENTS].tolist():
@@ -289,20 +292,18 @@ class Scorer:
         said: Array = w.HEAD_EVIDENCE_WEIGHT * numpy.where(there, felt, 0.0).sum(axis=1)
         return said
 
-    def point_symbol_scores(self, drawn: Complexes) -> Array:
-        """The score of the symbols of points at the marks of each row of a scheme."""
+    def point_symbol_scores(self, drawn: Complexes, roughly: bool = False) -> Array:
+        """The score of the symbols of points at the marks of each row of a scheme, or near them."""
         if self.plan.kind != "position":
             return numpy.zeros(len(drawn))
-        said: Array = w.HEAD_EVIDENCE_WEIGHT * self.ink.point_evidence(
-            drawn[:, : len(self.plan.labels)] + self.pole
-        ).sum(axis=1)
-        return said
+        said = self.ink.point_evidence(drawn[:, : len(self.plan.labels)] + self.pole, roughly)
+        return numpy.asarray(w.HEAD_EVIDENCE_WEIGHT * said.sum(axis=1))
 
     def full_scores(self, h: Hypothesis, drawn: Complexes, roughly: bool = False) -> tuple[Array, Array, Array]:
         """The full score of each row, the share of its needed lines found, and the ink left over, mm."""
         a, b = self._lines_on_sheet(h, drawn)
         score, cover = self.line_coverage_scores(a, b, 1 + roughly, 0.0)
-        score = score + self.head_scores(a, b) + self.point_symbol_scores(drawn)
+        score = score + self.head_scores(a, b) + self.point_symbol_scores(drawn, roughly)
         if self.box is None:
             return score, cover, numpy.zeros(len(a))
         more_a, more_b, signs, reach = self.plan.extra_symbols(drawn)
